@@ -1,0 +1,174 @@
+#include "openr/stubgen.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include "runtime/config/stub_config.h"
+#include "runtime/config/stub_generator.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kGood = 0;
+constexpr int kInputWrong = 1;
+constexpr int kCommandLineWrong = 2;
+
+std::optional<std::string> ReadAll(std::istream& in) {
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad()) return std::nullopt;
+  return text;
+}
+
+// nullopt after a complaint.
+std::optional<std::string> ReadInput(const std::string& file, std::istream& in, std::ostream& err) {
+  if (file.empty()) {
+    std::optional<std::string> text = ReadAll(in);
+    if (!text) err << "standard input: cannot be read\n";
+    return text;
+  }
+  std::error_code status;
+  if (fs::is_directory(file, status)) {
+    err << fmt::format("{0}: is a folder; did you mean '{0}/stub.cfg'?\n", file);
+    return std::nullopt;
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::optional<std::string> text = stream ? ReadAll(stream) : std::nullopt;
+  if (!text) err << fmt::format("{}: cannot be read: {}\n", file, std::strerror(errno));
+  return text;
+}
+
+// New contents of some files of one folder, under temporary names until all are on the disk.
+class FileBatch {
+ public:
+  explicit FileBatch(const fs::path& folder) : folder_(folder) {}
+  ~FileBatch() {
+    std::error_code ignored;
+    for (const fs::path& path : temporary_) fs::remove(path, ignored);
+  }
+  FileBatch(const FileBatch&) = delete;
+  FileBatch& operator=(const FileBatch&) = delete;
+
+  // Both return "" or what went wrong.
+  std::string Write(const GeneratedFile& file);
+  std::string Commit();
+
+ private:
+  const fs::path folder_;
+  std::vector<fs::path> temporary_;
+  std::vector<fs::path> final_;
+};
+
+std::string FileBatch::Write(const GeneratedFile& file) {
+  final_.push_back(folder_ / file.name);
+  // Two stubgens in one folder (a parallel build) must not write to the same name.
+  temporary_.push_back(folder_ / fmt::format(".{}.{}.tmp", file.name, getpid()));
+  errno = 0;
+  std::ofstream stream(temporary_.back(), std::ios::binary | std::ios::trunc);
+  stream << file.text;
+  stream.close();
+  if (stream) return "";
+  return fmt::format("{}: cannot be written: {}", final_.back().string(), std::strerror(errno));
+}
+
+std::string FileBatch::Commit() {
+  // The one failure of a rename that can be foreseen, so that it does not strike half way.
+  for (const fs::path& path : final_) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+      return fmt::format("{}: is a folder; remove it, a file of this name is to be written",
+                         path.string());
+    }
+  }
+  for (size_t i = 0; i < final_.size(); ++i) {
+    std::error_code status;
+    fs::rename(temporary_[i], final_[i], status);
+    if (status) {
+      return fmt::format("{}: cannot be replaced: {}", final_[i].string(), status.message());
+    }
+  }
+  temporary_.clear();
+  return "";
+}
+
+bool WriteFiles(const std::vector<GeneratedFile>& files, const fs::path& folder,
+                std::ostream& err) {
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (status) {
+    err << fmt::format("{}: cannot be made: {}\n", folder.string(), status.message());
+    return false;
+  }
+  FileBatch batch(folder);
+  std::string fault;
+  for (const GeneratedFile& file : files) {
+    if (fault.empty()) fault = batch.Write(file);
+  }
+  if (fault.empty()) fault = batch.Commit();
+  if (!fault.empty()) err << fault << '\n';
+  return fault.empty();
+}
+
+std::string Counted(size_t count, const char* singular, const char* plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+std::string Summary(const StubConfig& config, const std::vector<GeneratedFile>& files,
+                    const fs::path& folder) {
+  std::string text = fmt::format("{}: {}, {}, {}; selectors 0 to {}\n", config.object_name,
+                                 Counted(config.subjects.size(), "subject", "subjects"),
+                                 Counted(config.observers.size(), "observer", "observers"),
+                                 Counted(config.extras.size(), "extra entry", "extra entries"),
+                                 config.NumOfSelectors() - 1);
+  for (const GeneratedFile& file : files) {
+    text += fmt::format("wrote {}\n", (folder / file.name).lexically_normal().string());
+  }
+  return text;
+}
+
+}  // namespace
+
+int RunStubgen(const StubgenOptions& options, std::istream& in, std::ostream& out,
+               std::ostream& err) {
+  const std::string file = options.file == "-" ? "" : options.file;
+  const std::optional<std::string> text = ReadInput(file, in, err);
+  if (!text) return kInputWrong;
+  const StubConfigResult parsed = ParseStubConfig(file.empty() ? "<stdin>" : file, *text);
+  err << Render(parsed.diagnostics);
+  if (HasErrors(parsed.diagnostics)) {
+    err << "nothing written\n";
+    return kInputWrong;
+  }
+  const std::string source = file.empty() ? "stub.cfg" : fs::path(file).filename().string();
+  const std::vector<GeneratedFile> files = GenerateStub(parsed.config, source);
+  if (!WriteFiles(files, options.folder, err)) return kInputWrong;
+  out << Summary(parsed.config, files, options.folder);
+  return kGood;
+}
+
+int StubgenMain(int argc, char** argv) {
+  StubgenOptions options;
+  CLI::App app{"Generates def.h, entry.h and the stub of an OPEN-R object from its stub.cfg."};
+  app.add_option("FILE", options.file, "stub.cfg to read (default, and for '-': standard input)");
+  app.add_option("-o,--output", options.folder, "folder to write to")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, std::cout, std::cerr) == 0 ? kGood : kCommandLineWrong;
+  }
+  return RunStubgen(options, std::cin, std::cout, std::cerr);
+}
+
+}  // namespace openr_host

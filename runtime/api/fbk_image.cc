@@ -1,0 +1,70 @@
+#include <OPENR/OFbkImage.h>
+
+#include <bit>
+
+namespace {
+
+// Place of a band in the rows of an image, and how many bands the image has.  `index` is
+// -1 for a band that an image of this type does not have.
+struct BandPlace {
+  int index;
+  int bands;
+};
+
+BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
+  constexpr BandPlace kNone = {-1, 0};
+  switch (type) {
+    case odataFBK_CDT:
+      return band == ofbkimageBAND_CDT ? BandPlace{0, 1} : kNone;
+    case odataFBK_YCrCb:
+      return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
+    case odataFBK_YCrCb_HPF:
+      if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
+      // LH, HL, HH follow in the rows; in the numbers CDT lies between.
+      if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
+        return {static_cast<int>(band) - 1, 6};
+      }
+      return kNone;
+    default:
+      return kNone;
+  }
+}
+
+// The tag: field counter, then the frequencies of channels 4..7 and 0..3.
+constexpr int kTagSize = 16;
+constexpr int kFrequencies4To7 = 4;
+constexpr int kFrequencies0To3 = 8;
+
+}  // namespace
+
+OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
+    : pointer_(nullptr), width_(0), height_(0), skip_(0), has_tag_(false) {
+  if (info == nullptr || data == nullptr) return;
+  const BandPlace place = PlaceOf(info->type, band);
+  if (place.index < 0) return;
+  width_ = static_cast<int>(info->width);
+  height_ = static_cast<int>(info->height);
+  skip_ = width_ * (place.bands - 1);
+  pointer_ = data + place.index * width_;
+  has_tag_ = band == ofbkimageBAND_Y && width_ >= kTagSize && height_ > 0;
+}
+
+byte OFbkImage::Pixel(int x, int y) const {
+  return IsValid() ? pointer_[(width_ + skip_) * y + x] : byte{0};
+}
+
+const byte* OFbkImage::Tag() const {
+  return has_tag_ ? pointer_ + (width_ + skip_) * (height_ - 1) : nullptr;
+}
+
+word OFbkImage::FieldCounter() const {
+  const byte* const tag = Tag();
+  return tag == nullptr ? word{0} : static_cast<word>(tag[0] | tag[1] << 8);
+}
+
+byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
+  const byte* const tag = Tag();
+  if (tag == nullptr || !std::has_single_bit(channel) || channel > ocdtCHANNEL7) return 0;
+  const int number = std::countr_zero(channel);
+  return number < 4 ? tag[kFrequencies0To3 + number] : tag[kFrequencies4To7 + number - 4];
+}

@@ -1,0 +1,49 @@
+// OObject: what every core class inherits.
+#include <OPENR/OObject.h>
+
+#include <cstring>
+
+#include "runtime/core/api.h"
+#include "runtime/core/assert.h"
+#include "runtime/core/system.h"
+
+using namespace openr_host;
+
+namespace {
+
+void ReplyStatus(OStatus status) {
+  const ApiScope scope;
+  OStatusMessage message;
+  std::memset(&message, 0, sizeof message);
+  message.msgType = omsgOSTATUS;
+  message.status = status;
+  Reply(&message, sizeof message);
+}
+
+}  // namespace
+
+OObject::OObject() : myOID_(t_current.object == nullptr ? OID() : OidOf(t_current.object->id)) {}
+OObject::~OObject() = default;
+
+void OObject::Init(const OSystemEvent& event) { ReplyStatus(DoInit(event)); }
+void OObject::Start(const OSystemEvent& event) { ReplyStatus(DoStart(event)); }
+void OObject::Stop(const OSystemEvent& event) { ReplyStatus(DoStop(event)); }
+void OObject::Destroy(const OSystemEvent& event) { ReplyStatus(DoDestroy(event)); }
+
+OStatus OObject::DoInit(const OSystemEvent&) { return oSUCCESS; }
+OStatus OObject::DoStart(const OSystemEvent&) { return oSUCCESS; }
+OStatus OObject::DoStop(const OSystemEvent&) { return oSUCCESS; }
+OStatus OObject::DoDestroy(const OSystemEvent&) { return oSUCCESS; }
+
+OStatus OObject::RegisterServiceEntry(const OServiceEntry& entry, const char* name) {
+  const ApiScope scope;
+  openr_host::Object* const object = t_current.object;
+  ASSERT(object != nullptr, "RegisterServiceEntry() is called by the code of an object");
+  if (name == nullptr || std::strlen(name) > oserviceNAME_MAX) return oFAIL;
+  auto& directory = t_current.system->robot(object->robot).directory;
+  const bool is_new =
+      directory.emplace(name, std::pair(ObjectIdOf(entry.GetOID()), entry.GetSelector())).second;
+  if (!is_new) return oALREADY_EXIST;
+  object->services[entry.GetSelector()] = name;
+  return oSUCCESS;
+}

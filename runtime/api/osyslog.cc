@@ -1,0 +1,81 @@
+// Console output of objects, with the robot's meaning of printf formats.
+#include <OPENR/OSyslog.h>
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+
+using namespace openr_host;
+
+namespace {
+
+// Drops a single 'l' before an integer conversion: on the robot long is 32 bits,
+// and so are the values that old sources print with it.
+std::string HostFormat(const char* format) {
+  std::string result;
+  for (const char* p = format; *p != '\0';) {
+    if (*p != '%') {
+      result += *p++;
+      continue;
+    }
+    result += *p++;
+    while (*p != '\0' && std::strchr("-+ #0123456789.*", *p) != nullptr) result += *p++;
+    if (*p == 'l' && p[1] != '\0' && std::strchr("diouxX", p[1]) != nullptr) ++p;
+    if (*p == 'l' && p[1] == 'l') {
+      result += *p++;
+      result += *p++;
+    }
+    if (*p != '\0') result += *p++;
+  }
+  return result;
+}
+
+std::string Format(const char* format, va_list arguments) {
+  char text[osyslogMAX_SIZE];
+  vsnprintf(text, sizeof text, HostFormat(format).c_str(), arguments);
+  return text;
+}
+
+// "state: standing" is how an object says what it is doing.
+void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
+  constexpr char kPrefix[] = "state: ";
+  if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;
+  object->state = text.substr(sizeof kPrefix - 1);
+}
+
+}  // namespace
+
+OStatus osyslog(OSyslogPriority priority, const char* format, ...) {
+  const ApiScope scope;
+  va_list arguments;
+  va_start(arguments, format);
+  const std::string text = Format(format, arguments);
+  va_end(arguments);
+  System* const system = t_current.system;
+  openr_host::Object* const object = t_current.object;
+  NoteState(object, priority, text);
+  if (system == nullptr) return oFAIL;
+  if (priority > system->options().log_level && priority <= osyslogINFO) return oSUCCESS;
+  char line[osyslogMAX_SIZE + 40];
+  std::snprintf(line, sizeof line, "[oid:%08x,prio:%d] %s%s",
+                object == nullptr ? 0u : static_cast<unsigned>(OidValue(object->id)),
+                static_cast<int>(priority), text.c_str(),
+                priority == osyslogDEBUG_NO_NEWLINE ? "" : "\n");
+  system->Print(line);
+  return oSUCCESS;
+}
+
+OStatus osysprint(const char* format, ...) {
+  const ApiScope scope;
+  va_list arguments;
+  va_start(arguments, format);
+  const std::string text = Format(format, arguments);
+  va_end(arguments);
+  if (t_current.system == nullptr) return oFAIL;
+  t_current.system->Print(text);
+  return oSUCCESS;
+}

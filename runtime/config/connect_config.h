@@ -1,0 +1,34 @@
+// CONNECT.CFG: which subject sends to which observer.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/config/diagnostic.h"
+#include "runtime/config/service_name.h"
+
+namespace openr_host {
+
+struct ConnectRecord {
+  ServiceName subject;   // direction 'S'
+  ServiceName observer;  // direction 'O', same data type as the subject
+  std::string section;   // robot design the line is limited to; "" for every robot
+  Place subject_place;   // for "no such service" with a caret under the right name
+  Place observer_place;
+};
+
+struct ConnectConfig {
+  std::vector<ConnectRecord> connections;  // in file order, the order of connecting
+  std::vector<Diagnostic> diagnostics;
+};
+
+// Parses the text of CONNECT.CFG, "subject observer" per line, for one robot design ("ERS-210",
+// or kEveryDesign).  A bad line (a name that is not of four parts, a wrong direction, data types
+// that differ) is reported and skipped, all others hold, as measured on the original library.
+// The same pair twice is connected once, with a warning.  Whether the services exist is for the
+// service directory to say.
+ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
+                                 std::string_view design);
+
+}  // namespace openr_host

@@ -1,0 +1,34 @@
+// DESIGNDB.CFG: the files that OPENR::FindDesignData finds by keyword.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/config/diagnostic.h"
+
+namespace openr_host {
+
+// odesignkeywordNAME_MAX of <OPENR/OPENR.h>, without the closing NUL.
+inline constexpr int kDesignKeywordBytesMax = 127;
+
+struct DesignRecord {
+  std::string keyword;  // case counts
+  std::string path;     // as written, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; any case
+  std::string section;  // robot design the line is limited to; "" for every robot
+  Place keyword_place;
+  Place path_place;
+};
+
+struct DesignConfig {
+  std::vector<DesignRecord> designs;  // in file order
+  std::vector<Diagnostic> diagnostics;
+};
+
+// Parses the text of DESIGNDB.CFG, "keyword path" per line, for one robot design ("ERS-210", or
+// kEveryDesign).  A bad line is reported and skipped, all others hold.  A keyword given twice keeps
+// its first path, with a warning (no source says which the robot takes).
+DesignConfig ParseDesignConfig(const std::string& file, std::string_view text,
+                               std::string_view design);
+
+}  // namespace openr_host

@@ -1,0 +1,73 @@
+#include "runtime/config/diagnostic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace openr_host {
+namespace {
+
+bool IsControl(char c) {
+  const unsigned char byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\t') || byte == 0x7f;
+}
+
+std::string Printable(std::string text) {
+  std::replace_if(text.begin(), text.end(), IsControl, '?');
+  return text;
+}
+
+// As wide as the first `column` - 1 bytes of `text` look on a terminal.
+std::string Indent(const std::string& text, int column) {
+  std::string indent;
+  for (int i = 0; i + 1 < column; ++i) {
+    const char c = static_cast<size_t>(i) < text.size() ? text[i] : ' ';
+    const bool continues_utf8 = (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+    if (continues_utf8) continue;
+    indent += c == '\t' ? '\t' : ' ';
+  }
+  return indent;
+}
+
+Diagnostic At(const Place& place, Severity severity, std::string message) {
+  return Diagnostic{severity, place.file, place.line, place.column, std::move(message), place.text};
+}
+
+}  // namespace
+
+Place AtColumn(Place place, int column) {
+  place.column = column;
+  return place;
+}
+
+Diagnostic ErrorAt(const Place& place, std::string message) {
+  return At(place, Severity::kError, std::move(message));
+}
+
+Diagnostic WarningAt(const Place& place, std::string message) {
+  return At(place, Severity::kWarning, std::move(message));
+}
+
+bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::kError; });
+}
+
+std::string Render(const Diagnostic& d) {
+  const char* kind = d.severity == Severity::kWarning ? "warning: " : "";
+  if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, d.message);
+  std::string result =
+      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, d.message, Printable(d.text));
+  if (d.column > 0) result += "\n" + Indent(d.text, d.column) + "^";
+  return result;
+}
+
+std::string Render(const std::vector<Diagnostic>& diagnostics) {
+  std::string result;
+  for (const Diagnostic& diagnostic : diagnostics) result += Render(diagnostic) + "\n";
+  return result;
+}
+
+}  // namespace openr_host

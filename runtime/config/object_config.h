@@ -1,0 +1,29 @@
+// OBJECT.CFG: which objects run, in the order in which they are loaded.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/config/diagnostic.h"
+
+namespace openr_host {
+
+struct ObjectRecord {
+  std::string path;     // as written, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; any case
+  std::string section;  // robot design the line is limited to; "" for every robot
+  Place place;
+};
+
+struct ObjectConfig {
+  std::vector<ObjectRecord> objects;  // in load order
+  std::vector<Diagnostic> diagnostics;
+};
+
+// Parses the text of OBJECT.CFG, one path per line, for one robot design ("ERS-210", or
+// kEveryDesign).  A bad line is reported and skipped, all others hold.  A path that is listed
+// twice (in any case) is loaded once, with a warning.  `file` is only named in messages.
+ObjectConfig ParseObjectConfig(const std::string& file, std::string_view text,
+                               std::string_view design);
+
+}  // namespace openr_host

@@ -1,0 +1,194 @@
+#include "runtime/config/ocf.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+#include "runtime/config/line_file.h"
+#include "runtime/config/spelling.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kShortFieldCount = 7;  // after the word "object"
+constexpr size_t kLongFieldCount = 14;
+constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // the robot has 32 bits
+constexpr int kPriorityMax = 255;
+// Sony's samples carried this slip of the pen for 16384 for half a year.
+constexpr int64_t kMistypedHeapBytes = 16386;
+
+struct Field {
+  std::string text;
+  Place place;
+};
+
+// All words of the file, comments left out.
+std::vector<Field> ReadFields(const std::string& file, std::string_view text,
+                              std::vector<Diagnostic>* diagnostics) {
+  std::vector<Field> fields;
+  for (const Place& line : SplitLines(file, text, diagnostics)) {
+    const std::string_view content = std::string_view(line.text).substr(0, line.text.find('#'));
+    for (const Word& word : SplitWords(content)) {
+      fields.push_back({word.text, AtColumn(line, word.column)});
+    }
+  }
+  return fields;
+}
+
+// Takes fields one by one; remembers whether any was wrong.
+class FieldReader {
+ public:
+  FieldReader(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics)
+      : fields_(fields), diagnostics_(diagnostics) {}
+
+  const Field& Peek() const { return fields_[next_]; }
+  const Field& Take() { return fields_[next_++]; }
+
+  void Error(const Field& field, std::string message) {
+    diagnostics_->push_back(ErrorAt(field.place, std::move(message)));
+  }
+  void Warning(const Field& field, std::string message) {
+    diagnostics_->push_back(WarningAt(field.place, std::move(message)));
+  }
+
+  std::string TakeName();
+  int64_t TakeSize(const char* what);
+  int TakePriority();
+  // True for `yes`, false for `no`.
+  bool TakeChoice(const char* what, const char* yes, const char* no);
+  bool TakeCache();
+
+ private:
+  const std::vector<Field>& fields_;
+  std::vector<Diagnostic>* const diagnostics_;
+  size_t next_ = 1;  // past "object"
+};
+
+std::string FieldReader::TakeName() {
+  const Field& field = Take();
+  if (field.text.size() > static_cast<size_t>(kObjectNameBytesMax)) {
+    Error(field, fmt::format("object name of {} characters, the limit is {}", field.text.size(),
+                             kObjectNameBytesMax));
+  }
+  for (const char c : field.text) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if (byte > 0x20 && byte < 0x7f) continue;
+    Error(field, "object name with a character that is not plain ASCII");
+    break;
+  }
+  return field.text;
+}
+
+int64_t FieldReader::TakeSize(const char* what) {
+  const Field& field = Take();
+  std::string_view digits = field.text;
+  int64_t unit = 1;
+  if (digits.size() > 1 && (digits.back() == 'k' || digits.back() == 'K')) {
+    digits.remove_suffix(1);
+    unit = 1024;
+  }
+  int64_t value = 0;
+  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool is_number = status == std::errc() && end == digits.data() + digits.size();
+  if (!is_number || value <= 0 || value > kSizeBytesMax / unit) {
+    Error(field, fmt::format("{} size '{}' is not a number of bytes above 0, such as 3072 or 16K",
+                             what, field.text));
+    return 0;
+  }
+  return value * unit;
+}
+
+int FieldReader::TakePriority() {
+  const Field& field = Take();
+  int value = 0;
+  const char* const last = field.text.data() + field.text.size();
+  const auto [end, status] = std::from_chars(field.text.data(), last, value);
+  if (status != std::errc() || end != last || value < 0 || value > kPriorityMax) {
+    Error(field, fmt::format("priority '{}' is not a number from 0 to {}; 128 is the usual one",
+                             field.text, kPriorityMax));
+    return 0;
+  }
+  return value;
+}
+
+bool FieldReader::TakeChoice(const char* what, const char* yes, const char* no) {
+  const Field& field = Take();
+  if (field.text != yes && field.text != no) {
+    Error(field, fmt::format("{} is '{}', must be '{}' or '{}'{}", what, field.text, yes, no,
+                             DidYouMean(field.text, {yes, no})));
+  }
+  return field.text == yes;
+}
+
+// gensnap takes everything that is not "cache" as "nocache".
+bool FieldReader::TakeCache() {
+  const Field& field = Take();
+  if (field.text != "cache" && field.text != "nocache") {
+    Warning(field, fmt::format("'{}' counts as 'nocache'{}", field.text,
+                               DidYouMean(field.text, {"cache", "nocache"})));
+  }
+  return field.text == "cache";
+}
+
+Ocf ReadOcf(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics) {
+  const bool is_long = fields.size() == kLongFieldCount + 1;
+  FieldReader reader(fields, diagnostics);
+  Ocf ocf;
+  ocf.place = fields[1].place;
+  ocf.name = reader.TakeName();
+  ocf.module = ocf.name;
+  if (is_long) {
+    for (std::string* field :
+         {&ocf.module, &ocf.metaspace, &ocf.pic, &ocf.pid, &ocf.heap_library}) {
+      *field = reader.Take().text;
+    }
+  }
+  ocf.stack_bytes = reader.TakeSize("stack");
+  const Field& heap = reader.Peek();
+  ocf.heap_bytes = reader.TakeSize("heap");
+  if (ocf.heap_bytes == kMistypedHeapBytes) {
+    reader.Warning(heap, "heap step of 16386 bytes; did you mean 16384?");
+  }
+  if (is_long) {
+    ocf.same_space = reader.Take().text;
+    ocf.install_selector = reader.Take().text;
+  }
+  ocf.priority = reader.TakePriority();
+  ocf.is_cached = reader.TakeCache();
+  const Field& tlb = reader.Peek();
+  ocf.is_translated = reader.TakeChoice("virtual memory", "tlb", "notlb");
+  ocf.is_user_mode = reader.TakeChoice("mode", "user", "kernel");
+  if (ocf.is_user_mode && tlb.text == "notlb") {
+    reader.Warning(tlb, "'user' mode needs 'tlb' on a robot with memory protection");
+  }
+  return ocf;
+}
+
+}  // namespace
+
+OcfResult ParseOcf(const std::string& file, std::string_view text) {
+  OcfResult result;
+  const std::vector<Field> fields = ReadFields(file, text, &result.diagnostics);
+  if (fields.empty()) {
+    result.diagnostics.push_back(ErrorAt(
+        Place{file, 0, 0, ""}, "no description; write: object NAME 3072 16384 128 cache tlb user"));
+  } else if (fields[0].text != "object") {
+    result.diagnostics.push_back(ErrorAt(
+        fields[0].place, fmt::format("the first word is '{}', must be 'object'{}", fields[0].text,
+                                     DidYouMean(fields[0].text, {"object"}))));
+  } else if (fields.size() != kShortFieldCount + 1 && fields.size() != kLongFieldCount + 1) {
+    result.diagnostics.push_back(ErrorAt(
+        fields[0].place,
+        fmt::format(
+            "{} fields after 'object', must be {} (NAME STACK HEAP PRIORITY CACHE TLB MODE) "
+            "or {} (long form)",
+            fields.size() - 1, kShortFieldCount, kLongFieldCount)));
+  } else {
+    Ocf ocf = ReadOcf(fields, &result.diagnostics);
+    if (!HasErrors(result.diagnostics)) result.ocf = std::move(ocf);
+  }
+  return result;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,62 @@
+#include "runtime/config/spelling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace openr_host {
+namespace {
+
+// Ninja's limit: what takes more than 3 edits is another word.
+constexpr int kEditsMax = 3;
+
+char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
+
+bool EqualsIgnoringCase(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return Lower(x) == Lower(y); });
+}
+
+int EditDistance(std::string_view a, std::string_view b) {
+  const size_t width = b.size() + 1;
+  // Three rows of the usual table: two above, one above, current.
+  std::vector<int> before(width), above(width), row(width);
+  for (size_t j = 0; j < width; ++j) above[j] = static_cast<int>(j);
+  for (size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const bool same = Lower(a[i - 1]) == Lower(b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && Lower(a[i - 1]) == Lower(b[j - 2]) &&
+                           Lower(a[i - 2]) == Lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(above);
+    above.swap(row);
+  }
+  return above[b.size()];
+}
+
+std::optional<std::string> ClosestMatch(std::string_view word,
+                                        const std::vector<std::string>& candidates) {
+  int limit = std::clamp(static_cast<int>(word.size()) / 3, 1, kEditsMax);
+  std::optional<std::string> closest;
+  for (const std::string& candidate : candidates) {
+    if (candidate == word) return std::nullopt;
+    const int distance = EditDistance(word, candidate);
+    if (distance > limit) continue;
+    closest = candidate;
+    limit = distance - 1;  // a later one must be nearer
+  }
+  return closest;
+}
+
+std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::optional<std::string> closest = ClosestMatch(word, candidates);
+  return closest ? fmt::format("; did you mean '{}'?", *closest) : std::string();
+}
+
+}  // namespace openr_host

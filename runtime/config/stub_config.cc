@@ -1,0 +1,232 @@
+#include "runtime/config/stub_config.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "runtime/config/line_file.h"
+#include "runtime/config/stub_line.h"
+
+namespace openr_host {
+namespace {
+
+// Subjects or observers: what is declared and what is there.
+struct Side {
+  const char* noun;        // "subject"
+  const char* count_word;  // the keyword, unless the file uses its other spelling
+  const char* dummy;       // service of an object that has none, behind the object's name
+  std::vector<StubService>* services;
+
+  bool has_count = false;
+  StubLine count_line = {};  // valid iff has_count
+  int count = -1;            // -1: not given, or not a number
+};
+
+class StubParser {
+ public:
+  StubParser() = default;
+  StubParser(const StubParser&) = delete;
+  StubParser& operator=(const StubParser&) = delete;
+
+  StubConfigResult Parse(const std::string& file, std::string_view text);
+
+ private:
+  void ReadLine(const Place& place);
+  void FollowBlockComment(const Place& place);
+  void ReadObjectName(const StubLine& line);
+  void ReadCount(const StubLine& line, Side* side);
+  void ReadService(const StubLine& line);
+  void ReadExtra(const StubLine& line);
+  void CheckWhole(const std::string& file);
+  void CheckCount(const std::string& file, const Side& side);
+  void CheckExtra(const StubExtra& extra);
+
+  void Error(const Place& place, std::string message) {
+    result_.diagnostics.push_back(ErrorAt(place, std::move(message)));
+  }
+  void Warning(const Place& place, std::string message) {
+    result_.diagnostics.push_back(WarningAt(place, std::move(message)));
+  }
+
+  StubConfigResult result_;
+  Side subjects_{"subject", "NumOfOSubject", ".DummySubject.DoNotConnect.S",
+                 &result_.config.subjects};
+  Side observers_{"observer", "NumOfOObserver", ".DummyObserver.DoNotConnect.O",
+                  &result_.config.observers};
+  bool has_object_name_ = false;
+  bool in_block_comment_ = false;
+  int ignored_service_line_ = 0;  // the last one; 0: none
+};
+
+StubConfigResult StubParser::Parse(const std::string& file, std::string_view text) {
+  for (const Place& place : SplitLines(file, text, &result_.diagnostics)) ReadLine(place);
+  CheckWhole(file);
+  return std::move(result_);
+}
+
+void StubParser::ReadLine(const Place& place) {
+  FollowBlockComment(place);
+  const std::optional<StubLine> line = RecognizeStubLine(place, &result_.diagnostics);
+  if (!line) return;
+  if (in_block_comment_) {
+    Warning(place, "line holds although it is between /* and */; put '//' before it");
+  }
+  switch (line->keyword) {
+    case StubKeyword::kObjectName:
+      ReadObjectName(*line);
+      break;
+    case StubKeyword::kNumOfSubject:
+      ReadCount(*line, &subjects_);
+      break;
+    case StubKeyword::kNumOfObserver:
+      ReadCount(*line, &observers_);
+      break;
+    case StubKeyword::kService:
+      ReadService(*line);
+      break;
+    case StubKeyword::kExtra:
+      ReadExtra(*line);
+      break;
+  }
+}
+
+// stub.cfg has no such comments on the robot (Sony's host tool has), so they only earn a warning.
+void StubParser::FollowBlockComment(const Place& place) {
+  const size_t open = place.text.rfind("/*");
+  const size_t close = place.text.rfind("*/");
+  const bool opens = open != std::string::npos && open == place.text.find_first_not_of(" \t");
+  if (opens && (close == std::string::npos || close < open)) {
+    in_block_comment_ = true;
+  } else if (close != std::string::npos) {
+    in_block_comment_ = false;
+  }
+}
+
+void StubParser::ReadObjectName(const StubLine& line) {
+  if (has_object_name_) {
+    Warning(line.place, fmt::format("ObjectName again, after line {}; this line holds",
+                                    result_.config.object_name_place.line));
+  }
+  has_object_name_ = true;
+  result_.config.object_name = ParseObjectName(line, &result_.diagnostics);
+  result_.config.object_name_place = line.place;
+}
+
+void StubParser::ReadCount(const StubLine& line, Side* side) {
+  if (side->has_count) {
+    Warning(line.place, fmt::format("{} again, after line {}; this line holds", line.word,
+                                    side->count_line.place.line));
+  }
+  side->has_count = true;
+  side->count_line = line;
+  side->count = ParseCount(line, &result_.diagnostics);
+}
+
+void StubParser::ReadService(const StubLine& line) {
+  const std::optional<StubService> service = ParseService(line, &result_.diagnostics);
+  if (!service) {
+    ignored_service_line_ = line.place.line;
+    return;
+  }
+  const bool is_subject = service->name.is_subject();
+  const Side& side = is_subject ? subjects_ : observers_;
+  for (const StubService& other : *side.services) {
+    if (other.name.service != service->name.service) continue;
+    Error(service->place, fmt::format("a second {} '{}', after line {}: both would be {}{}; rename "
+                                      "one",
+                                      side.noun, service->name.service, other.place.line,
+                                      is_subject ? "sbj" : "obs", service->name.service));
+    break;
+  }
+  side.services->push_back(*service);
+}
+
+void StubParser::ReadExtra(const StubLine& line) {
+  const std::optional<StubExtra> extra = ParseExtra(line, &result_.diagnostics);
+  if (!extra) return;
+  for (const StubExtra& other : result_.config.extras) {
+    if (other.function != extra->function) continue;
+    Error(extra->place, fmt::format("Extra {}() again, after line {}; remove one", extra->function,
+                                    other.place.line));
+    return;
+  }
+  result_.config.extras.push_back(*extra);
+}
+
+void StubParser::CheckWhole(const std::string& file) {
+  const StubConfig& config = result_.config;
+  if (!has_object_name_) {
+    Error(Place{file, 0, 0, ""}, "no ObjectName line; add: ObjectName : <the object's C++ class>");
+  }
+  CheckCount(file, subjects_);
+  CheckCount(file, observers_);
+  for (const StubExtra& extra : config.extras) CheckExtra(extra);
+  if (config.NumOfSelectors() > kSelectorsMax) {
+    Warning(config.object_name_place,
+            fmt::format("{} entry points, the robot has {} selectors for an object",
+                        config.NumOfSelectors(), kSelectorsMax));
+  }
+}
+
+void StubParser::CheckCount(const std::string& file, const Side& side) {
+  const int found = static_cast<int>(side.services->size());
+  const std::string& object = result_.config.object_name;
+  const std::string dummy =
+      found > 0 ? ""
+                : fmt::format(
+                      "; every object needs at least one {}, add: Service : \"{}{}\", "
+                      "null, null",
+                      side.noun, object.empty() ? "Object" : object, side.dummy);
+  if (!side.has_count) {
+    Error(Place{file, 0, 0, ""}, fmt::format("no {0} line; add: {0} : {1}{2}", side.count_word,
+                                             found == 0 ? 1 : found, dummy));
+    return;
+  }
+  if (side.count < 0) return;  // reported already
+  const std::string& word = side.count_line.word;
+  if (side.count == 0 && found == 0) {
+    Error(side.count_line.place, fmt::format("{} is 0{}, and write 1 here", word, dummy));
+  } else if (side.count != found) {
+    std::string remedy = found < side.count ? "correct the number or add the missing Service line"
+                                            : "correct the number";
+    if (ignored_service_line_ > 0) {
+      remedy = fmt::format("line {} was ignored", ignored_service_line_);
+    }
+    Error(side.count_line.place,
+          fmt::format("{} is {}, but the file has {} {}{}; {}", word, side.count, found, side.noun,
+                      found == 1 ? "" : "s", remedy));
+  }
+}
+
+// The stub declares a function _X for every extra X, beside those for its own entries.
+void StubParser::CheckExtra(const StubExtra& extra) {
+  std::vector<std::string> taken = {"Init",    "Start", "Stop",    "Destroy", "Hook",
+                                    "Control", "Ready", "Connect", "Notify"};
+  for (size_t i = 0; i < result_.config.subjects.size(); ++i) {
+    taken.push_back(fmt::format("Control{}", i));
+    taken.push_back(fmt::format("Ready{}", i));
+  }
+  for (size_t i = 0; i < result_.config.observers.size(); ++i) {
+    taken.push_back(fmt::format("Connect{}", i));
+    taken.push_back(fmt::format("Notify{}", i));
+  }
+  for (const std::string& name : taken) {
+    if (extra.function != name) continue;
+    Error(extra.place,
+          fmt::format("Extra {0}() would be _{0} in the stub, which is taken; rename it", name));
+  }
+}
+
+}  // namespace
+
+int StubConfig::NumOfSelectors() const {
+  return static_cast<int>(4 + 2 * (subjects.size() + observers.size()) + extras.size());
+}
+
+StubConfigResult ParseStubConfig(const std::string& file, std::string_view text) {
+  return StubParser().Parse(file, text);
+}
+
+}  // namespace openr_host

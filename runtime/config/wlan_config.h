@@ -1,0 +1,41 @@
+// WLANCONF.TXT and WLANDFLT.TXT: network settings of the robot.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/config/diagnostic.h"
+
+namespace openr_host {
+
+// Initial values are those of the default file that comes with the robot's system
+// (Installation Guide 3.2.2), so an empty file means the same as WLANDFLT.TXT.
+struct WlanConfig {
+  std::string hostname = "AIBO";        // up to 8 letters and digits
+  std::string ether_ip = "10.0.1.100";  // dotted address, as are the next two
+  std::string ether_netmask = "255.255.255.0";
+  std::string ip_gateway = "10.0.1.1";
+  std::string essid = "AIBONET";  // up to 32 characters
+  bool wep_enable = true;
+  std::string wep_key = "AIBO2";   // as written
+  int ap_mode = 2;                 // 0 ad hoc demo, 1 infrastructure, 2 automatic
+  int channel = 3;                 // 1..11, ad hoc only
+  std::string dns_server_1;        // "" when not given
+  std::string dns_default_domain;  // "" when not given
+  bool use_dhcp = false;
+};
+
+struct WlanResult {
+  WlanConfig config;
+  std::vector<std::string> keys;  // those the file sets, in file order, each once
+  std::vector<Diagnostic> diagnostics;
+};
+
+// Parses KEY=VALUE lines, '#' lines being comments.  Blanks around '=' are refused, because the
+// robot refuses them although its guide shows them.  A bad line is reported and leaves its setting
+// as it was.  A key given twice is reported, the last one holds.  An unknown key is only a
+// warning.  There are no robot sections in this file.
+WlanResult ParseWlanConfig(const std::string& file, std::string_view text);
+
+}  // namespace openr_host

@@ -1,0 +1,23 @@
+// What the bodies of SDK functions share.
+#pragma once
+
+#include <OID.h>
+
+#include "runtime/core/current.h"
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+// Object ids as the robot shows them: numbers near 0x80000042, where application
+// objects began in its object tables.
+constexpr uintptr_t kFirstOid = 0x80000042;
+
+inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_t>(id); }
+inline OID OidOf(ObjectId id) { return OID(reinterpret_cast<void*>(OidValue(id))); }
+inline ObjectId ObjectIdOf(const OID& oid) {
+  const auto value = reinterpret_cast<uintptr_t>(oid.GetAddress());
+  return value < kFirstOid || value > kFirstOid + 0xffffff ? kNoObject
+                                                           : static_cast<ObjectId>(value - kFirstOid);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,75 @@
+// Objects built in code: parts of the robot, test probes, load generators.
+//
+// They use the same subjects, observers and messages as objects from images; only
+// the entry table is made here instead of by a stub.
+//
+//   class Blinker : public CodeObject {
+//    public:
+//     Blinker() {
+//       blink_ = AddSubject("Blinker.Blink.OCommandVectorData.S",
+//                           [this](const OReadyEvent& event) { Ready(event); });
+//     }
+//   };
+//   system.AddObject<Blinker>(dog, "blinker");
+#pragma once
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/core/object.h"
+
+namespace openr_host {
+
+class CodeObject : public OObject {
+ public:
+  CodeObject();
+  ~CodeObject() override;
+
+  // See Object::HashState().
+  virtual void HashState(Hasher*) const {}
+
+  Object& host() const { return *host_; }
+  System& system() const { return *host_->system; }
+
+ protected:
+  using Ready = std::function<void(const OReadyEvent&)>;
+  using Notify = std::function<void(const ONotifyEvent&)>;
+  using Extra = std::function<void(void* message)>;
+
+  // In the constructor: declares a service, registered under its full name.  The
+  // end belongs to this object; the function may be empty.
+  OSubject* AddSubject(const std::string& service, Ready ready = {});
+  OObserver* AddObserver(const std::string& service, Notify notify = {});
+
+  // An entry for any message; returns its selector.
+  Selector AddExtra(const std::string& name, Extra extra);
+
+ private:
+  friend class CodeHost;
+  using EntryFunction = std::function<void(void*)>;
+
+  Object* const host_;
+  std::vector<EntryFunction> entries_;  // from oentryBASE on
+  std::vector<std::unique_ptr<OSubject>> own_subjects_;
+  std::vector<std::unique_ptr<OObserver>> own_observers_;
+};
+
+// The system's side of a CodeObject.
+class CodeHost : public Object {
+ public:
+  using Object::Object;
+  ~CodeHost() override;
+
+  bool Dispatch(uint32_t selector, void* payload) override;
+  void HashState(Hasher* hasher) const override;
+
+  std::unique_ptr<CodeObject> code;
+};
+
+}  // namespace openr_host

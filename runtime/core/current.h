@@ -1,0 +1,51 @@
+// Which object is running on this thread, if any.
+//
+// The SDK's functions have no argument that says who calls; this does.  It is
+// set by the dispatcher around every handler, and by the loader while the
+// constructors of an image run.
+#pragma once
+
+namespace openr_host {
+
+class Object;
+class System;
+
+struct Current {
+  System* system = nullptr;
+  Object* object = nullptr;
+  // Code of an image is running, not the runtime on its behalf: malloc() takes from
+  // the object's heap, files are those of the Memory Stick.
+  bool image_code = false;
+};
+
+// Constant-initialised and trivially destroyed: safe before main() and in malloc().
+extern thread_local constinit Current t_current;
+
+// First statement of every function of the SDK that may allocate or open: what the
+// runtime does on an object's behalf is not done by the object.
+class ApiScope {
+ public:
+  ApiScope() : image_code_(t_current.image_code) { t_current.image_code = false; }
+  ~ApiScope() { t_current.image_code = image_code_; }
+  ApiScope(const ApiScope&) = delete;
+  ApiScope& operator=(const ApiScope&) = delete;
+
+ private:
+  const bool image_code_;
+};
+
+// Makes `object` of `system` the current one for a scope.
+class CurrentScope {
+ public:
+  CurrentScope(System* system, Object* object, bool image_code = false) : saved_(t_current) {
+    t_current = {system, object, image_code};
+  }
+  ~CurrentScope() { t_current = saved_; }
+  CurrentScope(const CurrentScope&) = delete;
+  CurrentScope& operator=(const CurrentScope&) = delete;
+
+ private:
+  const Current saved_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,201 @@
+#include "runtime/core/dispatcher.h"
+
+#include <exception>
+
+#include "runtime/core/assert.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+thread_local constinit Current t_current;
+
+Dispatcher::~Dispatcher() = default;
+
+uint64_t Dispatcher::Run(const Limits& limits) {
+  ASSERT(running_ == nullptr, "a handler must not run the system it belongs to");
+  limits_ = limits;
+  delivered_ = 0;
+  const Current saved = t_current;
+  Fiber* const fiber = TakeFiber();
+  running_ = fiber;
+  fiber->SwitchFrom(&caller_);
+  running_ = nullptr;
+  t_current = saved;
+  return delivered_;
+}
+
+Fiber* Dispatcher::TakeFiber() {
+  if (idle_.empty()) {
+    fibers_.push_back(std::make_unique<Fiber>());
+    fibers_.back()->Prepare(&FiberMain, this);
+    return fibers_.back().get();
+  }
+  Fiber* const fiber = idle_.back();
+  idle_.pop_back();
+  return fiber;
+}
+
+void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
+
+// From one fiber to another; returns when the one left is continued.
+void Dispatcher::SwitchTo(Fiber* fiber) {
+  Fiber* const from = running_;
+  running_ = fiber;
+  fiber->SwitchFrom(from);
+  Recycle();
+}
+
+void Dispatcher::ToCaller() {
+  Fiber* const from = running_;
+  idle_.push_back(from);
+  caller_.SwitchFrom(from);
+  Recycle();
+}
+
+void Dispatcher::Recycle() {
+  if (abandoned_ == nullptr) return;
+  abandoned_->Prepare(&FiberMain, this);
+  idle_.push_back(abandoned_);
+  abandoned_ = nullptr;
+}
+
+bool Dispatcher::MayContinue() const {
+  return delivered_ < limits_.messages && !system_->powered_off() &&
+         (limits_.until == nullptr || !(*limits_.until)());
+}
+
+void Dispatcher::Loop() {
+  Recycle();
+  for (;;) {
+    if (!MayContinue()) {
+      ToCaller();
+      continue;
+    }
+    MessageQueue& queue = system_->queue_;
+    if (Message* const message = queue.Pop()) {
+      Deliver(message);
+      continue;
+    }
+    const int64_t next_us = queue.NextTime();
+    if (next_us <= limits_.time_us && next_us != INT64_MAX) {
+      AdvanceTo(next_us);
+      continue;
+    }
+    if (limits_.time_us != INT64_MAX) AdvanceTo(limits_.time_us);
+    ToCaller();
+  }
+}
+
+void Dispatcher::AdvanceTo(int64_t time_us) {
+  if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
+  system_->queue_.Advance(time_us);
+  system_->now_us_ = time_us;
+}
+
+void Dispatcher::Deliver(Message* message) {
+  Object* const object = system_->object(message->target);
+  if (object == nullptr) {
+    system_->queue_.Release(message);
+    return;
+  }
+  if (message->is_reply) {
+    DeliverReply(object, message);
+    return;
+  }
+  if (object->blocked != nullptr) {
+    object->held.push_back(message);
+    return;
+  }
+  --object->waiting;
+  ++delivered_;
+  if (++deliveries_at_instant_ == kFreeDeliveriesPerInstant) {
+    system_->AddFindingAbout(object, Severity::kWarning,
+                             fmt::format("{} messages without the clock moving: objects answer each "
+                                         "other without waiting; from here each message takes 1 us",
+                                         kFreeDeliveriesPerInstant));
+  }
+  RunHandler(object, message);
+}
+
+void Dispatcher::DeliverReply(Object* object, Message* message) {
+  ++delivered_;
+  system_->trace_.Deliver(*message, system_->now_us_);
+  if (object->blocked == nullptr || object->blocked_box != message->reply_box) {
+    object->replies[message->reply_box] = message;
+    return;
+  }
+  object->replies[message->reply_box] = message;
+  Fiber* const waiting = object->blocked;
+  object->blocked = nullptr;
+  t_current = {system_, object, object->is_image};
+  idle_.push_back(running_);  // this loop goes on when somebody needs a fiber
+  SwitchTo(waiting);
+}
+
+void Dispatcher::RunHandler(Object* object, Message* message) {
+  system_->trace_.Deliver(*message, system_->now_us_);
+  ++object->message_count;
+  object->running = message;
+  object->time_calls = 0;
+  t_current = {system_, object, object->is_image};
+  const auto clock = system_->options_.wall_clock_ns;
+  const int64_t begin_ns = clock == nullptr ? 0 : clock();
+  try {
+    if (!object->Dispatch(message->selector, message->payload)) {
+      t_current.image_code = false;
+      system_->AddFinding(Severity::kError,
+                          fmt::format("selector is out of range: sel={}; the sender's table and "
+                                      "this object's stub do not belong together",
+                                      message->selector));
+    }
+  } catch (const std::exception& e) {
+    t_current.image_code = false;
+    system_->AddFinding(Severity::kError, fmt::format("uncaught exception in {}: {}; on the robot abort()",
+                                                      object->EntryName(message->selector), e.what()));
+  } catch (...) {
+    t_current.image_code = false;
+    system_->AddFinding(Severity::kError, fmt::format("uncaught exception in {}; on the robot abort()",
+                                                      object->EntryName(message->selector)));
+  }
+  if (clock != nullptr) object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
+  FinishHandler(object);
+}
+
+void Dispatcher::FinishHandler(Object* object) {
+  t_current = {system_, nullptr, false};
+  system_->queue_.Release(object->running);
+  object->running = nullptr;
+  // What came while the handler waited is older than anything due now.
+  while (!object->held.empty()) {
+    system_->queue_.PushFront(object->held.back(), object->limits.priority);
+    object->held.pop_back();
+  }
+}
+
+Message* Dispatcher::WaitFor(uint64_t box) {
+  Object* const object = t_current.object;
+  ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
+  if (!object->replies.contains(box)) {
+    const Current saved = t_current;
+    object->blocked = running_;
+    object->blocked_box = box;
+    SwitchTo(TakeFiber());
+    t_current = saved;
+  }
+  const auto found = object->replies.find(box);
+  Message* const message = found->second;
+  object->replies.erase(found);
+  return message;
+}
+
+void Dispatcher::Abandon() {
+  ASSERT(running_ != nullptr && t_current.object != nullptr, "only a handler can be abandoned");
+  FinishHandler(t_current.object);
+  Fiber* const next = TakeFiber();
+  abandoned_ = running_;
+  running_ = next;
+  next->SwitchFrom(nullptr);
+  __builtin_unreachable();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,74 @@
+// Delivers messages: one thread, one handler at a time, a total order.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "runtime/core/fiber.h"
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+class Object;
+class System;
+
+class Dispatcher {
+ public:
+  explicit Dispatcher(System* system) : system_(system) {}
+  ~Dispatcher();
+
+  // Messages delivered at one instant before each further one takes 1 us: objects
+  // that answer each other without waiting must not stop the clock.
+  static constexpr int kFreeDeliveriesPerInstant = 10'000;
+
+  struct Limits {
+    int64_t time_us = INT64_MAX;        // deliver nothing due after it
+    uint64_t messages = UINT64_MAX;     // deliver no more than this
+    const std::function<bool()>* until = nullptr;  // stop when it holds
+  };
+
+  // Runs until a limit is met or nothing is left; leaves the clock at
+  // limits.time_us if that is what ended it.  Returns how many messages it delivered.
+  // Called from outside of handlers.
+  uint64_t Run(const Limits& limits);
+
+  // Called in a handler: puts the current object to sleep until a message answers
+  // `box`; returns that message, which the caller releases.
+  Message* WaitFor(uint64_t box);
+
+  [[noreturn]] void Abandon();
+
+  // 1 us when too much has happened at this instant, otherwise 0.
+  int64_t creep_us() const { return deliveries_at_instant_ > kFreeDeliveriesPerInstant ? 1 : 0; }
+
+  // The fiber that runs now, null for the caller's own stack.
+  const Fiber* running_fiber() const { return running_; }
+
+ private:
+  static void FiberMain(void* dispatcher);
+  void Loop();
+  bool MayContinue() const;
+  void ToCaller();
+  void AdvanceTo(int64_t time_us);
+  void Deliver(Message* message);
+  void DeliverReply(Object* object, Message* message);
+  void RunHandler(Object* object, Message* message);
+  void FinishHandler(Object* object);
+  Fiber* TakeFiber();
+  void SwitchTo(Fiber* fiber);
+  void Recycle();
+
+  System* const system_;
+  MainFiber caller_;
+  std::vector<std::unique_ptr<Fiber>> fibers_;
+  std::vector<Fiber*> idle_;   // each stopped in Loop(), or prepared to enter it
+  Fiber* running_ = nullptr;
+  Fiber* abandoned_ = nullptr;  // to be prepared anew by whoever runs next
+  Limits limits_;
+  uint64_t delivered_ = 0;
+  int deliveries_at_instant_ = 0;
+};
+
+}  // namespace openr_host

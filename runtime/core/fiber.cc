@@ -1,0 +1,115 @@
+#include "runtime/core/fiber.h"
+
+#include <cxxabi.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <boost/context/detail/fcontext.hpp>
+#include <cstring>
+#include <utility>
+
+#include "runtime/core/assert.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define OPENR_ASAN 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define OPENR_ASAN 1
+#endif
+#endif
+#ifdef OPENR_ASAN
+#include <sanitizer/common_interface_defs.h>
+#endif
+#if __has_include(<valgrind/valgrind.h>)
+#include <valgrind/valgrind.h>
+#endif
+
+namespace openr_host {
+
+namespace context = boost::context::detail;
+
+namespace {
+
+constexpr size_t kGuardBytes = 4096;
+
+// Who is being left, for the one being entered.
+thread_local Fiber* t_left = nullptr;
+thread_local Fiber* t_entered = nullptr;
+
+}  // namespace
+
+Fiber::Fiber(NoStack) {}
+
+Fiber::Fiber() {
+  void* const mapping = mmap(nullptr, kGuardBytes + kStackBytes, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
+  ASSERT(mapping != MAP_FAILED, "no memory for a stack of {} bytes", kStackBytes);
+  mapping_ = static_cast<char*>(mapping);
+  mprotect(mapping_, kGuardBytes, PROT_NONE);
+  stack_bottom_ = mapping_ + kGuardBytes;
+  stack_bytes_ = kStackBytes;
+#ifdef VALGRIND_STACK_REGISTER
+  valgrind_id_ = VALGRIND_STACK_REGISTER(stack_bottom_, mapping_ + kGuardBytes + kStackBytes);
+#endif
+}
+
+Fiber::~Fiber() {
+  if (mapping_ == nullptr) return;
+#ifdef VALGRIND_STACK_DEREGISTER
+  VALGRIND_STACK_DEREGISTER(valgrind_id_);
+#endif
+  munmap(mapping_, kGuardBytes + kStackBytes);
+}
+
+bool Fiber::GuardContains(const void* address) const {
+  const char* const p = static_cast<const char*>(address);
+  return mapping_ != nullptr && p >= mapping_ && p < mapping_ + kGuardBytes;
+}
+
+void Fiber::Prepare(Main main, void* argument) {
+  main_ = main;
+  argument_ = argument;
+  exceptions_[0] = exceptions_[1] = nullptr;
+  fake_stack_ = nullptr;
+  const auto entry = [](context::transfer_t transfer) {
+    t_left->context_ = transfer.fctx;
+    Fiber* const self = t_entered;
+    self->FinishSwitch();
+    self->main_(self->argument_);
+  };
+  context_ = context::make_fcontext(mapping_ + kGuardBytes + kStackBytes, kStackBytes, entry);
+}
+
+void Fiber::SwitchFrom(Fiber* from) {
+  static thread_local Fiber* const nowhere = new MainFiber;  // takes what is never returned to
+  const bool forever = from == nullptr;
+  if (forever) from = nowhere;
+  void* const globals = abi::__cxa_get_globals();
+  std::memcpy(from->exceptions_, globals, sizeof from->exceptions_);
+  std::memcpy(globals, exceptions_, sizeof exceptions_);
+  t_left = from;
+  t_entered = this;
+#ifdef OPENR_ASAN
+  __sanitizer_start_switch_fiber(forever ? nullptr : &from->fake_stack_, stack_bottom_,
+                                 stack_bytes_);
+#endif
+  const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
+  // Here again: somebody switched to `from`.
+  t_left->context_ = transfer.fctx;
+  from->FinishSwitch();
+}
+
+void Fiber::FinishSwitch() {
+#ifdef OPENR_ASAN
+  const void* bottom = nullptr;
+  size_t bytes = 0;
+  __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
+  // Only the thread's own stack has to be learnt.
+  if (t_left->mapping_ == nullptr) {
+    t_left->stack_bottom_ = bottom;
+    t_left->stack_bytes_ = bytes;
+  }
+#endif
+}
+
+}  // namespace openr_host

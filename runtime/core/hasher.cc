@@ -1,0 +1,27 @@
+#include "runtime/core/hasher.h"
+
+#include <xxhash.h>
+
+#include <new>
+
+namespace openr_host {
+
+Hasher::Hasher() : state_(XXH3_createState()) {
+  if (state_ == nullptr) throw std::bad_alloc();
+  XXH3_64bits_reset(state_);
+}
+
+Hasher::~Hasher() { XXH3_freeState(state_); }
+
+void Hasher::AddBytes(const void* data, size_t size) { XXH3_64bits_update(state_, data, size); }
+
+void Hasher::AddText(std::string_view text) {
+  Add(static_cast<uint64_t>(text.size()));
+  AddBytes(text.data(), text.size());
+}
+
+uint64_t Hasher::Digest() const { return XXH3_64bits_digest(state_); }
+
+uint64_t HashBytes(const void* data, size_t size) { return XXH3_64bits(data, size); }
+
+}  // namespace openr_host

@@ -1,0 +1,104 @@
+// malloc() and its kin: code of an image allocates from its object's heap, all
+// else from the C library.  free() knows by the address.
+//
+// This library is found before the C library, so these definitions are the ones
+// every caller in the process gets.  Sanitizers bring their own; then objects share
+// the host's heap.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(OPENR_NO_HEAP_HOOKS)
+
+#include <malloc.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "runtime/core/arena.h"
+#include "runtime/core/current.h"
+#include "runtime/core/object.h"
+
+using openr_host::Arena;
+using openr_host::t_current;
+
+extern "C" {
+void* __libc_malloc(size_t);
+void* __libc_calloc(size_t, size_t);
+void* __libc_realloc(void*, size_t);
+void* __libc_memalign(size_t, size_t);
+void __libc_free(void*);
+}
+
+namespace {
+
+Arena* CurrentArena() {
+  return t_current.image_code && t_current.object != nullptr ? t_current.object->arena.get() : nullptr;
+}
+
+void* Aligned(size_t alignment, size_t size) {
+  Arena* const arena = CurrentArena();
+  return arena == nullptr ? __libc_memalign(alignment, size) : arena->Allocate(size, alignment);
+}
+
+}  // namespace
+
+extern "C" {
+
+void* malloc(size_t size) {
+  Arena* const arena = CurrentArena();
+  if (arena == nullptr) [[likely]] return __libc_malloc(size);
+  void* const block = arena->Allocate(size);
+  if (block == nullptr) errno = ENOMEM;
+  return block;
+}
+
+void free(void* block) {
+  if (block == nullptr) return;
+  if (Arena::OwnerOf(block) == nullptr) {
+    __libc_free(block);
+  } else {
+    Arena::Free(block);
+  }
+}
+
+void* calloc(size_t count, size_t size) {
+  Arena* const arena = CurrentArena();
+  if (arena == nullptr) [[likely]] return __libc_calloc(count, size);
+  size_t bytes = 0;
+  if (__builtin_mul_overflow(count, size, &bytes)) {
+    errno = ENOMEM;
+    return nullptr;
+  }
+  void* const block = malloc(bytes);
+  if (block != nullptr) std::memset(block, 0, bytes);
+  return block;
+}
+
+void* realloc(void* block, size_t size) {
+  if (block == nullptr) return malloc(size);
+  const bool from_arena = Arena::OwnerOf(block) != nullptr;
+  if (!from_arena && CurrentArena() == nullptr) [[likely]] return __libc_realloc(block, size);
+  if (size == 0) {
+    free(block);
+    return nullptr;
+  }
+  const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
+  if (from_arena && size <= old_size && size > old_size / 2) return block;
+  void* const moved = malloc(size);
+  if (moved == nullptr) return nullptr;
+  std::memcpy(moved, block, old_size < size ? old_size : size);
+  free(block);
+  return moved;
+}
+
+void* memalign(size_t alignment, size_t size) { return Aligned(alignment, size); }
+void* aligned_alloc(size_t alignment, size_t size) { return Aligned(alignment, size); }
+
+int posix_memalign(void** block, size_t alignment, size_t size) {
+  void* const result = Aligned(alignment, size);
+  if (result == nullptr) return ENOMEM;
+  *block = result;
+  return 0;
+}
+
+}  // extern "C"
+
+#endif

@@ -1,0 +1,63 @@
+// Images: objects loaded from files, each instance with statics of its own.
+//
+// On the host such a file is a shared object built from the object's sources and
+// its stub (cmake/OpenrObject.cmake).  Every instance is loaded from a copy in the
+// run folder, because the loader would give two loads of one file the same statics.
+#pragma once
+
+#include <ObjectEntryTable.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/core/object.h"
+
+namespace openr_host {
+
+// What a host image says of itself, besides ObjectEntryTable.  Generated into every
+// image by the build; its name there is openr_image_info.
+struct ImageInfo {
+  uint32_t version;  // kImageVersion
+  uint32_t reserved;
+  const char* ocf;   // text of the .ocf file
+};
+constexpr uint32_t kImageVersion = 1;
+
+// A folder for copies of images that goes with its owner.  Folders that a killed
+// run left behind are removed when the next one is made.
+class RunFolder {
+ public:
+  RunFolder();
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  // Copies `file` under a new name; the debug file beside it (NAME.DBG) is linked.
+  // Empty when it cannot be copied.
+  std::string AddCopy(const std::string& file);
+
+ private:
+  std::string path_;
+  int copies_ = 0;
+};
+
+class ImageObject : public Object {
+ public:
+  using Object::Object;
+  ~ImageObject() override;  // unloads
+
+  // Loads a copy of `file`; constructors of its globals run as code of this object.
+  // Returns what is wrong, or "".
+  std::string Load(const std::string& file, RunFolder* folder);
+
+  bool Dispatch(uint32_t selector, void* payload) override;
+
+ private:
+  std::string ReadTables();
+
+  void* handle_ = nullptr;
+  std::vector<Entry> entries_;  // by selector; null: none
+};
+
+}  // namespace openr_host

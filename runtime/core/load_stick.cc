@@ -1,0 +1,88 @@
+// From a Memory Stick to objects and wires.
+#include <fmt/format.h>
+
+#include "runtime/config/connect_config.h"
+#include "runtime/config/design_config.h"
+#include "runtime/config/object_config.h"
+#include "runtime/core/image.h"
+#include "runtime/core/system.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+constexpr char kConfFolder[] = "/MS/OPEN-R/MW/CONF/";
+
+}  // namespace
+
+void System::AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    findings_.Add({diagnostic.severity, robot, "", 0, now_us_, Render(diagnostic)});
+  }
+}
+
+Object* System::LoadImage(int robot_index, const std::string& path, const std::string& where) {
+  const auto refuse = [&](const std::string& why) {
+    findings_.Add({Severity::kError, robot_index, "", 0, now_us_, fmt::format("{}: {} {}", where, path, why)});
+  };
+  MemoryStick* const stick = robot(robot_index).stick.get();
+  if (stick == nullptr) {
+    refuse("cannot be read: there is no Memory Stick");
+    return nullptr;
+  }
+  const MemoryStick::Location location = stick->Locate(path);
+  if (location.error != 0 || !location.exists) {
+    refuse("does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : Load() error 90");
+    return nullptr;
+  }
+  if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
+  auto image = std::make_unique<ImageObject>(this, static_cast<ObjectId>(objects_.size()), robot_index);
+  image->path = path;
+  const std::string problem = image->Load(location.path, run_folder_.get());
+  if (!problem.empty()) {
+    refuse(problem);
+    return nullptr;
+  }
+  if (FindObject(robot_index, image->name) != nullptr) {
+    refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ", image->name));
+    return nullptr;
+  }
+  return AdoptObject(std::move(image));
+}
+
+bool System::LoadStick(int robot_index) {
+  Robot& dog = robot(robot_index);
+  const std::string conf = kConfFolder;
+  const auto read = [&](const char* name) {
+    return dog.stick == nullptr ? std::nullopt : dog.stick->ReadFile(conf + name);
+  };
+  const auto object_text = read("OBJECT.CFG");
+  if (!object_text) {
+    findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
+                   conf + "OBJECT.CFG: No such file on the stick; a stick is a folder that holds OPEN-R/"});
+    return false;
+  }
+  const ObjectConfig object_config = ParseObjectConfig("OBJECT.CFG", *object_text, dog.design);
+  AddDiagnostics(robot_index, object_config.diagnostics);
+  bool good = true;
+  for (const ObjectRecord& record : object_config.objects) {
+    const std::string where = fmt::format("{}:{}", record.place.file, record.place.line);
+    if (LoadImage(robot_index, record.path, where) == nullptr) good = false;
+  }
+  if (const auto text = read("CONNECT.CFG")) {
+    const ConnectConfig config = ParseConnectConfig("CONNECT.CFG", *text, dog.design);
+    AddDiagnostics(robot_index, config.diagnostics);
+    for (const ConnectRecord& record : config.connections) {
+      Connect({robot_index, Compose(record.subject), Compose(record.observer),
+               fmt::format("{}:{}", record.subject_place.file, record.subject_place.line)});
+    }
+  }
+  if (const auto text = read("DESIGNDB.CFG")) {
+    const DesignConfig config = ParseDesignConfig("DESIGNDB.CFG", *text, dog.design);
+    AddDiagnostics(robot_index, config.diagnostics);
+    for (const DesignRecord& record : config.designs) dog.design_data.emplace(record.keyword, record.path);
+  }
+  return good;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,122 @@
+#include "runtime/core/message.h"
+
+#include <algorithm>
+#include <bit>
+#include <new>
+#include <tuple>
+
+#include "runtime/core/assert.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kChunk = 64;  // messages allocated at a time
+
+}  // namespace
+
+bool MessageQueue::Later::operator<(const Later& other) const {
+  return std::tie(due_us, level, number) > std::tie(other.due_us, other.level, other.number);
+}
+
+MessageQueue::MessageQueue() : levels_(kLevels) {}
+
+MessageQueue::~MessageQueue() {
+  for (Message* chunk : chunks_) delete[] chunk;
+}
+
+Message* MessageQueue::Allocate() {
+  if (free_.empty()) {
+    Message* const chunk = new Message[kChunk];
+    chunks_.push_back(chunk);
+    for (size_t i = kChunk; i > 0; --i) free_.push_back(chunk + i - 1);
+  }
+  Message* const message = free_.back();
+  free_.pop_back();
+  message->cause = 0;
+  message->reply_box = 0;
+  message->payload_hash = 0;
+  message->size = 0;
+  message->next = nullptr;
+  message->message_class = MessageClass::kObject;
+  message->kind = PayloadKind::kBytes;
+  message->is_reply = false;
+  return message;
+}
+
+void MessageQueue::Release(Message* message) { free_.push_back(message); }
+
+void MessageQueue::Push(Message* message, int priority) {
+  ASSERT(message->due_us >= now_us_, "message {} is due at {} us, now is {} us", message->number,
+         message->due_us, now_us_);
+  const int level = LevelOf(*message, priority);
+  if (message->due_us == now_us_) {
+    Append(message, level);
+    return;
+  }
+  later_.push_back({message->due_us, level, message->number, message});
+  std::push_heap(later_.begin(), later_.end());
+}
+
+void MessageQueue::Append(Message* message, int level) {
+  List& list = levels_[level];
+  message->next = nullptr;
+  (list.tail == nullptr ? list.head : list.tail->next) = message;
+  list.tail = message;
+  occupied_[level / 64] |= uint64_t{1} << (level % 64);
+  ++due_count_;
+}
+
+void MessageQueue::PushFront(Message* message, int priority) {
+  const int level = LevelOf(*message, priority);
+  List& list = levels_[level];
+  message->next = list.head;
+  list.head = message;
+  if (list.tail == nullptr) list.tail = message;
+  occupied_[level / 64] |= uint64_t{1} << (level % 64);
+  ++due_count_;
+}
+
+int MessageQueue::FirstLevel() const {
+  for (int word = 0; word < kLevels / 64; ++word) {
+    if (occupied_[word] != 0) return word * 64 + std::countr_zero(occupied_[word]);
+  }
+  return -1;
+}
+
+Message* MessageQueue::Pop() {
+  if (due_count_ == 0) return nullptr;
+  const int level = FirstLevel();
+  List& list = levels_[level];
+  Message* const message = list.head;
+  list.head = message->next;
+  if (list.head == nullptr) {
+    list.tail = nullptr;
+    occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
+  }
+  --due_count_;
+  return message;
+}
+
+void MessageQueue::Advance(int64_t time_us) {
+  ASSERT(due_count_ == 0 && time_us >= now_us_ && time_us <= NextTime(),
+         "cannot go from {} us to {} us: {} messages due, next at {} us", now_us_, time_us,
+         due_count_, NextTime());
+  now_us_ = time_us;
+  while (!later_.empty() && later_.front().due_us == time_us) {
+    const Later first = later_.front();
+    std::pop_heap(later_.begin(), later_.end());
+    later_.pop_back();
+    Append(first.message, first.level);
+  }
+}
+
+void MessageQueue::ForEach(const std::function<void(const Message&)>& visit) const {
+  for (const List& list : levels_) {
+    for (const Message* m = list.head; m != nullptr; m = m->next) visit(*m);
+  }
+  std::vector<Later> rest = later_;
+  std::sort(rest.begin(), rest.end(), [](const Later& a, const Later& b) { return b < a; });
+  for (const Later& entry : rest) visit(*entry.message);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,37 @@
+#include "runtime/core/object.h"
+
+#include <OPENR/OPENR.h>
+#include <fmt/format.h>
+
+#include "runtime/objcomm/state.h"
+
+namespace openr_host {
+
+Object::Object(System* the_system, ObjectId the_id, int the_robot)
+    : system(the_system), id(the_id), robot(the_robot) {}
+
+Object::~Object() = default;
+
+std::string Object::EntryName(uint32_t selector) const {
+  switch (selector) {
+    case oentryINIT: return "DoInit";
+    case oentrySTART: return "DoStart";
+    case oentrySTOP: return "DoStop";
+    case oentryDESTROY: return "DoDestroy";
+    default: break;
+  }
+  const auto found = entry_names.find(selector);
+  return found == entry_names.end() ? fmt::format("selector {}", selector) : found->second;
+}
+
+std::string Object::NameService(uint32_t selector, const char* kind) {
+  const uint32_t entry = self_reply != nullptr ? self_reply->selector
+                         : running != nullptr  ? running->selector
+                                               : UNDEF;
+  const auto found = services.find(entry);
+  const std::string service = found == services.end() ? name : found->second;
+  entry_names[selector] = fmt::format("{} ({})", service, kind);
+  return service;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,98 @@
+// The system's side of one OPEN-R object.
+#pragma once
+
+#include <cstdio>
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/core/arena.h"
+#include "runtime/core/fiber.h"
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+class Hasher;
+class System;
+struct ObserverState;
+struct SubjectState;
+
+// One line of an .ocf file, as far as the host uses it.
+struct ObjectLimits {
+  int priority = 128;       // 0..255; the upper four bits are the class
+  uint32_t stack_bytes = 0;  // 0: unknown
+  uint32_t heap_bytes = 0;
+};
+
+class Object {
+ public:
+  Object(System* system, ObjectId id, int robot);
+  virtual ~Object();
+  Object(const Object&) = delete;
+  Object& operator=(const Object&) = delete;
+
+  // Calls entry `selector` with the address of the message's bytes.  False when
+  // there is no such entry.
+  virtual bool Dispatch(uint32_t selector, void* payload) = 0;
+
+  // What the object keeps that decides the future and is not in regions, queues
+  // or ready flags.  Nothing for images: their memory is never hashed.
+  virtual void HashState(Hasher*) const {}
+
+  // Name of an entry for traces and messages: "Start", "Mover (Notify)".
+  std::string EntryName(uint32_t selector) const;
+
+  // The full name of the service whose Control or Connect entry is running; entry
+  // `selector`, of the `kind` given, is called after it from now on.
+  std::string NameService(uint32_t selector, const char* kind);
+
+  System* const system;
+  const ObjectId id;
+  const int robot;
+  std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
+  std::string path;  // /MS/... of an image; empty for objects built in code
+  bool is_image = false;   // loaded from a file; its code sees only the Memory Stick
+  bool is_system = false;  // part of the robot, not of the application
+  ObjectLimits limits;
+  MessageClass post_class = MessageClass::kObject;  // of messages it posts
+
+  // Statistics of the report.
+  std::string state;            // text after "state: " of its last OSYSLOG1 INFO line
+  uint64_t message_count = 0;   // delivered
+  uint64_t dropped_count = 0;   // data replaced before it was read, messages refused
+  int waiting = 0;              // messages in the queue now
+  int waiting_max = 0;
+  int64_t handler_ns_max = 0;   // wall time, when the system was given a clock
+
+  std::map<const void*, std::unique_ptr<char[]>> private_regions;  // NewRegion(); looked up only
+
+  uint32_t random_state = 1;  // of rand()
+  std::set<std::FILE*> open_files;  // looked up only
+
+  // While a handler runs or waits.
+  Message* running = nullptr;
+  uint64_t time_calls = 0;      // GetSystemTime() calls of this handler, 1 us each
+  Fiber* blocked = nullptr;     // the stack of a handler that waits
+  uint64_t blocked_box = 0;     // for this reply
+  std::string blocked_why;      // for messages to people
+  std::deque<Message*> held;    // came while it waited
+  std::map<uint64_t, Message*> replies;  // arrived, not received yet
+  // A nested call of one of its own entries (self connection) answers here.
+  struct SelfReply {
+    void* data;
+    size_t size;
+    uint32_t selector;  // of the entry called
+  };
+  SelfReply* self_reply = nullptr;
+
+  std::unique_ptr<Arena> arena;  // images only
+  std::vector<std::unique_ptr<SubjectState>> subjects;
+  std::vector<std::unique_ptr<ObserverState>> observers;
+  std::map<uint32_t, std::string> entry_names;
+  std::map<uint32_t, std::string> services;  // selector registered -> full service name
+};
+
+}  // namespace openr_host

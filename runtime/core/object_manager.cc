@@ -1,0 +1,115 @@
+#include "runtime/core/object_manager.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "runtime/config/spelling.h"
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
+
+}  // namespace
+
+ObjectManager::ObjectManager() {
+  boot_ = AddExtra("Boot", [this](void*) { RunBoot(); });
+  shutdown_ = AddExtra("Shutdown", [this](void*) { RunShutdown(); });
+}
+
+void ObjectManager::PostBoot() { system().Post(system().NewMessage(host().id, boot_)); }
+
+void ObjectManager::PostShutdown() {
+  if (shutting_down_) return;
+  shutting_down_ = true;
+  system().Post(system().NewMessage(host().id, shutdown_));
+}
+
+void ObjectManager::RunBoot() {
+  SendToAll(oentryINIT, oreasonBOOT, true);
+  SendToAll(oentryINIT, oreasonBOOT, false);
+  for (const Connection& connection : system().connections()) Connect(connection);
+  SendToAll(oentrySTART, oreasonBOOT, true);
+  SendToAll(oentrySTART, oreasonBOOT, false);
+  system().booted_ = true;
+}
+
+void ObjectManager::RunShutdown() {
+  SendToAll(oentrySTOP, oreasonSHUTDOWN, false);
+  SendToAll(oentrySTOP, oreasonSHUTDOWN, true);
+  SendToAll(oentryDESTROY, oreasonSHUTDOWN, false);
+  SendToAll(oentryDESTROY, oreasonSHUTDOWN, true);
+  system().powered_off_ = true;
+}
+
+void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects) {
+  for (size_t i = 0; i < system().objects().size(); ++i) {
+    Object* const object = system().objects()[i].get();
+    if (object == nullptr || object == &host() || object->is_system != system_objects) continue;
+    Send(object, entry, reason);
+  }
+}
+
+void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
+  OReasonMessage message;
+  std::memset(&message, 0, sizeof message);
+  message.msgType = omsgREASON;
+  message.reason = reason;
+  OStatusMessage reply;
+  std::memset(&reply, 0, sizeof reply);
+  const sError error = system().Call(object->id, entry, &message, sizeof message, &reply,
+                                     sizeof reply, kReplyTimeoutUs);
+  if (error != sSUCCESS) {
+    system().AddFindingAbout(
+        object, Severity::kError,
+        fmt::format("{} did not return within {} s: OObjectRegistry::SendWithRBoxObjects() : Receive() "
+                    "oid {:x} selector {} error {}",
+                    kEntryWords[entry], kReplyTimeoutUs / 1'000'000, OidValue(object->id), entry, error));
+  } else if (reply.status != oSUCCESS) {
+    system().AddFindingAbout(object, Severity::kWarning,
+                             fmt::format("{} returned status {}; the robot's answer to that is not "
+                                         "known, the run goes on",
+                                         kEntryWords[entry], reply.status));
+  }
+}
+
+void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
+  std::vector<std::string> known;
+  for (const auto& [name, entry] : system().robot(connection.robot).directory) known.push_back(name);
+  system().findings_.Add(
+      {Severity::kError, connection.robot, "", 0, system().now_us(),
+       fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: no object registered it in DoInit "
+                   "(REGISTER_ALL_ENTRY missing, or the object is not in OBJECT.CFG); the line is skipped",
+                   connection.where, service, DidYouMean(service, known))});
+}
+
+void ObjectManager::Connect(const Connection& connection) {
+  const auto& directory = system().robot(connection.robot).directory;
+  const auto subject = directory.find(connection.subject);
+  const auto observer = directory.find(connection.observer);
+  if (subject == directory.end()) ReportUnknown(connection, connection.subject);
+  if (observer == directory.end()) ReportUnknown(connection, connection.observer);
+  if (subject == directory.end() || observer == directory.end()) return;
+
+  OConnectMessage message;
+  std::memset(static_cast<void*>(&message), 0, sizeof message);
+  message.msgType = omsgCONNECT;
+  message.command = oconnectcmdCONNECT;
+  message.entry = OServiceEntry(OidOf(subject->second.first), subject->second.second);
+  std::strncpy(message.subName, connection.subject.c_str(), sizeof message.subName - 1);
+  OStatusMessage reply;
+  std::memset(&reply, 0, sizeof reply);
+  const sError error = system().Call(observer->second.first, observer->second.second, &message,
+                                     sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
+  if (error != sSUCCESS || reply.status != oSUCCESS) {
+    system().findings_.Add({Severity::kError, connection.robot, "", 0, system().now_us(),
+                            fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,
+                                        connection.subject, connection.observer,
+                                        error != sSUCCESS ? static_cast<longword>(error) : reply.status)});
+  }
+}
+
+}  // namespace openr_host

@@ -1,0 +1,37 @@
+// The object manager and the service manager of the system, in one object: boot,
+// connections, shutdown.
+//
+// It has the lowest priority, so it goes on only when no message of an object is
+// due: what a system service asserted has been delivered before the first DoStart
+// of the application (architecture.md, "Settled" 5).
+#pragma once
+
+#include "runtime/core/code_object.h"
+
+namespace openr_host {
+
+class ObjectManager : public CodeObject {
+ public:
+  ObjectManager();
+
+  void PostBoot();
+  void PostShutdown();
+
+  // How long a DoXxx may wait before it is reported (the robot's value is not
+  // known; virtual time).
+  static constexpr int64_t kReplyTimeoutUs = 10'000'000;
+
+ private:
+  void RunBoot();
+  void RunShutdown();
+  void Send(Object* object, Selector entry, OReason reason);
+  void SendToAll(Selector entry, OReason reason, bool system_objects);
+  void Connect(const struct Connection& connection);
+  void ReportUnknown(const Connection& connection, const std::string& service);
+
+  Selector boot_;
+  Selector shutdown_;
+  bool shutting_down_ = false;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,147 @@
+// exit(), abort(), clocks and rand() of objects.
+//
+// exit() and abort() end the method that runs, not the process (Programmer's Guide,
+// appendix A).  The robot has no working clock but GetSystemTime(); what asks for
+// one anyway gets virtual time.  Only code of an image is treated so.
+#include <dlfcn.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "runtime/core/system.h"
+
+using openr_host::ApiScope;
+using openr_host::Severity;
+using openr_host::t_current;
+
+namespace {
+
+template <typename Function>
+Function* Next(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+bool InObject() { return t_current.image_code && t_current.object != nullptr; }
+bool InHandler() { return InObject() && t_current.object->running != nullptr; }
+
+// Seconds from 1970 to 2000, where the robot's calendar begins.
+constexpr int64_t kRobotEpochS = 946'684'800;
+
+int64_t VirtualUs() { return t_current.system->now_us(); }
+
+// rand() of one object: the generator every object starts with alike.
+int ObjectRandom() {
+  uint32_t& state = t_current.object->random_state;
+  state = state * 1103515245u + 12345u;
+  return static_cast<int>((state >> 1) & 0x7fffffff);
+}
+
+[[noreturn]] void EndMethod() {
+  t_current.image_code = false;
+  t_current.system->AbandonHandler();
+}
+
+}  // namespace
+
+extern "C" {
+
+void exit(int status) noexcept {
+  if (InHandler()) EndMethod();
+  static const auto next = Next<void(int)>("exit");
+  next(status);
+  __builtin_unreachable();
+}
+
+void abort() noexcept {
+  if (InHandler()) {
+    {
+      const ApiScope scope;
+      t_current.system->Print("abort() called\n");
+      t_current.system->AddFinding(Severity::kError, "abort() called: the method ends, the object goes on "
+                                                     "in whatever state it is");
+    }
+    EndMethod();
+  }
+  static const auto next = Next<void()>("abort");
+  next();
+  __builtin_unreachable();
+}
+
+time_t time(time_t* result) noexcept {
+  static const auto next = Next<time_t(time_t*)>("time");
+  if (!InObject()) return next(result);
+  const time_t now = kRobotEpochS + VirtualUs() / 1'000'000;
+  if (result != nullptr) *result = now;
+  return now;
+}
+
+int gettimeofday(struct timeval* tv, void* zone) noexcept {
+  static const auto next = Next<int(struct timeval*, void*)>("gettimeofday");
+  if (!InObject()) return next(tv, zone);
+  tv->tv_sec = kRobotEpochS + VirtualUs() / 1'000'000;
+  tv->tv_usec = VirtualUs() % 1'000'000;
+  return 0;
+}
+
+int clock_gettime(clockid_t id, struct timespec* ts) noexcept {
+  static const auto next = Next<int(clockid_t, struct timespec*)>("clock_gettime");
+  if (!InObject()) return next(id, ts);
+  ts->tv_sec = (id == CLOCK_REALTIME ? kRobotEpochS : 0) + VirtualUs() / 1'000'000;
+  ts->tv_nsec = VirtualUs() % 1'000'000 * 1000;
+  return 0;
+}
+
+clock_t clock() noexcept {
+  static const auto next = Next<clock_t()>("clock");
+  return InObject() ? static_cast<clock_t>(VirtualUs()) : next();
+}
+
+int usleep(useconds_t us) {
+  static const auto next = Next<int(useconds_t)>("usleep");
+  if (!InObject()) return next(us);
+  const ApiScope scope;
+  t_current.system->AddFinding(Severity::kWarning, "usleep() does nothing: the robot has no sleep; wait for "
+                                                   "an event instead");
+  return 0;
+}
+
+unsigned sleep(unsigned seconds) {
+  static const auto next = Next<unsigned(unsigned)>("sleep");
+  if (!InObject()) return next(seconds);
+  const ApiScope scope;
+  t_current.system->AddFinding(Severity::kWarning, "sleep() does nothing: the robot has no sleep; wait for "
+                                                   "an event instead");
+  return 0;
+}
+
+int rand() noexcept {
+  static const auto next = Next<int()>("rand");
+  return InObject() ? ObjectRandom() : next();
+}
+
+void srand(unsigned seed) noexcept {
+  static const auto next = Next<void(unsigned)>("srand");
+  if (InObject()) {
+    t_current.object->random_state = seed;
+  } else {
+    next(seed);
+  }
+}
+
+long random() noexcept {
+  static const auto next = Next<long()>("random");
+  return InObject() ? ObjectRandom() : next();
+}
+
+void srandom(unsigned seed) noexcept {
+  static const auto next = Next<void(unsigned)>("srandom");
+  if (InObject()) {
+    t_current.object->random_state = seed;
+  } else {
+    next(seed);
+  }
+}
+
+}  // extern "C"

@@ -1,0 +1,71 @@
+// Shared memory of one System: every block that objects pass to each other.
+//
+// A MemoryRegionID is (generation << 16 | slot + 1), so an id outlives its block
+// without ever naming another one by accident, and ids repeat exactly from run
+// to run.  Fresh blocks are filled with zeros.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+class Hasher;
+
+class RegionTable {
+ public:
+  RegionTable() = default;
+  ~RegionTable();
+  RegionTable(const RegionTable&) = delete;
+  RegionTable& operator=(const RegionTable&) = delete;
+
+  static constexpr uint32_t kNoRegion = 0;
+
+  // A block of `size` bytes owned by `owner`; kNoRegion when there is no memory.
+  uint32_t New(size_t size, ObjectId owner);
+
+  // False when `id` names nothing.  The memory stays while somebody has it pinned.
+  bool Delete(uint32_t id);
+
+  // All blocks of an object that is being unloaded.
+  void DeleteAllOf(ObjectId owner);
+
+  // Null when `id` names nothing.
+  char* BaseOf(uint32_t id) const;
+  size_t SizeOf(uint32_t id) const;
+
+  // Keeps the memory of a block that somebody still reads.  Unknown ids are
+  // ignored: a region may wrap memory that is not ours.
+  void Pin(uint32_t id);
+  void Unpin(uint32_t id);
+
+  // Live blocks of one owner.
+  int CountOf(ObjectId owner) const;
+  int live_count() const { return live_count_; }
+
+  // Ids, owners, sizes and bytes of all live blocks.
+  void HashState(Hasher* hasher) const;
+
+ private:
+  struct Slot {
+    char* base = nullptr;
+    size_t size = 0;
+    ObjectId owner = kNoObject;
+    int pins = 0;
+    uint16_t generation = 0;
+    bool live = false;
+  };
+
+  Slot* Find(uint32_t id);
+  const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
+  void FreeIfUnused(Slot* slot);
+
+  std::vector<Slot> slots_;
+  std::vector<uint32_t> free_;  // indices
+  int live_count_ = 0;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,59 @@
+// The seam between the OPENR:: functions and whatever plays the robot.
+//
+// Every function has the meaning and the results of its namesake in
+// OPENRAPI.h.  The base class is a robot without devices: what the system can
+// answer alone it answers, the rest is oNOT_SUPPORTED.  Functions are called from
+// handlers of objects, with memory taken from the host's heap.
+#pragma once
+
+#include <OPENR/OPENRAPI.h>
+
+namespace openr_host {
+
+class Hasher;
+
+class RobotServices {
+ public:
+  virtual ~RobotServices() = default;
+
+  virtual OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
+  virtual OStatus ClosePrimitive(OPrimitiveID id);
+  virtual OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
+                                   size_t param_size, void* result, size_t result_size);
+
+  // Gains in the order P, I, D gain, P, I, D shift.
+  virtual OStatus EnableJointGain(OPrimitiveID id);
+  virtual OStatus DisableJointGain(OPrimitiveID id);
+  virtual OStatus SetJointGain(OPrimitiveID id, const word gains[6]);
+  virtual OStatus GetJointGain(OPrimitiveID id, word gains[6]);
+  virtual OStatus RegisterDefaultJointGain(OPrimitiveID id, const word gains[6]);
+  virtual OStatus SetDefaultJointGain(OPrimitiveID id);
+  virtual OStatus GetDefaultJointGain(OPrimitiveID id, word gains[6]);
+
+  virtual OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
+  virtual OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
+
+  virtual OStatus NewSyncKey(OVRSyncKey* key);
+  virtual OStatus CancelSyncKey(OVRSyncKey key);
+  virtual OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
+  virtual OStatus SetCdtVectorData(MemoryRegionID id);
+
+  virtual OStatus SetMotorPower(OPower power);
+  virtual OStatus GetBootCondition(OBootCondition* condition);
+  virtual OStatus Shutdown(const OBootCondition& condition);
+  virtual OStatus GetPowerStatus(OPowerStatus* status);
+  virtual OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry);
+  virtual OStatus UnobservePowerStatus(const OServiceEntry& entry);
+
+  virtual OStatus SetTime(const OTime& time);
+  virtual OStatus GetTime(OTime* time);
+  virtual OStatus SetTimeDifference(sbyte hours);
+  virtual OStatus GetTimeDifference(sbyte* hours);
+  virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
+  virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
+
+  // Everything above that decides the future.
+  virtual void HashState(Hasher* hasher) const;
+};
+
+}  // namespace openr_host

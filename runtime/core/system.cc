@@ -1,0 +1,291 @@
+#include "runtime/core/system.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "runtime/core/api.h"
+#include "runtime/core/assert.h"
+#include "runtime/core/code_object.h"
+#include "runtime/core/dispatcher.h"
+#include "runtime/core/image.h"
+#include "runtime/core/object_manager.h"
+#include "runtime/core/robot_services.h"
+#include "runtime/objcomm/state.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+
+static_assert(sizeof(ONotifyMessage) <= Message::kPayloadMax);
+static_assert(sizeof(OReadyMessage) <= Message::kPayloadMax);
+
+namespace {
+
+constexpr int kQueueMax = 32;  // waiting messages per object (measured on the robot)
+
+}  // namespace
+
+void AssertFailed(const char* file, int line, const char* condition, const std::string& details) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "%s:%d: ASSERT(%s) failed%s%s\n", file, line, condition,
+               details.empty() ? "" : ": ", details.c_str());
+  if (const System* const system = t_current.system) {
+    const Object* const object = t_current.object;
+    std::fprintf(stderr, "  t=%lld us, object %s, message %llu, seed %llu\n",
+                 static_cast<long long>(system->now_us()),
+                 object == nullptr ? "(none)" : object->name.c_str(),
+                 static_cast<unsigned long long>(
+                     object == nullptr || object->running == nullptr ? 0 : object->running->number),
+                 static_cast<unsigned long long>(system->options().seed));
+  }
+  t_current = {};  // abort() of an object only ends its method; this one is ours
+  std::abort();
+}
+
+System::System(SystemOptions options)
+    : options_(std::move(options)), dispatcher_(std::make_unique<Dispatcher>(this)) {
+  manager_ = AddObject<ObjectManager>(0, "oobjectManager");
+  manager_->host().is_system = true;
+  manager_->host().limits.priority = 0;
+}
+
+System::~System() {
+  // Objects go in reverse: images may refer to what was made before them.
+  while (!objects_.empty()) objects_.pop_back();
+}
+
+int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick) {
+  auto robot = std::make_unique<Robot>();
+  robot->index = robot_count();
+  robot->design = design;
+  robot->stick = std::move(stick);
+  robot->services = std::make_unique<RobotServices>();
+  robots_.push_back(std::move(robot));
+  return robot_count() - 1;
+}
+
+Object* System::AdoptObject(std::unique_ptr<Object> object) {
+  ASSERT(object->id == static_cast<ObjectId>(objects_.size()));
+  objects_.push_back(std::move(object));
+  return objects_.back().get();
+}
+
+Object* System::NewCodeHost(int robot, const std::string& name) {
+  auto host = std::make_unique<CodeHost>(this, static_cast<ObjectId>(objects_.size()), robot);
+  host->name = name;
+  return AdoptObject(std::move(host));
+}
+
+CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code) {
+  auto* const code_host = static_cast<CodeHost*>(host);
+  code_host->code = std::move(code);
+  return code_host->code.get();
+}
+
+Object* System::object(ObjectId id) const {
+  return id < 0 || static_cast<size_t>(id) >= objects_.size() ? nullptr
+                                                              : objects_[static_cast<size_t>(id)].get();
+}
+
+Object* System::FindObject(int robot, std::string_view name) const {
+  for (const auto& object : objects_) {
+    if (object->robot == robot && object->name == name) return object.get();
+  }
+  return nullptr;
+}
+
+void System::Boot() { manager_->PostBoot(); }
+void System::Shutdown() { manager_->PostShutdown(); }
+
+bool System::Step() {
+  const uint64_t before = trace_.count();
+  dispatcher_->Run({.messages = 1});
+  return trace_.count() != before;
+}
+
+void System::RunUntil(int64_t time_us) {
+  ASSERT(time_us >= now_us_, "{} us is in the past, now is {} us", time_us, now_us_);
+  dispatcher_->Run({.time_us = time_us});
+}
+
+bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us) {
+  dispatcher_->Run({.time_us = now_us_ + budget_us, .until = &predicate});
+  return predicate();
+}
+
+Message* System::NewMessage(ObjectId target, uint32_t selector) {
+  Message* const message = queue_.Allocate();
+  message->target = target;
+  message->selector = selector;
+  const Object* const sender = t_current.object;
+  message->sender = sender == nullptr ? kNoObject : sender->id;
+  if (sender != nullptr) {
+    message->message_class = sender->post_class;
+    message->cause = sender->running == nullptr ? 0 : sender->running->number;
+  }
+  return message;
+}
+
+int32_t System::Post(Message* message, int64_t delay_us) {
+  Object* const target = object(message->target);
+  if (target == nullptr) {
+    queue_.Release(message);
+    return sINVALIDOID;
+  }
+  if (!message->is_reply) {
+    if (target->waiting >= kQueueMax) {
+      AddFindingAbout(target, options_.strict ? Severity::kError : Severity::kWarning,
+                      fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
+                                  "sel={} ({}); the robot refuses the message, sError = 13",
+                                  kQueueMax, message->selector, target->EntryName(message->selector)));
+      if (options_.strict) {
+        ++target->dropped_count;
+        queue_.Release(message);
+        return sFULLMSGQENTRY;
+      }
+    }
+    target->waiting_max = std::max(target->waiting_max, ++target->waiting);
+  }
+  message->number = ++last_number_;
+  message->due_us = now_us_ + delay_us + dispatcher_->creep_us();
+  queue_.Push(message, target->limits.priority);
+  return sSUCCESS;
+}
+
+int32_t System::SendWithReply(Message* message, uint64_t* box) {
+  *box = ++last_box_;
+  message->reply_box = *box;
+  return Post(message);
+}
+
+int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
+                             int64_t timeout_us, std::string_view why) {
+  Object* const self = t_current.object;
+  self->blocked_why = why;
+  if (timeout_us >= 0) {  // an empty answer from ourselves, should nothing else come
+    Message* const wake = NewMessage(self->id, 0);
+    wake->is_reply = true;
+    wake->reply_box = box;
+    wake->payload_hash = 1;
+    wake->kind = PayloadKind::kHashed;
+    Post(wake, timeout_us);
+  }
+  Message* const message = dispatcher_->WaitFor(box);
+  self->blocked_why.clear();
+  const bool timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
+  const size_t size = std::min<size_t>(message->size, reply_size);
+  if (reply != nullptr) std::memcpy(reply, message->payload, size);
+  if (got != nullptr) *got = size;
+  queue_.Release(message);
+  return timed_out ? sTIMEOUT : sSUCCESS;
+}
+
+int32_t System::Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
+                     size_t reply_size, int64_t timeout_us) {
+  if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
+  Message* const message = NewMessage(target, selector);
+  std::memcpy(message->payload, data, size);
+  message->size = static_cast<uint32_t>(size);
+  uint64_t box = 0;
+  const Object* const callee = object(target);
+  const int32_t error = SendWithReply(message, &box);
+  if (error != sSUCCESS) return error;
+  return WaitForReply(box, reply, reply_size, nullptr, timeout_us,
+                      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector)));
+}
+
+System::ReplyTicket System::TakeReplyTicket() {
+  Message* const request = t_current.object == nullptr ? nullptr : t_current.object->running;
+  if (request == nullptr || request->reply_box == 0) return {};
+  const ReplyTicket ticket{request->sender, request->reply_box};
+  request->reply_box = 0;
+  return ticket;
+}
+
+int32_t System::Reply(const ReplyTicket& ticket, const void* data, size_t size,
+                      uint64_t payload_hash) {
+  if (ticket.box == 0) return sINVALIDRID;
+  if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
+  Message* const message = NewMessage(ticket.to, 0);
+  message->is_reply = true;
+  message->reply_box = ticket.box;
+  if (size > 0) std::memcpy(message->payload, data, size);
+  message->size = static_cast<uint32_t>(size);
+  if (payload_hash != 0) {
+    message->kind = PayloadKind::kHashed;
+    message->payload_hash = payload_hash;
+  }
+  return Post(message);
+}
+
+void System::AbandonHandler() { dispatcher_->Abandon(); }
+
+void System::AddFinding(Severity severity, std::string text) {
+  AddFindingAbout(t_current.object, severity, std::move(text));
+}
+
+void System::AddFindingAbout(const Object* object, Severity severity, std::string text) {
+  const Object* const current = t_current.object;
+  Finding finding;
+  finding.severity = severity;
+  finding.robot = object == nullptr ? 0 : object->robot;
+  finding.object = object == nullptr ? "" : object->name;
+  finding.message = current == nullptr || current->running == nullptr ? 0 : current->running->number;
+  finding.time_us = now_us_;
+  finding.text = std::move(text);
+  findings_.Add(std::move(finding));
+}
+
+std::vector<std::string> System::WhoWaits() const {
+  std::vector<std::string> lines;
+  for (const auto& object : objects_) {
+    if (object->blocked != nullptr) {
+      lines.push_back(fmt::format("{} waits for {}", object->name, object->blocked_why));
+    }
+    for (const auto& subject : object->subjects) subject->DescribeWaiting(*object, &lines);
+  }
+  return lines;
+}
+
+void System::Print(std::string_view text) {
+  if (options_.console) {
+    options_.console(text);
+  } else {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+  }
+}
+
+uint64_t System::state_hash() {
+  Hasher hasher;
+  hasher.Add(now_us_);
+  hasher.Add(last_number_);
+  hasher.Add(options_.seed);
+  queue_.ForEach([&](const Message& message) {
+    uint32_t size = 0;
+    const uint64_t payload = PayloadHash(message, &size);
+    hasher.Add(message.due_us);
+    hasher.Add(message.number);
+    hasher.Add(message.target);
+    hasher.Add(message.selector);
+    hasher.Add(size);
+    hasher.Add(payload);
+  });
+  for (const auto& object : objects_) {
+    hasher.AddText(object->name);
+    hasher.Add(object->waiting);
+    for (const auto& subject : object->subjects) subject->HashState(&hasher);
+    object->HashState(&hasher);
+  }
+  regions_.HashState(&hasher);
+  for (const auto& robot : robots_) {
+    robot->services->HashState(&hasher);
+    if (robot->stick) robot->stick->HashState(&hasher);
+  }
+  return hasher.Digest();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,231 @@
+// System: the clock, the queue, the objects and everything they share.
+//
+// One System is one deterministic run.  It has no global state; several may live
+// in one process, each used from one thread.  Data flows: stick -> wiring ->
+// objects -> messages -> objects; virtual robots and the IPStack are objects too.
+//
+//   System system({.seed = 1});
+//   const int dog = system.AddRobot("ERS-210", stick);
+//   AddVirtualRobot(&system, dog, ...);           // virtualrobot/
+//   system.LoadStick(dog);                        // images of OBJECT.CFG, wiring of CONNECT.CFG
+//   system.Boot();
+//   system.RunFor(30'000'000);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "runtime/core/current.h"
+#include "runtime/core/findings.h"
+#include "runtime/core/message.h"
+#include "runtime/core/object.h"
+#include "runtime/core/region_table.h"
+#include "runtime/core/rng.h"
+#include "runtime/core/trace.h"
+
+namespace openr_host {
+
+class CodeObject;
+class Dispatcher;
+class Hasher;
+class MemoryStick;
+class ObjectManager;
+class RobotServices;
+class RunFolder;
+
+// 8 ms: the unit of everything the robot does.
+constexpr int64_t kFrameUs = 8000;
+
+struct SystemOptions {
+  uint64_t seed = 1;
+  // Turns findings that stop a robot into the robot's behaviour.
+  bool strict = false;
+  // Receives what objects print; null: standard output.
+  std::function<void(std::string_view text)> console;
+  // OSYSLOG lines of a priority above this are not printed (1 error, 2 warning, 3 info).
+  uint32_t log_level = 3;
+  // Wall clock in nanoseconds for handler_ns_max; null: not measured.  Nothing
+  // else may depend on it.
+  int64_t (*wall_clock_ns)() = nullptr;
+};
+
+// A wire of CONNECT.CFG, or one made in code.
+struct Connection {
+  int robot = 0;
+  std::string subject;   // four-part service names
+  std::string observer;
+  std::string where;     // "CONNECT.CFG:4" for messages
+};
+
+// A robot: its stick, its design, and the services of its objects.
+struct Robot {
+  int index = 0;
+  std::string design;                  // "ERS-210"
+  std::shared_ptr<MemoryStick> stick;  // null: none in the slot
+  std::unique_ptr<RobotServices> services;
+  std::map<std::string, std::pair<ObjectId, uint32_t>> directory;  // service name -> entry
+  std::map<std::string, std::string> design_data;                  // keyword -> /MS/ path
+};
+
+class System {
+ public:
+  explicit System(SystemOptions options = {});
+  ~System();
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  // ---- Building, before Boot() ----
+
+  // Returns the robot's index.
+  int AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick);
+  Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
+  int robot_count() const { return static_cast<int>(robots_.size()); }
+
+  // Loads the images that OBJECT.CFG names and takes the wiring of CONNECT.CFG and
+  // DESIGNDB.CFG.  What is wrong becomes a finding with file:line; false when the
+  // robot would not boot (an image is missing or cannot be loaded).
+  bool LoadStick(int robot);
+
+  // Loads one image, e.g. "/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN".  Null, and a finding
+  // that begins with `where`, when it cannot be loaded.
+  Object* LoadImage(int robot, const std::string& path, const std::string& where);
+
+  // Makes an object of class T (a CodeObject) with the arguments given.  Its
+  // constructor runs as code of the new object.
+  template <typename T, typename... Args>
+  T* AddObject(int robot, const std::string& name, Args&&... args);
+
+  // REQUIRES: before Boot().
+  void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
+  const std::vector<Connection>& connections() const { return connections_; }
+
+  // Posts the boot: DoInit of all objects, connections, DoStart of all.
+  void Boot();
+
+  // Posts the shutdown: DoStop of all, then DoDestroy of all; powered_off() is
+  // true afterwards.
+  void Shutdown();
+  bool booted() const { return booted_; }        // the last DoStart has returned
+  bool powered_off() const { return powered_off_; }
+  // The robot stops at once, as OPENR::Fatal does.
+  void PowerOff() { powered_off_ = true; }
+
+  // ---- Running ----
+
+  int64_t now_us() const { return now_us_; }
+
+  // Delivers the next message, moving the clock if need be.  False when there is none.
+  bool Step();
+
+  // Delivers all that is due up to `time_us` and leaves the clock there.  Stops
+  // early when the robot powers off.  REQUIRES: time_us >= now_us().
+  void RunUntil(int64_t time_us);
+  void RunFor(int64_t duration_us) { RunUntil(now_us_ + duration_us); }
+
+  // Until `predicate` holds (asked after every message); false when `budget_us`
+  // went by without.
+  bool RunUntil(const std::function<bool()>& predicate, int64_t budget_us);
+
+  // ---- Messages ----
+
+  // A message from the current object (or the system) with an empty payload, to be
+  // filled and posted.
+  Message* NewMessage(ObjectId target, uint32_t selector);
+
+  // Queues it, `delay_us` from now.  Returns an sError: sSUCCESS, sINVALIDOID,
+  // or sFULLMSGQENTRY when the receiver's queue is full (--strict).
+  int32_t Post(Message* message, int64_t delay_us = 0);
+
+  // Sends bytes and waits for the answer: only the current object waits.
+  // `timeout_us` < 0: for ever.  Returns an sError.
+  int32_t Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
+               size_t reply_size, int64_t timeout_us = -1);
+
+  // The same in two steps.
+  int32_t SendWithReply(Message* message, uint64_t* box);
+  int32_t WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
+                       int64_t timeout_us, std::string_view why);
+
+  // Answers the request being handled; later through a ticket.
+  struct ReplyTicket {
+    ObjectId to = kNoObject;
+    uint64_t box = 0;
+  };
+  ReplyTicket TakeReplyTicket();
+  int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
+                uint64_t payload_hash = 0);
+
+  // Ends the handler that runs, without returning to it.
+  [[noreturn]] void AbandonHandler();
+
+  // ---- Looking ----
+
+  Object* object(ObjectId id) const;
+  Object* FindObject(int robot, std::string_view name) const;
+  const std::vector<std::unique_ptr<Object>>& objects() const { return objects_; }
+
+  RegionTable& regions() { return regions_; }
+  Trace& trace() { return trace_; }
+  const Findings& findings() const { return findings_; }
+  const SystemOptions& options() const { return options_; }
+  MessageQueue& queue() { return queue_; }
+  Dispatcher& dispatcher() { return *dispatcher_; }
+
+  uint64_t trace_hash() const { return trace_.hash(); }
+  uint64_t state_hash();
+  uint64_t message_count() const { return trace_.count(); }
+
+  // About the current object, if any.
+  void AddFinding(Severity severity, std::string text);
+  void AddFindingAbout(const Object* object, Severity severity, std::string text);
+
+  // "JointMover waits for the answer of IPStack since t=1.248 s", one line each.
+  std::vector<std::string> WhoWaits() const;
+
+  void Print(std::string_view text);
+
+ private:
+  friend class Dispatcher;
+  friend class ObjectManager;
+
+  void AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics);
+  Object* AdoptObject(std::unique_ptr<Object> object);
+  CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
+  Object* NewCodeHost(int robot, const std::string& name);
+
+  const SystemOptions options_;
+  int64_t now_us_ = 0;
+  uint64_t last_number_ = 0;
+  uint64_t last_box_ = 0;
+  bool booted_ = false;
+  bool powered_off_ = false;
+
+  MessageQueue queue_;
+  RegionTable regions_;
+  Trace trace_;
+  Findings findings_;
+  std::unique_ptr<RunFolder> run_folder_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  std::vector<std::unique_ptr<Object>> objects_;
+  std::vector<Connection> connections_;
+  std::unique_ptr<Dispatcher> dispatcher_;
+  ObjectManager* manager_ = nullptr;
+};
+
+template <typename T, typename... Args>
+T* System::AddObject(int robot, const std::string& name, Args&&... args) {
+  Object* const host = NewCodeHost(robot, name);
+  const CurrentScope scope(this, host);
+  auto code = std::make_unique<T>(std::forward<Args>(args)...);
+  T* const result = code.get();
+  FinishCodeObject(host, std::move(code));
+  return result;
+}
+
+}  // namespace openr_host

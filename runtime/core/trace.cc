@@ -1,0 +1,69 @@
+#include "runtime/core/trace.h"
+
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/RCRegion.h>
+
+namespace openr_host {
+namespace {
+
+uint64_t HashNotify(const ONotifyMessage& notify, uint32_t* size) {
+  uint64_t words[2 + MAX_NUM_DATA];
+  words[0] = static_cast<uint64_t>(notify.numOfData);
+  words[1] = static_cast<uint64_t>(notify.numOfNotify);
+  *size = 0;
+  for (int i = 0; i < notify.numOfData; ++i) {
+    const RCRegion* const region = notify.data[i].srcRCR;
+    words[2 + i] = HashBytes(region->Base(), notify.data[i].size);
+    *size += static_cast<uint32_t>(notify.data[i].size);
+  }
+  return HashBytes(words, sizeof words[0] * static_cast<size_t>(2 + notify.numOfData));
+}
+
+uint64_t HashReady(const OReadyMessage& ready, uint32_t* size) {
+  const int32_t words[2] = {ready.command, ready.numOfData};
+  *size = sizeof words;
+  return HashBytes(words, sizeof words);
+}
+
+}  // namespace
+
+uint64_t PayloadHash(const Message& message, uint32_t* size) {
+  switch (message.kind) {
+    case PayloadKind::kNotify:
+      return HashNotify(*reinterpret_cast<const ONotifyMessage*>(message.payload), size);
+    case PayloadKind::kReady:
+      return HashReady(*reinterpret_cast<const OReadyMessage*>(message.payload), size);
+    case PayloadKind::kHashed:
+      *size = message.size;
+      return message.payload_hash;
+    case PayloadKind::kBytes:
+      break;
+  }
+  *size = message.size;
+  return HashBytes(message.payload, message.size);
+}
+
+void Trace::Deliver(const Message& message, int64_t now_us) {
+  TraceRecord& record = buffer_[buffered_];
+  record.number = message.number;
+  record.cause = message.cause;
+  record.time_us = now_us;
+  record.sender = message.sender;
+  record.target = message.target;
+  record.selector = message.selector;
+  record.payload_hash = PayloadHash(message, &record.size);
+  if (sink_) sink_(record, message);
+  ++count_;
+  if (++buffered_ == kBuffered) {
+    hasher_.AddBytes(buffer_, sizeof buffer_);
+    buffered_ = 0;
+  }
+}
+
+uint64_t Trace::hash() const {
+  hasher_.AddBytes(buffer_, sizeof buffer_[0] * static_cast<size_t>(buffered_));
+  buffered_ = 0;
+  return hasher_.Digest();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,51 @@
+// The trace: every message delivered, in order, and its hash.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/message.h"
+
+namespace openr_host {
+
+// One delivered message.  Holds no address and no padding: its bytes are hashed.
+struct TraceRecord {
+  uint64_t number;
+  uint64_t cause;
+  int64_t time_us;
+  int32_t sender;
+  int32_t target;
+  uint32_t selector;
+  uint32_t size;  // bytes of content, see PayloadHash()
+  uint64_t payload_hash;
+};
+static_assert(sizeof(TraceRecord) == 48);
+
+class Trace {
+ public:
+  using Sink = std::function<void(const TraceRecord&, const Message&)>;
+
+  // Adds the message to the hash and gives it to the sink, if any.
+  void Deliver(const Message& message, int64_t now_us);
+
+  void set_sink(Sink sink) { sink_ = std::move(sink); }
+  uint64_t hash() const;
+  uint64_t count() const { return count_; }
+
+ private:
+  static constexpr int kBuffered = 64;
+
+  Sink sink_;
+  uint64_t count_ = 0;
+  mutable Hasher hasher_;
+  mutable int buffered_ = 0;
+  mutable TraceRecord buffer_[kBuffered];
+};
+
+// What a message says, without addresses: the bytes of its regions for a
+// notification, command and counts for a ready, its bytes otherwise.  `size`
+// becomes the number of bytes that is.
+uint64_t PayloadHash(const Message& message, uint32_t* size);
+
+}  // namespace openr_host

@@ -1,0 +1,19 @@
+// Questions to the wireless card.  Each fills in its argument and returns the status that
+// is also in it: ETHER_INVALID_PORT without a card, ETHER_UNSUPPORTED without its driver.
+#ifndef OPENR_ERA201D1_H_INCLUDED
+#define OPENR_ERA201D1_H_INCLUDED
+
+#include <EtherDriverMsg.h>
+#include <EtherTypes.h>
+#include <WLANDriverMsg.h>
+
+extern "C" {
+
+EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg);
+EtherStatus ERA201D1_GetEtherStatistics(EtherDriverGetStatisticsMsg* msg);
+EtherStatus ERA201D1_GetWLANSettings(EtherDriverGetWLANSettingsMsg* msg);
+EtherStatus ERA201D1_GetWLANStatistics(EtherDriverGetWLANStatisticsMsg* msg);
+
+}  // extern "C"
+
+#endif  // OPENR_ERA201D1_H_INCLUDED

@@ -1,0 +1,45 @@
+// An IPv4 address.
+#ifndef OPENR_IPADDRESS_H_INCLUDED
+#define OPENR_IPADDRESS_H_INCLUDED
+
+#include <antTypes.h>
+
+#include <iostream>
+
+// 4 bytes, in the order of the host: 10.0.1.2 is 0x0a000102.
+class IPAddress {
+ public:
+  IPAddress() : address_(0) {}
+  IPAddress(uint32 address) : address_(address) {}
+  IPAddress(int address) : address_(static_cast<uint32>(address)) {}
+  IPAddress(byte a, byte b, byte c, byte d);  // a.b.c.d
+
+  // Four decimal numbers of 0..255 with dots between them; 0 for any other text.
+  IPAddress(const char* text);
+
+  uint32 Address() const { return address_; }
+
+  bool operator==(const IPAddress& other) const { return address_ == other.address_; }
+  bool operator!=(const IPAddress& other) const { return address_ != other.address_; }
+  bool operator<(const IPAddress& other) const { return address_ < other.address_; }
+  IPAddress operator&(const IPAddress& other) const { return address_ & other.address_; }
+  IPAddress operator^(const IPAddress& other) const { return address_ ^ other.address_; }
+
+  bool InMulticast() const;    // 224.0.0.0 to 239.255.255.255
+  bool InBroadcast() const;    // 255.255.255.255
+  bool InLoop() const;         // 127.0.0.0 to 127.255.255.255
+  bool AllHostsGroup() const;  // 224.0.0.1
+
+  // Writes "10.0.1.2" into `text`, which needs room for 16 characters, and returns it.
+  char* GetAsString(char* text) const;
+
+  // The same text on the console.
+  void print() const;
+
+ private:
+  uint32 address_;
+};
+
+std::ostream& operator<<(std::ostream& out, const IPAddress& address);
+
+#endif  // OPENR_IPADDRESS_H_INCLUDED

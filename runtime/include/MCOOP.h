@@ -1,0 +1,90 @@
+// Calls of the Aperios mCOOP layer that application objects can see.
+//
+// All return an sError unless noted.  Calls that only the system may make are
+// declared and answer sNOTSUPPORTED.
+#ifndef OPENR_MCOOP_H_INCLUDED
+#define OPENR_MCOOP_H_INCLUDED
+
+#include <MemoryRegion.h>
+#include <OID.h>
+#include <RID.h>
+#include <SystemResource.h>
+#include <SystemTime.h>
+#include <TimeEvent.h>
+#include <Time_a.h>
+#include <Types.h>
+#include <stddef.h>
+
+struct InitInfo;
+
+extern "C" {
+
+// Microseconds since boot.  Inside one handler every call is 1 us later than
+// the one before, so that a loop that waits for time to pass ends.
+sError GetSystemTime(SystemTime* time);
+
+// The name of an object is the OBJECT_NAME of its .ocf file.
+sError WhoAmI(OID* oid);
+sError Find(const char* name, OID* oid);
+sError Register(OID oid, const char* name);
+sError Unregister(const char* name);
+sError FindSelector(const char* name, Selector* selector);
+
+// Asynchronous.  `size` bytes are copied; at most 256.
+sError Send(OID oid, Selector selector, void* msg, size_t size);
+sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbox);
+// Waits for the answer to a SendWithRBox(): blocks this object only.
+sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0, RelativeTime* timeout = 0);
+// Sends and waits for the answer.
+sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0, size_t replySize = 0);
+// Answers the Call or SendWithRBox being handled.
+sError Reply(void* msg = 0, size_t size = 0);
+sError Delegate(OID oid, Selector selector, void* msg, size_t size);
+sError CleanRBox(RID rbox);
+
+// End the current method; they do not return to the caller.
+void Return(void* msg = 0, size_t size = 0);
+void Exit();
+void ExitFromPrologue();
+
+sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
+                    EventID* event);
+sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
+sError CancelEvent(EventID event);
+
+// Private memory of this object.
+sError NewRegion(size_t size, void** base);
+sError DeleteRegion(void* base);
+
+// Memory that can be shared with other objects.
+sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id, void** base);
+sError DeleteSharedMemoryRegion(MemoryRegionID id);
+sError AllowToAttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, OID oid,
+                                 bool givingOwnership);
+sError AttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, void** base);
+sError DetachMemoryRegion(MemoryRegionID id);
+sError ChangeProtectionMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info);
+sError GrowMemoryRegion(MemoryRegionID id, size_t size);
+sError ShrinkMemoryRegion(MemoryRegionID id, size_t size);
+sError GetPageSize(size_t* size);
+sError GetFreeMemorySize(size_t* size);
+
+sError SetResourceValue(sResource resource, slongword value);
+sError GetResourceValue(sResource resource, slongword* current, slongword* max = 0,
+                        slongword* min = 0);
+
+// Waits `nanosec` of the handler's own time.
+sError Wait(longword nanosec);
+
+}  // extern "C"
+
+// Five arguments: with a reply box.
+inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
+    return SendWithRBox(oid, selector, msg, size, rbox);
+}
+inline sError Receive(RID rbox, void* msg, size_t size, RelativeTime* timeout) {
+    return Receive(rbox, msg, size, 0, timeout);
+}
+inline sError Find(const char* name, Selector* selector) { return FindSelector(name, selector); }
+
+#endif  // OPENR_MCOOP_H_INCLUDED

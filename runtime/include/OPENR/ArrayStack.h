@@ -1,0 +1,44 @@
+// A last-in first-out stack whose room is taken once.
+//
+// Inside the SDK's libraries; of its interface only the name is known to us.
+#ifndef OPENR_ARRAYSTACK_H_INCLUDED
+#define OPENR_ARRAYSTACK_H_INCLUDED
+
+#include <OPENR/OTLStatus.h>
+
+template <class T>
+class ArrayStack {
+ public:
+  // REQUIRES: maxSize > 0.
+  explicit ArrayStack(int maxSize) : element_(new T[maxSize]), max_size_(maxSize), size_(0) {}
+  ~ArrayStack() { delete[] element_; }
+
+  // otlOVERFLOW when full.
+  OTLStatus Push(const T& value) {
+    if (size_ == max_size_) return otlOVERFLOW;
+    element_[size_++] = value;
+    return otlSUCCESS;
+  }
+  // otlUNDERFLOW when empty.
+  OTLStatus Pop() {
+    if (size_ == 0) return otlUNDERFLOW;
+    size_--;
+    return otlSUCCESS;
+  }
+  // REQUIRES: GetSize() > 0.
+  T& Top() { return element_[size_ - 1]; }
+
+  void Clear() { size_ = 0; }
+  int GetSize() const { return size_; }
+  int GetMaxSize() const { return max_size_; }
+
+ private:
+  ArrayStack(const ArrayStack&);
+  ArrayStack& operator=(const ArrayStack&);
+
+  T* element_;
+  int max_size_;
+  int size_;
+};
+
+#endif  // OPENR_ARRAYSTACK_H_INCLUDED

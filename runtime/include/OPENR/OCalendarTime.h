@@ -1,0 +1,73 @@
+// A moment as year, month, day, hours, minutes and seconds of local time.
+#ifndef OPENR_OCALENDARTIME_H_INCLUDED
+#define OPENR_OCALENDARTIME_H_INCLUDED
+
+#include <OPENR/OTime.h>
+
+// Values of dow_.
+const int ocldtdowSUNDAY = 0;
+const int ocldtdowMONDAY = 1;
+const int ocldtdowTUESDAY = 2;
+const int ocldtdowWEDNESDAY = 3;
+const int ocldtdowTHURSDAY = 4;
+const int ocldtdowFRIDAY = 5;
+const int ocldtdowSATURDAY = 6;
+
+const int ocldtSTART_DAY_OF_THE_WEEK = ocldtdowSATURDAY;  // of 2000-01-01
+
+// Works for a full year (2004) and for a year counted from 2000 (4) alike, because the
+// calendar repeats every 400 years.
+inline bool LeapYear(int year) { return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0); }
+
+// The fields are plain data: writing one does not change the others.
+class OCalendarTime {
+ public:
+  int year_;       // since 2000
+  int month_;      // 1..12
+  int day_;        // 1..31
+  int hour_;       // 0..23
+  int min_;        // 0..59
+  int sec_;        // 0..59
+  int dow_;        // 0..6, Sunday is 0
+  sbyte timeDif_;  // hours ahead of UTC, -12..12 or otimeTIME_DIF_UNDEF
+
+  OCalendarTime();  // Saturday 2000-01-01 00:00:00, time difference undefined
+  OCalendarTime(time_t clock, sbyte timeDif);
+  OCalendarTime(const OTime& time);
+
+  // Fills every field.  A time difference outside its range counts as undefined.
+  void SetTime(time_t clock, sbyte timeDif);
+  void SetTime(const OTime& time);
+
+  // The moment the fields stand for; dow_ plays no part.  Fields beyond their range carry
+  // over: the 31st of April is the 1st of May.
+  void GetTime(time_t* clock, sbyte* timeDif) const;
+  void GetTime(OTime* time) const;
+
+  // Order of the moments.
+  bool operator<(const OCalendarTime& other) const { return Clock() < other.Clock(); }
+  bool operator<=(const OCalendarTime& other) const { return Clock() <= other.Clock(); }
+  bool operator>(const OCalendarTime& other) const { return Clock() > other.Clock(); }
+  bool operator>=(const OCalendarTime& other) const { return Clock() >= other.Clock(); }
+  bool operator==(const OCalendarTime& other) const { return Clock() == other.Clock(); }
+  bool operator!=(const OCalendarTime& other) const { return Clock() != other.Clock(); }
+
+  // True iff the fields name an existing day and time of the years 2000 to 9999 and the
+  // time difference is in its range.  dow_ is not looked at.
+  bool ProperDate() const;
+
+  // Sets dow_ from year, month and day; oINVALID_ARG, and no change, unless ProperDate().
+  OStatus CorrectDayOfTheWeek();
+
+  // `text` needs room for 32 characters.  Unless ProperDate(), "improper date".
+  void Sprint(char* text) const;   // "2004/02/29 Sun 13:05:07 UTC+9"
+  void RFC2822(char* text) const;  // "Sun, 29 Feb 2004 13:05:07 +0900"
+
+  // What Sprint() writes, as a line on the console.
+  void Print() const;
+
+ private:
+  time_t Clock() const;  // seconds since 2000-01-01 00:00:00 UTC
+};
+
+#endif  // OPENR_OCALENDARTIME_H_INCLUDED

@@ -1,0 +1,60 @@
+// A double-ended queue of at most MaxSize elements, without memory of its own.
+#ifndef OPENR_ODEQUE_H_INCLUDED
+#define OPENR_ODEQUE_H_INCLUDED
+
+#include <OPENR/OTLStatus.h>
+
+// T needs a default constructor and assignment.
+template <class T, int MaxSize>
+class ODeque {
+ public:
+  ODeque() : element_(), start_(0), size_(0), none_() {}
+
+  // otlOVERFLOW when full.
+  OTLStatus PushBack(const T& value) {
+    if (size_ == MaxSize) return otlOVERFLOW;
+    element_[Place(size_)] = value;
+    size_++;
+    return otlSUCCESS;
+  }
+  OTLStatus PushFront(const T& value) {
+    if (size_ == MaxSize) return otlOVERFLOW;
+    start_ = Place(MaxSize - 1);
+    element_[start_] = value;
+    size_++;
+    return otlSUCCESS;
+  }
+
+  // otlUNDERFLOW when empty.
+  OTLStatus PopFront() {
+    if (size_ == 0) return otlUNDERFLOW;
+    start_ = Place(1);
+    size_--;
+    return otlSUCCESS;
+  }
+  OTLStatus PopBack() {
+    if (size_ == 0) return otlUNDERFLOW;
+    size_--;
+    return otlSUCCESS;
+  }
+
+  // A default T when empty; writing to that one has no effect.
+  T& Front() { return size_ == 0 ? None() : element_[start_]; }
+  T& Back() { return size_ == 0 ? None() : element_[Place(size_ - 1)]; }
+
+  void Clear() { size_ = 0; }
+  int GetSize() const { return size_; }
+  int GetMaxSize() const { return MaxSize; }
+
+ private:
+  // Index of the element that is `distance` behind the first.
+  int Place(int distance) const { return (start_ + distance) % MaxSize; }
+  T& None() { return none_ = T(); }
+
+  T element_[MaxSize];
+  int start_;
+  int size_;
+  T none_;
+};
+
+#endif  // OPENR_ODEQUE_H_INCLUDED

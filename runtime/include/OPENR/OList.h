@@ -1,0 +1,131 @@
+// A doubly linked list of at most MaxSize elements, without memory of its own.
+#ifndef OPENR_OLIST_H_INCLUDED
+#define OPENR_OLIST_H_INCLUDED
+
+#include <OPENR/OTLStatus.h>
+
+// "No element", where an index is expected.
+const int olistNULL = -1;
+
+// Links are indices into an array, so a list can be copied like any value.  T needs a
+// default constructor and assignment.
+template <class T, int MaxSize>
+class OList {
+ public:
+  // Stands for an element, or for the place behind the last.  Stays valid until its own
+  // element is removed.
+  class Iterator {
+   public:
+    Iterator() : list_(0), node_(olistNULL) {}
+    Iterator(OList* list, int node) : list_(list), node_(node) {}
+
+    bool operator==(const Iterator& other) const { return node_ == other.node_; }
+    bool operator!=(const Iterator& other) const { return node_ != other.node_; }
+
+    // A default T for the place behind the last.
+    T& operator*() const { return list_->At(node_); }
+
+    // Behind the last comes the first, and the other way round.
+    Iterator& operator++() {
+      node_ = list_->node_[node_].next;
+      return *this;
+    }
+    Iterator& operator--() {
+      node_ = list_->node_[node_].prev;
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    Iterator operator--(int) {
+      const Iterator before = *this;
+      --*this;
+      return before;
+    }
+
+   private:
+    friend class OList;
+    OList* list_;
+    int node_;
+  };
+
+  OList() : none_() { Clear(); }
+
+  // otlOVERFLOW when full.
+  OTLStatus PushFront(const T& value) { return InsertBefore(node_[END].next, value); }
+  OTLStatus PushBack(const T& value) { return InsertBefore(END, value); }
+
+  // otlUNDERFLOW when empty.
+  OTLStatus PopFront() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].next); }
+  OTLStatus PopBack() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].prev); }
+
+  // A default T when empty; writing to that one has no effect.
+  T& Front() { return At(node_[END].next); }
+  T& Back() { return At(node_[END].prev); }
+
+  Iterator Begin() { return Iterator(this, node_[END].next); }
+  Iterator End() { return Iterator(this, END); }
+
+  // Before the element at `where`; otlOVERFLOW when full.
+  OTLStatus Insert(Iterator where, const T& value) { return InsertBefore(where.node_, value); }
+
+  // otlFAIL for an iterator that stands for no element.
+  OTLStatus Erase(Iterator where) {
+    return where.node_ < 0 || where.node_ >= END ? otlFAIL : Remove(where.node_);
+  }
+
+  void Clear() {
+    size_ = 0;
+    node_[END].next = END;
+    node_[END].prev = END;
+    for (int i = 0; i < MaxSize; i++) node_[i].next = i + 1 < MaxSize ? i + 1 : olistNULL;
+    free_ = 0;
+  }
+  int GetSize() const { return size_; }
+  int GetMaxSize() const { return MaxSize; }
+
+ private:
+  // node_[END] is the place behind the last element: it closes the list to a ring.
+  enum { END = MaxSize };
+
+  struct Node {
+    T value;
+    int next;
+    int prev;
+    Node() : value(), next(olistNULL), prev(olistNULL) {}
+  };
+
+  T& At(int node) { return node == END ? none_ = T() : node_[node].value; }
+
+  OTLStatus InsertBefore(int where, const T& value) {
+    if (free_ == olistNULL) return otlOVERFLOW;
+    if (where < 0 || where > END) return otlFAIL;
+    const int fresh = free_;
+    free_ = node_[fresh].next;
+    node_[fresh].value = value;
+    node_[fresh].next = where;
+    node_[fresh].prev = node_[where].prev;
+    node_[node_[where].prev].next = fresh;
+    node_[where].prev = fresh;
+    size_++;
+    return otlSUCCESS;
+  }
+
+  OTLStatus Remove(int node) {
+    node_[node_[node].prev].next = node_[node].next;
+    node_[node_[node].next].prev = node_[node].prev;
+    node_[node].next = free_;
+    free_ = node;
+    size_--;
+    return otlSUCCESS;
+  }
+
+  Node node_[MaxSize + 1];
+  int free_;  // first unused node; they are chained by `next`
+  int size_;
+  T none_;
+};
+
+#endif  // OPENR_OLIST_H_INCLUDED

@@ -1,0 +1,39 @@
+// A place in a shared memory region.  Old interface; RCRegion does the same with a
+// reference count.
+#ifndef OPENR_OMEMORYLOCATOR_H_INCLUDED
+#define OPENR_OMEMORYLOCATOR_H_INCLUDED
+
+#include <MCOOP.h>
+#include <MemoryRegion.h>
+
+#include <iostream>
+
+using std::ostream;
+
+struct OMemoryLocator {
+  MemoryRegionID mid;  // 0xffffffff: invalid (our choice, no source gives the value)
+  u_int offset;        // bytes
+
+  OMemoryLocator() : mid(0xffffffff), offset(0) {}
+  OMemoryLocator(MemoryRegionID id, u_int off) : mid(id), offset(off) {}
+
+  void Set(MemoryRegionID id, u_int off) {
+    mid = id;
+    offset = off;
+  }
+  bool IsInvalid() const { return mid == 0xffffffff; }
+  void MakeInvalid() { Set(0xffffffff, 0); }
+
+  bool operator==(const OMemoryLocator& other) const {
+    return mid == other.mid && offset == other.offset;
+  }
+  // By region, then by offset.
+  bool operator<(const OMemoryLocator& other) const {
+    return mid != other.mid ? mid < other.mid : offset < other.offset;
+  }
+};
+
+// "(mid:3,offset:192)"
+ostream& operator<<(ostream& out, const OMemoryLocator& locator);
+
+#endif  // OPENR_OMEMORYLOCATOR_H_INCLUDED

@@ -1,0 +1,9 @@
+// Old name of OObserver.
+#ifndef OPENR_OOBSERVERVECTOR_H_INCLUDED
+#define OPENR_OOBSERVERVECTOR_H_INCLUDED
+
+#include <OPENR/OObserver.h>
+
+typedef OObserver OObserverVector;
+
+#endif  // OPENR_OOBSERVERVECTOR_H_INCLUDED

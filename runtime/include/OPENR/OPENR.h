@@ -1,0 +1,157 @@
+// Names, limits and identifiers that all of OPEN-R shares.
+#ifndef OPENR_OPENR_H_INCLUDED
+#define OPENR_OPENR_H_INCLUDED
+
+#include <MemoryRegion.h>
+#include <OID.h>
+#include <OPENR/CLibrary.h>
+#include <OPENR/OPrimitiveTypes.h>
+#include <OPENR/OStatus.h>
+#include <Types.h>
+
+// ---- entries of an object
+
+// Selectors that every object has.  The stub numbers its own entries from oentryBASE:
+// control of each subject, ready of each subject, connect of each observer, notify of
+// each observer, extras.
+const Selector oentryINIT = 0;
+const Selector oentrySTART = 1;
+const Selector oentrySTOP = 2;
+const Selector oentryDESTROY = 3;
+const Selector oentryBASE = 4;
+
+// One entry of one object: where a message goes.  It also serves as the identity of a
+// subject (object and ready selector) and of an observer (object and notify selector).
+struct OServiceEntry {
+  OID oid;
+  Selector selector;
+
+  OServiceEntry() : selector(UNDEF) {}  // invalid
+  OServiceEntry(const OID& o, Selector s) : oid(o), selector(s) {}
+
+  void Set(const OID& o, Selector s) {
+    oid = o;
+    selector = s;
+  }
+  OID GetOID() const { return oid; }
+  Selector GetSelector() const { return selector; }
+
+  // True iff both the object and the selector are set.
+  bool IsValid() const { return oid.IsValid() && selector != UNDEF; }
+  void MakeInvalid() {
+    oid.MakeInvalid();
+    selector = UNDEF;
+  }
+
+  friend bool operator==(const OServiceEntry& left, const OServiceEntry& right) {
+    return left.oid == right.oid && left.selector == right.selector;
+  }
+  friend bool operator!=(const OServiceEntry& left, const OServiceEntry& right) {
+    return !(left == right);
+  }
+  // By object, then by selector.
+  friend bool operator<(const OServiceEntry& left, const OServiceEntry& right) {
+    if (left.oid != right.oid) return left.oid < right.oid;
+    return left.selector < right.selector;
+  }
+};
+
+// ---- why DoInit, DoStart, DoStop and DoDestroy are called
+
+typedef longword OReason;
+const OReason oreasonUNDEF = 0xffffffff;
+const OReason oreasonBOOT = 0;
+const OReason oreasonSHUTDOWN = 1;
+const size_t oreasonPARAM_MAX_SIZE = 128;  // bytes of the parameter block
+
+typedef longword OMemoryStickStatus;
+const OMemoryStickStatus omemorystickUNDEF = 0xffffffff;
+const OMemoryStickStatus omemorystickNOT_EXIST = 0;
+const OMemoryStickStatus omemorystickWRITE_PROTECTED = 1;
+const OMemoryStickStatus omemorystickWRITABLE = 2;
+
+// Parameter of oreasonBOOT and of oreasonSHUTDOWN; which goes with which is inferred
+// from their names.
+struct OBootParam {
+  OMemoryStickStatus memoryStickStatus;
+};
+struct OShutdownParam {
+  bool batteryEnough;
+};
+
+// Kinds of abrupt end for OPENR::Fatal(); each has its own tune, PAUSE_SW none.
+typedef longword OFatal;
+const OFatal ofatalUNDEF = 0xffffffff;
+const OFatal ofatalMEMORY_STICK = 0;
+const OFatal ofatalPAUSE_SW = 1;
+const OFatal ofatalORB = 2;
+
+// ---- longest texts, in characters without the closing NUL
+
+const size_t oserviceNAME_MAX = 127;  // "Object.Name.DataType.S"
+const size_t oobjectNAME_MAX = 63;    // name of the .ocf file
+const size_t ovrNAME_MAX = 31;
+const size_t ovrPATH_MAX = 127;
+const size_t orobotdesignNAME_MAX = 31;     // "ERS-210"
+const size_t odesignkeywordNAME_MAX = 127;  // keyword of DESIGNDB.CFG
+
+// ---- frames of 8 ms, one counter for commands, sensors, images and sound
+
+const longword oframeMAX_NUMBER = 0x0ffffff0;  // afterwards the counter starts again
+const longword oframeINVALID_NUMBER = 0xffffffff;
+
+// ---- devices
+
+typedef longword ODeviceID;
+typedef longword ODeviceType;
+
+typedef longword OPrimitiveID;
+const OPrimitiveID oprimitiveID_UNDEF = 0xffffffff;
+
+typedef longword OCPCModelID;
+const OCPCModelID ocpcmodelID_UNDEF = 0xffffffff;
+
+typedef longword OAsyncReqID;
+const OAsyncReqID oasyncReqID_UNDEF = 0xffffffff;
+const size_t oasyncReqID_MAX_SIZE = 32;
+
+// Joins the start of several vectors; OPENR::NewSyncKey().
+typedef longword OVRSyncKey;
+const OVRSyncKey ovrsynckeyUNDEF = 0xffffffff;
+const size_t ovrsynckeyMAX_NUM_KEY = 8;  // keys alive at one time
+const size_t ovrsynckeyMAX_SIZE = 8;
+const size_t ovrsynckeyMAX_NUM_DIVISION = 16;  // parts of one key
+
+typedef longword OVRRequest;
+const OVRRequest ovrreqUNDEF = 0xffffffff;
+const size_t ovrctrlPARAM_MAX_SIZE = 192;  // bytes
+const size_t ovrctrlDEVICE_MAX = 32;
+
+// What OPENR::ControlPrimitive() is asked for; values in OPrimitiveControl.h.
+typedef longword OPrimitiveRequest;
+const OPrimitiveRequest oprmreqUNDEF = 0xffffffff;
+const size_t oprmctrlPARAM_MAX_SIZE = 176;  // bytes
+
+// Position of the volume switch, from silent (0) to loud.
+typedef byte OVolumeSwitch;
+const OVolumeSwitch ovolumeSW0 = 0;
+const OVolumeSwitch ovolumeSW1 = 1;
+const OVolumeSwitch ovolumeSW2 = 2;
+const OVolumeSwitch ovolumeSW3 = 3;
+
+// ---- files found by keyword, OPENR::FindDesignData()
+
+typedef longword ODesignDataID;
+const ODesignDataID odesigndataID_UNDEF = 0xffffffff;
+
+// This keyword needs no line in DESIGNDB.CFG and yields an OCPUInfo.
+#define odesignkeywordCPUINFO "SYS_CPUINFO"
+
+struct OCPUInfo {
+  longword sclk;  // system clock, Hz
+  longword pclk;  // processor clock, Hz
+  longword processorID;
+  byte reserved[244];
+};
+
+#endif  // OPENR_OPENR_H_INCLUDED

@@ -1,0 +1,27 @@
+// What DoInit, DoStart, DoStop and DoDestroy are told.
+#ifndef OPENR_OPENREVENT_H_INCLUDED
+#define OPENR_OPENREVENT_H_INCLUDED
+
+#include <OPENR/OPENR.h>
+
+class OSystemEvent {
+ public:
+  // The block `param` stays the caller's and has to live as long as the event.
+  OSystemEvent(OReason reason, void* param, size_t paramSize)
+      : reason_(reason), param_(param), paramSize_(paramSize) {}
+
+  OReason Reason() const { return reason_; }
+
+  // An OBootParam or an OShutdownParam, ParamSize() bytes; valid during the call only.
+  const void* Param() const { return param_; }
+  size_t ParamSize() const { return paramSize_; }
+
+ private:
+  OReason reason_;
+  void* param_;
+  size_t paramSize_;
+};
+
+#include <OPENR/ObjcommEvent.h>
+
+#endif  // OPENR_OPENREVENT_H_INCLUDED

@@ -1,0 +1,25 @@
+// A first-in first-out queue of at most MaxSize elements.
+#ifndef OPENR_OQUEUE_H_INCLUDED
+#define OPENR_OQUEUE_H_INCLUDED
+
+#include <OPENR/ODeque.h>
+
+// T needs a default constructor and assignment.
+template <class T, int MaxSize>
+class OQueue {
+ public:
+  OTLStatus PushBack(const T& value) { return deque_.PushBack(value); }  // otlOVERFLOW if full
+  OTLStatus PopFront() { return deque_.PopFront(); }                     // otlUNDERFLOW if empty
+
+  // The oldest element; a default T when empty.
+  T& Front() { return deque_.Front(); }
+
+  void Clear() { deque_.Clear(); }
+  int GetSize() const { return deque_.GetSize(); }
+  int GetMaxSize() const { return MaxSize; }
+
+ private:
+  ODeque<T, MaxSize> deque_;
+};
+
+#endif  // OPENR_OQUEUE_H_INCLUDED

@@ -1,0 +1,176 @@
+// Command vectors: set points for joints, states for LEDs and ears.
+//
+// A frame is 8 ms.  Only the primitives listed in a vector are touched, and the last set
+// point stays in force when no further vector follows (Level 2 Reference Guide, 4.2).
+#ifndef OPENR_FORMATS_COMMANDS_H_INCLUDED
+#define OPENR_FORMATS_COMMANDS_H_INCLUDED
+
+#include <OPENR/formats/vector_info.h>
+
+const size_t ocommandMAX_FRAMES = 16;
+
+// 32 bytes; describes the commands for one primitive.
+struct OCommandInfo {
+  ODataType type;            // which ...CommandValue the frames hold
+  OPrimitiveID primitiveID;  // from OPENR::OpenPrimitive()
+  longword frameNumber;      // set by the system: frame in which output began
+  longword numFrames;        // frames in use, at most ocommandMAX_FRAMES
+  longword frameSize;        // bytes of a frame, 8
+  longword dataOffset;       // of the OCommandData, from the start of the vector
+  longword dataSize;         // bytes, 128
+  longword padding[1];
+
+  void Set(ODataType dataType, OPrimitiveID id, size_t nframes) {
+    type = dataType;
+    primitiveID = id;
+    numFrames = static_cast<longword>(nframes);
+  }
+};
+
+// Stands for any of the 8-byte command structs below.
+struct OCommandValue {
+  slongword value[2];
+};
+
+// 128 bytes; cast `value` to a pointer to the struct that belongs to the type.
+struct OCommandData {
+  OCommandValue value[ocommandMAX_FRAMES];
+};
+
+struct OCommandVectorData {
+  ODataVectorInfo vectorInfo;
+  OCommandInfo info[1];  // really vectorInfo.maxNumData of them
+
+  void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
+  OCommandInfo* GetInfo(int index) { return info + index; }
+  OCommandData* GetData(int index) {
+    char* const start = reinterpret_cast<char*>(this);
+    return reinterpret_cast<OCommandData*>(start + GetInfo(index)->dataOffset);
+  }
+};
+
+// ---- values of odataJOINT_COMMAND3 and 4 (ears), and of LEDs
+
+typedef longword OJointValue3;
+const OJointValue3 ojoint3_STATE0 = 0;
+const OJointValue3 ojoint3_STATE1 = 1;
+const OJointValue3 ojoint3_STATE_UNDEF = 0xffffffff;
+
+typedef longword OJointValue4;
+const OJointValue4 ojoint4_STATE0 = 0;
+const OJointValue4 ojoint4_STATE1 = 1;
+const OJointValue4 ojoint4_STATE_UNDEF = 0xffffffff;
+
+typedef longword OLEDValue;
+const OLEDValue oledOFF = 0;
+const OLEDValue oledON = 1;
+
+typedef word OLED3Mode;
+const OLED3Mode oled3_MODE_A = 0;
+const OLED3Mode oled3_MODE_B = 1;
+const OLED3Mode oled3_MODE_UNDEF = 0xffff;
+
+// ---- command structs, 8 bytes each; `reserved` belongs to the system while it plays
+
+// odataJOINT_COMMAND2: set point of one frame.
+struct OJointCommandValue2 {
+  slongword value;  // 10^-6 rad
+  slongword padding;
+};
+
+// odataJOINT_COMMAND3: ERS-210 ears.
+struct OJointCommandValue3 {
+  OJointValue3 value;
+  word reserved;
+  word padding;
+};
+
+// odataJOINT_COMMAND4: ERS-7 ears.
+struct OJointCommandValue4 {
+  OJointValue4 value;
+  word period;  // frames of 8 ms
+  word reserved;
+};
+
+// odataLED_COMMAND2
+struct OLEDCommandValue2 {
+  OLEDValue led;
+  word period;  // frames of 8 ms
+  word reserved;
+};
+
+// odataLED_COMMAND3: ERS-7 face and back.
+struct OLEDCommandValue3 {
+  sword intensity;  // 0..255
+  OLED3Mode mode;
+  word period;  // frames of 8 ms
+  word reserved;
+};
+
+// ---- older robots
+
+// odataJOINT_COMMAND: set point with gains.
+struct OJointCommandValue {
+  slongword value;  // 10^-6 rad
+  byte p;
+  byte i;
+  byte d;
+  byte padding;
+
+  void Set(slongword val, byte kp, byte ki, byte kd) {
+    value = val;
+    p = kp;
+    i = ki;
+    d = kd;
+  }
+};
+
+// odataLED_COMMAND
+struct OLEDCommandValue {
+  OLEDValue led;
+  word period;  // 16 frames, that is 128 ms
+  word padding;
+};
+
+// odataCAMERA_COMMAND
+struct OCameraCommandValue {
+  word request;
+  byte param[6];
+};
+const word ocamreqAE_OFF = 0;
+const word ocamreqAE_ON = 1;
+const word ocamreqSET_AWB_MODE = 2;
+const word ocamreqDRAW_BOX = 3;
+const byte ocamparamAWB_AUTO_MODE = 0;
+const byte ocamparamAWB_INDOOR_MODE = 1;
+const byte ocamparamAWB_OUTDOOR_MODE = 2;
+const byte ocamparamAWB_USER_MODE = 3;
+const byte ocamparamAWB_FL_MODE = 4;
+const byte ocamparamBOX1 = 1;
+const byte ocamparamBOX2 = 2;
+
+// odataRAW_JOINT_COMMAND
+struct ORawJointCommandValue {
+  word signal;
+  word padding[3];
+};
+
+// odataRAW_JOINT_COMMAND2
+struct ORawJointCommandValue2 {
+  word signal;
+  word padding[3];
+};
+
+// odataRAW_CAMERA_COMMAND
+struct ORawCameraCommandValue {
+  word signal;
+  word padding[3];
+};
+
+// odataRAW_LED_COMMAND
+struct ORawLEDCommandValue {
+  word signal;
+  word padding[3];
+};
+
+#endif  // OPENR_FORMATS_COMMANDS_H_INCLUDED

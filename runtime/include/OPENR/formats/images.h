@@ -1,0 +1,78 @@
+// Camera images in four layers, and the colour tables for the fourth.
+#ifndef OPENR_FORMATS_IMAGES_H_INCLUDED
+#define OPENR_FORMATS_IMAGES_H_INCLUDED
+
+#include <OPENR/formats/vector_info.h>
+
+// Index of an image in a vector.  Sizes are the ERS-210's (Model Information, 4.1.2).
+typedef longword OFbkImageLayer;
+const OFbkImageLayer ofbkimageLAYER_H = 0;  // 176 x 144, YCrCb
+const OFbkImageLayer ofbkimageLAYER_M = 1;  // 88 x 72, YCrCb
+const OFbkImageLayer ofbkimageLAYER_L = 2;  // 44 x 36, YCrCb
+const OFbkImageLayer ofbkimageLAYER_C = 3;  // 88 x 72, colour detection
+const size_t ofbkimageNUM_LAYERS = 4;       // the name is ours
+
+// 32 bytes.
+struct OFbkImageInfo {
+  ODataType type;  // odataFBK_YCrCb, odataFBK_YCrCb_HPF or odataFBK_CDT
+  OPrimitiveID primitiveID;
+  longword frameNumber;
+  longword dataOffset;  // from the start of the vector
+  longword dataSize;    // bytes
+  longword width;       // pixels
+  longword height;
+  longword padding[1];
+};
+
+struct OFbkImageVectorData {
+  ODataVectorInfo vectorInfo;
+  OFbkImageInfo info[ofbkimageNUM_LAYERS];  // by layer
+
+  void SetPrimitiveID(OPrimitiveID id) {
+    for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) info[i].primitiveID = id;
+  }
+  OFbkImageInfo* GetInfo(int index) { return info + index; }
+  byte* GetData(int index) { return reinterpret_cast<byte*>(this) + GetInfo(index)->dataOffset; }
+};
+
+// ---- colour detection tables
+
+// A channel is a bit mask; a pixel of layer C has the bit of every channel it belongs to.
+typedef longword OCdtChannel;
+const OCdtChannel ocdtCHANNEL0 = 0x01;
+const OCdtChannel ocdtCHANNEL1 = 0x02;
+const OCdtChannel ocdtCHANNEL2 = 0x04;
+const OCdtChannel ocdtCHANNEL3 = 0x08;
+const OCdtChannel ocdtCHANNEL4 = 0x10;
+const OCdtChannel ocdtCHANNEL5 = 0x20;
+const OCdtChannel ocdtCHANNEL6 = 0x40;
+const OCdtChannel ocdtCHANNEL7 = 0x80;
+const size_t ocdtNUM_CHANNELS = 8;
+
+const size_t ocdtMAX_Y_SEGMENT = 32;   // the luminance range has 32 segments
+const longword ocdtINIT = 0x80808080;  // a segment in which nothing is detected
+
+// 144 bytes: for each luminance segment the rectangle of Cr and Cb to detect.
+struct OCdtInfo {
+  ODataType type;  // odataCDT
+  OPrimitiveID primitiveID;
+  OCdtChannel channel;
+  longword table[ocdtMAX_Y_SEGMENT];  // Cb max, Cb min, Cr max, Cr min, from the top byte
+  longword padding[1];
+
+  // Empties the table of `chan` of the camera `id`.
+  void Init(OPrimitiveID id, OCdtChannel chan);
+
+  // One segment; a `y_segment` outside 0..31 changes nothing.
+  void Set(int y_segment, byte cr_max, byte cr_min, byte cb_max, byte cb_min);
+};
+
+struct OCdtVectorData {
+  ODataVectorInfo vectorInfo;
+  OCdtInfo info[ocdtNUM_CHANNELS];
+
+  void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
+  OCdtInfo* GetInfo(int index) { return info + index; }
+};
+
+#endif  // OPENR_FORMATS_IMAGES_H_INCLUDED

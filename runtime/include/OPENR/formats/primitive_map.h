@@ -1,0 +1,43 @@
+// Descriptions of the robot's own parts: rarely used, mostly by the system.
+#ifndef OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED
+#define OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED
+
+#include <OPENR/formats/vector_info.h>
+
+// 160 bytes.
+struct OPrimitiveInfo {
+  ODataType type;  // odataPRIMITIVE_INFO
+  OPrimitiveID primitiveID;
+  OPrimitiveType primitiveType;
+  OSensorType sensorType;
+  longword primitiveStatus;
+  longword padding[3];
+  char locator[ovrPATH_MAX + 1];
+};
+
+struct OPrimitiveMapData {
+  ODataVectorInfo vectorInfo;
+  OPrimitiveInfo info[1];  // really vectorInfo.maxNumData of them
+
+  void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
+  OPrimitiveInfo* GetInfo(int index) { return info + index; }
+};
+
+// 12 bytes; a component of the body as the robot finds it plugged in.
+struct OCPCInfo {
+  ODataType type;  // odataCPC_INFO
+  word cpcClass;
+  word cpcSubClass;
+  word cpcType;
+  word numReceptors;
+};
+
+struct OCPCTreeData {
+  ODataVectorInfo vectorInfo;
+  OCPCInfo info[1];  // really vectorInfo.maxNumData of them
+
+  void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
+  OCPCInfo* GetInfo(int index) { return info + index; }
+};
+
+#endif  // OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED

@@ -1,0 +1,115 @@
+// Sensor vectors: every sensor and joint of the robot, four frames of 8 ms at a time.
+//
+// The order of the elements is fixed per model; the ERS-210 has 31 (Model Information
+// ERS-210, 2).
+#ifndef OPENR_FORMATS_SENSORS_H_INCLUDED
+#define OPENR_FORMATS_SENSORS_H_INCLUDED
+
+#include <OPENR/formats/vector_info.h>
+
+const size_t osensorframeMAX_FRAMES = 16;
+
+// Mark missing data.
+const word osensorframeINVALID_SIGNAL = 0xffff;
+const slongword opsdINVALID_VALUE = 0;
+
+// 32 bytes; describes the samples of one primitive.
+struct OSensorFrameInfo {
+  ODataType type;            // what `value` means
+  OPrimitiveID primitiveID;  // set whether or not the primitive was opened
+  longword frameNumber;      // of the first frame
+  longword numFrames;        // frames in use, 4 on the robot
+  longword frameSize;        // bytes of a frame, 16
+  longword dataOffset;       // of the OSensorFrameData, from the start of the vector
+  longword dataSize;         // bytes, 256
+  longword padding[1];
+};
+
+// Generic view of a sample, 16 bytes.
+struct OSensorValue {
+  slongword value;
+  word signal;  // raw reading
+  word padding[5];
+};
+
+// 256 bytes, oldest frame first; cast a frame to the struct that belongs to the type.
+struct OSensorFrameData {
+  OSensorValue frame[osensorframeMAX_FRAMES];
+};
+
+struct OSensorFrameVectorData {
+  ODataVectorInfo vectorInfo;
+  OSensorFrameInfo info[1];  // really vectorInfo.maxNumData of them
+
+  void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
+  OSensorFrameInfo* GetInfo(int index) { return info + index; }
+  OSensorFrameData* GetData(int index) {
+    char* const start = reinterpret_cast<char*>(this);
+    return reinterpret_cast<OSensorFrameData*>(start + GetInfo(index)->dataOffset);
+  }
+};
+
+// ---- samples, 16 bytes each
+
+struct OAcceleration {
+  slongword value;  // 10^-6 m/s^2
+  word signal;
+  word padding[5];
+};
+
+struct OAngularVelocity {
+  slongword value;  // 10^-6 rad/s
+  word signal;
+  word padding[5];
+};
+
+struct OTemperature {
+  slongword value;  // 10^-6 degree Celsius
+  word signal;
+  word padding[5];
+};
+
+struct OForce {
+  slongword value;  // 10^-6 N
+  word signal;
+  word padding[5];
+};
+
+struct OPressure {
+  slongword value;  // 10^-6 Pa
+  word signal;
+  word padding[5];
+};
+
+struct OLength {
+  slongword value;  // 10^-6 m
+  word signal;
+  word padding[5];
+};
+
+typedef longword OSwitchValue;
+const OSwitchValue oswitchOFF = 0;
+const OSwitchValue oswitchON = 1;
+
+struct OSwitchStatus {
+  OSwitchValue value;
+  word signal;
+  word padding[5];
+};
+
+struct OJointValue {
+  slongword value;     // measured angle, 10^-6 rad
+  word signal;         // raw reading of the potentiometer, 10 bits
+  sword pwmDuty;       // drive asked for; beyond +-255 the motor gets 255
+  slongword refValue;  // set point in force at the sample, 10^-6 rad
+  word refSignal;      // the set point as a raw reading
+  word padding[1];
+
+  OJointValue() {}  // leaves every field as it is
+  OJointValue(slongword val, word sig, sword pwm, slongword refVal, word refSig)
+      : value(val), signal(sig), pwmDuty(pwm), refValue(refVal), refSignal(refSig) {
+    padding[0] = 0;
+  }
+};
+
+#endif  // OPENR_FORMATS_SENSORS_H_INCLUDED

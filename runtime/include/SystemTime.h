@@ -1,0 +1,30 @@
+// The system's clock: seconds and microseconds since boot, never going back.
+//
+// GetSystemTime() (MCOOP.h) fills one.  On the host this is virtual time.
+#ifndef OPENR_SYSTEMTIME_H_INCLUDED
+#define OPENR_SYSTEMTIME_H_INCLUDED
+
+#include <Types.h>
+
+struct SystemTime {
+  longword seconds;
+  longword useconds;  // 0..999999
+
+  SystemTime() : seconds(0), useconds(0) {}
+  SystemTime(longword sec, longword usec) : seconds(sec), useconds(usec) {}
+
+  // An invalid time has 0xffffffff in both fields.
+  bool IsValid() const { return seconds != 0xffffffff || useconds != 0xffffffff; }
+  void MakeInvalid() {
+    seconds = 0xffffffff;
+    useconds = 0xffffffff;
+  }
+};
+
+// Both operands must be valid.  The results have useconds below 1000000; seconds wrap at
+// 2^32, so `later - earlier` is right and `earlier - later` is a very large time.
+bool operator<(const SystemTime& left, const SystemTime& right);
+SystemTime operator+(const SystemTime& left, const SystemTime& right);
+SystemTime operator-(const SystemTime& left, const SystemTime& right);
+
+#endif  // OPENR_SYSTEMTIME_H_INCLUDED

@@ -1,0 +1,277 @@
+// Messages to a TCP endpoint.
+//
+// One connection per endpoint: listen or connect, send and receive, close; after that the
+// endpoint is dead.  One send and one receive may be pending at a time.  Sizes and offsets
+// are the robot's where pointers have 32 bits.
+#ifndef OPENR_TCPENDPOINTMSG_H_INCLUDED
+#define OPENR_TCPENDPOINTMSG_H_INCLUDED
+
+#include <IPv4Types.h>
+#include <antEnvMsg.h>
+
+enum TCPEndpointError {
+  TCP_SUCCESS = 0,
+  TCP_FAIL = 1,
+  TCP_CONNECTION_CLOSED = 2,
+  TCP_CONNECTION_RESET = 3,
+  TCP_CONNECTION_TIMEOUT = 4,
+  TCP_CONNECTION_BUSY = 5,
+  TCP_ADDRESSINUSE = 6,
+  TCP_ADDRESSERROR = 7,
+  TCP_PORT_UNREACHABLE = 8,
+  TCP_PROTOCOL_UNREACHABLE = 9,
+  TCP_HOST_UNREACHABLE = 10,
+  TCP_NETWORK_UNREACHABLE = 11,
+  TCP_MESSAGE_TOO_LONG = 12,
+  TCP_TTL_EXCEEDED = 13,
+  TCP_TIME_EXCEEDED = 14,
+  TCP_WOULDBLOCK = 15,
+  TCP_BUFFER_INVALID = 16,
+  TCP_OPERATION_INVALID = 17,
+  TCP_OPERATION_UNKNOWN = 18
+};
+
+typedef antOperationMsg<TCPEndpointError> TCPEndpointMsg;
+
+// Values of dstOperation; the numbers are the robot's, the names ours.
+const int32 TCPEndpoint_Operation_Bind = 1;
+const int32 TCPEndpoint_Operation_Listen = 2;
+const int32 TCPEndpoint_Operation_Connect = 3;
+const int32 TCPEndpoint_Operation_Send = 4;
+const int32 TCPEndpoint_Operation_Receive = 5;
+const int32 TCPEndpoint_Operation_Close = 6;
+const int32 TCPEndpoint_Operation_SetBlockingMode = 7;
+const int32 TCPEndpoint_Operation_ReadyForRead = 8;
+const int32 TCPEndpoint_Operation_ReadyForWrite = 9;
+const int32 TCPEndpoint_Operation_BacklogListen = 10;
+const int32 TCPEndpoint_Operation_Accept = 11;
+const int32 TCPEndpoint_Operation_BacklogQueue = 12;
+const int32 TCPEndpoint_Operation_Address = 13;
+
+// ---- documented messages
+
+// Takes one connection and answers when it is there, with all four fields filled in.
+struct TCPEndpointListenMsg : public TCPEndpointMsg {
+  IPAddress lAddress;  // local
+  Port lPort;
+  IPAddress fAddress;  // of the peer
+  Port fPort;
+
+  TCPEndpointListenMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Listen),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0) {}
+  TCPEndpointListenMsg(antModuleRef& module, IPAddress localAddress = 0, Port localPort = 0,
+                       IPAddress foreignAddress = 0, Port foreignPort = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Listen),
+        lAddress(localAddress),
+        lPort(localPort),
+        fAddress(foreignAddress),
+        fPort(foreignPort) {}
+};
+
+// Answers when connected, with the local address and port filled in.
+struct TCPEndpointConnectMsg : public TCPEndpointMsg {
+  IPAddress lAddress;  // local
+  Port lPort;
+  IPAddress fAddress;  // of the peer
+  Port fPort;
+
+  TCPEndpointConnectMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Connect),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0) {}
+  TCPEndpointConnectMsg(antModuleRef& module, IPAddress localAddress, Port localPort,
+                        IPAddress foreignAddress, Port foreignPort)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Connect),
+        lAddress(localAddress),
+        lPort(localPort),
+        fAddress(foreignAddress),
+        fPort(foreignPort) {}
+};
+
+// Answers when the stack has taken all of the data, not when the peer has them.
+struct TCPEndpointSendMsg : public TCPEndpointMsg {
+  byte* buffer;  // in a shared buffer, untouched until the answer
+  int size;      // bytes
+  int16 queueNr;
+
+  TCPEndpointSendMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Send), buffer(0), size(0), queueNr(0) {}
+  TCPEndpointSendMsg(antModuleRef& module, byte* data, int bytes, int16 queue = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Send),
+        buffer(data),
+        size(bytes),
+        queueNr(queue) {}
+};
+
+// Answers with at least sizeMin bytes and at most sizeMax; both fields then hold the number
+// received.  At the end of the stream: TCP_CONNECTION_CLOSED.
+struct TCPEndpointReceiveMsg : public TCPEndpointMsg {
+  byte* buffer;  // in a shared buffer
+  int sizeMin;
+  int sizeMax;
+  int16 queueNr;
+
+  TCPEndpointReceiveMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Receive),
+        buffer(0),
+        sizeMin(0),
+        sizeMax(0),
+        queueNr(0) {}
+  TCPEndpointReceiveMsg(antModuleRef& module, byte* data, int min, int max, int16 queue = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Receive),
+        buffer(data),
+        sizeMin(min),
+        sizeMax(max),
+        queueNr(queue) {}
+};
+
+// Answers when the connection is closed.  Mind the order: the guide shows (module, abort),
+// but the argument after the module is `linger`.
+struct TCPEndpointCloseMsg : public TCPEndpointMsg {
+  bool abort;  // drop everything at once
+  bool linger;
+  int lingerTime;
+  int16 queueNr;  // -100 is taken to mean all
+
+  TCPEndpointCloseMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Close),
+        abort(false),
+        linger(false),
+        lingerTime(0),
+        queueNr(-100) {}
+  TCPEndpointCloseMsg(antModuleRef& module, bool lingering = false, int time = 0,
+                      bool aborting = false, int16 queue = -100)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Close),
+        abort(aborting),
+        linger(lingering),
+        lingerTime(time),
+        queueNr(queue) {}
+};
+
+// ---- undocumented messages
+
+struct TCPEndpointBindMsg : public TCPEndpointMsg {
+  IPAddress lAddress;  // local
+  Port lPort;
+
+  TCPEndpointBindMsg() : TCPEndpointMsg(TCPEndpoint_Operation_Bind), lAddress(0), lPort(0) {}
+  TCPEndpointBindMsg(antModuleRef& module, IPAddress localAddress, Port localPort)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Bind),
+        lAddress(localAddress),
+        lPort(localPort) {}
+};
+
+struct TCPEndpointSetBlockingModeMsg : public TCPEndpointMsg {
+  bool blocking;
+  int16 queueNr;
+
+  TCPEndpointSetBlockingModeMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_SetBlockingMode), blocking(true), queueNr(0) {}
+  TCPEndpointSetBlockingModeMsg(antModuleRef& module, bool block, int16 queue = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_SetBlockingMode),
+        blocking(block),
+        queueNr(queue) {}
+};
+
+struct TCPEndpointReadyForReadMsg : public TCPEndpointMsg {
+  boolean ready;  // out
+  int16 queueNr;
+
+  TCPEndpointReadyForReadMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_ReadyForRead), ready(FALSE), queueNr(0) {}
+  TCPEndpointReadyForReadMsg(antModuleRef& module, int16 queue = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_ReadyForRead), ready(FALSE), queueNr(queue) {}
+};
+
+struct TCPEndpointReadyForWriteMsg : public TCPEndpointMsg {
+  boolean ready;  // out
+  int16 queueNr;
+
+  TCPEndpointReadyForWriteMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_ReadyForWrite), ready(FALSE), queueNr(0) {}
+  TCPEndpointReadyForWriteMsg(antModuleRef& module, int16 queue = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_ReadyForWrite), ready(FALSE), queueNr(queue) {}
+};
+
+struct TCPEndpointBacklogListenMsg : public TCPEndpointMsg {
+  IPAddress lAddress;  // local
+  Port lPort;
+  IPAddress fAddress;  // of the peer
+  Port fPort;
+
+  TCPEndpointBacklogListenMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_BacklogListen),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0) {}
+  TCPEndpointBacklogListenMsg(antModuleRef& module, IPAddress localAddress = 0, Port localPort = 0,
+                              IPAddress foreignAddress = 0, Port foreignPort = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_BacklogListen),
+        lAddress(localAddress),
+        lPort(localPort),
+        fAddress(foreignAddress),
+        fPort(foreignPort) {}
+};
+
+struct TCPEndpointAcceptMsg : public TCPEndpointMsg {
+  IPAddress lAddress;  // local
+  Port lPort;
+  IPAddress fAddress;  // of the peer
+  Port fPort;
+  int16 queueNr;
+
+  TCPEndpointAcceptMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Accept),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0),
+        queueNr(0) {}
+  TCPEndpointAcceptMsg(antModuleRef& module)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Accept),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0),
+        queueNr(0) {}
+};
+
+struct TCPEndpointBacklogQueueMsg : public TCPEndpointMsg {
+  int16 backlog;
+
+  TCPEndpointBacklogQueueMsg() : TCPEndpointMsg(TCPEndpoint_Operation_BacklogQueue), backlog(0) {}
+  TCPEndpointBacklogQueueMsg(antModuleRef& module, int16 connections)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_BacklogQueue), backlog(connections) {}
+};
+
+struct TCPEndpointAddressMsg : public TCPEndpointMsg {
+  int16 queueNr;
+  IPAddress lAddress;  // local
+  Port lPort;
+  IPAddress fAddress;  // of the peer
+  Port fPort;
+
+  TCPEndpointAddressMsg()
+      : TCPEndpointMsg(TCPEndpoint_Operation_Address),
+        queueNr(0),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0) {}
+  TCPEndpointAddressMsg(antModuleRef& module, int16 queue = 0)
+      : TCPEndpointMsg(module, TCPEndpoint_Operation_Address),
+        queueNr(queue),
+        lAddress(0),
+        lPort(0),
+        fAddress(0),
+        fPort(0) {}
+};
+
+#endif  // OPENR_TCPENDPOINTMSG_H_INCLUDED

@@ -1,0 +1,24 @@
+// A span of time in milliseconds, used for time-outs and timed messages.
+//
+// The SDK also declares two conversions to and from SystemTime whose bodies are in none
+// of its libraries; no program can use them, so they are not here.
+#ifndef OPENR_TIME_A_H_INCLUDED
+#define OPENR_TIME_A_H_INCLUDED
+
+#include <Types.h>
+
+struct RelativeTime {
+  longword sec;
+  longword msec;
+
+  RelativeTime() : sec(0), msec(0) {}
+  RelativeTime(longword s) : sec(s), msec(0) {}
+  RelativeTime(longword s, longword ms) : sec(s), msec(ms) {}
+};
+
+// Field by field: 1 s is not equal to 0 s and 1000 ms.
+inline bool operator==(const RelativeTime& left, const RelativeTime& right) {
+  return left.sec == right.sec && left.msec == right.msec;
+}
+
+#endif  // OPENR_TIME_A_H_INCLUDED

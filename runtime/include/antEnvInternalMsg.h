@@ -1,0 +1,102 @@
+// Messages to the stack itself: endpoints, shared buffers, parameters.
+#ifndef OPENR_ANTENVINTERNALMSG_H_INCLUDED
+#define OPENR_ANTENVINTERNALMSG_H_INCLUDED
+
+#include <antEnvBaseMsg.h>
+#include <antSharedBuffer.h>
+
+// At Entry_antEnv_External.
+const int32 antEnv_Operation_CreateEndpoint = -1;
+const int32 antEnv_Operation_CreateSharedBuffer = -2;
+const int32 antEnv_Operation_DestroySharedBuffer = -3;
+
+// At Entry_antEnv_Initialize.
+const int32 antEnv_Operation_InitSetParam = -1;
+const int32 antEnv_Operation_InitStart = -2;
+const int32 antEnv_Operation_InitGetParam = -3;
+
+const int32 antEnv_InitParam_Int32 = -1;
+const int32 antEnv_InitParam_String = -2;
+
+// Room of a key and of a text value, with the closing NUL.
+#define ANTENV_KEY_LENGTH_MAX 32
+#define ANTENV_VALUE_LENGTH_MAX 32
+
+// Makes an endpoint, which serves one connection.
+struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
+  int32 protocol;          // EndpointType_...
+  int32 poolSize;          // bytes for packets in the stack: more than the largest send
+  antModuleRef moduleRef;  // out: the endpoint
+
+  antEnvCreateEndpointMsg(int32 type = 0, int32 pool = 0)
+      : antOperationMsg<antError>(antEnv_Operation_CreateEndpoint),
+        protocol(type),
+        poolSize(pool) {}
+};
+
+struct antEnvCreateSharedBufferMsg : public antOperationMsg<antError> {
+  uint32 size;             // bytes
+  antSharedBuffer buffer;  // out
+
+  antEnvCreateSharedBufferMsg(uint32 bytes = 0)
+      : antOperationMsg<antError>(antEnv_Operation_CreateSharedBuffer), size(bytes) {}
+};
+
+// The buffer has to be unmapped first.
+struct antEnvDestroySharedBufferMsg : public antOperationMsg<antError> {
+  antSharedBuffer buffer;
+
+  antEnvDestroySharedBufferMsg()
+      : antOperationMsg<antError>(antEnv_Operation_DestroySharedBuffer) {}
+  antEnvDestroySharedBufferMsg(antSharedBuffer& buf)
+      : antOperationMsg<antError>(antEnv_Operation_DestroySharedBuffer), buffer(buf) {}
+};
+
+union antEnvParamValue {
+  char str[ANTENV_VALUE_LENGTH_MAX];
+  int32 i32;
+};
+
+// Asks for a parameter by name; "ETHER_IP" gives the robot's address as text.
+struct antEnvInitGetParamMsg : public antEnvMsg {
+  int32 paramType;  // out: antEnv_InitParam_...
+  char key[ANTENV_KEY_LENGTH_MAX];
+  antEnvParamValue value;  // out
+  antError error;          // out
+
+  antEnvInitGetParamMsg();
+  antEnvInitGetParamMsg(const char* name);
+  antError Reply(antError e) {
+    error = e;
+    return antEnvMsg::Reply();
+  }
+};
+
+// Sets a parameter; for system objects.
+struct antEnvInitSetParamMsg : public antEnvMsg {
+  int32 paramType;  // antEnv_InitParam_...
+  char key[ANTENV_KEY_LENGTH_MAX];
+  antEnvParamValue value;
+  antError error;  // out
+
+  antEnvInitSetParamMsg();
+  antEnvInitSetParamMsg(const char* name, int32 number);
+  antEnvInitSetParamMsg(const char* name, const char* text);
+  antError Reply(antError e) {
+    error = e;
+    return antEnvMsg::Reply();
+  }
+};
+
+// Starts the stack; for system objects.
+struct antEnvInitStartMsg : public antEnvMsg {
+  antError error;  // out
+
+  antEnvInitStartMsg();
+  antError Reply(antError e) {
+    error = e;
+    return antEnvMsg::Reply();
+  }
+};
+
+#endif  // OPENR_ANTENVINTERNALMSG_H_INCLUDED

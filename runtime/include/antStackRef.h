@@ -1,0 +1,23 @@
+// A reference to a protocol stack, found by its name: antStackRef ref("IPStack").
+#ifndef OPENR_ANTSTACKREF_H_INCLUDED
+#define OPENR_ANTSTACKREF_H_INCLUDED
+
+#include <antTypes.h>
+
+class antStackRef {
+ public:
+  antStackRef() : dispatcher_(0) {}
+  antStackRef(const OID& oid) : oid_(oid), dispatcher_(0) {}
+
+  // Invalid when there is no object of that name.
+  antStackRef(const char* name);
+
+  bool IsValid() const { return oid_.IsValid(); }
+  OID get_oid() const { return oid_; }
+
+ private:
+  OID oid_;
+  void* dispatcher_;  // unused by programs
+};
+
+#endif  // OPENR_ANTSTACKREF_H_INCLUDED

@@ -1,0 +1,201 @@
+#include <OPENR/OObserver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/core/api.h"
+#include "runtime/core/assert.h"
+#include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
+
+using namespace openr_host;
+
+ostream& operator<<(ostream& out, const ObserverID& id) {
+  return out << fmt::format("(OID:{:#x} ,Sel:{})", reinterpret_cast<uintptr_t>(id.GetOID().GetAddress()),
+                            id.GetSelector());
+}
+
+OObserver::OObserver() {
+  const ApiScope scope;
+  ASSERT(t_current.object != nullptr, "an OObserver is made by the code of an object");
+  auto& observers = t_current.object->observers;
+  state_ = observers.emplace_back(std::make_unique<ObserverState>(t_current.system, t_current.object)).get();
+}
+
+OObserver::~OObserver() = default;  // the state goes with its object
+
+OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
+  state_->id = ENTRY2OBSERVERID(entry);
+  return oSUCCESS;
+}
+
+const ObserverID& OObserver::GetID() const { return state_->id; }
+
+void OObserver::SetSkip(size_t skip) { state_->skip = skip; }
+
+void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
+  state_->skip = skip;
+  state_->min = std::max<size_t>(min, 1);
+  state_->max = std::max(max, state_->min);
+}
+
+OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
+  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  auto& ready = *new (message->payload) OReadyMessage;
+  ready.msgType = omsgREADY_V22;
+  ready.command = command;
+  ready.observerID = id;
+  ready.numOfData = 0;
+  message->size = sizeof ready;
+  message->kind = PayloadKind::kReady;
+  // Regions to which nobody here refers any more go back; what does not fit waits
+  // for the next ready.
+  RCRegion* returned[MAX_NUM_DATA];
+  std::vector<RCRegion*>* regions = nullptr;
+  for (Held& entry : held) {
+    if (entry.subject == subject) regions = &entry.regions;
+  }
+  if (regions != nullptr) {
+    for (RCRegion* region : *regions) {
+      if (region->NumberOfReference() > 1 || ready.numOfData == MAX_NUM_DATA) continue;
+      returned[ready.numOfData] = region;
+      ready.rcRegion[ready.numOfData++] = RegionAccess::SourceOf(region);
+    }
+  }
+  const int count = ready.numOfData;
+  const sError error = system->Post(message);
+  if (error != sSUCCESS) {
+    system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n", service, error));
+    return oSEND_FAIL;
+  }
+  for (int i = 0; i < count; ++i) {
+    std::erase(*regions, returned[i]);
+    RegionAccess::GiveBack(returned[i]);
+  }
+  return oSUCCESS;
+}
+
+OStatus OObserver::AssertReady() {
+  const ApiScope scope;
+  OStatus status = oSUCCESS;
+  for (const OSubjectInfo& subject : state_->subjects) {
+    const OStatus one = state_->SendReady(subject.GetSubjectID(), objcommCMD_ASSERT_READY);
+    if (one != oSUCCESS) status = one;
+  }
+  return status;
+}
+
+OStatus OObserver::AssertReady(const SubjectID& id) {
+  const ApiScope scope;
+  return state_->SendReady(id, objcommCMD_ASSERT_READY);
+}
+
+OStatus OObserver::DeassertReady() {
+  const ApiScope scope;
+  OStatus status = oSUCCESS;
+  for (const OSubjectInfo& subject : state_->subjects) {
+    const OStatus one = state_->SendReady(subject.GetSubjectID(), objcommCMD_DEASSERT_READY);
+    if (one != oSUCCESS) status = one;
+  }
+  return status;
+}
+
+OStatus OObserver::DeassertReady(const SubjectID& id) {
+  const ApiScope scope;
+  return state_->SendReady(id, objcommCMD_DEASSERT_READY);
+}
+
+SubjectConstIterator OObserver::begin() const { return state_->subjects.begin(); }
+SubjectConstIterator OObserver::end() const { return state_->subjects.end(); }
+int OObserver::NumberOfSubjects() const { return static_cast<int>(state_->subjects.size()); }
+
+SubjectID OObserver::FindSender(RCRegion* region) const {
+  for (const ObserverState::Held& entry : state_->held) {
+    if (std::find(entry.regions.begin(), entry.regions.end(), region) != entry.regions.end()) {
+      return entry.subject;
+    }
+  }
+  return SubjectID();
+}
+
+namespace {
+
+// Asks the subject at `entry` to add or remove this observer.  A subject of the
+// same object is called directly: its object is busy with this very handler.
+OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
+                                OControlMessage* control) {
+  System* const system = state->system;
+  OControlReplyMessage reply;
+  std::memset(static_cast<void*>(&reply), 0, sizeof reply);
+  reply.status = oFAIL;
+  const ObjectId target = ObjectIdOf(entry.GetOID());
+  if (target != state->object->id) {
+    system->Call(target, entry.GetSelector(), control, sizeof *control, &reply, sizeof reply);
+    return reply;
+  }
+  control->command = control->command == objcommCMD_ADDOBSERVER_V22 ? objcommCMD_ADDOBSERVER_SELF
+                                                                    : objcommCMD_REMOVEOBSERVER_SELF;
+  openr_host::Object::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
+  state->object->self_reply = &self;
+  t_current.image_code = state->object->is_image;
+  state->object->Dispatch(entry.GetSelector(), control);
+  t_current.image_code = false;
+  state->object->self_reply = nullptr;
+  return reply;
+}
+
+}  // namespace
+
+OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
+  const ApiScope scope;
+  const bool connect = msg.command == oconnectcmdCONNECT;
+  state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
+  OStatusMessage answer;
+  std::memset(&answer, 0, sizeof answer);
+  answer.msgType = omsgOSTATUS;
+  answer.status = status;
+  if (status == oSUCCESS) {
+    OControlMessage control;
+    std::memset(static_cast<void*>(&control), 0, sizeof control);
+    control.msgType = omsgCONTROL_V21;
+    control.command = connect ? objcommCMD_ADDOBSERVER_V22 : objcommCMD_REMOVEOBSERVER_V22;
+    control.observerID = state_->id;
+    control.d_skip = static_cast<longword>(state_->skip);
+    control.d_min = static_cast<longword>(state_->min);
+    control.d_max = static_cast<longword>(state_->max);
+    std::strncpy(control.subName, state_->service.c_str(), sizeof control.subName - 1);
+    const OControlReplyMessage reply = AskSubject(state_, msg.entry, &control);
+    answer.status = reply.status;
+    if (reply.status != oSUCCESS) {
+      state_->system->Print(fmt::format(
+          "ConnectHandler AddObserver refused by Subject. OStatus = {}\n", reply.status));
+    } else if (connect) {
+      state_->subjects.push_back(OSubjectInfo(reply.subjectID, objcommVERSION22));
+    } else {
+      state_->subjects.remove_if(
+          [&](const OSubjectInfo& info) { return info.GetSubjectID() == reply.subjectID; });
+    }
+  }
+  Reply(&answer, sizeof answer);
+  return answer.status;
+}
+
+OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
+  const ApiScope scope;
+  auto entry = std::find_if(state_->held.begin(), state_->held.end(),
+                            [&](const auto& each) { return each.subject == msg.subjectID; });
+  if (entry == state_->held.end()) {
+    entry = state_->held.insert(state_->held.end(), {msg.subjectID, {}});
+  }
+  for (int i = 0; i < msg.numOfData; ++i) {
+    RCRegion* const region = RegionAccess::Receive(msg.data[i].srcRCR, msg.data[i].memID,
+                                                   msg.data[i].offset, msg.data[i].size);
+    entry->regions.push_back(region);
+    event->SetData(i, region);
+  }
+  event->SetSubjectInfo(OSubjectInfo(msg.subjectID, objcommVERSION22));
+  event->SetNumOfData(msg.numOfData);
+  event->SetNumOfNotify(msg.numOfNotify);
+  return oSUCCESS;
+}

@@ -1,0 +1,253 @@
+#include <OPENR/OSubject.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/core/api.h"
+#include "runtime/core/assert.h"
+#include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
+
+using namespace openr_host;
+
+OSubject::OSubject() {
+  const ApiScope scope;
+  ASSERT(t_current.object != nullptr, "an OSubject is made by the code of an object");
+  auto& subjects = t_current.object->subjects;
+  state_ = subjects.emplace_back(std::make_unique<SubjectState>(t_current.system, t_current.object)).get();
+}
+
+OSubject::~OSubject() = default;  // the state goes with its object
+
+OStatus OSubject::SetReadyEntry(const OServiceEntry& entry) {
+  const ApiScope scope;
+  state_->id = ENTRY2SUBJECTID(entry);
+  return oSUCCESS;
+}
+
+const SubjectID& OSubject::GetID() const { return state_->id; }
+
+OStatus OSubject::SetBufferSize(size_t size) {
+  state_->buffer_size = size;
+  return oSUCCESS;
+}
+
+size_t OSubject::GetBufferSize() const { return state_->buffer_size; }
+
+OStatus OSubject::SetNotifyUnitSize(size_t size) {
+  const ApiScope scope;
+  if (!state_->links.empty()) {
+    state_->system->AddFinding(Severity::kWarning, "SetNotifyUnitSize() after a connection is refused; "
+                                                   "call it in DoInit");
+    return oFAIL;
+  }
+  state_->unit_size = size;
+  return oSUCCESS;
+}
+
+size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
+
+OStatus OSubject::SetData(const void* buf, size_t size) {
+  const ApiScope scope;
+  if (state_->links.empty()) return oSUCCESS;
+  RCRegion* const region = new RCRegion(size);
+  if (region->Base() == nullptr) return oNO_MEMORY;
+  std::memcpy(region->Base(), buf, size);
+  const OStatus status = SetData(region);
+  region->RemoveReference();
+  return status;
+}
+
+OStatus OSubject::SetData(RCRegion* region) {
+  const ApiScope scope;
+  if (region == nullptr) return oINVALID_ARG;
+  OStatus status = oSUCCESS;
+  for (const auto& link : state_->links) {
+    const OStatus one = state_->SetData(link.get(), region);
+    if (one != oSUCCESS) status = one;
+  }
+  return status;
+}
+
+OStatus OSubject::SetData(const OShmPtrBase& ptr) { return SetData(ptr.RCRPtr()); }
+
+OStatus OSubject::SetData(const ObserverID& id, const void* buf, size_t size) {
+  const ApiScope scope;
+  RCRegion* const region = new RCRegion(size);
+  if (region->Base() == nullptr) return oNO_MEMORY;
+  std::memcpy(region->Base(), buf, size);
+  const OStatus status = SetData(id, region);
+  region->RemoveReference();
+  return status;
+}
+
+OStatus OSubject::SetData(const ObserverID& id, RCRegion* region) {
+  const ApiScope scope;
+  ObserverLink* const link = state_->Find(id);
+  return link == nullptr || region == nullptr ? oINVALID_ARG : state_->SetData(link, region);
+}
+
+OStatus OSubject::SetData(const ObserverID& id, const OShmPtrBase& ptr) {
+  return SetData(id, ptr.RCRPtr());
+}
+
+OStatus OSubject::SetData(const OObserverInfo& info, const void* buf, size_t size) {
+  return SetData(info.GetObserverID(), buf, size);
+}
+
+OStatus OSubject::SetData(const OObserverInfo& info, RCRegion* region) {
+  return SetData(info.GetObserverID(), region);
+}
+
+OStatus OSubject::SetData(const OObserverInfo& info, const OShmPtrBase& ptr) {
+  return SetData(info.GetObserverID(), ptr.RCRPtr());
+}
+
+OStatus OSubject::NotifyObservers() {
+  const ApiScope scope;
+  for (const auto& link : state_->links) state_->Notify(link.get());
+  return oSUCCESS;
+}
+
+OStatus OSubject::NotifyObserver(const OObserverInfo& info) {
+  return NotifyObserver(info.GetObserverID());
+}
+
+OStatus OSubject::NotifyObserver(const ObserverID& id) {
+  const ApiScope scope;
+  ObserverLink* const link = state_->Find(id);
+  return link == nullptr ? oINVALID_ARG : state_->Notify(link);
+}
+
+namespace {
+
+size_t Remain(const SubjectState& state, const ObserverLink& link) {
+  const size_t used = link.fresh.size() + link.pending.size();
+  const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;  // a ring keeps one entry empty
+  return used >= room ? 0 : room - used;
+}
+
+}  // namespace
+
+size_t OSubject::RemainBuffer() const {
+  size_t remain = std::max<size_t>(state_->buffer_size, 1) - 1;
+  for (const auto& link : state_->links) remain = std::min(remain, Remain(*state_, *link));
+  return remain;
+}
+
+size_t OSubject::RemainBuffer(const OObserverInfo& info) const {
+  return RemainBuffer(info.GetObserverID());
+}
+
+size_t OSubject::RemainBuffer(const ObserverID& id) const {
+  const ObserverLink* const link = state_->Find(id);
+  return link == nullptr ? 0 : Remain(*state_, *link);
+}
+
+OStatus OSubject::ClearBuffer() {
+  const ApiScope scope;
+  for (const auto& link : state_->links) state_->Clear(link.get());
+  return oSUCCESS;
+}
+
+OStatus OSubject::ClearBuffer(const OObserverInfo& info) {
+  return ClearBuffer(info.GetObserverID());
+}
+
+OStatus OSubject::ClearBuffer(const ObserverID& id) {
+  const ApiScope scope;
+  ObserverLink* const link = state_->Find(id);
+  if (link == nullptr) return oINVALID_ARG;
+  state_->Clear(link);
+  return oSUCCESS;
+}
+
+OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
+  const ApiScope scope;
+  System* const system = state_->system;
+  state_->service = state_->object->NameService(state_->id.GetSelector(), "Ready");
+  switch (msg.command) {
+    case objcommCMD_ADDOBSERVER:
+    case objcommCMD_ADDOBSERVER_SELF:
+    case objcommCMD_ADDOBSERVER_V22: {
+      if (status != oSUCCESS || state_->Find(msg.observerID) != nullptr) break;
+      auto link = std::make_unique<ObserverLink>();
+      link->observer = msg.observerID;
+      const openr_host::Object* const peer = system->object(ObjectIdOf(msg.observerID.GetOID()));
+      link->name = peer == nullptr ? "an unknown object" : peer->name;
+      link->skip = msg.d_skip;
+      link->min = std::max<size_t>(msg.d_min, 1);
+      link->max = std::max<size_t>(msg.d_max, link->min);
+      state_->links.push_back(std::move(link));
+      state_->infos.push_back(OObserverInfo(msg.observerID));
+      break;
+    }
+    case objcommCMD_REMOVEOBSERVER:
+    case objcommCMD_REMOVEOBSERVER_SELF:
+    case objcommCMD_REMOVEOBSERVER_V22: {
+      ObserverLink* const link = state_->Find(msg.observerID);
+      if (link == nullptr) break;
+      state_->Clear(link);
+      std::erase_if(state_->links, [link](const auto& each) { return each.get() == link; });
+      state_->infos.remove_if(
+          [&](const OObserverInfo& info) { return info.GetObserverID() == msg.observerID; });
+      break;
+    }
+    default:
+      status = oUNKNOWN_COMMAND;
+  }
+  OControlReplyMessage reply;
+  std::memset(static_cast<void*>(&reply), 0, sizeof reply);
+  reply.msgType = omsgCONTROL_REPLY_V21;
+  reply.status = status;
+  reply.subjectID = state_->id;
+  Reply(&reply, sizeof reply);
+  return status;
+}
+
+OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
+  const ApiScope scope;
+  for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
+  ObserverLink* const link = state_->Find(msg.observerID);
+  if (link == nullptr) return oNOT_FOUND;
+  if (msg.command == objcommCMD_DEASSERT_READY) {
+    link->ready = -1;
+    return oSUCCESS;
+  }
+  if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;
+  link->ready = 1;
+  state_->Flush(link);
+  return oSUCCESS;
+}
+
+int OSubject::NumberOfObservers() const { return static_cast<int>(state_->links.size()); }
+ObserverConstIterator OSubject::begin() const { return state_->infos.begin(); }
+ObserverConstIterator OSubject::end() const { return state_->infos.end(); }
+
+ObserverConstIterator OSubject::FindObserver(const ObserverID& id) const {
+  return std::find_if(begin(), end(),
+                      [&](const OObserverInfo& info) { return info.GetObserverID() == id; });
+}
+
+int OSubject::IsAnyReady() const {
+  int count = 0;
+  for (const auto& link : state_->links) count += link->ready > 0;
+  return count;
+}
+
+int OSubject::IsAllReady() const {
+  for (const auto& link : state_->links) {
+    if (link->ready == 0) return 0;
+  }
+  return IsAnyReady();
+}
+
+int OSubject::IsReady(const ObserverID& id) const {
+  const ObserverLink* const link = state_->Find(id);
+  return link != nullptr && link->ready > 0;
+}
+
+int OSubject::ReadyStatus(const ObserverID& id) const {
+  const ObserverLink* const link = state_->Find(id);
+  return link == nullptr ? 0 : link->ready;
+}

@@ -1,0 +1,119 @@
+#include <OPENR/RCRegion.h>
+
+#include <new>
+#include <vector>
+
+#include "runtime/core/assert.h"
+#include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
+
+using openr_host::ApiScope;
+using openr_host::kNoObject;
+using openr_host::RegionTable;
+using openr_host::t_current;
+
+namespace {
+
+// RCRegions are small, many and short-lived: one free list for the thread.
+struct Pool {
+  std::vector<void*> free;
+  std::vector<void*> chunks;  // kept until the end, so that a leak of a region is not one of memory
+  static constexpr size_t kChunk = 64;
+
+  ~Pool() {
+    for (void* chunk : chunks) ::operator delete(chunk);
+  }
+  void* Take() {
+    if (free.empty()) {
+      char* const chunk = static_cast<char*>(::operator new(sizeof(RCRegion) * kChunk));
+      chunks.push_back(chunk);
+      for (size_t i = kChunk; i > 0; --i) free.push_back(chunk + (i - 1) * sizeof(RCRegion));
+    }
+    void* const memory = free.back();
+    free.pop_back();
+    return memory;
+  }
+};
+
+Pool& ThePool() {
+  static thread_local Pool* const pool = new Pool;  // outlives every object
+  return *pool;
+}
+
+RegionTable* Table() {
+  return t_current.system == nullptr ? nullptr : &t_current.system->regions();
+}
+
+}  // namespace
+
+void* RCRegion::operator new(size_t size) {
+  const ApiScope scope;
+  ASSERT(size == sizeof(RCRegion), "RCRegion is not a base class");
+  return ThePool().Take();
+}
+
+void RCRegion::operator delete(void* memory) {
+  const ApiScope scope;
+  if (memory != nullptr) ThePool().free.push_back(memory);
+}
+
+RCRegion::RCRegion()
+    : base_(nullptr), size_(0), count_(0), id_(RegionTable::kNoRegion), offset_(0), type_(UNDEF),
+      source_(nullptr) {}
+
+RCRegion::RCRegion(size_t size)
+    : base_(nullptr), size_(size), count_(1), id_(RegionTable::kNoRegion), offset_(0),
+      type_(SELF_ALLOCATED), source_(nullptr) {
+  const ApiScope scope;
+  RegionTable* const table = Table();
+  ASSERT(table != nullptr, "new RCRegion outside of an object");
+  id_ = table->New(size, t_current.object == nullptr ? kNoObject : t_current.object->id);
+  base_ = table->BaseOf(id_);
+}
+
+RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
+    : base_(static_cast<char*>(base)), size_(size), count_(1), id_(id), offset_(offset),
+      type_(REFERENCE_V20), source_(nullptr) {
+  RegionTable* const table = Table();
+  if (table == nullptr) return;
+  if (base_ == nullptr && table->BaseOf(id) != nullptr) base_ = table->BaseOf(id) + offset;
+  if (size_ == 0 && table->SizeOf(id) > offset) size_ = table->SizeOf(id) - offset;
+}
+
+RCRegion::~RCRegion() {
+  RegionTable* const table = Table();
+  if (table == nullptr) return;
+  if (type_ == SELF_ALLOCATED) {
+    table->Delete(id_);
+  } else if (source_ != nullptr) {
+    table->Unpin(id_);
+  }
+}
+
+void RCRegion::AddReference() { ++count_; }
+
+void RCRegion::RemoveReference() {
+  if (--count_ > 0) return;
+  const ApiScope scope;
+  // A received region belongs to its observer until the next ready, whatever its count.
+  const bool received = source_ != nullptr;
+  if ((received || count_ < 0) && t_current.system != nullptr) {
+    t_current.system->AddFinding(openr_host::Severity::kError,
+                                 "RemoveReference() on a region to which this object holds no reference");
+    return;
+  }
+  delete this;
+}
+
+namespace openr_host {
+
+RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size) {
+  RCRegion* const region = new RCRegion(id, offset, source->Base(), size);
+  region->source_ = source;
+  t_current.system->regions().Pin(id);
+  return region;
+}
+
+void RegionAccess::GiveBack(RCRegion* received) { delete received; }
+
+}  // namespace openr_host

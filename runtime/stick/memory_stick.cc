@@ -1,0 +1,127 @@
+#include "runtime/stick/memory_stick.h"
+
+#include <dirent.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+bool Exists(const std::string& path) {
+  struct stat status;
+  return lstat(path.c_str(), &status) == 0;
+}
+
+std::string UpperCase(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// The entry of `folder` called `part` in any case; an exact match wins, then the
+// first in the order of bytes.  Empty when there is none.
+std::string FindEntry(const std::string& folder, const std::string& part) {
+  if (Exists(folder + "/" + part)) return part;
+  std::vector<std::string> matches;
+  if (DIR* const dir = opendir(folder.c_str())) {
+    while (const dirent* const entry = readdir(dir)) {
+      if (strcasecmp(entry->d_name, part.c_str()) == 0) matches.push_back(entry->d_name);
+    }
+    closedir(dir);
+  }
+  return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
+}
+
+// The parts after /MS; nullopt for a name that is not below it.
+std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
+  if (name.size() < 3 || strncasecmp(name.data(), "/MS", 3) != 0) return std::nullopt;
+  name.remove_prefix(3);
+  if (!name.empty() && name.front() != '/') return std::nullopt;
+  std::vector<std::string> parts;
+  while (!name.empty()) {
+    name.remove_prefix(1);
+    const size_t end = std::min(name.find('/'), name.size());
+    if (end > 0) parts.emplace_back(name.substr(0, end));
+    name.remove_prefix(end);
+  }
+  return parts;
+}
+
+// Whether `path`, with links followed, lies in `folder`.
+bool IsBelow(const std::string& path, const std::string& folder) {
+  std::error_code error;
+  const auto real_path = std::filesystem::canonical(path, error);
+  if (error) return true;  // a dangling link: opening it says so
+  const auto real_folder = std::filesystem::canonical(folder, error);
+  const auto [end, rest] = std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(),
+                                         real_path.end());
+  return end == real_folder.end();
+}
+
+}  // namespace
+
+std::optional<std::string> MemoryStick::ReadFile(std::string_view name) {
+  const Location location = Locate(name);
+  if (location.error != 0 || !location.exists) return std::nullopt;
+  std::ifstream file(location.path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    if (!file || file.peek() != std::ifstream::traits_type::eof()) return std::nullopt;
+  }
+  return text.str();
+}
+
+void MemoryStick::HashState(Hasher* hasher) {
+  for (const std::string& name : written_) {
+    hasher->AddText(name);
+    hasher->AddText(ReadFile(name).value_or("(gone)"));
+  }
+}
+
+MemoryStick::Location FolderStick::Locate(std::string_view name) {
+  const auto parts = PartsOf(name);
+  if (!parts) return {"", false, ENOENT};
+  std::string path = root_;
+  for (size_t i = 0; i < parts->size(); ++i) {
+    const std::string& part = (*parts)[i];
+    if (part == "." || part == ".." || part.find('\0') != std::string::npos) return {"", false, EINVAL};
+    const std::string entry = FindEntry(path, part);
+    const bool is_last = i + 1 == parts->size();
+    if (entry.empty() && !is_last) return {"", false, ENOENT};
+    if (entry.empty()) return {path + "/" + UpperCase(part), false, 0};
+    path += "/" + entry;
+  }
+  if (!IsBelow(path, root_)) return {"", false, EACCES};
+  return {path, true, 0};
+}
+
+MemoryStick::Location FailingStick::Locate(std::string_view name) {
+  if (left_ > 0 && --left_ == 0) return {"", false, error_};
+  return inner_->Locate(name);
+}
+
+bool IsShortName(std::string_view name) {
+  const size_t dot = name.find('.');
+  const std::string_view base = name.substr(0, dot);
+  const std::string_view extension =
+      dot == std::string_view::npos ? std::string_view() : name.substr(dot + 1);
+  const auto allowed = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("$&#{}~%'()-@^`!_").find(c) != std::string_view::npos;
+  };
+  return !base.empty() && base.size() <= 8 && extension.size() <= 3 &&
+         std::all_of(base.begin(), base.end(), allowed) &&
+         std::all_of(extension.begin(), extension.end(), allowed);
+}
+
+}  // namespace openr_host

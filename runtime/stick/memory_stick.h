@@ -1,0 +1,77 @@
+// The Memory Stick: what objects see under /MS.
+//
+// Names are absolute, begin with /MS/, use '/', and match in any case, as on the
+// robot's FAT file system.  No name leaves the stick.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace openr_host {
+
+class Hasher;
+
+class MemoryStick {
+ public:
+  virtual ~MemoryStick() = default;
+
+  // Where the file or folder lies on the host.  `error` is 0 or an errno: ENOENT
+  // (also for names outside of /MS), EINVAL (".." or an empty part), EACCES, EIO.
+  // For a file that does not exist but whose folder does, `path` is where to create
+  // it, `exists` is false and error is 0.
+  struct Location {
+    std::string path;
+    bool exists = false;
+    int error = 0;
+  };
+  virtual Location Locate(std::string_view name) = 0;
+
+  // For the boot and for design data; nullopt when the file cannot be read.
+  std::optional<std::string> ReadFile(std::string_view name);
+
+  // Called when an object opens `name` for writing: from then on its content is part
+  // of the state.
+  void NoteWritten(std::string_view name) { written_.insert(std::string(name)); }
+
+  bool writable() const { return writable_; }
+  void set_writable(bool writable) { writable_ = writable; }
+
+  // Names and contents of the files objects have written.
+  void HashState(Hasher* hasher);
+
+ private:
+  bool writable_ = true;
+  std::set<std::string> written_;
+};
+
+// A folder of the host that holds OPEN-R/.
+class FolderStick : public MemoryStick {
+ public:
+  explicit FolderStick(std::string root) : root_(std::move(root)) {}
+  Location Locate(std::string_view name) override;
+  const std::string& root() const { return root_; }
+
+ private:
+  std::string root_;
+};
+
+// For tests: another stick whose n-th Locate() from now fails with `error`.
+class FailingStick : public MemoryStick {
+ public:
+  FailingStick(std::shared_ptr<MemoryStick> inner, int nth, int error)
+      : inner_(std::move(inner)), left_(nth), error_(error) {}
+  Location Locate(std::string_view name) override;
+
+ private:
+  const std::shared_ptr<MemoryStick> inner_;
+  int left_;
+  const int error_;
+};
+
+// Whether `name` (one part of a path) fits 8 + 3 characters of those FAT allows.
+bool IsShortName(std::string_view name);
+
+}  // namespace openr_host
