@@ -18,4 +18,9 @@ extern \"C\" __attribute__((visibility(\"default\"))) const ImageInfo openr_imag
 const ImageInfo openr_image_info = { 1, 0,
     \"${text}\"
 };
+
+// Linked last, so the constructor without a priority is the last of all.
+extern \"C\" void openr_image_constructors(int begin);
+__attribute__((constructor(101))) static void BeforeConstructors() { openr_image_constructors(1); }
+__attribute__((constructor)) static void AfterConstructors() { openr_image_constructors(0); }
 ")

@@ -33,7 +33,7 @@ function(openr_add_object)
             -P ${PROJECT_SOURCE_DIR}/cmake/ImageInfo.cmake
     DEPENDS ${ocf} ${PROJECT_SOURCE_DIR}/cmake/ImageInfo.cmake VERBATIM)
 
-  add_library(${O_NAME} MODULE ${O_SOURCES} ${stub_files} ${gen}/image_info.cc)
+  add_library(${O_NAME} MODULE ${O_SOURCES} ${stub_files} ${gen}/image_info.cc)  # image_info last
   string(REGEX REPLACE "\\.BIN$" "" base ${O_BIN})
   set_target_properties(${O_NAME} PROPERTIES
     PREFIX "" OUTPUT_NAME ${base} SUFFIX ".BIN"

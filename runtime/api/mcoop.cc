@@ -201,3 +201,6 @@ sError Wait(longword nanosec) {
 }
 
 }  // extern "C"
+
+// The entry run at load; constructors have run before it on the host.
+extern "C" void Prologue(InitInfo*) {}

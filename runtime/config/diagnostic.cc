@@ -60,7 +60,7 @@ std::string Render(const Diagnostic& d) {
   if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, d.message);
   std::string result =
       fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, d.message, Printable(d.text));
-  if (d.column > 0) result += "\n" + Indent(d.text, d.column) + "^";
+  if (d.column > 0) result += fmt::format("\n{}^", Indent(d.text, d.column));
   return result;
 }
 

@@ -15,6 +15,14 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/system.h"
 
+// Called by every image before its first and after its last constructor
+// (cmake/ImageInfo.cmake): they are code of the object, while the loader around them
+// is not.
+extern "C" void openr_image_constructors(int begin) {
+  openr_host::Current& current = openr_host::t_current;
+  current.image_code = begin != 0 && current.object != nullptr && current.object->is_image;
+}
+
 namespace openr_host {
 namespace {
 
@@ -84,7 +92,7 @@ std::string RunFolder::AddCopy(const std::string& file) {
 
 ImageObject::~ImageObject() {
   for (std::FILE* file : open_files) std::fclose(file);
-  const CurrentScope scope(system, this, true);
+  const CurrentScope scope(system, this);
   if (handle_ != nullptr) dlclose(handle_);
 }
 
@@ -98,7 +106,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   arena = std::make_unique<Arena>();
 #endif
   {
-    const CurrentScope scope(system, this, true);
+    const CurrentScope scope(system, this);
     handle_ = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   if (handle_ == nullptr) return fmt::format("cannot be loaded: {}", dlerror());

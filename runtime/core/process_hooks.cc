@@ -69,6 +69,13 @@ void abort() noexcept {
   __builtin_unreachable();
 }
 
+// The C library's list of destructors outlives every object: not from its heap.
+int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
+  static const auto next = Next<int(void (*)(void*), void*, void*)>("__cxa_atexit");
+  const ApiScope scope;
+  return next(function, argument, module);
+}
+
 time_t time(time_t* result) noexcept {
   static const auto next = Next<time_t(time_t*)>("time");
   if (!InObject()) return next(result);

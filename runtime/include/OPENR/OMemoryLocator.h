@@ -8,6 +8,9 @@
 
 #include <iostream>
 
+// Old sources expect these names without std::.
+using std::cout;
+using std::endl;
 using std::ostream;
 
 struct OMemoryLocator {

@@ -22,6 +22,7 @@ class OSystemEvent {
   size_t paramSize_;
 };
 
+#include <OPENR/OMemoryLocator.h>
 #include <OPENR/ObjcommEvent.h>
 
 #endif  // OPENR_OPENREVENT_H_INCLUDED

@@ -1,7 +1,7 @@
 // Sizes and offsets of the network messages on the robot, checked by the compiler.
 //
 // The messages hold pointers and object ids, so the figures are right for 32-bit targets
-// only; elsewhere this header checks nothing.
+// only.  On every host a message has to fit Send(), which copies at most 256 bytes.
 #ifndef TESTS_RUNTIME_INCLUDE_MESSAGE_LAYOUT_CHECKS_H
 #define TESTS_RUNTIME_INCLUDE_MESSAGE_LAYOUT_CHECKS_H
 
@@ -13,6 +13,15 @@
 #include <ant.h>
 
 #include "tests/runtime/include/layout_checks.h"
+
+#define CHECK_FITS(type) static_assert(sizeof(type) <= 256, #type " fits a message")
+
+CHECK_FITS(DNSEndpointGetHostByNameMsg);
+CHECK_FITS(DNSEndpointSetDefaultDomainNameMsg);
+CHECK_FITS(TCPEndpointAddressMsg);
+CHECK_FITS(antEnvInitGetParamMsg);
+CHECK_FITS(OReasonMessage);
+CHECK_FITS(OPowerStatusMessage);
 
 #if __SIZEOF_POINTER__ == 4
 

@@ -1,0 +1,280 @@
+#include "runtime/ipstack/ant_message.h"
+
+#include <DNSEndpointMsg.h>
+#include <EndpointTypes.h>
+#include <IPEndpointMsg.h>
+#include <TCPEndpointMsg.h>
+#include <UDPEndpointMsg.h>
+
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/message.h"
+
+namespace openr_host {
+namespace {
+
+static_assert(sizeof(DNSEndpointGetHostByNameMsg) <= Message::kPayloadMax);
+
+using UnknownMsg = antOperationMsg<antError>;
+
+// `m` as what it is; M is antEnvMsg or const antEnvMsg.
+template <typename T, typename M>
+std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
+  return static_cast<std::conditional_t<std::is_const_v<M>, const T, T>&>(m);
+}
+
+// Each calls visit(message as what it is, its name).
+template <typename M, typename V>
+void VisitTcp(M& m, V&& visit) {
+  switch (m.dstOperation) {
+    case TCPEndpoint_Operation_Bind: return visit(As<TCPEndpointBindMsg>(m), "TCP Bind");
+    case TCPEndpoint_Operation_Listen: return visit(As<TCPEndpointListenMsg>(m), "TCP Listen");
+    case TCPEndpoint_Operation_Connect: return visit(As<TCPEndpointConnectMsg>(m), "TCP Connect");
+    case TCPEndpoint_Operation_Send: return visit(As<TCPEndpointSendMsg>(m), "TCP Send");
+    case TCPEndpoint_Operation_Receive: return visit(As<TCPEndpointReceiveMsg>(m), "TCP Receive");
+    case TCPEndpoint_Operation_Close: return visit(As<TCPEndpointCloseMsg>(m), "TCP Close");
+    case TCPEndpoint_Operation_SetBlockingMode:
+      return visit(As<TCPEndpointSetBlockingModeMsg>(m), "TCP SetBlockingMode");
+    case TCPEndpoint_Operation_ReadyForRead:
+      return visit(As<TCPEndpointReadyForReadMsg>(m), "TCP ReadyForRead");
+    case TCPEndpoint_Operation_ReadyForWrite:
+      return visit(As<TCPEndpointReadyForWriteMsg>(m), "TCP ReadyForWrite");
+    case TCPEndpoint_Operation_BacklogListen:
+      return visit(As<TCPEndpointBacklogListenMsg>(m), "TCP BacklogListen");
+    case TCPEndpoint_Operation_Accept: return visit(As<TCPEndpointAcceptMsg>(m), "TCP Accept");
+    case TCPEndpoint_Operation_BacklogQueue:
+      return visit(As<TCPEndpointBacklogQueueMsg>(m), "TCP BacklogQueue");
+    case TCPEndpoint_Operation_Address: return visit(As<TCPEndpointAddressMsg>(m), "TCP Address");
+    default: return visit(As<UnknownMsg>(m), "unknown TCP operation");
+  }
+}
+
+template <typename M, typename V>
+void VisitUdp(M& m, V&& visit) {
+  switch (m.dstOperation) {
+    case UDPEndpoint_Operation_Bind: return visit(As<UDPEndpointBindMsg>(m), "UDP Bind");
+    case UDPEndpoint_Operation_Connect: return visit(As<UDPEndpointConnectMsg>(m), "UDP Connect");
+    case UDPEndpoint_Operation_Send: return visit(As<UDPEndpointSendMsg>(m), "UDP Send");
+    case UDPEndpoint_Operation_Receive: return visit(As<UDPEndpointReceiveMsg>(m), "UDP Receive");
+    case UDPEndpoint_Operation_Close: return visit(As<UDPEndpointCloseMsg>(m), "UDP Close");
+    case UDPEndpoint_Operation_SetBlockingMode:
+      return visit(As<UDPEndpointSetBlockingModeMsg>(m), "UDP SetBlockingMode");
+    case UDPEndpoint_Operation_ReadyForRead:
+      return visit(As<UDPEndpointReadyForReadMsg>(m), "UDP ReadyForRead");
+    case UDPEndpoint_Operation_ReadyForWrite:
+      return visit(As<UDPEndpointReadyForWriteMsg>(m), "UDP ReadyForWrite");
+    case UDPEndpoint_Operation_Address: return visit(As<UDPEndpointAddressMsg>(m), "UDP Address");
+    case UDPEndpoint_Operation_ResetConnect:
+      return visit(As<UDPEndpointResetConnectMsg>(m), "UDP ResetConnect");
+    default: return visit(As<UnknownMsg>(m), "unknown UDP operation");
+  }
+}
+
+template <typename M, typename V>
+void VisitDns(M& m, V&& visit) {
+  switch (m.dstOperation) {
+    case DNSEndpoint_Operation_SetServerAddresses:
+      return visit(As<DNSEndpointSetServerAddressesMsg>(m), "DNS SetServerAddresses");
+    case DNSEndpoint_Operation_GetServerAddresses:
+      return visit(As<DNSEndpointGetServerAddressesMsg>(m), "DNS GetServerAddresses");
+    case DNSEndpoint_Operation_SetDefaultDomainName:
+      return visit(As<DNSEndpointSetDefaultDomainNameMsg>(m), "DNS SetDefaultDomainName");
+    case DNSEndpoint_Operation_GetDefaultDomainName:
+      return visit(As<DNSEndpointGetDefaultDomainNameMsg>(m), "DNS GetDefaultDomainName");
+    case DNSEndpoint_Operation_GetHostByName:
+      return visit(As<DNSEndpointGetHostByNameMsg>(m), "DNS GetHostByName");
+    case DNSEndpoint_Operation_GetHostByAddr:
+      return visit(As<DNSEndpointGetHostByAddrMsg>(m), "DNS GetHostByAddr");
+    case DNSEndpoint_Operation_GetAddress:
+      return visit(As<DNSEndpointGetAddressMsg>(m), "DNS GetAddress");
+    case DNSEndpoint_Operation_GetAlias:
+      return visit(As<DNSEndpointGetAliasMsg>(m), "DNS GetAlias");
+    case DNSEndpoint_Operation_Close: return visit(As<DNSEndpointCloseMsg>(m), "DNS Close");
+    default: return visit(As<UnknownMsg>(m), "unknown DNS operation");
+  }
+}
+
+template <typename M, typename V>
+void VisitStack(M& m, V&& visit) {
+  if (m.dstSelector == Entry_antEnv_Initialize) {
+    switch (m.dstOperation) {
+      case antEnv_Operation_InitSetParam:
+        return visit(As<antEnvInitSetParamMsg>(m), "SetParam");
+      case antEnv_Operation_InitStart: return visit(As<antEnvInitStartMsg>(m), "Start");
+      case antEnv_Operation_InitGetParam:
+        return visit(As<antEnvInitGetParamMsg>(m), "GetParam");
+      default: break;
+    }
+  } else if (m.dstSelector == Entry_antEnv_External) {
+    switch (m.dstOperation) {
+      case antEnv_Operation_CreateEndpoint:
+        return visit(As<antEnvCreateEndpointMsg>(m), "CreateEndpoint");
+      case antEnv_Operation_CreateSharedBuffer:
+        return visit(As<antEnvCreateSharedBufferMsg>(m), "CreateSharedBuffer");
+      case antEnv_Operation_DestroySharedBuffer:
+        return visit(As<antEnvDestroySharedBufferMsg>(m), "DestroySharedBuffer");
+      default: break;
+    }
+  }
+  visit(As<UnknownMsg>(m), "unknown operation");
+}
+
+template <typename M, typename V>
+void Visit(M& m, V&& visit) {
+  switch (ProtocolOf(m.dstModule)) {
+    case EndpointType_TCP: return VisitTcp(m, visit);
+    case EndpointType_UDP: return VisitUdp(m, visit);
+    case EndpointType_DNS: return VisitDns(m, visit);
+    default: return VisitStack(m, visit);
+  }
+}
+
+// ---- what of a message is hashed, beside what all have
+
+void Add(Hasher* h, const IPAddress& address) { h->Add(address.Address()); }
+template <size_t N>
+void Add(Hasher* h, const char (&text)[N]) {
+  h->AddText({text, strnlen(text, N)});
+}
+
+template <typename T>
+void AddFourAddresses(Hasher* h, const T& m) {
+  Add(h, m.lAddress);
+  h->Add(m.lPort);
+  Add(h, m.fAddress);
+  h->Add(m.fPort);
+}
+template <typename T>
+void AddHost(Hasher* h, const T& m) {
+  Add(h, m.name);
+  Add(h, m.server_address);
+  Add(h, m.host_address);
+  h->Add(m.n_address);
+  h->Add(m.n_alias);
+}
+template <typename T>
+void AddParameter(Hasher* h, const T& m) {
+  Add(h, m.key);
+  h->Add(m.paramType);
+  if (m.paramType == antEnv_InitParam_Int32) h->Add(m.value.i32);
+  if (m.paramType == antEnv_InitParam_String) Add(h, m.value.str);
+}
+
+// Close, queue and mode messages, and unknown ones: operation and error say it all, or
+// the stack does not know what they mean.
+void AddFields(Hasher*, const antEnvMsg&) {}
+
+void AddFields(Hasher* h, const TCPEndpointListenMsg& m) { AddFourAddresses(h, m); }
+void AddFields(Hasher* h, const TCPEndpointConnectMsg& m) { AddFourAddresses(h, m); }
+void AddFields(Hasher* h, const TCPEndpointAddressMsg& m) { AddFourAddresses(h, m); }
+void AddFields(Hasher* h, const TCPEndpointBindMsg& m) {
+  Add(h, m.lAddress);
+  h->Add(m.lPort);
+}
+void AddFields(Hasher* h, const TCPEndpointSendMsg& m) { h->Add(m.size); }
+void AddFields(Hasher* h, const TCPEndpointReceiveMsg& m) {
+  h->Add(m.sizeMin);
+  h->Add(m.sizeMax);
+}
+void AddFields(Hasher* h, const TCPEndpointCloseMsg& m) { h->Add(m.abort); }
+
+template <typename T>
+void AddPeer(Hasher* h, const T& m) {
+  Add(h, m.address);
+  h->Add(m.port);
+}
+void AddFields(Hasher* h, const UDPEndpointBindMsg& m) { AddPeer(h, m); }
+void AddFields(Hasher* h, const UDPEndpointConnectMsg& m) { AddPeer(h, m); }
+void AddFields(Hasher* h, const UDPEndpointAddressMsg& m) { AddFourAddresses(h, m); }
+void AddFields(Hasher* h, const UDPEndpointSendMsg& m) {
+  AddPeer(h, m);
+  h->Add(m.size);
+}
+void AddFields(Hasher* h, const UDPEndpointReceiveMsg& m) {
+  AddPeer(h, m);
+  h->Add(m.size);
+}
+
+template <typename T>
+void AddServers(Hasher* h, const T& m) {
+  h->Add(m.nscount);
+  for (const IPAddress& address : m.addrList) Add(h, address);
+}
+void AddFields(Hasher* h, const DNSEndpointSetServerAddressesMsg& m) { AddServers(h, m); }
+void AddFields(Hasher* h, const DNSEndpointGetServerAddressesMsg& m) { AddServers(h, m); }
+void AddFields(Hasher* h, const DNSEndpointSetDefaultDomainNameMsg& m) { Add(h, m.name); }
+void AddFields(Hasher* h, const DNSEndpointGetDefaultDomainNameMsg& m) { Add(h, m.name); }
+void AddFields(Hasher* h, const DNSEndpointGetHostByNameMsg& m) { AddHost(h, m); }
+void AddFields(Hasher* h, const DNSEndpointGetHostByAddrMsg& m) { AddHost(h, m); }
+void AddFields(Hasher* h, const DNSEndpointGetAddressMsg& m) {
+  h->Add(m.index);
+  Add(h, m.address);
+}
+void AddFields(Hasher* h, const DNSEndpointGetAliasMsg& m) {
+  h->Add(m.index);
+  Add(h, m.name);
+}
+
+void AddFields(Hasher* h, const antEnvCreateEndpointMsg& m) {
+  h->Add(m.protocol);
+  h->Add(m.poolSize);
+  h->Add(m.moduleRef.index);
+}
+void AddFields(Hasher* h, const antEnvCreateSharedBufferMsg& m) {
+  h->Add(m.size);
+  h->Add(m.buffer.GetCookie());
+}
+void AddFields(Hasher* h, const antEnvDestroySharedBufferMsg& m) { h->Add(m.buffer.GetCookie()); }
+void AddFields(Hasher* h, const antEnvInitGetParamMsg& m) { AddParameter(h, m); }
+void AddFields(Hasher* h, const antEnvInitSetParamMsg& m) { AddParameter(h, m); }
+
+}  // namespace
+
+antModuleRef MakeModuleRef(int32_t protocol, uint32_t index) {
+  antModuleRef ref;
+  ref.module = reinterpret_cast<void*>(static_cast<uintptr_t>(protocol));
+  ref.index = index;
+  return ref;
+}
+
+int32_t ProtocolOf(const antModuleRef& ref) {
+  const auto protocol = reinterpret_cast<uintptr_t>(ref.module);
+  return protocol <= EndpointType_MIB_ETHERNET ? static_cast<int32_t>(protocol) : 0;
+}
+
+size_t AntMessageSize(const antEnvMsg& message) {
+  size_t size = 0;
+  Visit(message, [&](const auto& m, const char*) { size = sizeof m; });
+  return size;
+}
+
+const char* AntMessageName(const antEnvMsg& message) {
+  const char* result = "";
+  Visit(message, [&](const auto&, const char* name) { result = name; });
+  return result;
+}
+
+void SetAntError(antEnvMsg* message, int32_t error) {
+  Visit(*message, [error](auto& m, const char*) { m.error = static_cast<decltype(m.error)>(error); });
+}
+
+uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size) {
+  Hasher hasher;
+  hasher.Add(message.dstSelector);
+  hasher.Add(ProtocolOf(message.dstModule));
+  hasher.Add(message.dstModule.index);
+  hasher.Add(message.dstOperation);
+  hasher.Add(message.invocationType);
+  Visit(message, [&](const auto& m, const char*) {
+    hasher.Add(m.error);
+    AddFields(&hasher, m);
+  });
+  hasher.AddText({static_cast<const char*>(data), size});
+  const uint64_t digest = hasher.Digest();
+  return digest == 0 ? 1 : digest;
+}
+
+}  // namespace openr_host

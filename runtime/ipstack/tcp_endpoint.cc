@@ -1,0 +1,354 @@
+#include "runtime/ipstack/tcp_endpoint.h"
+
+#include <EndpointTypes.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/core/assert.h"
+#include "runtime/core/hasher.h"
+#include "runtime/ipstack/ant_message.h"
+#include "runtime/ipstack/ip_stack.h"
+
+namespace openr_host {
+
+TCPEndpointError TcpErrorOf(NetError error) {
+  switch (error) {
+    case NetError::kNone: return TCP_SUCCESS;
+    case NetError::kFailed: return TCP_FAIL;
+    case NetError::kClosed: return TCP_CONNECTION_CLOSED;
+    case NetError::kReset: return TCP_CONNECTION_RESET;
+    case NetError::kTimeout: return TCP_CONNECTION_TIMEOUT;
+    case NetError::kAddressInUse: return TCP_ADDRESSINUSE;
+    case NetError::kBadAddress: return TCP_ADDRESSERROR;
+    case NetError::kRefused: return TCP_PORT_UNREACHABLE;
+    case NetError::kHostUnreachable: return TCP_HOST_UNREACHABLE;
+    case NetError::kNetworkUnreachable: return TCP_NETWORK_UNREACHABLE;
+    case NetError::kTooLong: return TCP_MESSAGE_TOO_LONG;
+  }
+  return TCP_FAIL;
+}
+
+TcpEndpoint::TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes)
+    : Endpoint(stack, EndpointType_TCP, owner, pool_bytes) {}
+
+void TcpEndpoint::Start(const Operation& operation) {
+  switch (operation.message().dstOperation) {
+    case TCPEndpoint_Operation_Bind: return Bind(operation);
+    case TCPEndpoint_Operation_Listen: return Listen(operation);
+    case TCPEndpoint_Operation_Connect: return Connect(operation);
+    case TCPEndpoint_Operation_Send: return Send(operation);
+    case TCPEndpoint_Operation_Receive: return Receive(operation);
+    case TCPEndpoint_Operation_Close: return Close(operation);
+    case TCPEndpoint_Operation_Address: return Address(operation);
+    default: return Refuse(operation, TCP_OPERATION_UNKNOWN);
+  }
+}
+
+void TcpEndpoint::Refuse(Operation operation, TCPEndpointError error) {
+  if (operation.message().dstOperation == TCPEndpoint_Operation_Receive) {
+    auto& message = operation.As<TCPEndpointReceiveMsg>();
+    message.sizeMin = message.sizeMax = 0;
+  }
+  stack_->Answer(&operation, error);
+}
+
+void TcpEndpoint::Finish(std::optional<Operation>* operation, TCPEndpointError error,
+                         const void* data, size_t size) {
+  stack_->Answer(&**operation, error, data, size);
+  operation->reset();
+}
+
+void TcpEndpoint::Bind(Operation operation) {
+  const auto& message = operation.As<TCPEndpointBindMsg>();
+  if (RefuseOpen(operation, message.lAddress)) return;
+  local_port_ = message.lPort;
+  stack_->Answer(&operation, TCP_SUCCESS);
+}
+
+// Checks what Bind, Listen and Connect need.
+bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
+  TCPEndpointError error = TCP_SUCCESS;
+  if (opening_) {
+    error = TCP_CONNECTION_BUSY;
+  } else if (state_ != State::kNew) {
+    error = TCP_OPERATION_INVALID;
+  } else if (!stack_->IsOwnAddress(local.Address())) {
+    error = TCP_ADDRESSERROR;
+  }
+  if (error != TCP_SUCCESS) Refuse(operation, error);
+  return error != TCP_SUCCESS;
+}
+
+void TcpEndpoint::Listen(const Operation& operation) {
+  Operation accepted = operation;
+  const auto& message = accepted.As<TCPEndpointListenMsg>();
+  if (RefuseOpen(operation, message.lAddress)) return;
+  if (message.lPort != 0) local_port_ = message.lPort;
+  own_port_ = local_port_ == 0;
+  if (own_port_) local_port_ = stack_->ChoosePort();
+  wanted_ = {message.fAddress.Address(), message.fPort};
+  socket_ = stack_->Open(this);
+  if (!stack_->tcp_ports().Accept(local_port_, socket_, this)) {
+    stack_->Drop(socket_, false);
+    socket_ = 0;
+    stack_->Warn(operation, fmt::format("TCP Listen on port {} refused: the stack listens on {} ports already",
+                                        local_port_, TcpPorts::kPortsMax));
+    return Refuse(operation, TCP_FAIL);
+  }
+  opening_ = accepted;
+  state_ = State::kListening;
+}
+
+void TcpEndpoint::Connect(const Operation& operation) {
+  Operation accepted = operation;
+  const auto& message = accepted.As<TCPEndpointConnectMsg>();
+  if (RefuseOpen(operation, message.lAddress)) return;
+  const NetAddress remote{message.fAddress.Address(), message.fPort};
+  if (remote.ip == 0 || remote.ip == 0xffffffffu || message.fAddress.InMulticast() ||
+      remote.port == 0) {
+    return Refuse(operation, TCP_ADDRESSERROR);
+  }
+  if (message.lPort != 0) local_port_ = message.lPort;
+  if (local_port_ == 0) local_port_ = stack_->ChoosePort();
+  remote_ = remote;
+  socket_ = stack_->Open(this);
+  stack_->network().Connect(socket_, local_port_, remote);
+  opening_ = accepted;
+  state_ = State::kConnecting;
+}
+
+// Checks what Send and Receive need; an operation of the same kind is pending if `busy`.
+bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
+  TCPEndpointError error = TCP_SUCCESS;
+  switch (state_) {
+    case State::kNew:
+    case State::kListening:
+    case State::kConnecting: error = TCP_OPERATION_INVALID; break;
+    case State::kActive: error = busy ? TCP_CONNECTION_BUSY : TCP_SUCCESS; break;
+    case State::kClosing: error = TCP_CONNECTION_CLOSED; break;
+    case State::kFailed: error = error_; break;
+  }
+  if (error != TCP_SUCCESS) Refuse(operation, error);
+  return error != TCP_SUCCESS;
+}
+
+void TcpEndpoint::Send(const Operation& operation) {
+  if (RefuseTransfer(operation, send_.has_value())) return;
+  Operation accepted = operation;
+  const auto& message = accepted.As<TCPEndpointSendMsg>();
+  if (!stack_->buffers().Contains(message.buffer, message.size)) {
+    return Refuse(operation, TCP_BUFFER_INVALID);
+  }
+  if (message.size > pool_bytes_) {
+    stack_->Warn(operation, fmt::format("TCP Send of {} bytes fails: the endpoint was created with a pool of {} "
+                                        "bytes; a pool holds a little more than the largest send",
+                                        message.size, pool_bytes_));
+    return Refuse(operation, TCP_FAIL);
+  }
+  send_ = accepted;
+}
+
+void TcpEndpoint::Receive(const Operation& operation) {
+  if (RefuseTransfer(operation, receive_.has_value())) return;
+  Operation accepted = operation;
+  const auto& message = accepted.As<TCPEndpointReceiveMsg>();
+  if (message.sizeMin <= 0 || message.sizeMin > message.sizeMax ||
+      !stack_->buffers().Contains(message.buffer, message.sizeMax)) {
+    return Refuse(operation, TCP_BUFFER_INVALID);
+  }
+  receive_ = accepted;
+}
+
+void TcpEndpoint::Close(const Operation& operation) {
+  if (close_) return Refuse(operation, TCP_CONNECTION_BUSY);
+  for (std::optional<Operation>* pending : {&opening_, &send_, &receive_}) {
+    if (!*pending) continue;
+    Refuse(**pending, TCP_CONNECTION_CLOSED);
+    pending->reset();
+  }
+  Operation accepted = operation;
+  const bool abort = accepted.As<TCPEndpointCloseMsg>().abort;
+  if (state_ == State::kActive && !abort) {
+    stack_->network().Close(socket_);
+    state_ = State::kClosing;
+    closing_since_us_ = stack_->system().now_us();
+    close_ = accepted;
+    return;
+  }
+  LeavePort();
+  stack_->Drop(socket_, state_ == State::kActive);
+  dead_ = true;
+  stack_->Answer(&accepted, TCP_SUCCESS);
+}
+
+void TcpEndpoint::Address(Operation operation) {
+  auto& message = operation.As<TCPEndpointAddressMsg>();
+  message.lAddress = stack_->address();
+  message.lPort = local_port_;
+  message.fAddress = remote_.ip;
+  message.fPort = remote_.port;
+  stack_->Answer(&operation, TCP_SUCCESS);
+}
+
+void TcpEndpoint::Take(const NetworkEvent& event) {
+  switch (event.kind) {
+    case NetworkEvent::Kind::kAccepted: return Accepted(event);
+    case NetworkEvent::Kind::kConnected:
+      if (state_ == State::kConnecting) state_ = State::kActive;
+      return;
+    case NetworkEvent::Kind::kSent:
+      unsent_ -= static_cast<int64_t>(std::min<uint64_t>(event.count, static_cast<uint64_t>(unsent_)));
+      if (state_ == State::kClosing) closing_since_us_ = stack_->system().now_us();
+      return;
+    case NetworkEvent::Kind::kReceived:
+      asked_ = false;
+      in_ += event.bytes;
+      return;
+    case NetworkEvent::Kind::kEnd:
+      asked_ = false;
+      ended_ = true;
+      return;
+    case NetworkEvent::Kind::kClosed: closed_ = true; return;
+    case NetworkEvent::Kind::kFailed: return Fail(event.error);
+    default: return;
+  }
+}
+
+void TcpEndpoint::Accepted(const NetworkEvent& event) {
+  if (state_ != State::kListening) return;
+  const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
+                       (wanted_.port == 0 || wanted_.port == event.remote.port);
+  stack_->tcp_ports().Forget(local_port_, this);
+  if (!welcome) {
+    stack_->Drop(socket_, true);
+    socket_ = stack_->Open(this);
+    stack_->tcp_ports().Accept(local_port_, socket_, this);
+    return;
+  }
+  remote_ = event.remote;
+  state_ = State::kActive;
+}
+
+void TcpEndpoint::Fail(NetError error) {
+  if (state_ == State::kFailed) return;
+  asked_ = false;
+  unsent_ = 0;
+  in_.clear();
+  if (state_ == State::kClosing) {
+    closed_ = true;
+    return;
+  }
+  error_ = TcpErrorOf(error);
+  ASSERT(error_ != TCP_SUCCESS, "the network reported a failure without an error");
+  state_ = State::kFailed;
+}
+
+// Ends what a Listen holds of its port.
+void TcpEndpoint::LeavePort() {
+  stack_->tcp_ports().Forget(local_port_, this);
+  if (own_port_) stack_->tcp_ports().Close(local_port_);
+  own_port_ = false;
+}
+
+void TcpEndpoint::AnswerReady() {
+  if (opening_) FinishOpening();
+  if (send_) FinishSend();
+  if (receive_) FinishReceive();
+  if (close_) FinishClose();
+}
+
+void TcpEndpoint::FinishOpening() {
+  if (state_ == State::kListening || state_ == State::kConnecting) return;
+  LeavePort();
+  if (state_ == State::kFailed) return Finish(&opening_, error_);
+  // Listen and Connect have the same fields at the same places, but are different types.
+  const auto fill = [this](auto& message) {
+    message.lAddress = stack_->address();
+    message.lPort = local_port_;
+    message.fAddress = remote_.ip;
+    message.fPort = remote_.port;
+  };
+  if (opening_->message().dstOperation == TCPEndpoint_Operation_Listen) {
+    fill(opening_->As<TCPEndpointListenMsg>());
+  } else {
+    fill(opening_->As<TCPEndpointConnectMsg>());
+  }
+  Finish(&opening_, TCP_SUCCESS);
+}
+
+void TcpEndpoint::FinishSend() {
+  const auto& message = send_->As<TCPEndpointSendMsg>();
+  if (state_ == State::kFailed) return Finish(&send_, error_);
+  if (unsent_ + message.size > pool_bytes_) return;
+  if (!stack_->buffers().Contains(message.buffer, message.size)) {  // destroyed meanwhile
+    return Finish(&send_, TCP_BUFFER_INVALID);
+  }
+  const auto size = static_cast<size_t>(message.size);
+  const byte* const data = message.buffer;
+  stack_->network().Send(socket_, data, size);
+  unsent_ += message.size;
+  const uint64_t chain[2] = {sent_hash_, HashBytes(data, size)};
+  sent_hash_ = HashBytes(chain, sizeof chain);
+  Finish(&send_, TCP_SUCCESS, data, size);
+}
+
+void TcpEndpoint::FinishReceive() {
+  auto& message = receive_->As<TCPEndpointReceiveMsg>();
+  const auto min = static_cast<size_t>(message.sizeMin);
+  const auto max = static_cast<size_t>(message.sizeMax);
+  const bool enough = in_.size() >= min || (ended_ && !in_.empty());
+  if (!enough && state_ != State::kFailed && !ended_) {
+    if (!asked_) stack_->network().Receive(socket_, max - in_.size());
+    asked_ = true;
+    return;
+  }
+  const bool writable = stack_->buffers().Contains(message.buffer, message.sizeMax);
+  const size_t count = enough && writable ? std::min(in_.size(), max) : 0;
+  message.sizeMin = message.sizeMax = static_cast<int>(count);
+  if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
+  if (!writable) return Finish(&receive_, TCP_BUFFER_INVALID);
+  byte* const data = message.buffer;
+  std::memcpy(data, in_.data(), count);
+  in_.erase(0, count);
+  Finish(&receive_, TCP_SUCCESS, data, count);
+}
+
+void TcpEndpoint::FinishClose() {
+  const int64_t waited_us = stack_->system().now_us() - closing_since_us_;
+  if (!closed_ && waited_us < (unsent_ > 0 ? kUnsentUs : kPeerEndUs)) return;
+  stack_->Drop(socket_, false);
+  dead_ = true;
+  Finish(&close_, TCP_SUCCESS);
+}
+
+bool TcpEndpoint::WaitsForNetwork() const {
+  return !dead_ && (opening_ || receive_ || close_ || (state_ == State::kActive && unsent_ > 0));
+}
+
+void TcpEndpoint::Drop() {
+  if (state_ == State::kListening) LeavePort();
+  stack_->Drop(socket_, state_ == State::kActive || state_ == State::kClosing);
+  dead_ = true;
+}
+
+void TcpEndpoint::HashState(Hasher* hasher) const {
+  hasher->Add(state_);
+  hasher->Add(local_port_);
+  hasher->Add(remote_.ip);
+  hasher->Add(remote_.port);
+  hasher->Add(error_);
+  hasher->AddText(in_);
+  hasher->Add(asked_);
+  hasher->Add(ended_);
+  hasher->Add(closed_);
+  hasher->Add(unsent_);
+  hasher->Add(sent_hash_);
+  for (const auto* pending : {&opening_, &send_, &receive_, &close_}) {
+    hasher->Add(pending->has_value());
+    if (*pending) hasher->Add(AntMessageHash((*pending)->message()));
+  }
+}
+
+}  // namespace openr_host

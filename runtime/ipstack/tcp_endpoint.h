@@ -1,0 +1,79 @@
+// A TCP endpoint: one connection, from Listen or Connect to Close.
+#pragma once
+
+#include <TCPEndpointMsg.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "runtime/ipstack/endpoint.h"
+
+namespace openr_host {
+
+class TcpEndpoint : public Endpoint {
+ public:
+  TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
+
+  // How long Close waits, in virtual time, for the peer to end its side once all has been
+  // sent, and without progress while something is left.
+  static constexpr int64_t kPeerEndUs = 1'000'000;
+  static constexpr int64_t kUnsentUs = 60'000'000;
+
+  void Start(const Operation& operation) override;
+  void Take(const NetworkEvent& event) override;
+  void AnswerReady() override;
+  bool WaitsForNetwork() const override;
+  void Drop() override;
+  void HashState(Hasher* hasher) const override;
+
+ private:
+  enum class State : uint8_t { kNew, kListening, kConnecting, kActive, kClosing, kFailed };
+
+  void Bind(Operation operation);
+  void Listen(const Operation& operation);
+  void Connect(const Operation& operation);
+  void Send(const Operation& operation);
+  void Receive(const Operation& operation);
+  void Close(const Operation& operation);
+  void Address(Operation operation);
+
+  bool RefuseOpen(const Operation& operation, const IPAddress& local);
+  bool RefuseTransfer(const Operation& operation, bool busy);
+  void Refuse(Operation operation, TCPEndpointError error);
+  void Fail(NetError error);
+  void Accepted(const NetworkEvent& event);
+  void LeavePort();
+  void FinishOpening();
+  void FinishSend();
+  void FinishReceive();
+  void FinishClose();
+  // Answers with `error` and takes it back.
+  void Finish(std::optional<Operation>* operation, TCPEndpointError error,
+              const void* data = nullptr, size_t size = 0);
+
+  State state_ = State::kNew;
+  NetHandle socket_ = 0;
+  uint16_t local_port_ = 0;
+  bool own_port_ = false;  // the stack chose local_port_ for a Listen
+  NetAddress remote_;
+  NetAddress wanted_;  // the only peer a Listen takes; 0: any
+  TCPEndpointError error_ = TCP_SUCCESS;  // why the connection is broken
+
+  std::string in_;         // received, not delivered
+  bool asked_ = false;     // a Network::Receive() is out
+  bool ended_ = false;     // the peer sends no more
+  bool closed_ = false;    // both sides have ended
+  int64_t unsent_ = 0;     // bytes given to the network that it has not taken
+  uint64_t sent_hash_ = 0;  // of all bytes sent
+  int64_t closing_since_us_ = 0;  // Close, or the last progress since
+
+  std::optional<Operation> opening_;  // Listen or Connect
+  std::optional<Operation> send_;
+  std::optional<Operation> receive_;
+  std::optional<Operation> close_;
+};
+
+TCPEndpointError TcpErrorOf(NetError error);
+
+}  // namespace openr_host

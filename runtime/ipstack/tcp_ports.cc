@@ -1,0 +1,49 @@
+#include "runtime/ipstack/tcp_ports.h"
+
+#include <algorithm>
+
+#include "runtime/ipstack/ip_stack.h"
+
+namespace openr_host {
+
+void TcpPorts::Port::Take(const NetworkEvent& event) {
+  if (event.kind != NetworkEvent::Kind::kFailed) return;
+  failed = true;
+  for (EventSink* endpoint : waiting) endpoint->Take(event);
+}
+
+bool TcpPorts::Accept(uint16_t number, NetHandle socket, EventSink* endpoint) {
+  const auto known = ports_.find(number);
+  if (known != ports_.end() && known->second->failed) Close(number);  // try again
+  std::unique_ptr<Port>& port = ports_[number];
+  if (port == nullptr) {
+    if (ports_.size() > kPortsMax) {
+      ports_.erase(number);
+      return false;
+    }
+    port = std::make_unique<Port>();
+    port->listener = stack_->Open(port.get());
+    stack_->network().Listen(port->listener, number);
+  }
+  port->waiting.push_back(endpoint);
+  stack_->network().Accept(port->listener, socket);
+  return true;
+}
+
+void TcpPorts::Forget(uint16_t number, const EventSink* endpoint) {
+  const auto found = ports_.find(number);
+  if (found != ports_.end()) std::erase(found->second->waiting, endpoint);
+}
+
+void TcpPorts::Close(uint16_t number) {
+  const auto found = ports_.find(number);
+  if (found == ports_.end()) return;
+  stack_->Drop(found->second->listener, false);
+  ports_.erase(found);
+}
+
+void TcpPorts::CloseAll() {
+  while (!ports_.empty()) Close(ports_.begin()->first);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,51 @@
+// The ports that TCP endpoints listen on.
+//
+// Any number of endpoints may listen on one port; connections go to them in the order
+// of their Listen messages.  The socket behind a port stays open between listens, so that
+// a client that comes in between waits instead of being refused; nobody takes its
+// connection until an endpoint listens again.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "runtime/ipstack/endpoint.h"
+
+namespace openr_host {
+
+class TcpPorts {
+ public:
+  explicit TcpPorts(IpStack* stack) : stack_(stack) {}
+
+  static constexpr size_t kPortsMax = 64;  // bounds the host's sockets
+
+  // The next connection to `port` becomes `socket`, whose events go to `endpoint`.
+  // False when too many ports are open.
+  bool Accept(uint16_t port, NetHandle socket, EventSink* endpoint);
+
+  // `endpoint` listens no more, whether it got its connection or not.
+  void Forget(uint16_t port, const EventSink* endpoint);
+
+  bool IsOpen(uint16_t port) const { return ports_.contains(port); }
+
+  // Closes the socket of a port that the stack had chosen for one endpoint.
+  void Close(uint16_t port);
+  void CloseAll();
+
+ private:
+  struct Port : EventSink {
+    void Take(const NetworkEvent& event) override;  // kFailed, for all who wait
+
+    NetHandle listener = 0;
+    bool failed = false;
+    std::vector<EventSink*> waiting;
+  };
+
+  IpStack* const stack_;
+  std::map<uint16_t, std::unique_ptr<Port>> ports_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,59 @@
+// A UDP endpoint: one port, datagrams to and from anybody or one peer.
+#pragma once
+
+#include <UDPEndpointMsg.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "runtime/ipstack/endpoint.h"
+
+namespace openr_host {
+
+class UdpEndpoint : public Endpoint {
+ public:
+  UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
+
+  static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
+
+  void Start(const Operation& operation) override;
+  void Take(const NetworkEvent& event) override;
+  void AnswerReady() override;
+  bool WaitsForNetwork() const override;
+  void BeginFrame() override { sent_in_frame_ = 0; }
+  void Drop() override;
+  void HashState(Hasher* hasher) const override;
+
+ private:
+  void Bind(Operation operation);
+  void Connect(Operation operation);
+  void ResetConnect(Operation operation);
+  void Send(const Operation& operation);
+  void Receive(const Operation& operation);
+  void Close(Operation operation);
+  void Address(Operation operation);
+
+  // Where a Send goes; ip 0: nowhere.
+  NetAddress DestinationOf(const UDPEndpointSendMsg& message) const;
+  bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
+  void Refuse(Operation operation, UDPEndpointError error);
+  void FinishSend();
+  void FinishReceive();
+  void Finish(std::optional<Operation>* operation, UDPEndpointError error,
+              const void* data = nullptr, size_t size = 0);
+
+  NetHandle socket_ = 0;  // 0: not bound
+  uint16_t port_ = 0;
+  NetAddress peer_;  // of Connect; ip 0: none
+  UDPEndpointError error_ = UDP_SUCCESS;  // the socket is of no use
+  bool asked_ = false;                    // a Network::ReceiveFrom() is out
+  std::optional<NetworkEvent> datagram_;  // came, not delivered
+  int64_t sent_in_frame_ = 0;             // bytes; the pool is empty again at the next frame
+
+  std::optional<Operation> send_;
+  std::optional<Operation> receive_;
+};
+
+UDPEndpointError UdpErrorOf(NetError error);
+
+}  // namespace openr_host

@@ -1,0 +1,235 @@
+// Objects loaded from images: statics, heaps, files and ends of methods of their own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "runtime/core/image.h"
+#include "runtime/stick/memory_stick.h"
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Talks to the probe: sends a text, keeps the answers.
+class Talker : public CodeObject {
+ public:
+  explicit Talker(int number) {
+    out = AddSubject(fmt::format("Talker{}.Out.Text.S", number));
+    in = AddObserver(fmt::format("Talker{}.In.Text.O", number), [this](const ONotifyEvent& event) {
+      answer = static_cast<const char*>(event.Data(0));
+      in->AssertReady();
+    });
+  }
+  OStatus DoStart(const OSystemEvent&) override {
+    in->AssertReady();
+    return oSUCCESS;
+  }
+  std::string Ask(const std::string& text) {
+    answer = "(no answer)";
+    RunAs(this, [&] {
+      out->SetData(text.c_str(), text.size() + 1);
+      out->NotifyObservers();
+    });
+    system().RunFor(1000);
+    return answer;
+  }
+
+  OSubject* out;
+  OObserver* in;
+  std::string answer;
+};
+
+class ImageTest : public testing::Test {
+ protected:
+  ImageTest() {
+    root = fs::temp_directory_path() / fmt::format("openr-image-test-{}", getpid());
+    fs::remove_all(root);
+    for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"}) {
+      fs::create_directories(root / folder);
+    }
+    fs::copy_file(fs::path(OPENR_IMAGES) / "PROBE.BIN", root / "OPEN-R/MW/OBJS/PROBE.BIN");
+    Write("OPEN-R/MW/DATA/P/HELLO.TXT", "hello stick");
+    Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/PROBE.BIN\r\n");
+    Write("OPEN-R/MW/CONF/CONNECT.CFG",
+          "Talker0.Out.Text.S Probe.In.Text.O\nProbe.Out.Text.S Talker0.In.Text.O\n");
+    stick = std::make_shared<FolderStick>(root);
+  }
+  ~ImageTest() override { fs::remove_all(root); }
+
+  void Write(const std::string& name, const std::string& text) {
+    std::ofstream(root / name, std::ios::binary) << text;
+  }
+  void Start() {
+    system = std::make_unique<System>(SystemOptions{.console = [this](std::string_view text) { printed += text; }});
+    system->AddRobot("ERS-210", stick);
+    talker = system->AddObject<Talker>(0, "talker", 0);
+    EXPECT_TRUE(system->LoadStick(0));
+    system->Boot();
+    system->RunFor(1000);
+  }
+  void SendExtra(const char* name) {
+    Object* const probe = system->FindObject(0, "probe");
+    for (const auto& [selector, entry] : probe->entry_names) {
+      if (entry != name) continue;
+      system->Post(system->NewMessage(probe->id, selector));
+      system->RunFor(1000);
+      return;
+    }
+    FAIL() << "no entry " << name;
+  }
+  std::string Findings() {
+    std::string text;
+    for (const Finding& finding : system->findings().all()) text += finding.text + "\n";
+    return text;
+  }
+
+  fs::path root;
+  std::shared_ptr<FolderStick> stick;
+  std::string printed;
+  std::unique_ptr<System> system;
+  Talker* talker = nullptr;
+};
+
+TEST_F(ImageTest, BootsSaysItsStateAndAnswers) {
+  Start();
+  EXPECT_EQ(Findings(), "");
+  EXPECT_EQ(system->FindObject(0, "probe")->state, "probing");
+  EXPECT_EQ(system->FindObject(0, "probe")->limits.priority, 144);
+  EXPECT_EQ(talker->Ask("oid"), "known");
+  EXPECT_EQ(talker->Ask("stream"), "3.25 1 ff");
+}
+
+TEST_F(ImageTest, EveryInstanceHasItsOwnStatics) {
+  Start();
+  EXPECT_EQ(talker->Ask("count"), "1");
+  EXPECT_EQ(talker->Ask("count"), "2");
+  const std::string random = talker->Ask("random");
+  Start();  // another System, another load of the same file
+  EXPECT_EQ(talker->Ask("count"), "1");
+  EXPECT_EQ(talker->Ask("random"), random);
+}
+
+TEST_F(ImageTest, TwoRobotsOfOneSystemHaveStaticsOfTheirOwn) {
+  Start();
+  EXPECT_EQ(talker->Ask("count"), "1");
+  const int second = system->AddRobot("ERS-210", stick);
+  Object* const other = system->LoadImage(second, "/MS/OPEN-R/MW/OBJS/PROBE.BIN", "test");
+  ASSERT_NE(other, nullptr) << Findings();
+  EXPECT_EQ(talker->Ask("count"), "2");
+}
+
+TEST_F(ImageTest, SeesTheStickInAnyCaseAndNothingElse) {
+  Start();
+  EXPECT_EQ(talker->Ask("read"), "hello stick");
+  EXPECT_EQ(talker->Ask("size"), "11");
+  EXPECT_EQ(talker->Ask("list"), "listed");
+  EXPECT_EQ(talker->Ask("read outside"), "no file");
+  EXPECT_EQ(talker->Ask("read dotdot"), "no file");
+  EXPECT_NE(Findings().find("'/etc/passwd' cannot be opened: on the robot every path is absolute"),
+            std::string::npos);
+}
+
+TEST_F(ImageTest, FilesItWritesAreOnTheStickInUpperCaseAndPartOfTheState) {
+  Start();
+  const uint64_t before = system->state_hash();
+  EXPECT_EQ(talker->Ask("write"), "written");
+  std::ifstream file(root / "OPEN-R/MW/DATA/P/OUT.TXT");
+  std::string text;
+  std::getline(file, text);
+  EXPECT_EQ(text, "from the probe");
+  const uint64_t written = system->state_hash();
+  Write("OPEN-R/MW/DATA/P/OUT.TXT", "something else");
+  EXPECT_NE(system->state_hash(), written);
+  EXPECT_NE(before, written);
+}
+
+TEST_F(ImageTest, AStickThatFailsIsAnErrorOfTheCallNotOfTheRun) {
+  Start();
+  system->robot(0).stick = std::make_shared<FailingStick>(stick, 1, EIO);
+  EXPECT_EQ(talker->Ask("write"), "cannot write");
+  EXPECT_EQ(talker->Ask("write"), "written");
+}
+
+TEST_F(ImageTest, AWriteProtectedStickRefusesWriters) {
+  stick->set_writable(false);
+  Start();
+  EXPECT_EQ(talker->Ask("write"), "cannot write");
+  EXPECT_EQ(talker->Ask("read"), "hello stick");
+}
+
+TEST_F(ImageTest, ExitEndsTheMethodAndTheObjectGoesOn) {
+  Start();
+  SendExtra("DoExit");
+  EXPECT_NE(printed.find("before exit"), std::string::npos);
+  EXPECT_EQ(talker->Ask("count"), "1");
+}
+
+TEST_F(ImageTest, AbortIsReportedAndEndsTheMethodOnly) {
+  Start();
+  SendExtra("DoAbort");
+  EXPECT_NE(Findings().find("abort() called"), std::string::npos);
+  EXPECT_EQ(talker->Ask("count"), "1");
+}
+
+TEST_F(ImageTest, AnUncaughtExceptionIsReportedWithItsText) {
+  Start();
+  SendExtra("DoThrow");
+  EXPECT_NE(Findings().find("uncaught exception in DoThrow: thrown by the probe"), std::string::npos);
+  EXPECT_EQ(talker->Ask("count"), "1");
+}
+
+TEST_F(ImageTest, LongIsThirtyTwoBitsInConsoleFormats) {
+  Start();
+  talker->Ask("long");
+  EXPECT_NE(printed.find("-5    42|"), std::string::npos) << printed;
+}
+
+TEST_F(ImageTest, StopAndDestroyRunAtShutdown) {
+  Start();
+  system->Shutdown();
+  system->RunFor(1000);
+  EXPECT_TRUE(system->powered_off());
+  EXPECT_LT(printed.find("stopped"), printed.find("destroyed"));
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST_F(ImageTest, ItsHeapIsItsOwnAndCounted) {
+  Start();
+  const Object* const probe = system->FindObject(0, "probe");
+  EXPECT_EQ(talker->Ask("heap"), "999");
+  const size_t before = probe->arena->bytes_in_use();
+  talker->Ask("keep");
+  EXPECT_GE(probe->arena->bytes_in_use(), before + 100000);
+}
+#endif
+
+TEST_F(ImageTest, AMissingImageIsNamedWithFileAndLine) {
+  Write("OPEN-R/MW/CONF/OBJECT.CFG", "# objects\n/MS/OPEN-R/MW/OBJS/NOTHERE.BIN\n");
+  System broken;
+  broken.AddRobot("ERS-210", stick);
+  EXPECT_FALSE(broken.LoadStick(0));
+  ASSERT_FALSE(broken.findings().all().empty());
+  EXPECT_EQ(broken.findings().all()[0].text.find("OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/NOTHERE.BIN does not exist"), 0u);
+}
+
+TEST_F(ImageTest, ABinaryForTheRobotIsToldApartFromGarbage) {
+  const std::string gzip = "\x1f\x8b\x08 and so on";
+  Write("OPEN-R/MW/OBJS/PROBE.BIN", gzip);
+  System broken;
+  broken.AddRobot("ERS-210", stick);
+  EXPECT_FALSE(broken.LoadStick(0));
+  EXPECT_NE(broken.findings().all()[0].text.find("is gzip-compressed, as binaries for the robot are"),
+            std::string::npos);
+  Write("OPEN-R/MW/OBJS/PROBE.BIN", "text");
+  System again;
+  again.AddRobot("ERS-210", stick);
+  EXPECT_FALSE(again.LoadStick(0));
+  EXPECT_NE(again.findings().all()[0].text.find("is not an object image"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace openr_host
