@@ -43,7 +43,7 @@ function(openr_add_object)
   target_include_directories(${O_NAME} PRIVATE ${gen} ${CMAKE_CURRENT_SOURCE_DIR} ${O_INCLUDES}
     ${PROJECT_SOURCE_DIR}/runtime/include)
   target_compile_definitions(${O_NAME} PRIVATE ${O_DEFINES})
-  target_compile_options(${O_NAME} PRIVATE -Wall -Wextra -Werror
+  target_compile_options(${O_NAME} PRIVATE -Wall -Wextra -Werror -fno-strict-aliasing
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
   target_link_options(${O_NAME} PRIVATE -Wl,-Bsymbolic)
   target_link_libraries(${O_NAME} PRIVATE ${O_LIBRARIES})

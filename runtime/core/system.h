@@ -47,7 +47,7 @@ struct SystemOptions {
   // Turns findings that stop a robot into the robot's behaviour.
   bool strict = false;
   // Receives what objects print; null: standard output.
-  std::function<void(std::string_view text)> console;
+  std::function<void(std::string_view text)> console = {};
   // OSYSLOG lines of a priority above this are not printed (1 error, 2 warning, 3 info).
   uint32_t log_level = 3;
   // Wall clock in nanoseconds for handler_ns_max; null: not measured.  Nothing

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/core/api.h"
+#include "runtime/core/dispatcher.h"
 #include "runtime/core/hasher.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/dns_endpoint.h"
@@ -112,7 +113,7 @@ void IpStack::TakeMessage(void* payload) {
   }
   operation.size = request.size;
   operation.sender = request.sender;
-  std::memcpy(operation.bytes, payload, Message::kPayloadMax);
+  std::memcpy(operation.bytes, payload, request.size);
   operation.ticket = system().TakeReplyTicket();
   if (operation.message().dstModule.IsNull()) {
     HandleStackMessage(&operation);

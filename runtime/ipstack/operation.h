@@ -11,8 +11,8 @@
 namespace openr_host {
 
 struct Operation {
-  alignas(16) unsigned char bytes[Message::kPayloadMax];  // the struct, as it came
-  uint32_t size = 0;                                      // of it
+  alignas(16) unsigned char bytes[Message::kPayloadMax] = {};  // the struct, then zeros
+  uint32_t size = 0;                                           // of the struct
   ObjectId sender = kNoObject;
   System::ReplyTicket ticket;  // of a Call(); empty for a Send()
 

@@ -1,0 +1,86 @@
+// The questions to the wireless card (ERA201D1.h).  The host has none: settings are those
+// of WLANCONF.TXT, the rest are constants of an undisturbed connection.
+#include <ERA201D1.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "runtime/core/current.h"
+#include "runtime/ipstack/ip_stack.h"
+
+using openr_host::ApiScope;
+using openr_host::IpStack;
+using openr_host::IpStackOptions;
+using openr_host::WlanConfig;
+
+namespace {
+
+// 802.11b defaults: no request to send, no fragments below the longest frame.
+constexpr int32 kRtsThreshold = 2347;
+constexpr int32 kFragmentationThreshold = 2346;
+
+// Fills all of `msg` but its status with zeros; then `fill`, when there is a card.
+template <typename Msg, typename Fill>
+EtherStatus Ask(Msg* msg, Fill fill) {
+  const ApiScope scope;
+  std::memset(static_cast<void*>(msg), 0, sizeof *msg);
+  const IpStack* const stack = IpStack::OfCurrent();
+  using Card = IpStackOptions::Card;
+  if (stack == nullptr || stack->options().card == Card::kNoCard) {
+    msg->status = ETHER_INVALID_PORT;
+  } else if (stack->options().card == Card::kNoDriver) {
+    msg->status = ETHER_UNSUPPORTED;
+  } else {
+    fill(*stack);
+    msg->status = ETHER_OK;
+  }
+  return msg->status;
+}
+
+template <size_t N>
+void CopyText(char (&to)[N], const std::string& from) {
+  std::memcpy(to, from.data(), std::min(from.size(), N - 1));
+}
+
+}  // namespace
+
+extern "C" {
+
+EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
+  return Ask(msg, [msg](const IpStack& stack) {
+    // Locally administered, so nobody's; the last octets tell robots apart.
+    const int robot = stack.host().robot + 1;
+    const byte octets[6] = {0x02, 0x00, 0x00, static_cast<byte>(robot >> 16),
+                            static_cast<byte>(robot >> 8), static_cast<byte>(robot)};
+    std::memcpy(msg->address.octet, octets, sizeof octets);
+  });
+}
+
+EtherStatus ERA201D1_GetEtherStatistics(EtherDriverGetStatisticsMsg* msg) {
+  return Ask(msg, [](const IpStack&) {});  // no errors
+}
+
+EtherStatus ERA201D1_GetWLANSettings(EtherDriverGetWLANSettingsMsg* msg) {
+  return Ask(msg, [msg](const IpStack& stack) {
+    const WlanConfig& wlan = stack.parameters().wlan();
+    msg->mode = wlan.ap_mode == 0 ? ETHER_WLAN_MODE_ADHOC : ETHER_WLAN_MODE_AP;
+    CopyText(msg->essid, wlan.essid);
+    CopyText(msg->stationName, wlan.hostname);
+    msg->channel = wlan.channel;
+    msg->encryption = wlan.wep_enable ? ETHER_WLAN_ENC_WEP : ETHER_WLAN_ENC_OFF;
+    msg->rate = ETHER_WLAN_RATE_AUTO;
+    msg->rts = kRtsThreshold;
+    msg->fragmentation = kFragmentationThreshold;
+    msg->sensitivity = ETHER_WLAN_DENSITY_LOW;
+  });
+}
+
+EtherStatus ERA201D1_GetWLANStatistics(EtherDriverGetWLANStatisticsMsg* msg) {
+  return Ask(msg, [msg](const IpStack&) {
+    msg->statistics.link = 100;
+    msg->statistics.signal = 100;
+  });
+}
+
+}  // extern "C"

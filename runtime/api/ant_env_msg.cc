@@ -1,0 +1,100 @@
+// Sending, waiting for and answering messages to the network stack.
+#include <antEnvMsg.h>
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+#include "runtime/ipstack/ant_message.h"
+#include "runtime/ipstack/ip_stack.h"
+
+using namespace openr_host;
+
+namespace {
+
+// The stack that `target` names; null, with the error field set, when there is none or
+// nobody is there to ask.
+IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
+  SetAntError(message, ANT_FAIL);  // 1 is "failed" in every protocol
+  IpStack* const stack = IpStack::OfCurrent();
+  return stack != nullptr && target.get_oid() == OidOf(stack->host().id) ? stack : nullptr;
+}
+
+Message* NewRequest(IpStack* stack, const antEnvMsg& message) {
+  const size_t size = AntMessageSize(message);
+  Message* const request =
+      t_current.system->NewMessage(stack->host().id, stack->EntryFor(message.dstSelector));
+  std::memset(request->payload, 0, sizeof request->payload);
+  std::memcpy(request->payload, static_cast<const void*>(&message), size);
+  request->size = static_cast<uint32_t>(size);
+  request->kind = PayloadKind::kHashed;
+  request->payload_hash = AntMessageHash(message);
+  return request;
+}
+
+antError AntErrorOf(sError error) {
+  switch (error) {
+    case sSUCCESS: return ANT_SUCCESS;
+    case sFULLMSGQENTRY: return ANT_QUEUE_REJECTED;
+    default: return ANT_FAIL;
+  }
+}
+
+}  // namespace
+
+antError antEnvMsg::Send(antStackRef target, OID& oid, int32 entry, int size) {
+  const ApiScope scope;
+  IpStack* const stack = StackFor(target, this);
+  if (stack == nullptr || dstSelector > Entry_antEnv_External) return ANT_FAIL;
+  sender = OidOf(t_current.object->id);
+  msgSize = size;
+  invocationType = ANTENVMSG_SEND;
+  contInfo.oid = oid;
+  contInfo.selector = static_cast<Selector>(entry);
+  return AntErrorOf(t_current.system->Post(NewRequest(stack, *this)));
+}
+
+antError antEnvMsg::Call(antStackRef target, int size) {
+  const ApiScope scope;
+  IpStack* const stack = StackFor(target, this);
+  if (stack == nullptr || dstSelector > Entry_antEnv_External) return ANT_FAIL;
+  if (t_current.object->running == nullptr) {
+    t_current.system->AddFinding(Severity::kError,
+                                 fmt::format("Call() of a {} message in a constructor fails: only a "
+                                             "handler can wait for an answer; do it in DoInit",
+                                             AntMessageName(*this)));
+    return ANT_FAIL;
+  }
+  sender = OidOf(t_current.object->id);
+  msgSize = size;
+  invocationType = ANTENVMSG_CALL;
+  const size_t reply_size = AntMessageSize(*this);
+  uint64_t box = 0;
+  const sError error = t_current.system->SendWithReply(NewRequest(stack, *this), &box);
+  if (error != sSUCCESS) return AntErrorOf(error);
+  const std::string why = fmt::format("the answer of IPStack ({})", AntMessageName(*this));
+  return AntErrorOf(t_current.system->WaitForReply(box, static_cast<void*>(this), reply_size,
+                                                   nullptr, -1, why));
+}
+
+antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
+
+// IPStack itself answers through IpStack::Answer(), often in a later handler; this is for an
+// object that plays a stack and answers in the handler of the request.
+antError antEnvMsg::Reply() {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return ANT_FAIL;
+  System& system = *t_current.system;
+  const size_t size = AntMessageSize(*this);
+  const uint64_t hash = AntMessageHash(*this);
+  if (invocationType == ANTENVMSG_CALL) {
+    return AntErrorOf(system.Reply(system.TakeReplyTicket(), static_cast<const void*>(this), size, hash));
+  }
+  Message* const answer = system.NewMessage(ObjectIdOf(contInfo.oid), contInfo.selector);
+  std::memcpy(answer->payload, static_cast<const void*>(this), size);
+  answer->size = static_cast<uint32_t>(size);
+  answer->kind = PayloadKind::kHashed;
+  answer->payload_hash = hash;
+  return AntErrorOf(system.Post(answer));
+}

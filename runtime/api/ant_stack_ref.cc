@@ -1,0 +1,5 @@
+#include <MCOOP.h>
+#include <antStackRef.h>
+
+// Find() leaves oid_ invalid when there is no object of that name.
+antStackRef::antStackRef(const char* name) : dispatcher_(0) { Find(name, &oid_); }

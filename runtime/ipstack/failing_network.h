@@ -1,0 +1,48 @@
+// For tests: another network whose n-th command fails.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/ipstack/network.h"
+
+namespace openr_host {
+
+// Counts Listen, Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve and
+// ResolveAddress, from 1.  The `nth` does not reach the network inside; the next Poll()
+// reports it as failed with `error`.
+class FailingNetwork : public Network {
+ public:
+  FailingNetwork(std::unique_ptr<Network> inner, int nth, NetError error)
+      : inner_(std::move(inner)), left_(nth), error_(error) {}
+
+  void Attach(uint32_t ip) override { inner_->Attach(ip); }
+  void Listen(NetHandle listener, uint16_t port) override;
+  void Accept(NetHandle listener, NetHandle handle) override;
+  void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
+  void Send(NetHandle handle, const void* data, size_t size) override;
+  void Receive(NetHandle handle, size_t size_max) override;
+  void Close(NetHandle handle) override { inner_->Close(handle); }
+  void Bind(NetHandle handle, uint16_t port, bool any_port) override;
+  void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) override;
+  void ReceiveFrom(NetHandle handle, size_t size_max) override;
+  void Resolve(NetHandle handle, const std::string& name) override;
+  void ResolveAddress(NetHandle handle, uint32_t ip) override;
+  void Drop(NetHandle handle, bool reset) override { inner_->Drop(handle, reset); }
+  std::vector<NetworkEvent> Poll() override;
+  uint16_t HostPort(NetProtocol protocol, uint16_t port) const override {
+    return inner_->HostPort(protocol, port);
+  }
+
+ private:
+  // Whether this command is the one that fails.
+  bool Fails(NetHandle handle);
+
+  const std::unique_ptr<Network> inner_;
+  int left_;
+  const NetError error_;
+  NetHandle failed_ = 0;  // to be reported
+};
+
+}  // namespace openr_host

@@ -1,0 +1,276 @@
+#include "runtime/ipstack/host_network.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "runtime/ipstack/host_resolver.h"
+
+namespace openr_host {
+
+NetworkEvent NoteEvent(std::string text) {
+  NetworkEvent event;
+  event.kind = NetworkEvent::Kind::kNote;
+  event.bytes = std::move(text);
+  return event;
+}
+
+NetworkEvent FailedEvent(NetHandle handle, NetError error) {
+  NetworkEvent event;
+  event.kind = NetworkEvent::Kind::kFailed;
+  event.handle = handle;
+  event.error = error == NetError::kNone ? NetError::kFailed : error;
+  return event;
+}
+
+namespace {
+
+NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
+  NetworkEvent event;
+  event.kind = kind;
+  event.handle = handle;
+  return event;
+}
+
+bool MustWait(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
+
+}  // namespace
+
+HostNetwork::HostNetwork(HostNetworkOptions options)
+    : options_(std::move(options)),
+      tcp_ports_(NetProtocol::kTcp, options_.tcp_ports),
+      udp_(options_) {}
+
+NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) const {
+  if (remote.ip == ip_ || remote.ip >> 24 == 127) {
+    return {options_.bind_ip == 0 ? 0x7f000001 : options_.bind_ip, ports.HostPort(remote.port)};
+  }
+  const auto found = options_.addresses.find(remote.ip);
+  return {found == options_.addresses.end() ? remote.ip : found->second, remote.port};
+}
+
+NetAddress HostNetwork::FromHost(NetAddress remote, const HostPorts& ports) const {
+  const bool local = remote.ip == options_.bind_ip || remote.ip >> 24 == 127;
+  if (const uint16_t own = local ? ports.RobotPort(remote.port) : uint16_t{0}; own != 0) {
+    return {ip_, own};
+  }
+  for (const auto& [robots, hosts] : options_.addresses) {
+    if (hosts == remote.ip) return {robots, remote.port};
+  }
+  return remote;
+}
+
+void HostNetwork::Listen(NetHandle handle, uint16_t port) {
+  Fd fd;
+  const auto take = [&](uint16_t host_port) {
+    fd = OpenSocket(NetProtocol::kTcp);
+    return fd.valid() ? ListenOn(fd, {options_.bind_ip, host_port}, kBacklog) : errno;
+  };
+  std::string note;
+  const int error = tcp_ports_.Bind(port, take, [&] { return PortOf(fd); }, &note);
+  if (error != 0) events_.push_back(FailedEvent(handle, NetErrorOf(error)));
+  if (!note.empty()) events_.push_back(NoteEvent(note));
+  if (error == 0) listeners_[handle].fd = std::move(fd);
+}
+
+void HostNetwork::Accept(NetHandle listener, NetHandle handle) {
+  const auto found = listeners_.find(listener);
+  if (found != listeners_.end()) found->second.accepts.push_back(handle);
+}
+
+void HostNetwork::Connect(NetHandle handle, uint16_t, NetAddress remote) {
+  const NetAddress address = ToHost(remote, tcp_ports_);
+  Connection connection;
+  connection.fd = OpenSocket(NetProtocol::kTcp);
+  int error = connection.fd.valid() ? ECONNREFUSED : errno;
+  if (connection.fd.valid() && address.port != 0) error = ConnectTo(connection.fd, address);
+  if (error != 0 && error != EINPROGRESS) {
+    events_.push_back(FailedEvent(handle, NetErrorOf(error)));
+    return;
+  }
+  connection.connecting = true;
+  connections_[handle] = std::move(connection);
+}
+
+void HostNetwork::Send(NetHandle handle, const void* data, size_t size) {
+  const auto found = connections_.find(handle);
+  if (found == connections_.end() || found->second.failed) return;
+  found->second.out.append(static_cast<const char*>(data), size);
+  Push(handle, &found->second);
+}
+
+void HostNetwork::Push(NetHandle handle, Connection* connection) {
+  std::string& out = connection->out;
+  size_t done = 0;
+  while (done < out.size()) {
+    const int64_t count = SendBytes(connection->fd, out.data() + done, out.size() - done);
+    if (count < 0) {
+      if (!MustWait(errno)) Fail(handle, connection, errno);
+      break;
+    }
+    done += static_cast<size_t>(count);
+  }
+  out.erase(0, done);
+  connection->taken += done;
+  if (connection->closing && out.empty() && !connection->ended) {
+    EndStream(connection->fd);
+    connection->ended = true;
+  }
+}
+
+void HostNetwork::Fail(NetHandle handle, Connection* connection, int error) {
+  if (connection->failed) return;
+  connection->failed = true;
+  events_.push_back(FailedEvent(handle, NetErrorOf(error)));
+}
+
+void HostNetwork::Receive(NetHandle handle, size_t size_max) {
+  const auto found = connections_.find(handle);
+  if (found != connections_.end()) found->second.want = size_max;
+}
+
+void HostNetwork::Close(NetHandle handle) {
+  const auto found = connections_.find(handle);
+  if (found == connections_.end()) return;
+  found->second.closing = true;
+  if (!found->second.failed) Push(handle, &found->second);
+}
+
+void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
+  udp_.Bind(handle, port, any_port, &events_);
+}
+
+void HostNetwork::SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) {
+  const NetAddress address = ToHost(remote, udp_.ports());
+  if (address.port != 0) udp_.SendTo(handle, address, data, size, &events_);
+}
+
+void HostNetwork::ReceiveFrom(NetHandle handle, size_t size_max) {
+  udp_.ReceiveFrom(handle, size_max);
+}
+
+void HostNetwork::Resolve(NetHandle handle, const std::string& name) {
+  NetworkEvent event = EventOf(NetworkEvent::Kind::kResolved, handle);
+  const auto known = options_.names.find(name);
+  if (known != options_.names.end()) {
+    event.host = known->second;
+  } else if (const NetError error = ResolveOnHost(name, &event.host); error != NetError::kNone) {
+    event = FailedEvent(handle, error);
+  }
+  events_.push_back(std::move(event));
+}
+
+void HostNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
+  NetworkEvent event = EventOf(NetworkEvent::Kind::kResolved, handle);
+  const auto known =
+      std::find_if(options_.names.begin(), options_.names.end(), [ip](const auto& entry) {
+        const std::vector<uint32_t>& all = entry.second.addresses;
+        return std::find(all.begin(), all.end(), ip) != all.end();
+      });
+  if (known != options_.names.end()) {
+    event.host = known->second;
+  } else if (const NetError error = ResolveAddressOnHost(ip, &event.host);
+             error != NetError::kNone) {
+    event = FailedEvent(handle, error);
+  }
+  events_.push_back(std::move(event));
+}
+
+void HostNetwork::Drop(NetHandle handle, bool reset) {
+  udp_.Drop(handle);
+  listeners_.erase(handle);
+  for (auto& [number, listener] : listeners_) std::erase(listener.accepts, handle);
+  if (const auto found = connections_.find(handle); found != connections_.end()) {
+    if (reset) ResetOnClose(found->second.fd);
+    connections_.erase(found);
+  }
+  std::erase_if(events_, [handle](const NetworkEvent& event) { return event.handle == handle; });
+}
+
+void HostNetwork::AcceptAll(NetHandle, Listener* listener) {
+  while (!listener->accepts.empty()) {
+    NetAddress remote;
+    Fd fd = AcceptFrom(listener->fd, &remote);
+    if (!fd.valid()) {
+      if (errno == ECONNABORTED) continue;  // gone before we looked; the next one
+      if (!MustWait(errno)) {
+        events_.push_back(NoteEvent(fmt::format("a connection waits: {}", std::strerror(errno))));
+      }
+      return;
+    }
+    const NetHandle handle = listener->accepts.front();
+    listener->accepts.pop_front();
+    connections_[handle].fd = std::move(fd);
+    events_.push_back(EventOf(NetworkEvent::Kind::kAccepted, handle));
+    events_.back().remote = FromHost(remote, tcp_ports_);
+  }
+}
+
+void HostNetwork::PollConnection(NetHandle handle, Connection* connection) {
+  if (connection->failed) return;
+  if (connection->connecting) {
+    const int error = ConnectResult(connection->fd);
+    if (error == EINPROGRESS) return;
+    connection->connecting = false;
+    if (error != 0) return Fail(handle, connection, error);
+    events_.push_back(EventOf(NetworkEvent::Kind::kConnected, handle));
+  }
+  Push(handle, connection);
+  if (connection->taken > 0) {
+    events_.push_back(EventOf(NetworkEvent::Kind::kSent, handle));
+    events_.back().count = std::exchange(connection->taken, 0);
+  }
+  if (connection->failed) return;
+  if (connection->closing) {
+    Discard(handle, connection);
+  } else if (connection->want > 0) {
+    Read(handle, connection);
+  }
+}
+
+void HostNetwork::Read(NetHandle handle, Connection* connection) {
+  NetworkEvent event = EventOf(NetworkEvent::Kind::kReceived, handle);
+  const int64_t count =
+      ReceiveBytes(connection->fd, std::min(connection->want, kReadBytesMax), &event.bytes);
+  if (count < 0) {
+    if (!MustWait(errno)) Fail(handle, connection, errno);
+    return;
+  }
+  if (count == 0) event.kind = NetworkEvent::Kind::kEnd;
+  connection->want = 0;
+  events_.push_back(std::move(event));
+}
+
+// Reads a closing connection to its end, a bounded piece at a time.
+void HostNetwork::Discard(NetHandle handle, Connection* connection) {
+  std::string bytes;
+  for (size_t total = 0; total < kReadBytesMax * 4; total += bytes.size()) {
+    const int64_t count = ReceiveBytes(connection->fd, kReadBytesMax, &bytes);
+    if (count < 0 && MustWait(errno)) return;
+    if (count < 0) return Fail(handle, connection, errno);
+    if (count > 0) continue;
+    if (!connection->ended) return;  // still sending
+    events_.push_back(EventOf(NetworkEvent::Kind::kClosed, handle));
+    connection->failed = true;  // nothing more to report
+    return;
+  }
+}
+
+std::vector<NetworkEvent> HostNetwork::Poll() {
+  for (auto& [handle, listener] : listeners_) AcceptAll(handle, &listener);
+  for (auto& [handle, connection] : connections_) PollConnection(handle, &connection);
+  const size_t tcp_events = events_.size();
+  udp_.Poll(&events_);
+  for (size_t i = tcp_events; i < events_.size(); ++i) {
+    events_[i].remote = FromHost(events_[i].remote, udp_.ports());
+  }
+  return std::exchange(events_, {});
+}
+
+uint16_t HostNetwork::HostPort(NetProtocol protocol, uint16_t port) const {
+  return protocol == NetProtocol::kTcp ? tcp_ports_.HostPort(port) : udp_.ports().HostPort(port);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,96 @@
+// The robot's network over sockets of the host.
+//
+// A server port of the robot is bound to 127.0.0.1 unless the options say otherwise, under
+// its own number if that is free (host_ports.h).  The robot's own address and 127.x.x.x
+// mean the robot itself, and reach only ports that it listens on.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/ipstack/host_ports.h"
+#include "runtime/ipstack/host_socket.h"
+#include "runtime/ipstack/host_udp.h"
+#include "runtime/ipstack/network.h"
+
+namespace openr_host {
+
+struct HostNetworkOptions {
+  uint32_t bind_ip = 0x7f000001;  // of the host, for server ports; 0: every interface
+  // Robot's port to host's port; 0: any free one.  Others keep their number.
+  std::map<uint16_t, uint16_t> tcp_ports;
+  std::map<uint16_t, uint16_t> udp_ports;
+  // What programs call an address, to what it is on the host, both ways: programs have
+  // addresses like 10.0.1.2 compiled in.
+  std::map<uint32_t, uint32_t> addresses;
+  // Answered before the host's resolver is asked, which may take its time.
+  std::map<std::string, HostInfo> names;
+};
+
+class HostNetwork : public Network {
+ public:
+  static constexpr int kBacklog = 8;              // connections held until accepted
+  static constexpr size_t kReadBytesMax = 65536;  // of one connection at one poll
+
+  explicit HostNetwork(HostNetworkOptions options = {});
+
+  void Attach(uint32_t ip) override { ip_ = ip; }
+  void Listen(NetHandle listener, uint16_t port) override;
+  void Accept(NetHandle listener, NetHandle handle) override;
+  void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
+  void Send(NetHandle handle, const void* data, size_t size) override;
+  void Receive(NetHandle handle, size_t size_max) override;
+  void Close(NetHandle handle) override;
+  void Bind(NetHandle handle, uint16_t port, bool any_port) override;
+  void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) override;
+  void ReceiveFrom(NetHandle handle, size_t size_max) override;
+  void Resolve(NetHandle handle, const std::string& name) override;
+  void ResolveAddress(NetHandle handle, uint32_t ip) override;
+  void Drop(NetHandle handle, bool reset) override;
+  std::vector<NetworkEvent> Poll() override;
+  uint16_t HostPort(NetProtocol protocol, uint16_t port) const override;
+
+ private:
+  struct Listener {
+    Fd fd;
+    std::deque<NetHandle> accepts;
+  };
+  struct Connection {
+    Fd fd;
+    std::string out;       // not yet taken by the host; bounded by the endpoint's pool
+    uint64_t taken = 0;    // bytes since the last poll
+    size_t want = 0;       // of a Receive()
+    bool connecting = false;
+    bool closing = false;
+    bool ended = false;    // our side has been ended
+    bool failed = false;   // reported
+  };
+
+  // Where a program's `remote` is on the host; port 0: nowhere.
+  NetAddress ToHost(NetAddress remote, const HostPorts& ports) const;
+  // How a program knows the host's `remote`.
+  NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
+
+  void AcceptAll(NetHandle handle, Listener* listener);
+  void PollConnection(NetHandle handle, Connection* connection);
+  void Push(NetHandle handle, Connection* connection);
+  void Read(NetHandle handle, Connection* connection);
+  void Discard(NetHandle handle, Connection* connection);
+  void Fail(NetHandle handle, Connection* connection, int error);
+
+  const HostNetworkOptions options_;
+  uint32_t ip_ = 0;
+  HostPorts tcp_ports_;
+  HostUdp udp_;
+  std::map<NetHandle, Listener> listeners_;
+  std::map<NetHandle, Connection> connections_;
+  std::vector<NetworkEvent> events_;  // for the next Poll()
+};
+
+NetworkEvent NoteEvent(std::string text);
+NetworkEvent FailedEvent(NetHandle handle, NetError error);
+
+}  // namespace openr_host

@@ -1,0 +1,42 @@
+#include "runtime/ipstack/host_ports.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+namespace openr_host {
+
+int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
+                    const std::function<uint16_t()>& bound, std::string* note) {
+  const auto before = chosen_.find(port);
+  const auto wish = wished_.find(port);
+  const uint16_t first = before != chosen_.end()   ? before->second
+                         : wish != wished_.end() ? wish->second
+                                                 : port;
+  const int first_error = take(first);
+  int error = first_error;
+  if (error != 0 && first != 0) error = take(0);
+  if (error != 0) return error;
+  chosen_[port] = bound();
+  if (first_error != 0) {
+    *note = fmt::format("{} port {} of the robot is port {} of this computer: port {} cannot be had ({}; "
+                        "another openr-host running?)",
+                        protocol_ == NetProtocol::kTcp ? "TCP" : "UDP", port, chosen_[port], first,
+                        std::strerror(first_error));
+  }
+  return 0;
+}
+
+uint16_t HostPorts::HostPort(uint16_t port) const {
+  const auto found = chosen_.find(port);
+  return found == chosen_.end() ? 0 : found->second;
+}
+
+uint16_t HostPorts::RobotPort(uint16_t host_port) const {
+  for (const auto& [port, chosen] : chosen_) {
+    if (chosen == host_port) return port;
+  }
+  return 0;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,42 @@
+// Which port of the host stands for which port of the robot.
+//
+// The object keeps its number (54000); on the host that number may be taken, by another
+// robot or another run, and then any free port is taken instead.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "runtime/ipstack/network.h"
+
+namespace openr_host {
+
+class HostPorts {
+ public:
+  // `wished`: robot's port to host's port, 0 for any free one.  Ports that are not in
+  // it wish for their own number.
+  HostPorts(NetProtocol protocol, std::map<uint16_t, uint16_t> wished)
+      : protocol_(protocol), wished_(std::move(wished)) {}
+
+  // Binds the robot's `port`: calls take(host port), which returns 0 or an errno, for the
+  // port it had before or the wished one, then for 0 if that one cannot be had.  `bound`
+  // tells the host's port after success.  Returns the last errno; `note` becomes a text
+  // for the user when another port than the expected one was taken.
+  int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
+           const std::function<uint16_t()>& bound, std::string* note);
+
+  // 0: not bound yet.
+  uint16_t HostPort(uint16_t port) const;
+
+  // 0: none of ours.
+  uint16_t RobotPort(uint16_t host_port) const;
+
+ private:
+  const NetProtocol protocol_;
+  const std::map<uint16_t, uint16_t> wished_;
+  std::map<uint16_t, uint16_t> chosen_;  // by the robot's port
+};
+
+}  // namespace openr_host

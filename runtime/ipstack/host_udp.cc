@@ -1,0 +1,62 @@
+#include "runtime/ipstack/host_udp.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "runtime/ipstack/host_network.h"
+
+namespace openr_host {
+
+HostUdp::HostUdp(const HostNetworkOptions& options)
+    : bind_ip_(options.bind_ip), ports_(NetProtocol::kUdp, options.udp_ports) {}
+
+void HostUdp::Bind(NetHandle handle, uint16_t port, bool any_port,
+                   std::vector<NetworkEvent>* events) {
+  Fd fd;
+  const auto take = [&](uint16_t host_port) {
+    fd = OpenSocket(NetProtocol::kUdp);
+    if (!fd.valid()) return errno;
+    // A port that the stack chose belongs to a client, which has to reach other hosts; a
+    // socket bound to 127.0.0.1 could not.
+    return BindSocket(fd, {any_port ? 0 : bind_ip_, any_port ? uint16_t{0} : host_port});
+  };
+  std::string note;
+  const int error = ports_.Bind(port, take, [&] { return PortOf(fd); }, &note);
+  if (error != 0) events->push_back(FailedEvent(handle, NetErrorOf(error)));
+  if (!note.empty()) events->push_back(NoteEvent(note));
+  if (error == 0) sockets_[handle].fd = std::move(fd);
+}
+
+void HostUdp::SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
+                     std::vector<NetworkEvent>* events) {
+  const auto found = sockets_.find(handle);
+  if (found == sockets_.end()) return;
+  if (SendDatagram(found->second.fd, remote, data, size) >= 0 || errno == EAGAIN) return;
+  const std::string why = std::strerror(errno);
+  events->push_back(NoteEvent(fmt::format("a UDP datagram to {}.{}.{}.{}:{} was not sent: {}",
+                                          remote.ip >> 24, remote.ip >> 16 & 255,
+                                          remote.ip >> 8 & 255, remote.ip & 255, remote.port, why)));
+}
+
+void HostUdp::ReceiveFrom(NetHandle handle, size_t size_max) {
+  const auto found = sockets_.find(handle);
+  if (found != sockets_.end()) found->second.want = size_max;
+}
+
+void HostUdp::Poll(std::vector<NetworkEvent>* events) {
+  for (auto& [handle, socket] : sockets_) {
+    if (socket.want == 0) continue;
+    NetworkEvent event;
+    event.kind = NetworkEvent::Kind::kDatagram;
+    event.handle = handle;
+    // Errors here are late news of an earlier send (port unreachable): the datagram is
+    // lost, as UDP has it.
+    if (ReceiveBytes(socket.fd, socket.want, &event.bytes, &event.remote) < 0) continue;
+    socket.want = 0;
+    events->push_back(std::move(event));
+  }
+}
+
+}  // namespace openr_host

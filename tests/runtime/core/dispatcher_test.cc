@@ -1,0 +1,259 @@
+// Order, waiting, limits: what the dispatcher promises.
+#include "runtime/core/dispatcher.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+using Log = std::vector<std::string>;
+
+// Entries that write their name and the time into a common log.
+class Recorder : public CodeObject {
+ public:
+  explicit Recorder(Log* log) {
+    entry = AddExtra("Entry", [this, log](void* message) {
+      log->push_back(fmt::format("{}:{}@{}", host().name, *static_cast<int*>(message), system().now_us()));
+      if (on_message) on_message(*static_cast<int*>(message));
+    });
+  }
+  Selector entry;
+  std::function<void(int)> on_message;
+};
+
+class DispatcherTest : public testing::Test {
+ protected:
+  DispatcherTest() { system.AddRobot("ERS-210", nullptr); }
+
+  Recorder* Add(const std::string& name, int priority = 128) {
+    Recorder* const object = system.AddObject<Recorder>(0, name, &log);
+    object->host().limits.priority = priority;
+    return object;
+  }
+  int32_t Post(Recorder* target, int value, int64_t delay_us = 0,
+               MessageClass message_class = MessageClass::kObject) {
+    Message* const message = system.NewMessage(target->host().id, target->entry);
+    std::memcpy(message->payload, &value, sizeof value);
+    message->size = sizeof value;
+    message->message_class = message_class;
+    return system.Post(message, delay_us);
+  }
+
+  Log log;
+  System system;
+};
+
+TEST_F(DispatcherTest, DueTimeComesFirst) {
+  Recorder* a = Add("a");
+  Post(a, 1, 20);
+  Post(a, 2, 10);
+  Post(a, 3);
+  system.RunFor(100);
+  EXPECT_EQ(log, (Log{"a:3@0", "a:2@10", "a:1@20"}));
+  EXPECT_EQ(system.now_us(), 100);
+}
+
+TEST_F(DispatcherTest, ThenClassThenPriorityThenNumber) {
+  Recorder* low = Add("low", 16);
+  Recorder* high = Add("high", 144);
+  Post(low, 1);
+  Post(low, 2, 0, MessageClass::kVector);
+  Post(high, 3);
+  Post(low, 4, 0, MessageClass::kInput);
+  Post(low, 5, 0, MessageClass::kFrame);
+  Post(high, 6);
+  system.RunFor(1);
+  EXPECT_EQ(log, (Log{"low:5@0", "low:4@0", "low:2@0", "high:3@0", "high:6@0", "low:1@0"}));
+}
+
+TEST_F(DispatcherTest, TheSameOrderHoldsForMessagesThatWereDueLater) {
+  Recorder* low = Add("low", 16);
+  Recorder* high = Add("high", 144);
+  Post(low, 1, 50);
+  Post(high, 2, 50);
+  Post(low, 3, 50, MessageClass::kFrame);
+  system.RunFor(50);
+  EXPECT_EQ(log, (Log{"low:3@50", "high:2@50", "low:1@50"}));
+}
+
+TEST_F(DispatcherTest, StepDeliversOneMessageAndSaysWhenThereIsNone) {
+  Recorder* a = Add("a");
+  Post(a, 1);
+  Post(a, 2, 7);
+  EXPECT_TRUE(system.Step());
+  EXPECT_EQ(log, Log{"a:1@0"});
+  EXPECT_TRUE(system.Step());
+  EXPECT_EQ(system.now_us(), 7);
+  EXPECT_FALSE(system.Step());
+}
+
+TEST_F(DispatcherTest, RunUntilAPredicateStopsAtOnceAndKeepsItsBudget) {
+  Recorder* a = Add("a");
+  for (int i = 1; i <= 5; ++i) Post(a, i, i * 10);
+  EXPECT_TRUE(system.RunUntil([&] { return log.size() == 3; }, 1000));
+  EXPECT_EQ(system.now_us(), 30);
+  EXPECT_FALSE(system.RunUntil([] { return false; }, 1000));
+  EXPECT_EQ(system.now_us(), 1030);
+}
+
+TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
+  Recorder* caller = Add("caller");
+  Recorder* callee = Add("callee");
+  Recorder* third = Add("third");
+  System::ReplyTicket ticket;
+  callee->on_message = [&](int) { ticket = system.TakeReplyTicket(); };
+  caller->on_message = [&](int value) {
+    if (value != 1) return;
+    int answer = 0;
+    const int question = 7;
+    EXPECT_EQ(system.Call(callee->host().id, callee->entry, &question, sizeof question, &answer,
+                          sizeof answer),
+              sSUCCESS);
+    log.push_back(fmt::format("answer {}@{}", answer, system.now_us()));
+  };
+  Post(caller, 1);
+  Post(caller, 2);  // waits for its object
+  Post(third, 3);
+  system.RunFor(100);
+  EXPECT_EQ(log, (Log{"caller:1@0", "third:3@0", "callee:7@0"}));
+  EXPECT_EQ(system.WhoWaits(), (Log{"caller waits for the answer of callee (Entry)"}));
+  const int answer = 42;
+  RunAs(callee, [&] { EXPECT_EQ(system.Reply(ticket, &answer, sizeof answer), sSUCCESS); });
+  system.RunFor(100);
+  EXPECT_EQ(log, (Log{"caller:1@0", "third:3@0", "callee:7@0", "answer 42@100", "caller:2@100"}));
+}
+
+TEST_F(DispatcherTest, CallsMayBeNestedOverSeveralObjects) {
+  Recorder* a = Add("a");
+  Recorder* b = Add("b");
+  Recorder* c = Add("c");
+  const auto ask = [&](Recorder* whom, int value) {
+    int answer = 0;
+    system.Call(whom->host().id, whom->entry, &value, sizeof value, &answer, sizeof answer);
+    return answer;
+  };
+  const auto reply = [&](int value) { system.Reply(system.TakeReplyTicket(), &value, sizeof value); };
+  int result = 0;
+  c->on_message = [&](int value) { reply(value * 10); };
+  b->on_message = [&](int value) { reply(ask(c, value + 1) + 1); };
+  a->on_message = [&](int value) { result = ask(b, value) + ask(c, value); };
+  Post(a, 4);
+  system.RunFor(1);
+  EXPECT_EQ(result, 51 + 40);
+}
+
+TEST_F(DispatcherTest, ACallGivesUpAfterItsTimeout) {
+  Recorder* caller = Add("caller");
+  Recorder* silent = Add("silent");
+  int32_t error = 0;
+  caller->on_message = [&](int value) {
+    error = system.Call(silent->host().id, silent->entry, &value, sizeof value, nullptr, 0, 500);
+    log.push_back(fmt::format("gave up @{}", system.now_us()));
+  };
+  Post(caller, 1);
+  system.RunFor(1000);
+  EXPECT_EQ(error, sTIMEOUT);
+  EXPECT_EQ(log.back(), "gave up @500");
+}
+
+TEST_F(DispatcherTest, AHandlerCanBeAbandonedAndItsObjectGoesOn) {
+  Recorder* a = Add("a");
+  a->on_message = [&](int value) {
+    if (value != 1) return;
+    system.AbandonHandler();
+    log.push_back("never");
+  };
+  for (int i = 1; i <= 3; ++i) Post(a, i);
+  system.RunFor(1);
+  EXPECT_EQ(log, (Log{"a:1@0", "a:2@0", "a:3@0"}));
+}
+
+TEST_F(DispatcherTest, ExceptionsBelongToTheHandlerThatWaits) {
+  Recorder* a = Add("a");
+  Recorder* b = Add("b");
+  b->on_message = [&](int value) {
+    try {
+      throw value;
+    } catch (int caught) {
+      system.Reply(system.TakeReplyTicket(), &caught, sizeof caught);
+    }
+  };
+  a->on_message = [&](int value) {
+    try {
+      throw std::runtime_error("kept");
+    } catch (const std::runtime_error& e) {
+      int answer = 0;
+      system.Call(b->host().id, b->entry, &value, sizeof value, &answer, sizeof answer);
+      log.push_back(fmt::format("{} {}", e.what(), answer));
+    }
+  };
+  Post(a, 5);
+  system.RunFor(1);
+  EXPECT_EQ(log.back(), "kept 5");
+}
+
+TEST_F(DispatcherTest, ObjectsThatAnswerEachOtherWithoutWaitingDoNotStopTheClock) {
+  Recorder* a = Add("a");
+  Recorder* b = Add("b");
+  a->on_message = [&](int) { log.clear(), Post(b, 1); };
+  b->on_message = [&](int) { log.clear(), Post(a, 1); };
+  Post(a, 1);
+  system.RunFor(1000);
+  EXPECT_EQ(system.now_us(), 1000);
+  ASSERT_EQ(system.findings().all().size(), 1u);
+  EXPECT_NE(system.findings().all()[0].text.find("from here each message takes 1 us"), std::string::npos);
+}
+
+TEST_F(DispatcherTest, TheThirtyThirdWaitingMessageIsReportedAndRefusedWhenStrict) {
+  Recorder* a = Add("a");
+  for (int i = 0; i < 32; ++i) EXPECT_EQ(Post(a, i), sSUCCESS);
+  EXPECT_TRUE(system.findings().all().empty());
+  EXPECT_EQ(Post(a, 32), sSUCCESS);
+  ASSERT_EQ(system.findings().all().size(), 1u);
+
+  System strict({.strict = true});
+  Log strict_log;
+  Recorder* b = strict.AddObject<Recorder>(0, "b", &strict_log);
+  int32_t last = sSUCCESS;
+  for (int i = 0; i < 33; ++i) last = strict.Post(strict.NewMessage(b->host().id, b->entry));
+  EXPECT_EQ(last, sFULLMSGQENTRY);
+  strict.RunFor(1);
+  EXPECT_EQ(strict_log.size(), 32u);
+}
+
+TEST_F(DispatcherTest, ASelectorWithoutEntryIsAFinding) {
+  Recorder* a = Add("a");
+  system.Post(system.NewMessage(a->host().id, 60));
+  system.RunFor(1);
+  ASSERT_EQ(system.findings().all().size(), 1u);
+  EXPECT_NE(system.findings().all()[0].text.find("selector is out of range: sel=60"), std::string::npos);
+}
+
+TEST_F(DispatcherTest, HowARunIsSlicedDoesNotShowInItsHashes) {
+  const auto run = [](int64_t slice_us) {
+    Log log;
+    System system({.seed = 3});
+    Recorder* a = system.AddObject<Recorder>(0, "a", &log);
+    Recorder* b = system.AddObject<Recorder>(0, "b", &log);
+    const auto post = [&](Recorder* to, int value, int64_t delay_us) {
+      Message* const message = system.NewMessage(to->host().id, to->entry);
+      std::memcpy(message->payload, &value, sizeof value);
+      message->size = sizeof value;
+      system.Post(message, delay_us);
+    };
+    a->on_message = [&](int value) { post(b, value + 1, 13); };
+    b->on_message = [&](int value) { post(a, value * 2 % 1009, value % 7); };
+    post(a, 1, 0);
+    while (system.now_us() < 10'000) system.RunFor(slice_us);
+    return std::pair(system.trace_hash(), system.state_hash());
+  };
+  const auto whole = run(10'000);
+  EXPECT_EQ(run(10), whole);
+  EXPECT_EQ(run(2'500), whole);
+  EXPECT_EQ(run(1), whole);
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,63 @@
+#include "runtime/core/region_table.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+TEST(RegionTableTest, FreshBlocksAreZeroAndFound) {
+  RegionTable table;
+  const uint32_t id = table.New(100, 1);
+  ASSERT_NE(table.BaseOf(id), nullptr);
+  EXPECT_EQ(table.SizeOf(id), 100u);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(table.BaseOf(id)[i], 0);
+}
+
+TEST(RegionTableTest, AnIdNeverNamesALaterBlock) {
+  RegionTable table;
+  const uint32_t first = table.New(8, 1);
+  EXPECT_TRUE(table.Delete(first));
+  const uint32_t second = table.New(8, 1);
+  EXPECT_NE(first, second);
+  EXPECT_EQ(table.BaseOf(first), nullptr);
+  EXPECT_FALSE(table.Delete(first));
+}
+
+TEST(RegionTableTest, PinnedMemoryOutlivesItsBlock) {
+  RegionTable table;
+  const uint32_t id = table.New(8, 1);
+  table.Pin(id);
+  table.Delete(id);
+  EXPECT_NE(table.BaseOf(id), nullptr);
+  EXPECT_EQ(table.live_count(), 0);
+  table.Unpin(id);
+  EXPECT_EQ(table.BaseOf(id), nullptr);
+}
+
+TEST(RegionTableTest, TheBlocksOfOneOwnerGoTogether) {
+  RegionTable table;
+  table.New(8, 1);
+  table.New(8, 1);
+  table.New(8, 2);
+  table.DeleteAllOf(1);
+  EXPECT_EQ(table.CountOf(1), 0);
+  EXPECT_EQ(table.CountOf(2), 1);
+}
+
+TEST(RegionTableTest, ContentIsState) {
+  const auto hash = [](const RegionTable& table) {
+    Hasher hasher;
+    table.HashState(&hasher);
+    return hasher.Digest();
+  };
+  RegionTable table;
+  const uint32_t id = table.New(8, 1);
+  const uint64_t before = hash(table);
+  table.BaseOf(id)[3] = 1;
+  EXPECT_NE(hash(table), before);
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,44 @@
+// A body without physics or geometry: joints are where they are told to be.
+#pragma once
+
+#include <vector>
+
+#include "runtime/core/hasher.h"
+#include "virtualrobot/body.h"
+
+namespace openr_host {
+
+class FollowBody : public Body {
+ public:
+  explicit FollowBody(const RobotModel& model) : poses_(model.bodies.size(), Eigen::Isometry3d::Identity()) {
+    state_.joints.resize(model.joints.size());
+    state_.paws.resize(model.paws.size());
+  }
+  void Advance(const std::vector<JointCommand>& commands) override {
+    ++frames;
+    last_commands = commands;
+    for (size_t i = 0; i < commands.size(); ++i) {
+      if (commands[i].enabled) state_.joints[i].angle_rad = commands[i].target_rad;
+    }
+  }
+  const BodyState& state() const override { return state_; }
+  double RayDistance(const Eigen::Vector3d&, const Eigen::Vector3d&, double max_m) const override {
+    return distance_m < max_m ? distance_m : max_m;
+  }
+  std::vector<Eigen::Isometry3d> BodyPoses() const override { return poses_; }
+  void HashState(Hasher* hasher) const override {
+    for (const JointState& joint : state_.joints) hasher->Add(joint.angle_rad);
+  }
+
+  BodyState& mutable_state() { return state_; }
+
+  int frames = 0;
+  double distance_m = 10;
+  std::vector<JointCommand> last_commands;
+
+ private:
+  BodyState state_;
+  std::vector<Eigen::Isometry3d> poses_;
+};
+
+}  // namespace openr_host

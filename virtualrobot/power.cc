@@ -1,0 +1,126 @@
+#include "virtualrobot/power.h"
+
+#include <OPENR/OPENRMessages.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+#include "runtime/core/api.h"
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+// Chosen: a full battery lasts 90 minutes, the running time of an ERS-210 in use.
+constexpr int64_t kBatteryUs = int64_t{90} * 60 * 1'000'000;
+constexpr word kLowCapacityPercent = 10;  // chosen
+constexpr word kTemperature = 3031;       // 30 degrees Celsius in 0.1 K; chosen
+constexpr word kFullCapacityMah = 2000;   // chosen
+constexpr word kVoltageMv = 7400;         // two lithium cells; chosen
+constexpr sword kCurrentMa = -1300;       // discharging is negative (inferred); chosen
+
+// Whether a change from `before` to `now` is one the filter asks for.
+bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
+  if (((before.robotStatus ^ now.robotStatus) & filter.robotStatus) != 0) return true;
+  if (((before.batteryStatus ^ now.batteryStatus) & filter.batteryStatus) != 0) return true;
+  const auto becomes = [](auto wanted, auto every, auto never, auto old_value, auto new_value) {
+    return old_value != new_value && wanted != never && (wanted == every || wanted == new_value);
+  };
+  return becomes(filter.remainingCapacity, opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE,
+                 opsoREMAINING_CAPACITY_NOT_NOTIFY, before.remainingCapacity, now.remainingCapacity) ||
+         becomes(filter.temperature, opsoTEMPERATURE_NOTIFY_EVERY_CHANGE, opsoTEMPERATURE_NOT_NOTIFY,
+                 before.temperature, now.temperature) ||
+         becomes(filter.timeDif, opsoTIME_DIF_NOTIFY_EVERY_CHANGE, opsoTIME_DIF_NOT_NOTIFY,
+                 before.timeDif, now.timeDif) ||
+         becomes(filter.volume, opsoVOLUME_NOTIFY_EVERY_CHANGE, opsoVOLUME_NOT_NOTIFY, before.volume,
+                 now.volume);
+}
+
+}  // namespace
+
+Power::Power(System* system) : system_(system) { last_ = Status(); }
+
+word Power::RemainingCapacity() const {
+  const int64_t used = std::min(system_->now_us(), kBatteryUs);
+  return static_cast<word>(100 - used * 100 / kBatteryUs);
+}
+
+OPowerStatus Power::Status() const {
+  const word remaining = RemainingCapacity();
+  longword robot = orsbBATTERY_CONNECTED | orsbOPEN_R_POWER_GOOD | orsbPLUNGER;
+  if (motor_power_) robot |= orsbMOTOR_POWER;
+  if (pause_) robot |= orsbPAUSE;
+  if (remaining < kLowCapacityPercent) robot |= orsbBATTERY_CAPACITY_LOW;
+  const word battery = static_cast<word>(obsbINITIALIZED | obsbDISCHARGING);
+  return OPowerStatus(robot, battery, remaining, kTemperature, kFullCapacityMah, kVoltageMv, kCurrentMa,
+                      time_difference_, volume_);
+}
+
+void Power::SetMotorPower(bool on) {
+  if (pause_ && on) return;  // the button has cut it
+  motor_power_ = on;
+  NotifyChange();
+}
+
+void Power::PressPause() {
+  pause_ = true;
+  motor_power_ = false;
+  NotifyChange();
+}
+
+void Power::Observe(const OPowerStatus& filter, const OServiceEntry& entry) {
+  Unobserve(entry);
+  watchers_.push_back({filter, entry});
+}
+
+bool Power::Unobserve(const OServiceEntry& entry) {
+  return std::erase_if(watchers_, [&](const Watcher& watcher) { return watcher.entry == entry; }) > 0;
+}
+
+void Power::Update() {
+  if (RemainingCapacity() != last_.remainingCapacity) NotifyChange();
+}
+
+void Power::NotifyChange() {
+  const OPowerStatus now = Status();
+  const OPowerStatus before = last_;
+  last_ = now;
+  for (const Watcher& watcher : watchers_) {
+    if (!Asks(watcher.filter, before, now)) continue;
+    Message* const message =
+        system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
+    std::memset(message->payload, 0, sizeof(OPowerStatusMessage));  // padding is hashed
+    auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
+    payload.msgType = omsgPOWER_STATUS;
+    payload.powerStatus.robotStatus = now.robotStatus;
+    payload.powerStatus.batteryStatus = now.batteryStatus;
+    payload.powerStatus.remainingCapacity = now.remainingCapacity;
+    payload.powerStatus.temperature = now.temperature;
+    payload.powerStatus.fullyChargedCapacity = now.fullyChargedCapacity;
+    payload.powerStatus.voltage = now.voltage;
+    payload.powerStatus.current = now.current;
+    payload.powerStatus.timeDif = now.timeDif;
+    payload.powerStatus.volume = now.volume;
+    message->size = sizeof(OPowerStatusMessage);
+    system_->Post(message);
+  }
+}
+
+void Power::SetClock(int64_t seconds_since_2000) {
+  clock_offset_s_ = seconds_since_2000 - system_->now_us() / 1'000'000;
+}
+
+int64_t Power::Clock() const { return clock_offset_s_ + system_->now_us() / 1'000'000; }
+
+void Power::HashState(Hasher* hasher) const {
+  hasher->Add(motor_power_);
+  hasher->Add(pause_);
+  hasher->Add(time_difference_);
+  hasher->Add(volume_);
+  hasher->Add(clock_offset_s_);
+  hasher->Add(static_cast<uint64_t>(watchers_.size()));
+}
+
+}  // namespace openr_host

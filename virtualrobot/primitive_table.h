@@ -1,0 +1,48 @@
+// Every primitive of a robot: its CPC locator, its id, what it is.
+//
+// Ids are fixed properties of the model, the same for every object and run: 0x1000
+// plus the place in this table, which begins with the elements of the sensor vector.
+// How the robot encodes its ids is not known.
+#pragma once
+
+#include <OPENR/OPENR.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+enum class PrimitiveKind { kJoint, kSensor, kLed, kPlunger, kSpeaker, kMicrophone, kCamera };
+
+struct Primitive {
+  std::string locator;
+  PrimitiveKind kind = PrimitiveKind::kSensor;
+  int index = -1;   // in the model's list of its kind
+  int sensor = -1;  // its element of the sensor vector; -1: in none
+  bool opened = false;
+};
+
+class PrimitiveTable {
+ public:
+  explicit PrimitiveTable(const RobotModel& model);
+
+  // oprimitiveID_UNDEF when the robot has no such locator (the whole string must match).
+  OPrimitiveID IdOf(const std::string& locator) const;
+  OPrimitiveID IdOfSensor(int sensor) const { return kFirstId + static_cast<OPrimitiveID>(sensor); }
+
+  // Null when no primitive has that id.
+  Primitive* Find(OPrimitiveID id);
+
+ private:
+  static constexpr OPrimitiveID kFirstId = 0x1000;
+
+  void Add(const std::string& locator, PrimitiveKind kind, int index, int sensor);
+
+  std::vector<Primitive> primitives_;
+  std::map<std::string, OPrimitiveID> ids_;
+};
+
+}  // namespace openr_host

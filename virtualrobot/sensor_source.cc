@@ -1,0 +1,187 @@
+#include "virtualrobot/sensor_source.h"
+
+#include <OPENR/OPENRAPI.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+#include "virtualrobot/command_queue.h"
+
+namespace openr_host {
+namespace {
+
+constexpr double kMicro = 1e6;
+constexpr int kSignalMax = 1023;                  // 10-bit converter (Level 2 Reference Guide, 4.2.2)
+constexpr slongword kTemperatureMicroC = 30'000'000;  // of the thermo sensor; chosen, nothing is simulated
+constexpr double kRayMaxM = 2.0;
+
+// To whole units, halves away from zero; the same on every machine.
+slongword ToMicro(double value) {
+  const double scaled = value * kMicro;
+  return static_cast<slongword>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+}
+
+word SignalOf(double angle_rad, const Range& range) {
+  const double part = (angle_rad - range.min) / (range.max - range.min);
+  return static_cast<word>(std::clamp(part, 0.0, 1.0) * kSignalMax + 0.5);
+}
+
+ODataType TypeOf(SensorKind kind) {
+  switch (kind) {
+    case SensorKind::kJoint: return odataJOINT_VALUE;
+    case SensorKind::kForce: return odataFORCE;
+    case SensorKind::kDistance: return odataLENGTH;
+    case SensorKind::kSwitch: return odataSWITCH;
+    case SensorKind::kTemperature: return odataTEMPERATURE;
+    case SensorKind::kAcceleration: return odataACCELERATION;
+    case SensorKind::kRaw: return odataNO_DIMENSION;
+  }
+  return odataUNDEF;
+}
+
+slongword Clamped(const Sensor& sensor, slongword value) {
+  if (!sensor.has_range) return value;
+  return static_cast<slongword>(std::clamp<int64_t>(value, sensor.min, sensor.max));
+}
+
+}  // namespace
+
+SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise)
+    : model_(model),
+      primitives_(primitives),
+      noise_(noise),
+      latest_(model.sensors.size()),
+      frames_(model.sensors.size() * kFramesPerVector) {
+  std::memset(static_cast<void*>(latest_.data()), 0, latest_.size() * sizeof latest_[0]);
+  std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
+}
+
+OSensorValue SensorSource::JointValueOf(int joint, const Body& body, const Devices& devices) const {
+  const auto index = static_cast<size_t>(joint);
+  const JointState& state = body.state().joints[index];
+  const JointModel& model = model_.joints[index];
+  OJointValue value;
+  std::memset(static_cast<void*>(&value), 0, sizeof value);
+  value.value = ToMicro(state.angle_rad);
+  value.signal = SignalOf(state.angle_rad, model.hard_rad);
+  value.pwmDuty = static_cast<sword>(std::clamp(state.drive, -32768.0, 32767.0));
+  value.refValue = devices.joints[index].target_urad;
+  value.refSignal = SignalOf(devices.joints[index].target_urad / kMicro, model.hard_rad);
+  OSensorValue sample;
+  static_assert(sizeof sample == sizeof value);
+  std::memcpy(static_cast<void*>(&sample), &value, sizeof sample);
+  return sample;
+}
+
+// The robot's distance sensor, by the model's table; noise is uniform.
+slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
+  if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
+  const Eigen::Isometry3d X_WP = body.BodyPoses()[static_cast<size_t>(sensor.body)];
+  const double distance = body.RayDistance(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
+  const auto& table = sensor.lookup;
+  size_t i = 1;
+  while (i + 1 < table.size() && distance > table[i].distance_m) ++i;
+  const DistanceRow& a = table[i - 1];
+  const DistanceRow& b = table[i];
+  const double part =
+      std::clamp((distance - a.distance_m) / (b.distance_m - a.distance_m), 0.0, 1.0);
+  const double value = a.value_m + part * (b.value_m - a.value_m);
+  const double noise = a.noise + part * (b.noise - a.noise);
+  return ToMicro(value * (1.0 + noise * (2.0 * noise_.NextDouble() - 1.0)));
+}
+
+OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const Devices& devices) {
+  if (sensor.kind == SensorKind::kJoint && sensor.joint >= 0) {
+    return JointValueOf(sensor.joint, body, devices);
+  }
+  OSensorValue sample;
+  std::memset(static_cast<void*>(&sample), 0, sizeof sample);
+  switch (sensor.kind) {
+    case SensorKind::kDistance:
+      sample.value = Clamped(sensor, DistanceOf(sensor, body));
+      break;
+    case SensorKind::kSwitch:
+      if (sensor.paw >= 0 && body.state().paws[static_cast<size_t>(sensor.paw)]) sample.value = oswitchON;
+      break;
+    case SensorKind::kAcceleration:
+      sample.value = Clamped(sensor, ToMicro(body.state().gravity_B.dot(sensor.direction)));
+      break;
+    case SensorKind::kTemperature:
+      sample.value = kTemperatureMicroC;
+      break;
+    default:
+      break;  // touch sensors: nobody touches the dog
+  }
+  return sample;
+}
+
+void SensorSource::SampleNow(const Body& body, const Devices& devices) {
+  for (size_t i = 0; i < latest_.size(); ++i) latest_[i] = ValueOf(model_.sensors[i], body, devices);
+}
+
+bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
+  if (collected_ == 0) first_frame_ = frame;
+  const size_t count = latest_.size();
+  for (size_t i = 0; i < count; ++i) {
+    latest_[i] = ValueOf(model_.sensors[i], body, devices);
+    frames_[static_cast<size_t>(collected_) * count + i] = latest_[i];
+  }
+  if (++collected_ < kFramesPerVector) return false;
+  collected_ = 0;
+  return true;
+}
+
+RCRegion* SensorSource::FreeVector() {
+  for (RCRegion* region : pool_) {
+    if (region->NumberOfReference() == 1) return region;
+  }
+  const size_t count = latest_.size();
+  constexpr size_t kInfo = sizeof(OSensorFrameInfo);
+  constexpr size_t kData = sizeof(OSensorFrameData);
+  RCRegion* const region = new RCRegion(sizeof(ODataVectorInfo) + count * (kInfo + kData));
+  auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
+  vector->vectorInfo.memRegionID = region->MemID();
+  vector->vectorInfo.totalSize = static_cast<longword>(region->Size());
+  vector->vectorInfo.type = odataSENSOR_FRAME_VECTOR;
+  vector->vectorInfo.infoOffset = sizeof(ODataVectorInfo);
+  vector->vectorInfo.infoSize = kInfo;
+  vector->vectorInfo.maxNumData = static_cast<longword>(count);
+  vector->vectorInfo.numData = static_cast<longword>(count);
+  vector->vectorInfo.syncKey = ovrsynckeyUNDEF;
+  for (size_t i = 0; i < count; ++i) {
+    OSensorFrameInfo& info = *vector->GetInfo(static_cast<int>(i));
+    info.type = TypeOf(model_.sensors[i].kind);
+    info.primitiveID = primitives_.IdOfSensor(static_cast<int>(i));
+    info.numFrames = kFramesPerVector;
+    info.frameSize = sizeof(OSensorValue);
+    info.dataOffset = static_cast<longword>(sizeof(ODataVectorInfo) + count * kInfo + i * kData);
+    info.dataSize = kData;
+  }
+  pool_.push_back(region);
+  return region;
+}
+
+RCRegion* SensorSource::MakeVector() {
+  RCRegion* const region = FreeVector();
+  auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
+  const size_t count = latest_.size();
+  for (size_t i = 0; i < count; ++i) {
+    vector->GetInfo(static_cast<int>(i))->frameNumber = FrameNumber(first_frame_);
+    OSensorFrameData& data = *vector->GetData(static_cast<int>(i));
+    for (size_t f = 0; f < kFramesPerVector; ++f) data.frame[f] = frames_[f * count + i];
+  }
+  return region;
+}
+
+void SensorSource::HashState(Hasher* hasher) const {
+  noise_.HashState(hasher);
+  hasher->Add(first_frame_);
+  hasher->Add(collected_);
+  hasher->AddBytes(latest_.data(), latest_.size() * sizeof latest_[0]);
+  hasher->AddBytes(frames_.data(), frames_.size() * sizeof frames_[0]);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,59 @@
+// Samples of all sensors, frame by frame, and the vectors made of them.
+#pragma once
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/RCRegion.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/core/rng.h"
+#include "virtualrobot/body.h"
+#include "virtualrobot/devices.h"
+#include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/primitive_table.h"
+
+namespace openr_host {
+
+class Hasher;
+
+class SensorSource {
+ public:
+  static constexpr int kFramesPerVector = 4;  // Level 2 Reference Guide, 3.1
+
+  // `noise` names the generator of this robot's sensor noise.
+  SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise);
+
+  // Takes the samples of frame `frame`.  True when a vector is complete.
+  bool Sample(int64_t frame, const Body& body, const Devices& devices);
+
+  // Samples outside of the frames of vectors: what a program that polls sees before
+  // the first frame is over.
+  void SampleNow(const Body& body, const Devices& devices);
+
+  // The newest sample of one element (OJointValue for joints).
+  const OSensorValue& Latest(int sensor) const { return latest_[static_cast<size_t>(sensor)]; }
+
+  // The four newest frames, in a vector that nobody else refers to.  The region's
+  // one reference stays here.  Runs as code of an object.
+  RCRegion* MakeVector();
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  OSensorValue ValueOf(const Sensor& sensor, const Body& body, const Devices& devices);
+  OSensorValue JointValueOf(int joint, const Body& body, const Devices& devices) const;
+  slongword DistanceOf(const Sensor& sensor, const Body& body);
+  RCRegion* FreeVector();
+
+  const RobotModel& model_;
+  const PrimitiveTable& primitives_;
+  Rng noise_;
+  std::vector<OSensorValue> latest_;
+  std::vector<OSensorValue> frames_;  // [frame][sensor], kFramesPerVector frames
+  int64_t first_frame_ = 0;
+  int collected_ = 0;
+  std::vector<RCRegion*> pool_;
+};
+
+}  // namespace openr_host
