@@ -9,6 +9,9 @@ namespace openr_host {
 
 thread_local constinit Current t_current;
 
+Dispatcher::Dispatcher(System* system)
+    : system_(system), free_deliveries_(system->options().free_deliveries) {}
+
 Dispatcher::~Dispatcher() = default;
 
 uint64_t Dispatcher::Run(const Limits& limits) {
@@ -108,11 +111,11 @@ void Dispatcher::Deliver(Message* message) {
   }
   --object->waiting;
   ++delivered_;
-  if (++deliveries_at_instant_ == kFreeDeliveriesPerInstant) {
+  if (++deliveries_at_instant_ == free_deliveries_) {
     system_->AddFindingAbout(object, Severity::kWarning,
                              fmt::format("{} messages without the clock moving: objects answer each "
                                          "other without waiting; from here each message takes 1 us",
-                                         kFreeDeliveriesPerInstant));
+                                         free_deliveries_));
   }
   RunHandler(object, message);
 }

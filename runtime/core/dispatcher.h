@@ -16,12 +16,8 @@ class System;
 
 class Dispatcher {
  public:
-  explicit Dispatcher(System* system) : system_(system) {}
+  explicit Dispatcher(System* system);
   ~Dispatcher();
-
-  // Messages delivered at one instant before each further one takes 1 us: objects
-  // that answer each other without waiting must not stop the clock.
-  static constexpr int kFreeDeliveriesPerInstant = 10'000;
 
   struct Limits {
     int64_t time_us = INT64_MAX;        // deliver nothing due after it
@@ -40,8 +36,9 @@ class Dispatcher {
 
   [[noreturn]] void Abandon();
 
-  // 1 us when too much has happened at this instant, otherwise 0.
-  int64_t creep_us() const { return deliveries_at_instant_ > kFreeDeliveriesPerInstant ? 1 : 0; }
+  // 1 us when too much has happened at this instant (SystemOptions::free_deliveries),
+  // otherwise 0.
+  int64_t creep_us() const { return deliveries_at_instant_ > free_deliveries_ ? 1 : 0; }
 
   // The fiber that runs now, null for the caller's own stack.
   const Fiber* running_fiber() const { return running_; }
@@ -68,7 +65,8 @@ class Dispatcher {
   Fiber* abandoned_ = nullptr;  // to be prepared anew by whoever runs next
   Limits limits_;
   uint64_t delivered_ = 0;
-  int deliveries_at_instant_ = 0;
+  const int64_t free_deliveries_;
+  int64_t deliveries_at_instant_ = 0;
 };
 
 }  // namespace openr_host

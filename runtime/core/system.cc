@@ -106,6 +106,8 @@ bool System::Step() {
   return trace_.count() != before;
 }
 
+void System::RunMessages(uint64_t count) { dispatcher_->Run({.messages = count}); }
+
 void System::RunUntil(int64_t time_us) {
   ASSERT(time_us >= now_us_, "{} us is in the past, now is {} us", time_us, now_us_);
   dispatcher_->Run({.time_us = time_us});

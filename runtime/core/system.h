@@ -50,6 +50,9 @@ struct SystemOptions {
   std::function<void(std::string_view text)> console = {};
   // OSYSLOG lines of a priority above this are not printed (1 error, 2 warning, 3 info).
   uint32_t log_level = 3;
+  // Messages delivered at one instant before each further one takes 1 us: objects that
+  // answer each other without waiting must not stop the clock.
+  int64_t free_deliveries = 10'000;
   // Wall clock in nanoseconds for handler_ns_max; null: not measured.  Nothing
   // else may depend on it.
   int64_t (*wall_clock_ns)() = nullptr;
@@ -122,6 +125,9 @@ class System {
 
   // Delivers the next message, moving the clock if need be.  False when there is none.
   bool Step();
+
+  // Delivers `count` messages, or all there are.
+  void RunMessages(uint64_t count);
 
   // Delivers all that is due up to `time_us` and leaves the clock there.  Stops
   // early when the robot powers off.  REQUIRES: time_us >= now_us().

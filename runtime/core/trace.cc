@@ -44,6 +44,8 @@ uint64_t PayloadHash(const Message& message, uint32_t* size) {
 }
 
 void Trace::Deliver(const Message& message, int64_t now_us) {
+  ++count_;
+  if (!hashing_ && !sink_) return;
   TraceRecord& record = buffer_[buffered_];
   record.number = message.number;
   record.cause = message.cause;
@@ -53,7 +55,6 @@ void Trace::Deliver(const Message& message, int64_t now_us) {
   record.selector = message.selector;
   record.payload_hash = PayloadHash(message, &record.size);
   if (sink_) sink_(record, message);
-  ++count_;
   if (++buffered_ == kBuffered) {
     hasher_.AddBytes(buffer_, sizeof buffer_);
     buffered_ = 0;

@@ -30,6 +30,10 @@ class Trace {
   void Deliver(const Message& message, int64_t now_us);
 
   void set_sink(Sink sink) { sink_ = std::move(sink); }
+
+  // Off: messages are counted only and the hash stands still; for benchmarks that
+  // ask what it costs.
+  void set_hashing(bool on) { hashing_ = on; }
   uint64_t hash() const;
   uint64_t count() const { return count_; }
 
@@ -38,6 +42,7 @@ class Trace {
 
   Sink sink_;
   uint64_t count_ = 0;
+  bool hashing_ = true;
   mutable Hasher hasher_;
   mutable int buffered_ = 0;
   mutable TraceRecord buffer_[kBuffered];

@@ -132,6 +132,14 @@ void Visit(M& m, V&& visit) {
   }
 }
 
+// ---- counts of what came in
+
+void Clear(antEnvMsg*) {}
+void Clear(TCPEndpointReceiveMsg* m) { m->sizeMin = m->sizeMax = 0; }
+void Clear(UDPEndpointReceiveMsg* m) { m->size = 0; }
+void Clear(DNSEndpointGetHostByNameMsg* m) { m->n_address = m->n_alias = 0; }
+void Clear(DNSEndpointGetHostByAddrMsg* m) { m->n_address = m->n_alias = 0; }
+
 // ---- what of a message is hashed, beside what all have
 
 void Add(Hasher* h, const IPAddress& address) { h->Add(address.Address()); }
@@ -259,6 +267,10 @@ const char* AntMessageName(const antEnvMsg& message) {
 
 void SetAntError(antEnvMsg* message, int32_t error) {
   Visit(*message, [error](auto& m, const char*) { m.error = static_cast<decltype(m.error)>(error); });
+}
+
+void ClearCounts(antEnvMsg* message) {
+  Visit(*message, [](auto& m, const char*) { Clear(&m); });
 }
 
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size) {

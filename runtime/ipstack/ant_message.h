@@ -29,6 +29,10 @@ const char* AntMessageName(const antEnvMsg& message);
 // Sets the error field, wherever it lies.
 void SetAntError(antEnvMsg* message, int32_t error);
 
+// In an answer that is an error: nothing was received, nothing was found.  Programs look
+// at counts without looking at the error.
+void ClearCounts(antEnvMsg* message);
+
 // XXH3 over the fields that have a meaning, without addresses, continuation and padding, and
 // over the bytes transferred, if any.  Never 0.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);

@@ -138,14 +138,15 @@ void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   // Both questions have the same fields, but are different types.
   const auto fill = [&](auto& message) {
     message.n_address = static_cast<int32>(host_.addresses.size());
-    message.n_alias = host_.addresses.empty() ? 0 : 1 + static_cast<int32>(host_.aliases.size());
-    if (error != DNS_SUCCESS) return;
+    message.n_alias = 1 + static_cast<int32>(host_.aliases.size());
     CopyName(message.name, host_.name);
     message.host_address = host_.addresses.front();
     const std::vector<uint32_t>& servers = stack_->dns_servers();
     message.server_address = servers.empty() ? 0u : servers.front();
   };
-  if (query_->message().dstOperation == DNSEndpoint_Operation_GetHostByName) {
+  if (error != DNS_SUCCESS) {
+    host_ = {};
+  } else if (query_->message().dstOperation == DNSEndpoint_Operation_GetHostByName) {
     fill(query_->As<DNSEndpointGetHostByNameMsg>());
   } else {
     fill(query_->As<DNSEndpointGetHostByAddrMsg>());
@@ -159,12 +160,6 @@ void DnsEndpoint::FinishQuery(DNSEndpointError error) {
 }
 
 void DnsEndpoint::Refuse(Operation operation, DNSEndpointError error) {
-  const int32_t code = operation.message().dstOperation;
-  if (code == DNSEndpoint_Operation_GetHostByName) {
-    operation.As<DNSEndpointGetHostByNameMsg>().n_address = 0;
-  } else if (code == DNSEndpoint_Operation_GetHostByAddr) {
-    operation.As<DNSEndpointGetHostByAddrMsg>().n_address = 0;
-  }
   stack_->Answer(&operation, error);
 }
 

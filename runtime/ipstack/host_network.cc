@@ -189,7 +189,7 @@ void HostNetwork::Drop(NetHandle handle, bool reset) {
   std::erase_if(events_, [handle](const NetworkEvent& event) { return event.handle == handle; });
 }
 
-void HostNetwork::AcceptAll(NetHandle, Listener* listener) {
+void HostNetwork::AcceptAll(Listener* listener) {
   while (!listener->accepts.empty()) {
     NetAddress remote;
     Fd fd = AcceptFrom(listener->fd, &remote);
@@ -259,7 +259,7 @@ void HostNetwork::Discard(NetHandle handle, Connection* connection) {
 }
 
 std::vector<NetworkEvent> HostNetwork::Poll() {
-  for (auto& [handle, listener] : listeners_) AcceptAll(handle, &listener);
+  for (auto& [handle, listener] : listeners_) AcceptAll(&listener);
   for (auto& [handle, connection] : connections_) PollConnection(handle, &connection);
   const size_t tcp_events = events_.size();
   udp_.Poll(&events_);

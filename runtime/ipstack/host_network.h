@@ -74,7 +74,7 @@ class HostNetwork : public Network {
   // How a program knows the host's `remote`.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
-  void AcceptAll(NetHandle handle, Listener* listener);
+  void AcceptAll(Listener* listener);
   void PollConnection(NetHandle handle, Connection* connection);
   void Push(NetHandle handle, Connection* connection);
   void Read(NetHandle handle, Connection* connection);

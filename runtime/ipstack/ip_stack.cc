@@ -193,6 +193,7 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
+  if (error != 0) ClearCounts(&message);  // 0 is success in every protocol
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
     system().Reply(operation->ticket, operation->bytes, operation->size, hash);

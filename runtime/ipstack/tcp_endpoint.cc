@@ -47,10 +47,6 @@ void TcpEndpoint::Start(const Operation& operation) {
 }
 
 void TcpEndpoint::Refuse(Operation operation, TCPEndpointError error) {
-  if (operation.message().dstOperation == TCPEndpoint_Operation_Receive) {
-    auto& message = operation.As<TCPEndpointReceiveMsg>();
-    message.sizeMin = message.sizeMax = 0;
-  }
   stack_->Answer(&operation, error);
 }
 
@@ -304,13 +300,14 @@ void TcpEndpoint::FinishReceive() {
     asked_ = true;
     return;
   }
-  const bool writable = stack_->buffers().Contains(message.buffer, message.sizeMax);
-  const size_t count = enough && writable ? std::min(in_.size(), max) : 0;
-  message.sizeMin = message.sizeMax = static_cast<int>(count);
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  if (!writable) return Finish(&receive_, TCP_BUFFER_INVALID);
+  if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {  // destroyed meanwhile
+    return Finish(&receive_, TCP_BUFFER_INVALID);
+  }
+  const size_t count = std::min(in_.size(), max);
   byte* const data = message.buffer;
   std::memcpy(data, in_.data(), count);
+  message.sizeMin = message.sizeMax = static_cast<int>(count);
   in_.erase(0, count);
   Finish(&receive_, TCP_SUCCESS, data, count);
 }

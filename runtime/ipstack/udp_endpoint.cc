@@ -43,9 +43,6 @@ void UdpEndpoint::Start(const Operation& operation) {
 }
 
 void UdpEndpoint::Refuse(Operation operation, UDPEndpointError error) {
-  if (operation.message().dstOperation == UDPEndpoint_Operation_Receive) {
-    operation.As<UDPEndpointReceiveMsg>().size = 0;
-  }
   stack_->Answer(&operation, error);
 }
 
@@ -180,17 +177,13 @@ void UdpEndpoint::FinishSend() {
 void UdpEndpoint::FinishReceive() {
   auto& message = receive_->As<UDPEndpointReceiveMsg>();
   const int room = message.size;
-  if (error_ != UDP_SUCCESS) {
-    message.size = 0;
-    return Finish(&receive_, error_);
-  }
+  if (error_ != UDP_SUCCESS) return Finish(&receive_, error_);
   if (!datagram_) {
     if (!asked_) stack_->network().ReceiveFrom(socket_, static_cast<size_t>(room));
     asked_ = true;
     return;
   }
   if (!stack_->buffers().Contains(message.buffer, room)) {  // destroyed meanwhile
-    message.size = 0;
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }
   const size_t count = std::min(datagram_->bytes.size(), static_cast<size_t>(room));

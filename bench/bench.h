@@ -1,0 +1,37 @@
+// Benchmarks: every figure stands beside a floor or a peer of the same run.
+//
+// A row times two or more variants in turn, several rounds each, and takes the best
+// round of each: these machines are shared, and noise only ever adds.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+struct Variant {
+  std::string name;
+  // Does `count` operations.
+  std::function<void(int64_t count)> run;
+};
+
+struct Row {
+  std::string name;
+  std::string unit;    // of the figure: "ns a message"
+  int64_t count = 0;   // operations per round
+  std::vector<Variant> variants;  // the first is the floor
+  double target = 0;   // ratio of the second to the floor that goals name; 0: none
+};
+
+// Runs the rows whose name contains `filter`; prints a table to standard output and
+// writes JSON to `json_path` unless it is empty.
+void RunRows(const std::vector<Row>& rows, const std::string& filter, const std::string& json_path);
+
+// Seconds of wall time.
+double WallSeconds();
+
+std::vector<Row> MessageRows();
+std::vector<Row> GraphRows(const std::string& stick, const std::string& models);
+
+}  // namespace openr_host
