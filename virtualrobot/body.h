@@ -8,9 +8,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "virtualrobot/model/robot_model.h"
@@ -19,6 +17,9 @@
 namespace openr_host {
 
 class Hasher;
+
+inline constexpr double kFrame_s = 0.008;
+inline constexpr double kGravity_m_s2 = 9.80665;
 
 // What one joint's servo is told for one frame.
 struct JointCommand {
@@ -36,11 +37,13 @@ struct JointState {
 
 struct BodyState {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();         // of B's origin, in W, m/s
-  Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();         // in W, rad/s
-  Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();    // gravity minus acceleration of B's origin, in B, m/s^2
-  std::vector<JointState> joints;                         // order of RobotModel::joints
-  std::vector<bool> paws;                                 // order of RobotModel::paws: touches something
+  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  // of B's origin, in W, m/s
+  Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();  // in W, rad/s
+  // Gravity minus acceleration of B's origin, mean of the frame, in B, m/s^2: what an
+  // accelerometer of the robot reads, about (0, 0, -9.8) when it stands still.
+  Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
+  std::vector<JointState> joints;  // order of RobotModel::joints
+  std::vector<bool> paws;          // order of RobotModel::paws: touches something
 };
 
 class Body {
@@ -57,7 +60,8 @@ class Body {
   virtual double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                              double max_m) const = 0;
 
-  // Poses of all model bodies in W, order of RobotModel::bodies; for pictures and reports.
+  // X_WL of all parts, order of RobotModel::bodies: maps a point as the model file gives it
+  // (in B at zero angles: box centres, sensors, camera) to where it is in W now.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
 
   // Adds everything that decides the future to `hasher`.

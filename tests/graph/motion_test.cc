@@ -1,0 +1,103 @@
+// Motions on the body: our own always, the vendor's where the folder exists.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "MtnFile.h"
+#include "tests/graph/graph.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Plays a motion of the stick to its end.
+void Play(Graph& graph, const std::string& file, int loops = 1) {
+  graph.pilot().Play(file, loops);
+  ASSERT_TRUE(graph.system().RunUntil([&] { return graph.pilot().MotionIsOver(); }, 60'000'000)) << file;
+  EXPECT_FALSE(graph.system().findings().HasError()) << graph.Findings();
+}
+
+TEST(MotionTest, AJointGoesWhereItIsToldAndStops) {
+  WhenStanding({}, [](Graph& graph) {
+    const int pan = graph.simulation().model().FindJoint("neck_pan");
+    graph.pilot().Send(moverkindPOSITION, pan, 523599);  // 30 degrees
+    graph.system().RunFor(3'000'000);
+    EXPECT_NEAR(graph.JointDeg("neck_pan"), 30, 2);
+  });
+}
+
+TEST(MotionTest, ACommandBeyondTheLimitEndsAtTheLimit) {
+  WhenStanding({}, [](Graph& graph) {
+    const int pan = graph.simulation().model().FindJoint("neck_pan");
+    graph.pilot().Send(moverkindPOSITION, pan, 3000000);
+    graph.system().RunFor(6'000'000);
+    EXPECT_NEAR(graph.JointDeg("neck_pan"), 89.6, 2);
+  });
+}
+
+TEST(MotionTest, OurOwnMotionsEndAsTheyShould) {
+  WhenStanding({}, [](Graph& graph) {
+    Play(graph, "SIT.MTN");
+    graph.system().RunFor(500'000);
+    EXPECT_LT(graph.PitchDeg(), -15);  // nose up
+    EXPECT_NEAR(graph.RollDeg(), 0, 10);
+    Play(graph, "STAND.MTN");
+    EXPECT_TRUE(graph.Standing());
+    Play(graph, "BOW.MTN");
+    EXPECT_TRUE(graph.Standing());
+    Play(graph, "LIE.MTN");
+    graph.system().RunFor(500'000);
+    EXPECT_LT(graph.dog().body().state().X_WB.translation().z(), 0.09);
+    EXPECT_NEAR(graph.RollDeg(), 0, 10);
+  });
+}
+
+TEST(MotionTest, OurWalkIsAtLeastFortyMillimetresASecond) {
+  WhenStanding({}, [](Graph& graph) {
+    Play(graph, "WALKSTA.MTN");
+    const Eigen::Vector3d start = graph.dog().body().state().X_WB.translation();
+    const int64_t begin_us = graph.system().now_us();
+    Play(graph, "WALK.MTN", 8);
+    const double seconds = static_cast<double>(graph.system().now_us() - begin_us) * 1e-6;
+    const Eigen::Vector3d way = graph.dog().body().state().X_WB.translation() - start;
+    EXPECT_GE(way.x() / seconds, 0.040) << "in " << seconds << " s";
+    EXPECT_LT(std::abs(way.y()), 0.1);
+    Play(graph, "WALKEND.MTN");
+    EXPECT_TRUE(graph.Standing());
+  });
+}
+
+TEST(MotionTest, TheLastCommandedFrameIsTheLastKeyFrame) {
+  WhenStanding({.body = "ideal", .seed = 1}, [](Graph& graph) {
+    Play(graph, "SIT.MTN");
+    graph.system().RunFor(100'000);
+    const fs::path path = fs::path(OPENR_STICK) / "OPEN-R/MW/DATA/P/SIT.MTN";
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+    MtnFile motion;
+    ASSERT_TRUE(motion.Read(reinterpret_cast<const Uint8*>(bytes.data()), bytes.size())) << motion.Error();
+    ASSERT_TRUE(motion.MapTo(FindRobot("ERS-210"))) << motion.Error();
+    for (int j = 0; j < motion.NumJoints(); ++j) {
+      const auto joint = static_cast<size_t>(motion.RobotJoint(j));
+      EXPECT_EQ(graph.dog().devices().joints[joint].target_urad, motion.Angle(motion.NumKeyFrames() - 1, j))
+          << motion.Locator(j);
+    }
+  });
+}
+
+TEST(MotionTest, AMissingMotionIsRefusedAndTheDogGoesOn) {
+  WhenStanding({.body = "ideal", .seed = 1}, [](Graph& graph) {
+    graph.pilot().Play("NOTHERE.MTN");
+    EXPECT_TRUE(graph.system().RunUntil([&] { return graph.pilot().MotionIsOver(); }, 1'000'000));
+    EXPECT_NE(graph.console().find("motion not played: NOTHERE.MTN"), std::string::npos);
+    Play(graph, "SIT.MTN");
+  });
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,116 @@
+#include "virtualrobot/kinematics.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/virtualrobot/body_harness.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Row {
+  const char* posture;
+  double pitch_deg;  // nose down positive
+  double height_mm;  // of the J1 axes over the floor
+};
+
+// Forward kinematics worked out independently of this code (robot data, section 11); sitting
+// and crouching attitudes agree with what the vendor's motions say of themselves.
+TEST(KinematicsTest, Ers210RestsAsTheTableSays) {
+  for (const Row& row :
+       {Row{"stand", 2.6, 137.2}, Row{"stand_tekkotsu", 2.6, 136.1}, Row{"sit", -28.0, 86.2},
+        Row{"sleep", 4.2, 57.8}, Row{"crouch", -4.2, 85.0}, Row{"crouch_low", -4.5, 69.5}}) {
+    SCOPED_TRACE(row.posture);
+    const RestingPose pose = PlaceOnFloor(Ers210(), Ers210().PostureAngles(row.posture));
+    EXPECT_NEAR(Degrees(RpyOf(pose.X_WB.linear()).y()), row.pitch_deg, 0.06);
+    EXPECT_NEAR(pose.X_WB.translation().z() * 1000, row.height_mm, 0.06);
+    EXPECT_EQ(pose.paws, std::vector<bool>(4, true));
+  }
+}
+
+TEST(KinematicsTest, BroadbaseLiesOnItsBellyWithThePawsOff) {
+  const RestingPose pose = PlaceOnFloor(Ers210(), Ers210().PostureAngles("broadbase"));
+  EXPECT_NEAR(pose.X_WB.translation().z() * 1000, 50 - 3.9, 1e-9);  // lower face of the trunk
+  EXPECT_EQ(pose.paws, std::vector<bool>(4, false));
+}
+
+TEST(KinematicsTest, NothingIsBelowTheFloorInAnyPosture) {
+  for (const char* file : {"ers210.json", "ers220.json"}) {
+    const RobotModel model = ModelNamed(file);
+    for (const Posture& posture : model.postures) {
+      SCOPED_TRACE(posture.name);
+      const RestingPose pose = PlaceOnFloor(model, posture.angles_rad);
+      EXPECT_NEAR(LowestPoint(model, posture.angles_rad, pose.X_WB), 0, 1e-9);
+    }
+  }
+}
+
+TEST(KinematicsTest, SittingErs7LeansAsItsMotionsSay) {
+  const RobotModel model = ModelNamed("ers7.json");
+  const RestingPose pose = PlaceOnFloor(model, model.PostureAngles("sit"));
+  EXPECT_NEAR(Degrees(RpyOf(pose.X_WB.linear()).y()), -37.3, 0.05);
+}
+
+// Printed in the drawing with all J3 at 35 degrees: 64 + 64.9 and 64 + 74.9 below the J1 axes.
+TEST(KinematicsTest, PawsReachTheDrawnDepthsAtKnee35) {
+  std::vector<double> angles_rad(Ers210().joints.size(), 0.0);
+  for (const char* leg : {"LF", "LH", "RF", "RH"}) {
+    angles_rad[Ers210().FindJoint(std::string(leg) + "_j3")] = Radians(35);
+  }
+  const auto X_BL = LinkPoses(Ers210(), angles_rad);
+  for (const Paw& paw : Ers210().paws) {
+    const Vector3d centre_B = X_BL[paw.body] * paw.centre_m;
+    EXPECT_NEAR((centre_B.z() - paw.radius_m) * 1000, paw.leg[1] == 'F' ? -128.9 : -138.9, 0.05);
+  }
+}
+
+TEST(KinematicsTest, ZeroAnglesLeaveEveryLinkFrameOnTheBaseFrame) {
+  for (const auto& X_BL : LinkPoses(Ers210(), std::vector<double>(18, 0.0))) {
+    EXPECT_TRUE(X_BL.isApprox(Eigen::Isometry3d::Identity(), 1e-15));
+  }
+}
+
+TEST(KinematicsTest, PositiveValuesMoveAsTheModelInformationDraws) {
+  struct Case {
+    const char* joint;
+    const char* body;
+    Vector3d tip_m;  // a point on it, at zero angles
+    Vector3d moves;  // the way it goes
+  };
+  for (const Case& c : {Case{"neck_tilt", "head", {0.15, 0, 0.1}, {0, 0, 1}},    // nose up
+                        Case{"neck_pan", "head", {0.15, 0, 0.1}, {0, 1, 0}},     // to the left
+                        Case{"neck_roll", "head", {0.1, 0, 0.14}, {0, -1, 0}},   // top to the right
+                        Case{"LF_j1", "LF_j3", {0.06, 0.06, -0.12}, {1, 0, 0}},  // foot forward
+                        Case{"RH_j1", "RH_j3", {-0.05, -0.06, -0.12}, {-1, 0, 0}},  // foot rearward
+                        Case{"LF_j2", "LF_j3", {0.06, 0.06, -0.12}, {0, 1, 0}},     // leg out
+                        Case{"RF_j2", "RF_j3", {0.06, -0.06, -0.12}, {0, -1, 0}},
+                        Case{"tail_tilt", "tail_tilt", {-0.14, 0, 0.06}, {0, 0, 1}},  // tip up
+                        Case{"tail_pan", "tail_tilt", {-0.14, 0, 0.06}, {0, -1, 0}}}) {
+    SCOPED_TRACE(c.joint);
+    std::vector<double> angles_rad(18, 0.0);
+    angles_rad[Ers210().FindJoint(c.joint)] = 0.01;
+    const auto X_BL = LinkPoses(Ers210(), angles_rad);
+    const Vector3d moved = X_BL[Ers210().FindBody(c.body)] * c.tip_m - c.tip_m;
+    EXPECT_GT(moved.dot(c.moves), 0.9 * moved.norm() * 0.5);
+    EXPECT_GT(moved.norm(), 1e-4);
+  }
+}
+
+TEST(KinematicsTest, CentreOfMassAtZeroIsTheTablesWithTheOdeMasses) {
+  const auto X_BL = LinkPoses(Ers210(), std::vector<double>(18, 0.0));
+  EXPECT_TRUE((CentreOfMass(Ers210(), X_BL) * 1000).isApprox(Vector3d(11.2, 0, -3.1), 0.01));
+}
+
+TEST(KinematicsTest, RollPitchYawComeBack) {
+  const Vector3d rpy_rad(0.3, -0.7, 2.5);
+  EXPECT_TRUE(RpyOf(RotationFromRpy(rpy_rad)).isApprox(rpy_rad, 1e-14));
+}
+
+TEST(KinematicsTest, NoseDownIsPositivePitch) {
+  const Vector3d nose_W = RotationFromRpy({0, 0.1, 0}) * Vector3d::UnitX();
+  EXPECT_LT(nose_W.z(), 0);
+}
+
+}  // namespace
+}  // namespace openr_host

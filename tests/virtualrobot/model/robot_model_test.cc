@@ -1,0 +1,169 @@
+#include "virtualrobot/model/robot_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/virtualrobot/body_harness.h"
+
+namespace openr_host {
+namespace {
+
+std::string TextOf(const std::string& file) {
+  std::ifstream in(std::string(OPENR_MODEL_DIR) + "/" + file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The ERS-210 with one piece of text changed, and what the loader says to it.
+std::string ErrorWith(const std::string& before, const std::string& after) {
+  std::string text = TextOf("ers210.json");
+  const size_t at = text.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  text.replace(at, before.size(), after);
+  return ErrorOf([&] { ParseRobotModel(text, "m.json"); });
+}
+
+TEST(RobotModelTest, Ers210WeighsWhatItsBlocksWeigh) {
+  EXPECT_NEAR(Ers210().TotalMassKg(), 1.612, 1e-12);  // SEED table 3.1
+}
+
+TEST(RobotModelTest, Ers210Has18Joints31Sensors9LightsAnd2Ears) {
+  EXPECT_EQ(Ers210().joints.size(), 18u);
+  EXPECT_EQ(Ers210().sensors.size(), 31u);
+  EXPECT_EQ(Ers210().leds.size(), 9u);
+  EXPECT_EQ(Ers210().plungers.size(), 2u);
+  EXPECT_EQ(Ers210().paws.size(), 4u);
+}
+
+TEST(RobotModelTest, AllModelsLoadAndNameTheirDesign) {
+  EXPECT_EQ(ModelNamed("ers210.json").design, "ERS-210");
+  EXPECT_EQ(ModelNamed("ers220.json").design, "ERS-220");
+  EXPECT_EQ(ModelNamed("ers7.json").design, "ERS-7");
+}
+
+TEST(RobotModelTest, EveryJointFindsItselfThroughItsSensor) {
+  for (const char* file : {"ers210.json", "ers220.json", "ers7.json"}) {
+    const RobotModel model = ModelNamed(file);
+    for (size_t j = 0; j < model.joints.size(); ++j) {
+      const Sensor& sensor = model.sensors[model.joints[j].sensor];
+      EXPECT_EQ(sensor.joint, static_cast<int>(j)) << model.joints[j].name;
+      EXPECT_EQ(sensor.locator, model.joints[j].locator);
+    }
+  }
+}
+
+TEST(RobotModelTest, SensorRangesOfJointsAreTheirStops) {
+  for (const Sensor& sensor : Ers210().sensors) {
+    if (sensor.joint < 0) continue;
+    const JointModel& joint = Ers210().joints[sensor.joint];
+    EXPECT_NEAR(joint.hard_rad.min * 1e6, sensor.min, 0.6) << joint.name;
+    EXPECT_NEAR(joint.hard_rad.max * 1e6, sensor.max, 0.6) << joint.name;
+  }
+}
+
+TEST(RobotModelTest, LeftAndRightAreMirrorImages) {
+  for (const JointModel& left : Ers210().joints) {
+    if (left.name[0] != 'L') continue;
+    const JointModel& right = Ers210().joints[Ers210().FindJoint("R" + left.name.substr(1))];
+    EXPECT_EQ(left.anchor_m.y(), -right.anchor_m.y()) << left.name;
+    EXPECT_EQ(left.hard_rad.max, right.hard_rad.max);
+    EXPECT_EQ(left.gains, right.gains);
+  }
+}
+
+TEST(RobotModelTest, MotionFilesIndexFifteenJointsOfTheErs210) {
+  std::vector<bool> seen(15, false);
+  for (const JointModel& joint : Ers210().joints) {
+    if (joint.mtn >= 0) seen.at(joint.mtn) = true;
+  }
+  EXPECT_EQ(seen, std::vector<bool>(15, true));
+}
+
+TEST(RobotModelTest, UnknownPostureNamesTheKnownOnes) {
+  const std::string error = ErrorOf([] { Ers210().PostureAngles("handstand"); });
+  EXPECT_THAT(error, testing::HasSubstr("ERS-210: no posture 'handstand'; the model has stand, "));
+}
+
+TEST(RobotModelTest, MissingFileIsNamed) {
+  EXPECT_EQ(ErrorOf([] { LoadRobotModel("no/such.json"); }),
+            "no/such.json: cannot be opened for reading");
+}
+
+TEST(RobotModelTest, BrokenJsonIsNamedWithLineAndColumn) {
+  EXPECT_EQ(ErrorOf([] { ParseRobotModel("{\n  \"schema\": ,\n}", "m.json"); }),
+            "m.json:2:13: not valid JSON here");
+}
+
+TEST(RobotModelTest, OtherSchemaIsRefused) {
+  EXPECT_EQ(ErrorWith("robot model 1", "robot model 2"),
+            "m.json: schema: is 'openr-host robot model 2', this program reads "
+            "'openr-host robot model 1'");
+}
+
+TEST(RobotModelTest, BoxWithoutVolumeIsRefused) {
+  EXPECT_EQ(ErrorWith("[183.6, 80, 100]", "[183.6, 0, 100]"),
+            "m.json: bodies.rows[0].size: 'body': edges must be > 0");
+}
+
+TEST(RobotModelTest, NegativeMassIsRefused) {
+  EXPECT_EQ(ErrorWith("\"mass\": 603", "\"mass\": -603"),
+            "m.json: bodies.rows[0]: 'body' has mass -603 g, must be >= 0");
+}
+
+TEST(RobotModelTest, CrossedLimitsAreRefused) {
+  EXPECT_EQ(ErrorWith("\"hard\": [-85, 46]", "\"hard\": [46, -85]"),
+            "m.json: joints.rows[0].hard: runs from 46 to -85, must rise");
+}
+
+TEST(RobotModelTest, SoftwareLimitsBeyondTheStopsAreRefused) {
+  EXPECT_EQ(ErrorWith("\"soft\": [-82, 43]", "\"soft\": [-89, 43]"),
+            "m.json: joints.rows[0].soft: must lie inside 'hard'");
+}
+
+TEST(RobotModelTest, UnknownParentIsNamed) {
+  EXPECT_EQ(ErrorWith("\"parent\": \"neck_pan\"", "\"parent\": \"neck\""),
+            "m.json: joints.rows[2].parent: no body 'neck'");
+}
+
+TEST(RobotModelTest, BodyWithoutJointIsNamed) {
+  EXPECT_EQ(ErrorWith("   {\"name\": \"mouth\", \"mass\"",
+                      "   {\"name\": \"wing\", \"mass\": 1},\n   {\"name\": \"mouth\", \"mass\""),
+            "m.json: body 'wing' hangs on no joint");
+}
+
+TEST(RobotModelTest, MisspeltFieldIsRefused) {
+  EXPECT_THAT(ErrorWith("\"torque\": 0.5", "\"torqe\": 0.5"),
+              testing::StartsWith("m.json: joints.rows[0]: 'torqe' is unknown; known here: "));
+}
+
+TEST(RobotModelTest, SlantedAxisIsRefused) {
+  EXPECT_EQ(ErrorWith("\"axis\": [0, -1, 0]", "\"axis\": [0, -1, 0.1]"),
+            "m.json: joints.rows[0].axis: must be one of the axes of B, as [0, -1, 0]");
+}
+
+TEST(RobotModelTest, JointThatDisagreesWithTheSensorListIsRefused) {
+  EXPECT_EQ(ErrorWith("\"sensor\": 6", "\"sensor\": 7"),
+            "m.json: sensors.rows[6]: joint 'mouth' says it is sensor 7, the list says 6");
+}
+
+TEST(RobotModelTest, PostureBeyondAStopIsRefused) {
+  EXPECT_EQ(ErrorWith("\"degrees\": [0, 0, 0, -3, -10, 0, 30, 0,",
+                      "\"degrees\": [0, 0, 0, -3, -10, 0, 180, 0,"),
+            "m.json: postures.rows[0].degrees: posture 'stand' asks LF_j3 for 180 degrees, its "
+            "stops are at -30 and 150");
+}
+
+TEST(RobotModelTest, PostureOfTheWrongLengthIsRefused) {
+  EXPECT_EQ(ErrorWith("\"degrees\": [0, 0, 0, -3, -10,", "\"degrees\": [0, 0, -3, -10,"),
+            "m.json: postures.rows[0].degrees: must have 18 numbers, has 17");
+}
+
+TEST(RobotModelTest, ModelWithoutSleepingPostureIsRefused) {
+  EXPECT_THAT(ErrorWith("{\"name\": \"sleep\"", "{\"name\": \"nap\""),
+              testing::StartsWith("m.json: postures: 'sleep' is missing"));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,86 @@
+// Contacts with the floor and with static boxes.
+#include <gtest/gtest.h>
+
+#include "tests/virtualrobot/body_harness.h"
+#include "virtualrobot/ode/ode_body.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Vector3d;
+
+World WithBox(const Vector3d& size_m, const Vector3d& centre_m, double yaw_deg) {
+  World world;
+  world.boxes.push_back(
+      {.name = "box", .size_m = size_m, .centre_m = centre_m, .yaw_rad = Radians(yaw_deg)});
+  return world;
+}
+
+// Contacts that stick are solved without bounds (contact_solver.h); that must not show.
+TEST(ContactTest, HeldContactsStandLikeBoundedOnes) {
+  OdeSettings bounded_only;
+  bounded_only.hold_contacts = false;
+  OdeBody held(Ers210(), World{}), bounded(Ers210(), World{}, bounded_only);
+  BodyHarness harness_held(Ers210(), &held), harness_bounded(Ers210(), &bounded);
+  harness_held.StandUp();
+  harness_bounded.StandUp();
+  harness_held.Hold(20);  // until the paws have crept to where they press evenly
+  harness_bounded.Hold(20);
+  EXPECT_NEAR(harness_held.Position_mm().z(), harness_bounded.Position_mm().z(), 0.05);
+  EXPECT_NEAR(harness_held.RpyDegrees().y(), harness_bounded.RpyDegrees().y(), 0.05);
+  EXPECT_NEAR(harness_held.AngleDegrees("LF_j3"), harness_bounded.AngleDegrees("LF_j3"), 0.05);
+}
+
+// Standing robot pushed sideways at its trunk, 15.8 N heavy, friction 0.6: it holds 5 N and
+// slides at 12 N.
+TEST(ContactTest, PawsHoldBelowTheFrictionLimitAndSlideAboveIt) {
+  for (const double force_n : {5.0, 12.0}) {
+    OdeBody body(Ers210(), World{});
+    BodyHarness harness(Ers210(), &body);
+    harness.StandUp();
+    const double start_mm = harness.Position_mm().x();
+    for (int i = 0; i < FramesIn(0.5); ++i) {
+      body.Push(0, {force_n, 0, 0}, body.state().X_WB.translation() - Vector3d(0, 0, 0.1));
+      harness.Frame();
+    }
+    const double moved_mm = harness.Position_mm().x() - start_mm;
+    if (force_n < 0.6 * 15.8) {
+      EXPECT_LT(moved_mm, 15);
+    } else {
+      EXPECT_GT(moved_mm, 100);
+    }
+  }
+}
+
+TEST(ContactTest, LiftedPawReadsOff) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  harness.StandUp();
+  harness.Command("LF_j3").target_rad = Radians(90);
+  harness.Hold(0.5);
+  EXPECT_FALSE(body.state().paws[0]);
+}
+
+TEST(ContactTest, RobotOnAPlatformStandsThatMuchHigher) {
+  OdeBody body(Ers210(), WithBox({1, 1, 0.04}, {0, 0, -0.01}, 30));  // 10 mm above the floor
+  BodyHarness harness(Ers210(), &body);
+  harness.Hold(1);  // the box pushes it up
+  harness.StandUp();
+  EXPECT_NEAR(harness.Position_mm().z(), 147.2, 3);
+  EXPECT_EQ(harness.PawsDown(), 4);
+}
+
+TEST(ContactTest, WallKeepsAPushedRobotOut) {
+  OdeBody body(Ers210(), WithBox({0.1, 1, 0.4}, {0.35, 0, 0.2}, 0));
+  BodyHarness harness(Ers210(), &body);
+  harness.StandUp();
+  for (int i = 0; i < FramesIn(2); ++i) {
+    body.Push(0, {12, 0, 0}, body.state().X_WB.translation() - Vector3d(0, 0, 0.1));
+    harness.Frame();
+  }
+  // The head reaches 147 mm ahead of the base; the wall begins at 300 mm.
+  EXPECT_LT(harness.Position_mm().x(), 300 - 140);
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,132 @@
+// How the ODE body is made and what it keeps to itself; how it moves is in the other tests here.
+#include "virtualrobot/ode/ode_body.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/virtualrobot/body_harness.h"
+#include "virtualrobot/ode/ode_process.h"
+
+namespace openr_host {
+namespace {
+
+TEST(OdeBodyTest, StartsInTheSleepingPostureOnTheFloor) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  EXPECT_NEAR(harness.AngleDegrees("LF_j1"), 60, 1e-9);
+  EXPECT_NEAR(harness.AngleDegrees("RH_j3"), 147, 1e-9);
+  EXPECT_NEAR(harness.Position_mm().z(), 57.8, 0.1);
+  EXPECT_EQ(body.state().v_WB.norm(), 0);
+}
+
+// The head and the legs sink on to the floor and stay there: nothing drives them.
+TEST(OdeBodyTest, LimpRobotSagsAndComesToRestWhereItLay) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  harness.Hold(10);
+  const Eigen::Vector3d at_10s_mm = harness.Position_mm();
+  EXPECT_LT(at_10s_mm.head<2>().norm(), 5);
+  EXPECT_NEAR(at_10s_mm.z(), 57.8, 8);
+  EXPECT_LT(std::fabs(harness.RpyDegrees().x()), 0.5);
+  EXPECT_LT(body.state().v_WB.norm(), 0.001);
+  harness.Hold(10);
+  EXPECT_LT((harness.Position_mm() - at_10s_mm).norm(), 0.5);
+}
+
+TEST(OdeBodyTest, DisabledJointAsksForNoDrive) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  harness.Hold(0.1);
+  for (const JointState& joint : body.state().joints) EXPECT_EQ(joint.drive, 0);
+}
+
+TEST(OdeBodyTest, HingesHoldTogetherWhileStandingUp) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  harness.StandUp();
+  EXPECT_LT(body.HingeError(), 1e-5);
+}
+
+// Targets at random, also beyond the stops, joints switched off and on: a bad program may
+// make the robot flail, not explode.
+TEST(OdeBodyTest, FlailingRobotStaysInOnePieceAndOnTheFloor) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  uint32_t random = 1;
+  const auto next = [&random] { return (random = random * 1664525 + 1013904223) / 4294967296.0; };
+  for (int i = 0; i < 50; ++i) {
+    for (size_t j = 0; j < harness.commands.size(); ++j) {
+      const Range& stops = Ers210().joints[j].hard_rad;
+      harness.commands[j].target_rad = stops.min - 0.2 + next() * (stops.max - stops.min + 0.4);
+      harness.commands[j].enabled = next() < 0.9;
+    }
+    harness.Hold(0.16);
+    ASSERT_LT(body.HingeError(), 0.005) << "move " << i;
+    ASSERT_LT(body.state().v_WB.norm(), 3) << "move " << i;
+    ASSERT_NEAR(harness.Position_mm().z(), 120, 120) << "move " << i;
+  }
+}
+
+TEST(OdeBodyTest, PosesOfPartsBelongToTheMeasuredAngles) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  harness.StandUp();
+  std::vector<double> angles_rad;
+  for (const JointState& joint : body.state().joints) angles_rad.push_back(joint.angle_rad);
+  const auto X_BL = LinkPoses(Ers210(), angles_rad);
+  const auto X_WL = body.BodyPoses();
+  for (size_t i = 0; i < X_WL.size(); ++i) {
+    EXPECT_TRUE(X_WL[i].isApprox(body.state().X_WB * X_BL[i], 1e-5)) << Ers210().bodies[i].name;
+  }
+}
+
+TEST(OdeBodyTest, ModelWithoutBoxesIsRefusedByName) {
+  const RobotModel ers7 = ModelNamed("ers7.json");
+  EXPECT_EQ(ErrorOf([&] { OdeBody(ers7, World{}); }),
+            "ERS-7: no ODE body: part 'body' has no box in the model file; use the ideal body");
+}
+
+TEST(OdeBodyTest, PartWithoutMassIsRefusedByName) {
+  RobotModel model = Ers210();
+  model.bodies[4].mass_kg = 0;
+  EXPECT_EQ(ErrorOf([&] { OdeBody(model, World{}); }),
+            "ERS-210: no ODE body: part 'mouth' has no mass in the model file; use the ideal body");
+}
+
+TEST(OdeBodyTest, JointWithoutTorqueIsRefusedByName) {
+  RobotModel model = Ers210();
+  model.joints[16].stall_torque_nm = 0;
+  EXPECT_EQ(
+      ErrorOf([&] { OdeBody(model, World{}); }),
+      "ERS-210: no ODE body: joint 'tail_pan' has no torque in the model file; use the ideal body");
+}
+
+TEST(OdeBodyTest, Ers220StandsUp) {
+  const RobotModel model = ModelNamed("ers220.json");
+  OdeBody body(model, World{});
+  BodyHarness harness(model, &body);
+  harness.StandUp();
+  EXPECT_NEAR(harness.Position_mm().z(), 137.2, 3);
+  EXPECT_EQ(harness.PawsDown(), 4);
+}
+
+TEST(OdeBodyTest, LeavesOdesRandomGeneratorAsItWas) {
+  OdeBody body(Ers210(), World{});
+  BodyHarness harness(Ers210(), &body);
+  uint64_t generator = 4711;  // read back when the scope ends
+  {
+    const OdeRandomScope others(&generator);
+    harness.Hold(0.1);
+  }
+  EXPECT_EQ(generator, 4711u);
+}
+
+TEST(OdeBodyTest, SeesAWallThroughItsRay) {
+  World world;
+  world.boxes.push_back(
+      {.name = "wall", .size_m = {0.1, 1, 1}, .centre_m = {0.55, 0, 0.5}, .yaw_rad = 0});
+  OdeBody body(Ers210(), world);
+  EXPECT_DOUBLE_EQ(body.RayDistance({0, 0, 0.1}, {1, 0, 0}, 0.9), 0.5);
+}
+
+}  // namespace
+}  // namespace openr_host

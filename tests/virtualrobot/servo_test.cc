@@ -1,0 +1,101 @@
+#include "virtualrobot/servo.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/virtualrobot/body_harness.h"
+
+namespace openr_host {
+namespace {
+
+constexpr double kStep_s = 0.008;
+
+const JointModel& Joint(const char* name) { return Ers210().joints[Ers210().FindJoint(name)]; }
+
+class ServoTest : public testing::Test {
+ protected:
+  JointCommand At(double target_rad) const {
+    return {.target_rad = target_rad, .enabled = true, .gains = joint_.gains};
+  }
+  const JointModel& joint_ = Joint("LF_j1");
+  Servo servo_{joint_, ServoSettings{}};
+};
+
+// J1: 240 degrees over 1023 counts is 4.2625 counts per degree; P 0x16 with shift 0x0E is
+// 22 / 4 = 5.5 PWM counts per count; I adds 4 / 2^14 per count and frame.
+TEST_F(ServoTest, DriveOfOneDegreeIsGainTimesCounts) {
+  servo_.BeginFrame(At(0), 0);
+  servo_.BeginFrame(At(0), Radians(-1));
+  const double counts = 1023.0 / 240;
+  EXPECT_NEAR(servo_.Drive(Radians(-1), 0), counts * (5.5 + 4 / 16384.0), 1e-9);
+}
+
+TEST_F(ServoTest, GainAndShiftTradeAsTheVendorSays) {  // P = 22 with 14 equals 11 with 15 (BBS 257)
+  Servo other(joint_, ServoSettings{});
+  JointCommand halved = At(0.1);
+  halved.gains.p = 11;
+  halved.gains.p_shift = 15;
+  servo_.BeginFrame(At(0.1), 0);
+  other.BeginFrame(halved, 0);
+  EXPECT_DOUBLE_EQ(servo_.Drive(0, 0), other.Drive(0, 0));
+}
+
+TEST_F(ServoTest, DriveIsReportedBeyondItsClampButTheMotorGetsNoMore) {
+  servo_.BeginFrame(At(Radians(90)), 0);
+  EXPECT_GT(servo_.Drive(0, 0), 4 * kDriveFull);
+  EXPECT_DOUBLE_EQ(servo_.Step(0, 0, kStep_s).zero_speed_nm, joint_.stall_torque_nm);
+}
+
+TEST_F(ServoTest, FullDriveGivesNoTorqueAtNoLoadSpeed) {
+  servo_.BeginFrame(At(Radians(90)), 0);
+  const TorqueLine line = servo_.Step(0, 0, kStep_s);
+  EXPECT_NEAR(line.zero_speed_nm / line.slope_nm_s,
+              ServoSettings{}.no_load_speed_ratio * joint_.speed_rad_s.max, 1e-12);
+}
+
+TEST_F(ServoTest, TorqueIsOddInTheError) {
+  Servo other(joint_, ServoSettings{});
+  servo_.BeginFrame(At(0.05), 0);
+  other.BeginFrame(At(-0.05), 0);
+  EXPECT_EQ(servo_.Step(0, 0, kStep_s).zero_speed_nm, -other.Step(0, 0, kStep_s).zero_speed_nm);
+}
+
+TEST_F(ServoTest, IntegralGrowsWithTimeAndIsBounded) {
+  for (int i = 0; i < 1'000'000; ++i) servo_.BeginFrame(At(1), 0);
+  const double proportional = 5.5 * Degrees(1) * 1023 / 240;
+  EXPECT_NEAR(servo_.Drive(0, 0), proportional + kDriveFull, 1e-6);
+}
+
+TEST_F(ServoTest, DisabledJointAsksForNothingAndForgetsItsIntegral) {
+  for (int i = 0; i < 1000; ++i) servo_.BeginFrame(At(1), 0);
+  servo_.BeginFrame({}, 0);
+  EXPECT_EQ(servo_.Drive(0, 0), 0);
+  EXPECT_EQ(servo_.Step(0, 0, kStep_s).zero_speed_nm, 0);
+  servo_.BeginFrame(At(0), 0);
+  EXPECT_EQ(servo_.Drive(0, 0), 0);
+}
+
+TEST_F(ServoTest, WakingUpFarFromTheSetPointGivesNoDerivativeKick) {
+  servo_.BeginFrame(At(0.01), 0);
+  EXPECT_LT(servo_.Drive(0, 0), 15);  // 5.5 * 2.44 counts; the kick would add 9.8
+}
+
+TEST_F(ServoTest, LimpFrictionIsSmallAndOpposesMotion) {
+  servo_.BeginFrame({}, 0);
+  const TorqueLine line = servo_.Step(0, 1.0, kStep_s);
+  EXPECT_EQ(line.zero_speed_nm, 0);
+  EXPECT_NEAR(line.slope_nm_s * 1.0, 0.02 * joint_.stall_torque_nm, 1e-12);
+}
+
+TEST_F(ServoTest, StopPushesBackAlsoALimpJoint) {
+  servo_.BeginFrame({}, 0);
+  EXPECT_LT(servo_.Step(joint_.hard_rad.max + 0.01, 0, kStep_s).zero_speed_nm, 0);
+  EXPECT_GT(servo_.Step(joint_.hard_rad.min - 0.01, 0, kStep_s).zero_speed_nm, 0);
+}
+
+TEST_F(ServoTest, StopHoldsAgainstFullDriveWithinADegree) {
+  servo_.BeginFrame(At(joint_.hard_rad.max + 1), 0);
+  EXPECT_LT(servo_.Step(joint_.hard_rad.max + Radians(1), 0, kStep_s).zero_speed_nm, 0);
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,25 @@
+// Sine, cosine and arc tangent whose bits are the same on every x86-64.
+//
+// glibc picks variants with fused multiply-add at run time, so its last bit depends on
+// the CPU.  These use only +, -, *, / and sqrt, which IEEE 754 rounds in one way, and
+// must be compiled without contraction (-ffp-contract=off).  All code whose results
+// become state calls these and never libm.
+#pragma once
+
+namespace openr_host {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+inline constexpr double Radians(double degrees) { return degrees * (kPi / 180); }
+inline constexpr double Degrees(double radians) { return radians * (180 / kPi); }
+
+// Within 2e-16 of the true value for |x| <= 1000, which is far more turns than a joint has.
+// REQUIRES: |x| <= 1e6 (beyond, the reduction to one quadrant loses digits).
+double DetSin(double x);
+double DetCos(double x);
+
+// Angle of the point (x, y), in [-pi, pi], within 5e-16; 0 for the origin.
+// A negative zero counts as zero: DetAtan2(-0.0, -1) is +pi.
+double DetAtan2(double y, double x);
+
+}  // namespace openr_host

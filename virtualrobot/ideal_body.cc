@@ -1,0 +1,75 @@
+#include "virtualrobot/ideal_body.h"
+
+#include <algorithm>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+}  // namespace
+
+IdealBody::IdealBody(const RobotModel& model, const World& world) : model_(model), world_(world) {
+  for (const double angle_rad : model.PostureAngles("sleep")) {
+    state_.joints.push_back({.angle_rad = angle_rad, .speed_rad_s = 0, .drive = 0});
+  }
+}
+
+void IdealBody::Advance(const std::vector<JointCommand>& commands) {
+  for (size_t j = 0; j < commands.size(); ++j) {
+    JointState& joint = state_.joints[j];
+    double angle_rad = joint.angle_rad;
+    if (commands[j].enabled) {
+      const Range& stops_rad = model_.joints[j].hard_rad;
+      angle_rad = std::clamp(commands[j].target_rad, stops_rad.min, stops_rad.max);
+    }
+    joint.speed_rad_s = (angle_rad - joint.angle_rad) / kFrame_s;
+    if (angle_rad != joint.angle_rad) placed_ = false;
+    joint.angle_rad = angle_rad;
+  }
+}
+
+const BodyState& IdealBody::state() const {
+  if (!placed_) {
+    const RestingPose pose = PlaceOnFloor(model_, Angles());
+    state_.X_WB = pose.X_WB;
+    state_.paws = pose.paws;
+    state_.gravity_B = pose.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
+    placed_ = true;
+  }
+  return state_;
+}
+
+double IdealBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W,
+                              double max_m) const {
+  return openr_host::RayDistance(world_, p_W, direction_W, max_m);
+}
+
+std::vector<Isometry3d> IdealBody::BodyPoses() const {
+  std::vector<Isometry3d> X_WL = LinkPoses(model_, Angles());
+  for (Isometry3d& X : X_WL) X = state().X_WB * X;
+  return X_WL;
+}
+
+void IdealBody::HashState(Hasher* hasher) const {
+  for (const JointState& joint : state_.joints) {  // all else follows from the angles
+    hasher->Add(joint.angle_rad);
+    hasher->Add(joint.speed_rad_s);
+  }
+}
+
+std::vector<double> IdealBody::Angles() const {
+  std::vector<double> angles_rad;
+  angles_rad.reserve(state_.joints.size());
+  for (const JointState& joint : state_.joints) angles_rad.push_back(joint.angle_rad);
+  return angles_rad;
+}
+
+std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world) {
+  return std::make_unique<IdealBody>(model, world);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,96 @@
+#include "virtualrobot/json_reader.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace openr_host {
+
+nlohmann::json JsonReader::ParseText(const std::string& text, const std::string& file) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& e) {
+    size_t line = 1, column = 1;
+    for (size_t i = 0; i + 1 < e.byte && i < text.size(); ++i) {
+      column += 1;
+      if (text[i] == '\n') line += 1, column = 1;
+    }
+    throw std::runtime_error(fmt::format("{}:{}:{}: not valid JSON here", file, line, column));
+  }
+}
+
+JsonReader JsonReader::At(const char* key) const {
+  if (!value_.is_object()) Fail("must be an object with '{}'", key);
+  const auto it = value_.find(key);
+  if (it == value_.end()) Fail("'{}' is missing", key);
+  return JsonReader(*it, place_ + separator_ + key, ".");
+}
+
+std::vector<JsonReader> JsonReader::Elements() const {
+  if (!value_.is_array()) Fail("must be a list, is {}", value_.dump());
+  std::vector<JsonReader> elements;
+  for (size_t i = 0; i < value_.size(); ++i) {
+    elements.push_back(JsonReader(value_[i], fmt::format("{}[{}]", place_, i), "."));
+  }
+  return elements;
+}
+
+void JsonReader::AllowOnly(std::initializer_list<const char*> keys) const {
+  if (!value_.is_object()) Fail("must be an object, is {}", value_.dump());
+  for (const auto& [name, unused] : value_.items()) {
+    bool known = false;
+    std::string list;
+    for (const char* key : keys) {
+      known = known || name == key;
+      list += (list.empty() ? "" : ", ") + std::string(key);
+    }
+    if (!known) Fail("'{}' is unknown; known here: {}", name, list);
+  }
+}
+
+std::string JsonReader::Text() const {
+  if (!value_.is_string()) Fail("must be a text, is {}", value_.dump());
+  return value_.get<std::string>();
+}
+
+double JsonReader::Number() const {
+  if (!value_.is_number()) Fail("must be a number, is {}", value_.dump());
+  const double number = value_.get<double>();
+  if (!std::isfinite(number)) Fail("must be a finite number");
+  return number;
+}
+
+double JsonReader::NumberAbove(double floor) const {
+  const double number = Number();
+  if (!(number > floor)) Fail("is {}, must be > {}", number, floor);
+  return number;
+}
+
+int64_t JsonReader::Whole(int64_t min, int64_t max) const {
+  if (!value_.is_number_integer()) Fail("must be a whole number, is {}", value_.dump());
+  const int64_t number = value_.get<int64_t>();
+  if (number < min || number > max) Fail("is {}, must be {} to {}", number, min, max);
+  return number;
+}
+
+Eigen::Vector3d JsonReader::Vector() const {
+  const std::vector<double> v = Numbers(3);
+  return {v[0], v[1], v[2]};
+}
+
+std::vector<double> JsonReader::Numbers(size_t count) const {
+  std::vector<double> numbers;
+  for (const JsonReader& element : Elements()) numbers.push_back(element.Number());
+  if (numbers.size() != count) Fail("must have {} numbers, has {}", count, numbers.size());
+  return numbers;
+}
+
+std::string ReadTextFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(fmt::format("{}: cannot be opened for reading", path));
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (file.bad()) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+  return text;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,286 @@
+// From model/*.json to RobotModel: units become SI, names become indices, nonsense is refused.
+#include <cmath>
+#include <set>
+
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/json_reader.h"
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<JsonReader> Rows(const JsonReader& root, const char* table) {
+  return root.At(table).At("rows").Elements();
+}
+
+Vector3d Metres(const JsonReader& mm) { return mm.Vector() / 1000; }
+
+Vector3d Unit(const JsonReader& direction) {
+  const Vector3d v = direction.Vector();
+  if (!(v.norm() > 1e-6)) direction.Fail("must be a direction, is [0, 0, 0]");
+  return v / v.norm();
+}
+
+Range Span(const JsonReader& pair, double scale) {
+  const std::vector<double> v = pair.Numbers(2);
+  if (v[0] > v[1]) pair.Fail("runs from {} to {}, must rise", v[0], v[1]);
+  return {v[0] * scale, v[1] * scale};
+}
+
+int Body(const RobotModel& model, const JsonReader& name) {
+  const int body = model.FindBody(name.Text());
+  if (body < 0) name.Fail("no body '{}'", name.Text());
+  return body;
+}
+
+void ReadBodies(const JsonReader& root, RobotModel* model) {
+  for (const JsonReader& row : Rows(root, "bodies")) {
+    row.AllowOnly({"name", "mass", "size", "centre"});
+    BodyPart body;
+    body.name = row.At("name").Text();
+    if (model->FindBody(body.name) >= 0) row.Fail("a second body '{}'", body.name);
+    body.mass_kg = row.At("mass").Number() / 1000;
+    if (body.mass_kg < 0)
+      row.Fail("'{}' has mass {} g, must be >= 0", body.name, body.mass_kg * 1000);
+    body.has_box = row.Has("size");
+    if (body.has_box) {
+      body.size_m = Metres(row.At("size"));
+      body.centre_m = Metres(row.At("centre"));
+      if (!(body.size_m.minCoeff() > 0)) row.At("size").Fail("'{}': edges must be > 0", body.name);
+    }
+    model->bodies.push_back(body);
+  }
+  if (model->bodies.empty()) root.Fail("no body at all");
+}
+
+PidGains ReadGains(const JsonReader& pid) {
+  const std::vector<JsonReader> v = pid.Elements();
+  if (v.size() != 6) pid.Fail("must be [P, I, D, P shift, I shift, D shift]");
+  const auto word = [&](int i) { return static_cast<uint16_t>(v[i].Whole(0, 65535)); };
+  return {word(0), word(1), word(2), word(3), word(4), word(5)};
+}
+
+void ReadJoint(const JsonReader& row, RobotModel* model) {
+  row.AllowOnly({"name", "locator", "parent", "child", "axis", "anchor", "soft", "hard", "speed",
+                 "pid", "torque", "sensor", "mtn"});
+  JointModel joint;
+  joint.name = row.At("name").Text();
+  joint.locator = row.At("locator").Text();
+  if (model->FindJoint(joint.name) >= 0) row.Fail("a second joint '{}'", joint.name);
+  joint.parent = Body(*model, row.At("parent"));
+  joint.child = Body(*model, row.At("child"));
+  if (joint.parent >= joint.child) row.At("child").Fail("must come after its parent in bodies");
+  BodyPart& child = model->bodies[joint.child];
+  if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
+  child.joint = static_cast<int>(model->joints.size());
+  joint.axis = row.At("axis").Vector();
+  if (joint.axis.cwiseAbs().sum() != 1 || joint.axis.norm() != 1) {
+    row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
+  }
+  joint.anchor_m = Metres(row.At("anchor"));
+  if (!child.has_box) child.centre_m = joint.anchor_m;  // the best guess for its mass
+  joint.soft_rad = Span(row.At("soft"), kPi / 180);
+  joint.hard_rad = Span(row.At("hard"), kPi / 180);
+  if (joint.soft_rad.min < joint.hard_rad.min || joint.soft_rad.max > joint.hard_rad.max) {
+    row.At("soft").Fail("must lie inside 'hard'");
+  }
+  if (joint.hard_rad.max - joint.hard_rad.min <= 0) row.At("hard").Fail("leaves no room to move");
+  joint.speed_rad_s = Span(row.At("speed"), kPi / 180);
+  if (!(joint.speed_rad_s.min > 0)) row.At("speed").Fail("must be > 0");
+  joint.gains = ReadGains(row.At("pid"));
+  if (row.Has("torque")) joint.stall_torque_nm = row.At("torque").NumberAbove(0);
+  joint.sensor = static_cast<int>(row.At("sensor").Whole(0, 255));
+  if (row.Has("mtn")) joint.mtn = static_cast<int>(row.At("mtn").Whole(0, 255));
+  model->joints.push_back(joint);
+}
+
+void ReadJoints(const JsonReader& root, RobotModel* model) {
+  for (const JsonReader& row : Rows(root, "joints")) ReadJoint(row, model);
+  for (size_t i = 1; i < model->bodies.size(); ++i) {
+    if (model->bodies[i].joint < 0) root.Fail("body '{}' hangs on no joint", model->bodies[i].name);
+  }
+}
+
+SensorKind KindOf(const JsonReader& kind) {
+  const std::string text = kind.Text();
+  if (text == "joint") return SensorKind::kJoint;
+  if (text == "force") return SensorKind::kForce;
+  if (text == "distance") return SensorKind::kDistance;
+  if (text == "switch") return SensorKind::kSwitch;
+  if (text == "temperature") return SensorKind::kTemperature;
+  if (text == "acceleration") return SensorKind::kAcceleration;
+  if (text == "raw") return SensorKind::kRaw;
+  kind.Fail("is '{}', must be joint, force, distance, switch, temperature, acceleration or raw",
+            text);
+}
+
+std::vector<DistanceRow> ReadLookup(const JsonReader& table) {
+  std::vector<DistanceRow> rows;
+  for (const JsonReader& row : table.Elements()) {
+    const std::vector<double> v = row.Numbers(3);
+    if (!rows.empty() && v[0] / 1000 <= rows.back().distance_m) row.Fail("distances must rise");
+    rows.push_back({v[0] / 1000, v[1] / 1000, v[2]});
+  }
+  if (rows.size() < 2) table.Fail("needs at least two rows");
+  return rows;
+}
+
+void ReadSensor(const JsonReader& row, RobotModel* model) {
+  row.AllowOnly({"name", "locator", "kind", "range", "body", "place", "direction", "lookup"});
+  Sensor sensor;
+  sensor.name = row.At("name").Text();
+  sensor.locator = row.At("locator").Text();
+  if (model->FindSensorByLocator(sensor.locator) >= 0) {
+    row.At("locator").Fail("'{}' stands twice", sensor.locator);
+  }
+  sensor.kind = KindOf(row.At("kind"));
+  sensor.has_range = row.Has("range");
+  if (sensor.has_range) {
+    const Range range = Span(row.At("range"), 1);
+    sensor.min = static_cast<int64_t>(range.min);
+    sensor.max = static_cast<int64_t>(range.max);
+  }
+  if (row.Has("body")) sensor.body = Body(*model, row.At("body"));
+  if (row.Has("place")) sensor.place_m = Metres(row.At("place"));
+  if (row.Has("direction")) sensor.direction = Unit(row.At("direction"));
+  if (row.Has("lookup")) sensor.lookup = ReadLookup(row.At("lookup"));
+  if (sensor.kind == SensorKind::kDistance && sensor.body >= 0) {
+    row.At("place"), row.At("direction"), row.At("lookup");  // one without the other is no use
+  }
+  const int index = static_cast<int>(model->sensors.size());
+  if (sensor.kind == SensorKind::kJoint) {
+    sensor.joint = model->FindJointByLocator(sensor.locator);
+    if (sensor.joint < 0) row.At("locator").Fail("no joint has '{}'", sensor.locator);
+    const JointModel& joint = model->joints[sensor.joint];
+    if (joint.sensor != index) {
+      row.Fail("joint '{}' says it is sensor {}, the list says {}", joint.name, joint.sensor,
+               index);
+    }
+  }
+  model->sensors.push_back(sensor);
+}
+
+void ReadPaws(const JsonReader& root, RobotModel* model) {
+  for (const JsonReader& row : Rows(root, "paws")) {
+    row.AllowOnly({"leg", "body", "centre", "radius", "sensor"});
+    Paw paw;
+    paw.leg = row.At("leg").Text();
+    paw.body = Body(*model, row.At("body"));
+    paw.centre_m = Metres(row.At("centre"));
+    paw.radius_m = row.At("radius").NumberAbove(0) / 1000;
+    paw.sensor = model->FindSensorByLocator(row.At("sensor").Text());
+    if (paw.sensor < 0) row.At("sensor").Fail("no sensor '{}'", row.At("sensor").Text());
+    model->sensors[paw.sensor].paw = static_cast<int>(model->paws.size());
+    model->paws.push_back(paw);
+  }
+}
+
+void ReadLights(const JsonReader& root, RobotModel* model) {
+  for (const JsonReader& row : Rows(root, "leds")) {
+    row.AllowOnly({"name", "locator", "type", "colour"});
+    model->leds.push_back({row.At("name").Text(), row.At("locator").Text(), row.At("type").Text(),
+                           row.Has("colour") ? row.At("colour").Text() : ""});
+  }
+  if (!root.Has("plungers")) return;
+  for (const JsonReader& row : Rows(root, "plungers")) {
+    row.AllowOnly({"name", "locator", "type", "on_rad", "off_rad", "place", "settle_ms", "mtn"});
+    Plunger plunger;
+    plunger.name = row.At("name").Text();
+    plunger.locator = row.At("locator").Text();
+    plunger.type = row.At("type").Text();
+    if (row.Has("on_rad")) plunger.on_rad = row.At("on_rad").Number();
+    if (row.Has("off_rad")) plunger.off_rad = row.At("off_rad").Number();
+    if (row.Has("place")) plunger.place_m = Metres(row.At("place"));
+    if (row.Has("settle_ms"))
+      plunger.settle_ms = static_cast<int>(row.At("settle_ms").Whole(1, 10000));
+    if (row.Has("mtn")) plunger.mtn = static_cast<int>(row.At("mtn").Whole(0, 255));
+    model->plungers.push_back(plunger);
+  }
+}
+
+void ReadCamera(const JsonReader& camera, RobotModel* model) {
+  Camera& c = model->camera;
+  c.locator = camera.At("locator").Text();
+  c.body = Body(*model, camera.At("body"));
+  c.place_m = Metres(camera.At("place"));
+  c.direction = Unit(camera.At("direction"));
+  const std::vector<double> pixels = camera.At("pixels").Numbers(2);
+  c.width_px = static_cast<int>(pixels[0]);
+  c.height_px = static_cast<int>(pixels[1]);
+  c.frames_per_s = camera.At("fps").NumberAbove(0);
+  const std::vector<double> fov = camera.At("fov").Numbers(2);
+  c.fov_h_rad = Radians(fov[0]);
+  c.fov_v_rad = Radians(fov[1]);
+  for (const JsonReader& layer : camera.At("layers").Elements()) {
+    const std::vector<double> size = layer.Numbers(2);
+    c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
+  }
+}
+
+void ReadPostures(const JsonReader& root, RobotModel* model) {
+  for (const JsonReader& row : Rows(root, "postures")) {
+    row.AllowOnly({"name", "source", "degrees"});
+    Posture posture{row.At("name").Text(), row.At("degrees").Numbers(model->joints.size())};
+    for (size_t j = 0; j < model->joints.size(); ++j) {
+      const JointModel& joint = model->joints[j];
+      const double degrees = posture.angles_rad[j];
+      posture.angles_rad[j] = Radians(degrees);
+      // Half a degree of grace for hand-made postures at a stop.
+      if (degrees < Degrees(joint.hard_rad.min) - 0.5 ||
+          degrees > Degrees(joint.hard_rad.max) + 0.5) {
+        row.At("degrees").Fail("posture '{}' asks {} for {} degrees, its stops are at {} and {}",
+                               posture.name, joint.name, degrees,
+                               std::round(Degrees(joint.hard_rad.min) * 10) / 10,
+                               std::round(Degrees(joint.hard_rad.max) * 10) / 10);
+      }
+    }
+    model->postures.push_back(posture);
+  }
+  for (const char* needed : {"sleep", "stand"}) {
+    try {
+      model->PostureAngles(needed);
+    } catch (const std::runtime_error&) {
+      root.At("postures")
+          .Fail("'{}' is missing; robots start asleep and are judged standing", needed);
+    }
+  }
+}
+
+}  // namespace
+
+RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
+  const nlohmann::json json = JsonReader::ParseText(text, name);
+  const JsonReader root(json, name);
+  if (root.At("schema").Text() != "openr-host robot model 1") {
+    root.At("schema").Fail("is '{}', this program reads 'openr-host robot model 1'",
+                           root.At("schema").Text());
+  }
+  RobotModel model;
+  model.name = root.At("name").Text();
+  model.design = root.At("design").Text();
+  for (const JsonReader& label : root.At("mtn_labels").Elements()) {
+    model.mtn_labels.push_back(label.Text());
+  }
+  ReadBodies(root, &model);
+  ReadJoints(root, &model);
+  for (const JsonReader& row : Rows(root, "sensors")) ReadSensor(row, &model);
+  ReadPaws(root, &model);
+  ReadLights(root, &model);
+  ReadCamera(root.At("camera"), &model);
+  const JsonReader acceleration = root.At("acceleration");
+  model.accel_min_rad_s2 = Radians(acceleration.At("min").NumberAbove(0));
+  model.accel_default_rad_s2 = Radians(acceleration.At("default").NumberAbove(0));
+  model.accel_max_rad_s2 = Radians(acceleration.At("max").NumberAbove(0));
+  model.speaker_locator = root.At("audio").At("speaker").Text();
+  model.microphone_locator = root.At("audio").At("microphone").Text();
+  ReadPostures(root, &model);
+  return model;
+}
+
+RobotModel LoadRobotModel(const std::string& path) {
+  return ParseRobotModel(ReadTextFile(path), path);
+}
+
+}  // namespace openr_host

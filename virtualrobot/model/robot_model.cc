@@ -1,0 +1,52 @@
+#include "virtualrobot/model/robot_model.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace openr_host {
+namespace {
+
+template <typename T, typename Match>
+int IndexOf(const std::vector<T>& rows, Match match) {
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (match(rows[i])) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+int RobotModel::FindBody(std::string_view body_name) const {
+  return IndexOf(bodies, [&](const BodyPart& b) { return b.name == body_name; });
+}
+
+int RobotModel::FindJoint(std::string_view joint_name) const {
+  return IndexOf(joints, [&](const JointModel& j) { return j.name == joint_name; });
+}
+
+int RobotModel::FindJointByLocator(std::string_view locator) const {
+  return IndexOf(joints, [&](const JointModel& j) { return j.locator == locator; });
+}
+
+int RobotModel::FindSensorByLocator(std::string_view locator) const {
+  return IndexOf(sensors, [&](const Sensor& s) { return s.locator == locator; });
+}
+
+const std::vector<double>& RobotModel::PostureAngles(std::string_view posture_name) const {
+  std::string known;
+  for (const Posture& posture : postures) {
+    if (posture.name == posture_name) return posture.angles_rad;
+    known += (known.empty() ? "" : ", ") + posture.name;
+  }
+  throw std::runtime_error(
+      fmt::format("{}: no posture '{}'; the model has {}", name, posture_name, known));
+}
+
+double RobotModel::TotalMassKg() const {
+  double sum_kg = 0;
+  for (const BodyPart& body : bodies) sum_kg += body.mass_kg;
+  return sum_kg;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,164 @@
+// A robot as plain data: bodies, joints, limits, gains, sensors, lights, postures.
+//
+// The numbers live in model/*.json, each table with the tag of its source; this is
+// what a program sees of them.  Units are SI and radians here (the files have mm, g,
+// degrees).  All places, axes and box centres are given in the base frame B with all
+// joints at 0; there every link frame coincides with B (docs/body.md).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace openr_host {
+
+// Gains as OPENR::SetJointGain() takes them.  A gain g with shift s acts like
+// g * 2^(s - 16) (robot.md section 8).
+struct PidGains {
+  uint16_t p = 0, i = 0, d = 0;
+  uint16_t p_shift = 0, i_shift = 0, d_shift = 0;
+  bool operator==(const PidGains&) const = default;
+};
+
+struct Range {
+  double min = 0;
+  double max = 0;  // >= min
+};
+
+// One rigid part.  Body 0 is the trunk, which carries the base frame; every other
+// body is the child of exactly one joint, and a parent comes before its children.
+struct BodyPart {
+  std::string name;
+  double mass_kg = 0;                 // >= 0; the ODE body wants > 0
+  bool has_box = false;               // false: shape unknown, no ODE body possible
+  Eigen::Vector3d size_m{0, 0, 0};    // full edges, parallel to B at zero angles
+  Eigen::Vector3d centre_m{0, 0, 0};  // of the box, which is also the centre of mass
+  int joint = -1;                     // index of the joint that carries it; -1 for the trunk
+};
+
+// The ball at the end of a leg; part of `body`, without mass of its own.
+struct Paw {
+  std::string leg;  // "LF", "LH", "RF", "RH"
+  int body = -1;
+  Eigen::Vector3d centre_m{0, 0, 0};
+  double radius_m = 0;
+  int sensor = -1;  // index of its switch in RobotModel::sensors
+};
+
+// One motor with its hinge.  The angle is the right-handed rotation of `child`
+// about `axis` and equals the OPEN-R joint value.
+struct JointModel {
+  std::string name;     // "LF_j1"
+  std::string locator;  // "PRM:/r2/c1-Joint2:j1"
+  int parent = -1;
+  int child = -1;
+  Eigen::Vector3d axis{0, 0, 0};  // unit vector along an axis of B, either sign
+  Eigen::Vector3d anchor_m{0, 0, 0};
+  Range soft_rad;              // what commands should keep to
+  Range hard_rad;              // mechanical stops
+  Range speed_rad_s;           // limits of a planned movement
+  PidGains gains;              // the vendor's standard gains
+  double stall_torque_nm = 0;  // at full drive and no speed; 0: not established
+  int sensor = -1;             // index in RobotModel::sensors
+  int mtn = -1;                // index in a motion file of this robot; -1: in none
+};
+
+struct Led {
+  std::string name;
+  std::string locator;
+  std::string type;    // "LED2", "LED3"
+  std::string colour;  // empty: not known
+};
+
+// An ear: two positions, no sensor.
+struct Plunger {
+  std::string name;
+  std::string locator;
+  std::string type;  // "Joint3", "Joint4"
+  double on_rad = 0;
+  double off_rad = 0;
+  int settle_ms = 128;
+  Eigen::Vector3d place_m{0, 0, 0};
+  int mtn = -1;
+};
+
+enum class SensorKind { kJoint, kForce, kDistance, kSwitch, kTemperature, kAcceleration, kRaw };
+
+// One row of the distance table: at `distance_m` the sensor says `value_m`, plus or
+// minus noise * value_m.
+struct DistanceRow {
+  double distance_m = 0;
+  double value_m = 0;
+  double noise = 0;
+};
+
+// One element of a sensor vector; the index in RobotModel::sensors is its place there.
+struct Sensor {
+  std::string name;
+  std::string locator;
+  SensorKind kind = SensorKind::kRaw;
+  bool has_range = false;
+  int64_t min = 0, max = 0;  // in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
+  int joint = -1;            // kJoint: whose angle
+  int paw = -1;              // kSwitch of a paw: index in RobotModel::paws
+  int body = -1;             // kDistance: where it sits; -1: place unknown
+  Eigen::Vector3d place_m{0, 0, 0};
+  Eigen::Vector3d direction{
+      0, 0, 0};  // unit vector; kDistance: of the ray, kAcceleration: of the axis in B
+  std::vector<DistanceRow> lookup;  // kDistance: rising distances, at least two rows
+};
+
+struct Camera {
+  std::string locator;
+  int body = -1;
+  Eigen::Vector3d place_m{0, 0, 0};
+  Eigen::Vector3d direction{1, 0, 0};
+  int width_px = 0, height_px = 0;
+  double frames_per_s = 0;
+  double fov_h_rad = 0, fov_v_rad = 0;
+  std::vector<std::pair<int, int>> layers;  // width, height of layers H, M, L
+};
+
+struct Posture {
+  std::string name;
+  std::vector<double> angles_rad;  // order of RobotModel::joints
+};
+
+struct RobotModel {
+  std::string name;                     // "ERS-210"
+  std::string design;                   // what OPENR::GetRobotDesign says
+  std::vector<std::string> mtn_labels;  // design labels of motion files made for it
+  std::vector<BodyPart> bodies;
+  std::vector<Paw> paws;
+  std::vector<JointModel> joints;
+  double accel_min_rad_s2 = 0, accel_default_rad_s2 = 0, accel_max_rad_s2 = 0;
+  std::vector<Led> leds;
+  std::vector<Plunger> plungers;
+  std::vector<Sensor> sensors;
+  Camera camera;
+  std::string speaker_locator;
+  std::string microphone_locator;
+  std::vector<Posture> postures;
+
+  // Index by name or locator; -1 when there is none.
+  int FindBody(std::string_view body_name) const;
+  int FindJoint(std::string_view joint_name) const;
+  int FindJointByLocator(std::string_view locator) const;
+  int FindSensorByLocator(std::string_view locator) const;
+
+  // Angles of a named posture.  Throws std::runtime_error naming the ones there are.
+  const std::vector<double>& PostureAngles(std::string_view posture_name) const;
+
+  double TotalMassKg() const;
+};
+
+// Reads one of model/*.json.  Throws std::runtime_error naming file, place and value
+// when the file cannot be read or says something that cannot be.
+RobotModel LoadRobotModel(const std::string& path);
+
+// The same from text; `name` stands for the file in messages.
+RobotModel ParseRobotModel(const std::string& text, const std::string& name);
+
+}  // namespace openr_host

@@ -1,0 +1,137 @@
+#include "virtualrobot/ode/contact_finder.h"
+
+#include <cmath>
+
+#include "virtualrobot/det_math.h"
+
+namespace openr_host {
+namespace {
+
+using Eigen::Vector3d;
+
+// A box that lies flat touches with four corners; more can only be below the floor when
+// the box is deep in it, and four still push it out.
+constexpr int kCornersMax = 4;
+
+// ODE's box collider makes up to eight points.  Asked for fewer it drops some by their
+// angle, through atan2 of libm, whose bits differ between CPUs.
+constexpr int kPointsMax = 8;
+
+}  // namespace
+
+ContactFinder::ContactFinder(const RobotModel& model, const World& world,
+                             const std::vector<dBodyID>& bodies)
+    : model_(model), bodies_(bodies) {
+  for (const WorldBox& box : world.boxes) {
+    const dGeomID geom = dCreateBox(nullptr, box.size_m.x(), box.size_m.y(), box.size_m.z());
+    const double s = DetSin(box.yaw_rad), c = DetCos(box.yaw_rad);
+    const dMatrix3 R = {c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0};
+    dGeomSetPosition(geom, box.centre_m.x(), box.centre_m.y(), box.centre_m.z());
+    dGeomSetRotation(geom, R);
+    world_boxes_.push_back(geom);
+  }
+  if (world_boxes_.empty()) return;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const Vector3d& size = model.bodies[i].size_m;
+    part_boxes_.push_back(dCreateBox(nullptr, size.x(), size.y(), size.z()));
+    dGeomSetBody(part_boxes_.back(), bodies[i]);
+  }
+  for (const Paw& paw : model.paws) {
+    const Vector3d offset = paw.centre_m - model.bodies[paw.body].centre_m;
+    paw_balls_.push_back(dCreateSphere(nullptr, paw.radius_m));
+    dGeomSetBody(paw_balls_.back(), bodies[paw.body]);
+    dGeomSetOffsetPosition(paw_balls_.back(), offset.x(), offset.y(), offset.z());
+  }
+}
+
+ContactFinder::~ContactFinder() {
+  for (const dGeomID geom : paw_balls_) dGeomDestroy(geom);
+  for (const dGeomID geom : part_boxes_) dGeomDestroy(geom);
+  for (const dGeomID geom : world_boxes_) dGeomDestroy(geom);
+}
+
+int ContactFinder::features() const {
+  return static_cast<int>(model_.paws.size() + 8 * model_.bodies.size());
+}
+
+void ContactFinder::Find(std::vector<ContactPoint>* points) const {
+  points->clear();
+  for (size_t i = 0; i < bodies_.size(); ++i) {
+    FindBoxOnFloor(static_cast<int>(i), points);
+    if (!world_boxes_.empty()) FindOnBoxes(static_cast<int>(i), -1, points);
+  }
+  for (size_t k = 0; k < model_.paws.size(); ++k) {
+    FindPawOnFloor(static_cast<int>(k), points);
+    if (!world_boxes_.empty()) FindOnBoxes(model_.paws[k].body, static_cast<int>(k), points);
+  }
+}
+
+void ContactFinder::FindPawOnFloor(int paw, std::vector<ContactPoint>* points) const {
+  const Paw& model_paw = model_.paws[paw];
+  const dReal* p = dBodyGetPosition(bodies_[model_paw.body]);
+  const dReal* R = dBodyGetRotation(bodies_[model_paw.body]);
+  const Vector3d l = model_paw.centre_m - model_.bodies[model_paw.body].centre_m;
+  const double z = p[2] + R[8] * l.x() + R[9] * l.y() + R[10] * l.z();
+  const double depth_m = model_paw.radius_m - z;
+  if (depth_m <= 0) return;
+  ContactPoint point;
+  point.feature = paw;
+  point.body = model_paw.body;
+  point.paw = paw;
+  point.p_W = Vector3d(p[0] + R[0] * l.x() + R[1] * l.y() + R[2] * l.z(),
+                       p[1] + R[4] * l.x() + R[5] * l.y() + R[6] * l.z(), -depth_m);
+  point.depth_m = depth_m;
+  points->push_back(point);
+}
+
+void ContactFinder::FindBoxOnFloor(int body, std::vector<ContactPoint>* points) const {
+  const Vector3d half = model_.bodies[body].size_m / 2;
+  const dReal* p = dBodyGetPosition(bodies_[body]);
+  const dReal* R = dBodyGetRotation(bodies_[body]);
+  const double zx = R[8] * half.x(), zy = R[9] * half.y(), zz = R[10] * half.z();
+  if (p[2] >= std::fabs(zx) + std::fabs(zy) + std::fabs(zz)) return;
+  int found = 0;
+  for (int corner = 0; corner < 8 && found < kCornersMax; ++corner) {
+    const double sx = corner & 1 ? 1 : -1, sy = corner & 2 ? 1 : -1, sz = corner & 4 ? 1 : -1;
+    const double z = p[2] + sx * zx + sy * zy + sz * zz;
+    if (z >= 0) continue;
+    found += 1;
+    const double x = sx * half.x(), y = sy * half.y(), w = sz * half.z();
+    ContactPoint point;
+    point.feature = static_cast<int>(model_.paws.size()) + 8 * body + corner;
+    point.body = body;
+    point.p_W =
+        Vector3d(p[0] + R[0] * x + R[1] * y + R[2] * w, p[1] + R[4] * x + R[5] * y + R[6] * w, z);
+    point.depth_m = -z;
+    points->push_back(point);
+  }
+}
+
+// Part `body`, or its paw, against the static boxes.
+void ContactFinder::FindOnBoxes(int body, int paw, std::vector<ContactPoint>* points) const {
+  const dGeomID part = paw >= 0 ? paw_balls_[paw] : part_boxes_[body];
+  dReal reach[6];
+  dGeomGetAABB(part, reach);
+  for (const dGeomID box : world_boxes_) {
+    dReal room[6];
+    dGeomGetAABB(box, room);
+    bool apart = false;
+    for (int i = 0; i < 6; i += 2)
+      apart = apart || reach[i] > room[i + 1] || reach[i + 1] < room[i];
+    if (apart) continue;
+    dContactGeom found[kPointsMax];
+    const int count = dCollide(part, box, kPointsMax, found, sizeof(dContactGeom));
+    for (int i = 0; i < count; ++i) {
+      ContactPoint point;
+      point.feature = paw >= 0 ? paw : static_cast<int>(model_.paws.size()) + 8 * body + i;
+      point.body = body;
+      point.paw = paw;
+      point.p_W = Vector3d(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
+      point.normal_W = Vector3d(found[i].normal[0], found[i].normal[1], found[i].normal[2]);
+      point.depth_m = found[i].depth;
+      points->push_back(point);
+    }
+  }
+}
+
+}  // namespace openr_host

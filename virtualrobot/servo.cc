@@ -1,0 +1,95 @@
+#include "virtualrobot/servo.h"
+
+#include <algorithm>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+// g * 2^(s - 16), exact.  Shifts beyond 32 say nothing a drive of 255 could follow.
+double Effective(uint16_t gain, uint16_t shift) {
+  double value = gain;
+  for (int s = shift; s < 16; ++s) value *= 0.5;
+  for (int s = 16; s < std::min<int>(shift, 32); ++s) value *= 2;
+  return value;
+}
+
+}  // namespace
+
+Servo::Servo(const JointModel& joint, const ServoSettings& settings)
+    : counts_per_rad_(kAdSteps / (joint.hard_rad.max - joint.hard_rad.min)),
+      stall_nm_(joint.stall_torque_nm),
+      motor_slope_nm_s_(joint.stall_torque_nm /
+                        (settings.no_load_speed_ratio * joint.speed_rad_s.max)),
+      hard_rad_(joint.hard_rad),
+      settings_(settings) {}
+
+void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
+  if (!command.enabled) {
+    enabled_ = false;
+    integral_ = 0;
+    return;
+  }
+  // A servo that wakes up knows no earlier set point, so its first gives no D kick.
+  const double last_rad = enabled_ ? target_rad_ : command.target_rad;
+  enabled_ = true;
+  target_rad_ = command.target_rad;
+  target_speed_rad_s_ = (target_rad_ - last_rad) / kFrame_s;
+  if (!(gains_ == command.gains)) {
+    gains_ = command.gains;
+    p_ = Effective(gains_.p, gains_.p_shift) * counts_per_rad_;
+    i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;
+    d_ = Effective(gains_.d, gains_.d_shift) * counts_per_rad_ * kFrame_s;
+  }
+  integral_ = std::clamp(integral_ + i_ * (target_rad_ - angle_rad), -kDriveFull, kDriveFull);
+}
+
+double Servo::Drive(double angle_rad, double speed_rad_s) const {
+  if (!enabled_) return 0;
+  return p_ * (target_rad_ - angle_rad) + integral_ + d_ * (target_speed_rad_s_ - speed_rad_s);
+}
+
+TorqueLine Servo::Step(double angle_rad, double speed_rad_s, double step_s) const {
+  TorqueLine line = enabled_ ? MotorLine(angle_rad, speed_rad_s, step_s) : LimpLine(speed_rad_s);
+  double beyond_rad = 0;
+  if (angle_rad > hard_rad_.max) beyond_rad = angle_rad - hard_rad_.max;
+  if (angle_rad < hard_rad_.min) beyond_rad = angle_rad - hard_rad_.min;
+  if (beyond_rad != 0) {
+    const double stiffness_nm = settings_.stop_stiffness_per_rad * stall_nm_;
+    line.zero_speed_nm -= stiffness_nm * beyond_rad;
+    line.slope_nm_s += stiffness_nm * step_s + settings_.stop_damping_s_per_rad * stall_nm_;
+  }
+  return line;
+}
+
+TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s) const {
+  const double drive = Drive(angle_rad, speed_rad_s);
+  if (drive > kDriveFull) return {stall_nm_, motor_slope_nm_s_};
+  if (drive < -kDriveFull) return {-stall_nm_, motor_slope_nm_s_};
+  // P and D act on the state at the end of the step, angle + step * v and v: implicit, so
+  // that stiff gains on a light link stay stable at any step.
+  const double nm_per_count = stall_nm_ / kDriveFull;
+  return {nm_per_count * (drive + d_ * speed_rad_s),
+          motor_slope_nm_s_ + nm_per_count * (d_ + p_ * step_s)};
+}
+
+// Dry friction without the jump at speed 0: viscous below the creep speed, constant above.
+TorqueLine Servo::LimpLine(double speed_rad_s) const {
+  const double speed =
+      std::max(speed_rad_s < 0 ? -speed_rad_s : speed_rad_s, settings_.limp_creep_rad_s);
+  return {0, settings_.limp_friction * stall_nm_ / speed};
+}
+
+void Servo::HashState(Hasher* hasher) const {
+  hasher->Add(enabled_);
+  hasher->Add(target_rad_);
+  hasher->Add(target_speed_rad_s_);
+  hasher->Add(integral_);
+  for (const uint16_t word :
+       {gains_.p, gains_.i, gains_.d, gains_.p_shift, gains_.i_shift, gains_.d_shift}) {
+    hasher->Add(word);
+  }
+}
+
+}  // namespace openr_host
