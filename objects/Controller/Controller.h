@@ -1,0 +1,81 @@
+//
+// Controller runs a Webots-style controller on the robot (Hohl 2004, section 5.3).
+//
+//   Controller.Led, Controller.Ear -> OVirtualRobotComm.Effector
+//   Controller.BatchMover          -> JointMover: the buffer of joint commands
+//   Controller.Mover               -> JointMover: motions
+//   Controller.MainExecution       <- the robot stands; the controller begins
+//   Controller.LedEar              <- LEDs and ears of the remote control
+//   Controller.SetValue            <- key frames of motions
+//   Controller.Sensor              <- sensor values
+//
+// The loop is in ControllerCore; this class turns it into OPEN-R.
+//
+
+#ifndef Controller_h_DEFINED
+#define Controller_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/ODataFormats.h>
+
+#include "ControllerCore.h"
+#include "SensorReader.h"
+#include "def.h"
+
+class Controller : public OObject, private ControllerPort {
+public:
+    Controller();
+    virtual ~Controller() {}
+
+    OSubject* subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+
+    void ReadyLed(const OReadyEvent& event);
+    void ReadyEar(const OReadyEvent& event);
+    void ReadyBatchMover(const OReadyEvent& event);
+    void NotifyMainExecution(const ONotifyEvent& event);
+    void NotifyLedEar(const ONotifyEvent& event);
+    void NotifySetValue(const ONotifyEvent& event);
+    void NotifySensor(const ONotifyEvent& event);
+
+private:
+    // Vectors of one kind: one is played, another may wait until the effector is ready.
+    static const int NUM_REGIONS = 2;
+
+    // ControllerPort
+    virtual bool IsLedReady();
+    virtual bool IsEarReady();
+    virtual bool IsBatchMoverReady();
+    virtual void SendLeds(Uint32 on, int frames);
+    virtual void SendEars(Uint32 on);
+    virtual void SendBatch(const BatchMoverCommand& batch);
+    virtual void SendMover(const MoverCommand& command);
+    virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
+    virtual int BatteryCapacity();
+    virtual void TimeStepRounded(int askedMs, int usedMs);
+
+    OStatus OpenLights();
+    OStatus NewRegions(int numElements, RCRegion** regions);
+    OCommandVectorData* BeginVector(RCRegion** regions, int numElements, RCRegion** region);
+    void FinishVector(int sbj, RCRegion* region);
+
+    const RobotConstants* robot_;
+    OPrimitiveID led_[MAX_LEDS];
+    OPrimitiveID ear_[MAX_PLUNGERS];
+    RCRegion* ledRegion_[NUM_REGIONS];
+    RCRegion* earRegion_[NUM_REGIONS];
+    SensorReader sensorReader_;
+    SensorValues sensors_;
+    int roundedMs_;  // the time step said to be rounded last
+    bool isStopped_;
+    ControllerCore core_;
+};
+
+#endif  // Controller_h_DEFINED

@@ -1,0 +1,191 @@
+#include "ControllerApi.h"
+
+#include <device/distance_sensor.h>
+#include <device/led.h>
+#include <device/robot.h>
+#include <device/servo.h>
+#include <device/touch_sensor.h>
+
+static ControllerCore* theCore = 0;
+
+void
+SetControllerCore(ControllerCore* core)
+{
+    theCore = core;
+}
+
+ControllerCore*
+GetControllerCore()
+{
+    return theCore;
+}
+
+// ---- robot.h -------------------------------------------------------------------------
+
+void
+robot_live(void (*reset)(void))
+{
+    if (theCore != 0) theCore->Live(reset);
+}
+
+void
+robot_die(void (*die)(void))
+{
+    if (theCore != 0) theCore->OnDie(die);
+}
+
+void
+robot_run(int (*run)(int))
+{
+    if (theCore != 0) theCore->Run(run);
+}
+
+DeviceTag
+robot_get_device(const char* name)
+{
+    return theCore != 0 ? (DeviceTag)theCore->Devices().Find(name) : 0;
+}
+
+int
+robot_get_mode(void)
+{
+    return 1;
+}
+
+void
+robot_battery_sensor_enable(unsigned short)
+{
+}
+
+void
+robot_battery_sensor_disable(void)
+{
+}
+
+float
+robot_battery_sensor_get_value(void)
+{
+    return theCore != 0 ? (float)theCore->Port()->BatteryCapacity() : 0.0f;
+}
+
+// ---- led.h ---------------------------------------------------------------------------
+
+void
+led_set(DeviceTag tag, unsigned char value)
+{
+    if (theCore == 0) return;
+    const int led = theCore->Devices().Led(tag);
+    if (led >= 0) theCore->SetLed(led, value != 0);
+}
+
+// ---- servo.h -------------------------------------------------------------------------
+
+// The joint `tag` names; -1 for anything else.
+static int
+JointOf(DeviceTag tag)
+{
+    return theCore != 0 ? theCore->Devices().Joint(tag) : -1;
+}
+
+void
+servo_enable_position(DeviceTag, unsigned short)
+{
+}
+
+void
+servo_disable_position(DeviceTag)
+{
+}
+
+float
+servo_get_position(DeviceTag tag)
+{
+    const int joint = JointOf(tag);
+    return joint >= 0 ? (float)(theCore->Sensors().joint[joint] * 1e-6) : 0.0f;
+}
+
+void
+servo_set_position(DeviceTag tag, float position)
+{
+    const int joint = JointOf(tag);
+    if (joint >= 0) {
+        theCore->SetPosition(joint, position);
+        return;
+    }
+    const int ear = theCore != 0 ? theCore->Devices().Ear(tag) : -1;
+    if (ear >= 0) theCore->SetEar(ear, position == 0.0f);
+}
+
+void
+servo_set_velocity(DeviceTag tag, float velocity)
+{
+    const int joint = JointOf(tag);
+    if (joint >= 0) theCore->SetVelocity(joint, velocity);
+}
+
+void
+servo_set_acceleration(DeviceTag tag, float acceleration)
+{
+    const int joint = JointOf(tag);
+    if (joint >= 0) theCore->SetAcceleration(joint, acceleration);
+}
+
+void
+servo_set_force(DeviceTag, float)
+{
+}
+
+void
+servo_motor_off(DeviceTag tag)
+{
+    const int joint = JointOf(tag);
+    if (joint >= 0) theCore->MotorOff(joint);
+}
+
+// ---- distance_sensor.h, touch_sensor.h -----------------------------------------------
+
+static const SensorConstants*
+SensorOf(DeviceTag tag, Sint32* value)
+{
+    const int sensor = theCore != 0 ? theCore->Devices().Sensor(tag) : -1;
+    if (sensor < 0) return 0;
+    *value = theCore->Sensors().sensor[sensor];
+    return &theCore->Robot()->sensors[sensor];
+}
+
+void
+distance_sensor_enable(DeviceTag, unsigned short)
+{
+}
+
+void
+distance_sensor_disable(DeviceTag)
+{
+}
+
+unsigned short
+distance_sensor_get_value(DeviceTag tag)
+{
+    Sint32 micrometres = 0;
+    const SensorConstants* sensor = SensorOf(tag, &micrometres);
+    if (sensor == 0 || sensor->kind != sensorkindLENGTH || micrometres < 0) return 0;
+    return (unsigned short)(micrometres / 1000);
+}
+
+void
+touch_sensor_enable(DeviceTag, unsigned short)
+{
+}
+
+void
+touch_sensor_disable(DeviceTag)
+{
+}
+
+unsigned short
+touch_sensor_get_value(DeviceTag tag)
+{
+    Sint32 value = 0;
+    const SensorConstants* sensor = SensorOf(tag, &value);
+    return sensor != 0 && sensor->touchLimit >= 0 && value > sensor->touchLimit;
+}

@@ -1,0 +1,77 @@
+//
+// Controller without OPEN-R: the control loop and the buffers behind the functions a controller
+// calls (Hohl 2004, sections 5.3.3 to 5.3.7).
+//
+// The loop is paced by LED vectors: each lasts the time step the controller asked for, and its
+// end calls the run function again.  What the run function commands goes into buffers, and from
+// there into vectors and messages after it.  Values of the remote control go into the
+// same buffers when they arrive, so those of the run function win.
+//
+
+#ifndef ControllerCore_h_DEFINED
+#define ControllerCore_h_DEFINED
+
+#include "ControllerPort.h"
+#include "DeviceTable.h"
+#include "SensorValues.h"
+
+class ControllerCore {
+public:
+    // `port` must outlive the core.
+    explicit ControllerCore(ControllerPort* port);
+
+    void Begin(const RobotConstants* robot);
+    const RobotConstants* Robot() const { return robot_; }
+    const DeviceTable& Devices() const { return devices_; }
+    const SensorValues& Sensors() const { return sensors_; }
+    ControllerPort* Port() { return port_; }
+
+    // The robot stands: runs the controller's main function, and the loop from then on.
+    void Execute(int (*controllerMain)());
+
+    // The robot is shut down.
+    void Die();
+
+    // News of the robot.
+    void SetSensors(const SensorValues& values) { sensors_ = values; }
+    void LedReady();
+    void EarReady();
+    void BatchMoverReady();
+    void RemoteLights(const LedEarState& change);
+
+    // Called by the functions of the controller's interface.
+    void Live(void (*reset)());
+    void OnDie(void (*die)()) { die_ = die; }
+    void Run(int (*run)(int));
+    void SetLed(int led, bool on);
+    void SetEar(int ear, bool on);
+    void SetPosition(int joint, double rad);
+    void SetVelocity(int joint, double radPerSecond);
+    void SetAcceleration(int joint, double radPerSecond2);
+    void MotorOff(int joint);
+
+private:
+    void CallRun();
+    void SendBuffers();
+    void SendBatchIfChanged();
+    void SendEarsIfChanged();
+    void Change(Sint32* value, Sint32 newValue);
+
+    ControllerPort* port_;
+    const RobotConstants* robot_;
+    DeviceTable devices_;
+    SensorValues sensors_;
+
+    void (*die_)();
+    int (*run_)(int);
+    bool isExecuting_;  // inside the controller's main function
+    int stepFrames_;    // of the LED vectors
+
+    Uint32 ledOn_, earOn_;
+    bool ledChanged_;  // by remote control while no loop runs
+    bool earChanged_;
+    bool batchChanged_;
+    BatchMoverCommand batch_;
+};
+
+#endif  // ControllerCore_h_DEFINED

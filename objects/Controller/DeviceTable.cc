@@ -1,0 +1,45 @@
+#include "DeviceTable.h"
+
+int
+DeviceTable::Find(const char* locator) const
+{
+    if (robot_ == 0 || locator == 0) return 0;
+    int index = FindJoint(robot_, locator);
+    if (index >= 0) return 1 + index;
+    index = FindLed(robot_, locator);
+    if (index >= 0) return FirstLed() + index;
+    index = FindPlunger(robot_, locator);
+    if (index >= 0) return FirstEar() + index;
+    index = FindSensor(robot_, locator);
+    return index >= 0 ? FirstSensor() + index : 0;
+}
+
+int
+DeviceTable::InRange(int tag, int first, int count) const
+{
+    return tag >= first && tag < first + count ? tag - first : -1;
+}
+
+int
+DeviceTable::Joint(int tag) const
+{
+    return robot_ == 0 ? -1 : InRange(tag, 1, robot_->numJoints);
+}
+
+int
+DeviceTable::Led(int tag) const
+{
+    return robot_ == 0 ? -1 : InRange(tag, FirstLed(), robot_->numLeds);
+}
+
+int
+DeviceTable::Ear(int tag) const
+{
+    return robot_ == 0 ? -1 : InRange(tag, FirstEar(), robot_->numPlungers);
+}
+
+int
+DeviceTable::Sensor(int tag) const
+{
+    return robot_ == 0 ? -1 : InRange(tag, FirstSensor(), robot_->numSensors);
+}

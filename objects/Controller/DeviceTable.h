@@ -1,0 +1,34 @@
+//
+// Numbers for the devices of a robot, as robot_get_device() gives them out: joints, LEDs,
+// ears, sensors, one after the other from 1.
+//
+
+#ifndef DeviceTable_h_DEFINED
+#define DeviceTable_h_DEFINED
+
+#include "RobotDescription.h"
+
+class DeviceTable {
+public:
+    DeviceTable() : robot_(0) {}
+    void Begin(const RobotConstants* robot) { robot_ = robot; }
+
+    // The tag of the device with this locator; 0 if the robot has none.
+    int Find(const char* locator) const;
+
+    // Index in the table of RobotConstants; -1 when `tag` is something else.
+    int Joint(int tag) const;
+    int Led(int tag) const;
+    int Ear(int tag) const;
+    int Sensor(int tag) const;
+
+private:
+    int InRange(int tag, int first, int count) const;
+    int FirstLed() const { return 1 + robot_->numJoints; }
+    int FirstEar() const { return FirstLed() + robot_->numLeds; }
+    int FirstSensor() const { return FirstEar() + robot_->numPlungers; }
+
+    const RobotConstants* robot_;  // 0: no robot, no devices
+};
+
+#endif  // DeviceTable_h_DEFINED

@@ -1,0 +1,119 @@
+//
+// Motion files for controllers (Hohl 2004, section 5.3.7).
+//
+
+#include <device/mtn.h>
+
+#include <string.h>
+
+#include "ControllerApi.h"
+#include "MtnFile.h"
+#include "MtnName.h"
+
+struct MtnMotion {
+    MtnFile file;
+    char name[MTN_NAME_SIZE];
+    Sint32 keyFrame;  // reached last; -1: does not play
+};
+
+static MtnMotion* thePlaying = 0;  // the one mtn_play() was called for last
+static std::string theError;       // of the last mtn_new(); empty: it was good
+
+// Reads `motion`; false with a reason in theError.
+static bool
+Load(const char* filename, MtnMotion* motion)
+{
+    ControllerCore* core = GetControllerCore();
+    std::vector<Uint8> bytes;
+    if (core == 0 || filename == 0) {
+        theError = core == 0 ? "the robot is not running" : "the file name is a null pointer";
+        return false;
+    }
+    if (!MtnFileName(filename, motion->name, &theError)) return false;
+    if (!core->Port()->ReadFile(std::string(MTN_DIRECTORY) + motion->name, &bytes, &theError))
+        return false;
+    if (motion->file.Read(bytes.empty() ? 0 : &bytes[0], bytes.size()) &&
+        motion->file.MapTo(core->Robot())) {
+        return true;
+    }
+    theError = std::string(motion->name) + ": " + motion->file.Error();
+    return false;
+}
+
+MTN*
+mtn_new(const char* filename)
+{
+    theError = "";
+    MtnMotion* motion = new MtnMotion;
+    motion->keyFrame = -1;
+    if (Load(filename, motion)) return motion;
+    delete motion;
+    return 0;
+}
+
+const char*
+mtn_get_error(void)
+{
+    return theError.empty() ? 0 : theError.c_str();
+}
+
+void
+mtn_delete(MTN* motion)
+{
+    if (thePlaying == motion) thePlaying = 0;
+    delete motion;
+}
+
+// Counts as playing from here on, although JointMover may first have to go to the first key frame.
+void
+mtn_play(MTN* motion)
+{
+    ControllerCore* core = GetControllerCore();
+    if (motion == 0 || core == 0) return;
+    if (thePlaying != 0) thePlaying->keyFrame = -1;
+    thePlaying = motion;
+    motion->keyFrame = 0;
+    MoverCommand command;
+    memset(&command, 0, sizeof(command));
+    command.kind = moverkindPLAY;
+    command.loops = 1;
+    memcpy(command.file, motion->name, sizeof(command.file));
+    core->Port()->SendMover(command);
+}
+
+int
+mtn_get_length(MTN* motion)
+{
+    return motion != 0 ? motion->file.DurationMs() : 0;
+}
+
+int
+mtn_get_time(MTN* motion)
+{
+    if (motion == 0) return 0;
+    return motion->keyFrame < 0 ? motion->file.DurationMs() : motion->file.TimeMs(motion->keyFrame);
+}
+
+// By key frame, not by time: gaps of a motion may be long.  A motion of one key frame is
+// over only when JointMover says so.
+int
+mtn_is_over(MTN* motion)
+{
+    if (motion == 0 || motion->keyFrame < 0) return 1;
+    const int last = motion->file.NumKeyFrames() - 1;
+    return last > 0 && motion->keyFrame >= last;
+}
+
+// The remote control may play motions, too; those are not ours.
+void
+SetMotionValues(const SetValueMessage& message)
+{
+    if (thePlaying == 0 || memcmp(message.file, thePlaying->name, sizeof(message.file)) != 0)
+        return;
+    if (message.isOver) {
+        thePlaying->keyFrame = -1;
+        thePlaying = 0;
+    } else if (message.keyFrame >= 0 && message.keyFrame < thePlaying->file.NumKeyFrames()) {
+        thePlaying->keyFrame = message.keyFrame;
+    }
+}

@@ -1,0 +1,45 @@
+/*
+ * The robot as a controller sees it (Hohl 2004, table 5.1 and section 5.3.3).
+ *
+ * A controller's main() calls robot_live() and robot_run() and returns.  Devices are named by
+ * their CPC primitive locator, "PRM:/r1/c1/c2/c3/l1-LED2:l1".
+ */
+
+#ifndef DEVICE_ROBOT_H
+#define DEVICE_ROBOT_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Calls `reset` once, at once. */
+void robot_live(void (*reset)(void));
+
+/* Calls `die` once, when the robot is shut down. */
+void robot_die(void (*die)(void));
+
+/*
+ * Runs the control loop: `run` is called now with 0, and again, always with 0, each time as many
+ * milliseconds later as it returned.  Multiples of 8 are exact, others are rounded.
+ * On the robot robot_run() returns after the first call and what follows it is carried out.
+ */
+void robot_run(int (*run)(int));
+
+/* The device of that name; 0, which no function accepts, if there is none. */
+DeviceTag robot_get_device(const char *name);
+
+/* 1: the controller runs on the robot, not in a simulator. */
+int robot_get_mode(void);
+
+/* Enabling and disabling do nothing; the value is always there: remaining capacity in %. */
+void robot_battery_sensor_enable(unsigned short ms);
+void robot_battery_sensor_disable(void);
+float robot_battery_sensor_get_value(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* DEVICE_ROBOT_H */

@@ -1,0 +1,38 @@
+/*
+ * Joints and, with servo_set_position() only, ears (Hohl 2004, sections 5.3.4 to 5.3.6).
+ *
+ * Radians, radians/s, radians/s^2.  Values beyond the limits of the robot become the limit.
+ */
+
+#ifndef DEVICE_SERVO_H
+#define DEVICE_SERVO_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Both do nothing: positions can always be read. */
+void servo_enable_position(DeviceTag servo, unsigned short ms);
+void servo_disable_position(DeviceTag servo);
+
+/* Measured position of a joint; 0.0 for ears and anything else. */
+float servo_get_position(DeviceTag servo);
+
+/* Moves a joint, with its motor on again if it was off.  For an ear 0.0 is on, all else off. */
+void servo_set_position(DeviceTag servo, float position);
+void servo_set_velocity(DeviceTag servo, float velocity);
+void servo_set_acceleration(DeviceTag servo, float acceleration);
+
+/* Does nothing. */
+void servo_set_force(DeviceTag servo, float force);
+
+/* Lets a joint go limp until servo_set_position(). */
+void servo_motor_off(DeviceTag servo);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* DEVICE_SERVO_H */

@@ -1,0 +1,278 @@
+#include "JointMover.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+#include <OPENR/core_macro.h>
+
+#include <string.h>
+
+#include "StickFile.h"
+
+JointMover::JointMover()
+    : robot_(0), numUnderWay_(0), numReports_(0), isStopped_(false), core_(this)
+{
+    for (int j = 0; j < MAX_JOINTS; j++) joint_[j] = oprimitiveID_UNDEF;
+    for (int i = 0; i < NUM_REGIONS; i++) region_[i] = 0;
+    memset(&plan_, 0, sizeof(plan_));
+}
+
+// ---- Life ----------------------------------------------------------------------------
+
+OStatus
+JointMover::DoInit(const OSystemEvent&)
+{
+    NEW_ALL_SUBJECT_AND_OBSERVER;
+    REGISTER_ALL_ENTRY;
+    SET_ALL_READY_AND_NOTIFY_ENTRY;
+
+    char design[orobotdesignNAME_MAX + 1] = "";
+    OPENR::GetRobotDesign(design);
+    robot_ = FindRobot(design);
+    if (robot_ == 0) {
+        OSYSLOG1((osyslogERROR, "JointMover: robot design '%s' is not in RobotConstants", design));
+        return oFAIL;
+    }
+    if (OpenJoints() != oSUCCESS || NewRegions() != oSUCCESS) return oFAIL;
+    OPENR::SetMotorPower(opowerON);
+    return oSUCCESS;
+}
+
+OStatus
+JointMover::DoStart(const OSystemEvent&)
+{
+    ENABLE_ALL_SUBJECT;
+    core_.Begin(robot_);
+    SendVectors();  // if the effector is ready; otherwise its ready event does it
+    SendReports();
+    return oSUCCESS;
+}
+
+// The pause button has cut motor power already (BBS 421): nothing to bring to rest.
+OStatus
+JointMover::DoStop(const OSystemEvent&)
+{
+    isStopped_ = true;
+    DISABLE_ALL_SUBJECT;
+    DEASSERT_READY_TO_ALL_OBSERVER;
+    return oSUCCESS;
+}
+
+OStatus
+JointMover::DoDestroy(const OSystemEvent&)
+{
+    DELETE_ALL_SUBJECT_AND_OBSERVER;
+    return oSUCCESS;
+}
+
+OStatus
+JointMover::OpenJoints()
+{
+    for (int j = 0; j < robot_->numJoints; j++) {
+        const OStatus status = OPENR::OpenPrimitive(robot_->joints[j].locator, &joint_[j]);
+        if (status == oSUCCESS) continue;
+        OSYSLOG1((osyslogERROR, "JointMover: cannot open %s of the %s, status %u",
+                  robot_->joints[j].locator, robot_->design, (unsigned)status));
+        return status;
+    }
+    return oSUCCESS;
+}
+
+OStatus
+JointMover::NewRegions()
+{
+    for (int i = 0; i < NUM_REGIONS; i++) {
+        MemoryRegionID id;
+        OCommandVectorData* vector;
+        const OStatus status = OPENR::NewCommandVectorData(robot_->numJoints, &id, &vector);
+        if (status != oSUCCESS) {
+            OSYSLOG1((osyslogERROR, "JointMover: no memory for command vectors, status %u",
+                      (unsigned)status));
+            return status;
+        }
+        region_[i] = new RCRegion(vector->vectorInfo.memRegionID, vector->vectorInfo.offset,
+                                  (void*)vector, vector->vectorInfo.totalSize);
+    }
+    return oSUCCESS;
+}
+
+// ---- Command vectors -----------------------------------------------------------------
+
+// A vector has ended; each gives one ready event, and its region is free by then.
+void
+JointMover::ReadyMove(const OReadyEvent& event)
+{
+    if (!event.IsAssert() || isStopped_) return;
+    const int numBusy = NumBusyRegions();
+    for (; numUnderWay_ > numBusy; numUnderWay_--) core_.VectorEnded();
+    SendVectors();
+    SendReports();
+}
+
+// Two to begin with, then one for each that ends.  Does nothing while the effector is not
+// ready: what is set then would replace what waits (measured: the latest set wins).
+void
+JointMover::SendVectors()
+{
+    if (isStopped_ || !subject[sbjMove]->IsReady()) return;
+    int numSet = 0;
+    for (RCRegion* region = FindFreeRegion(); region != 0; region = FindFreeRegion()) {
+        if (!core_.NextVector(&plan_)) break;
+        FillRegion(region);
+        subject[sbjMove]->SetData(region);
+        numSet++;
+    }
+    if (numSet == 0) return;
+    subject[sbjMove]->NotifyObservers();
+    numUnderWay_ += numSet;
+}
+
+// One reference is our own; more mean that the effector still has it.
+int
+JointMover::NumBusyRegions() const
+{
+    int numBusy = 0;
+    for (int i = 0; i < NUM_REGIONS; i++) {
+        if (region_[i]->NumberOfReference() > 1) numBusy++;
+    }
+    return numBusy;
+}
+
+RCRegion*
+JointMover::FindFreeRegion()
+{
+    for (int i = 0; i < NUM_REGIONS; i++) {
+        if (region_[i]->NumberOfReference() == 1) return region_[i];
+    }
+    return 0;
+}
+
+void
+JointMover::FillRegion(RCRegion* region)
+{
+    OCommandVectorData* vector = (OCommandVectorData*)region->Base();
+    vector->SetNumData(robot_->numJoints);
+    for (int j = 0; j < robot_->numJoints; j++) {
+        vector->GetInfo(j)->Set(odataJOINT_COMMAND2, joint_[j], plan_.numFrames);
+        OJointCommandValue2* value = (OJointCommandValue2*)vector->GetData(j)->value;
+        for (int f = 0; f < plan_.numFrames; f++) {
+            value[f].value = plan_.urad[f][j];
+            value[f].padding = 0;
+        }
+    }
+}
+
+// ---- Commands ------------------------------------------------------------------------
+
+void
+JointMover::NotifyMover(const ONotifyEvent& event)
+{
+    for (int i = 0; i < event.NumOfData(); i++) {
+        MoverCommand command;
+        memcpy(&command, event.Data(i), sizeof(command));
+        command.file[MTN_NAME_SIZE - 1] = '\0';
+        switch (command.kind) {
+        case moverkindPLAY:
+            Play(command);
+            break;
+        case moverkindSTOP:
+            core_.Stop();
+            break;
+        default:
+            core_.MoveJoint(command);
+            break;
+        }
+    }
+    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+    SendVectors();
+    SendReports();
+}
+
+void
+JointMover::NotifyBatchMover(const ONotifyEvent& event)
+{
+    for (int i = 0; i < event.NumOfData(); i++) {
+        core_.Batch(*(const BatchMoverCommand*)event.Data(i));
+    }
+    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+    SendVectors();
+    SendReports();
+}
+
+// A refused motion is over at once: whoever waits for its end must not wait for ever.
+void
+JointMover::Play(const MoverCommand& command)
+{
+    std::vector<Uint8> bytes;
+    std::string error;
+    const std::string file(command.file);
+    if (ReadStickFile(MTN_DIRECTORY + file, &bytes, &error)) {
+        if (core_.Play(command, bytes.empty() ? 0 : &bytes[0], bytes.size(), &error)) return;
+        error = file + ": " + error;
+    }
+    OSYSLOG1((osyslogERROR, "JointMover: motion not played: %s", error.c_str()));
+    core_.ReportRefusal(command);
+}
+
+// ---- MoverPort -----------------------------------------------------------------------
+
+Sint32
+JointMover::Measure(int joint)
+{
+    OJointValue value;
+    const OStatus status = OPENR::GetJointValue(joint_[joint], &value);
+    if (status == oSUCCESS) return value.value;
+    OSYSLOG1((osyslogERROR, "JointMover: cannot read %s, status %u", robot_->joints[joint].name,
+              (unsigned)status));
+    return 0;
+}
+
+void
+JointMover::EnableGain(int joint)
+{
+    const Uint16* gain = robot_->joints[joint].gain;
+    OStatus status = OPENR::EnableJointGain(joint_[joint]);
+    if (status == oSUCCESS) {
+        status = OPENR::SetJointGain(joint_[joint], gain[0], gain[1], gain[2], gain[3], gain[4],
+                                     gain[5]);
+    }
+    if (status == oSUCCESS) return;
+    OSYSLOG1((osyslogERROR, "JointMover: no gain on %s, status %u", robot_->joints[joint].name,
+              (unsigned)status));
+}
+
+void
+JointMover::DisableGain(int joint)
+{
+    OPENR::DisableJointGain(joint_[joint]);
+}
+
+void
+JointMover::StateChanged(MoverState state)
+{
+    OSYSLOG1((osyslogINFO, "state: %s", MoverStateName(state)));
+}
+
+// Several of one handler go out together; a second notify would replace the first.
+void
+JointMover::Report(const SetValueMessage& message)
+{
+    subject[sbjSetValue]->SetData(&message, sizeof(message));
+    numReports_++;
+}
+
+void
+JointMover::SendReports()
+{
+    if (numReports_ > 0 && !isStopped_) subject[sbjSetValue]->NotifyObservers();
+    numReports_ = 0;
+}
+
+void
+JointMover::InitialPostureReached()
+{
+    MainExecutionMessage message = { moverACCEPTING_COMMANDS };
+    subject[sbjMainExecution]->SetData(&message, sizeof(message));
+    subject[sbjMainExecution]->NotifyObservers();
+    observer[obsMover]->AssertReady();
+    observer[obsBatchMover]->AssertReady();
+}

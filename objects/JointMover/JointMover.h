@@ -1,0 +1,74 @@
+//
+// JointMover moves the joints: it brings the robot to its standing posture after the
+// start, carries out commands for single joints, and plays motion files.
+//
+//   JointMover.Move           -> OVirtualRobotComm.Effector
+//   JointMover.Mover          <- commands of RCServer and Controller
+//   JointMover.BatchMover     <- the joint buffer of Controller
+//   JointMover.SetValue       -> state, key frame and positions, to RCServer and Controller
+//   JointMover.MainExecution  -> tells Controller that the robot stands
+//
+// Mover and BatchMover become ready when the robot stands; until then their subjects can see
+// that no command is taken.  The thinking is in MoverCore; this class turns it into OPEN-R.
+//
+
+#ifndef JointMover_h_DEFINED
+#define JointMover_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/ODataFormats.h>
+
+#include "MoverCore.h"
+#include "def.h"
+
+class JointMover : public OObject, private MoverPort {
+public:
+    JointMover();
+    virtual ~JointMover() {}
+
+    OSubject* subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+
+    void ReadyMove(const OReadyEvent& event);
+    void NotifyMover(const ONotifyEvent& event);
+    void NotifyBatchMover(const ONotifyEvent& event);
+
+private:
+    // One vector plays while the other waits behind it.
+    static const int NUM_REGIONS = MAX_VECTORS_UNDER_WAY;
+
+    // MoverPort
+    virtual Sint32 Measure(int joint);
+    virtual void EnableGain(int joint);
+    virtual void DisableGain(int joint);
+    virtual void StateChanged(MoverState state);
+    virtual void Report(const SetValueMessage& message);
+    virtual void InitialPostureReached();
+
+    OStatus OpenJoints();
+    OStatus NewRegions();
+    int NumBusyRegions() const;
+    RCRegion* FindFreeRegion();
+    void FillRegion(RCRegion* region);
+    void SendVectors();
+    void SendReports();
+    void Play(const MoverCommand& command);
+
+    const RobotConstants* robot_;
+    OPrimitiveID joint_[MAX_JOINTS];
+    RCRegion* region_[NUM_REGIONS];
+    int numUnderWay_;  // regions the effector has not given back when last looked
+    int numReports_;   // set on SetValue and not yet sent
+    bool isStopped_;
+    MoverCore core_;
+    VectorPlan plan_;  // a member, not a local: 1300 bytes are much of an OPEN-R stack
+};
+
+#endif  // JointMover_h_DEFINED

@@ -1,0 +1,348 @@
+#include "MoverCore.h"
+
+#include <string.h>
+
+#include "Angle.h"
+
+// The postures of the start-up, in order, and the state in which each is approached.
+// A robot that has no such posture in its model leaves it out (the ERS-7 has no "crouch").
+struct StartPosture {
+    MoverState state;
+    const char* name;
+};
+static const StartPosture START_POSTURES[] = {
+    { moverBROADBASE, "broadbase" },
+    { moverSLEEPING, "sleep" },
+    { moverCROUCHING, "crouch" },
+    { moverSTANDING, "stand" },
+};
+static const int NUM_START_POSTURES = sizeof(START_POSTURES) / sizeof(START_POSTURES[0]);
+
+MoverCore::MoverCore(MoverPort* port)
+    : port_(port),
+      robot_(0),
+      joints_(port),
+      state_(moverFILLING),
+      stateCount_(0),
+      filled_(false),
+      posture_(0),
+      loops_(1),
+      keyFramesPerVector_(DEFAULT_KEYFRAMES_PER_VECTOR),
+      numVectors_(0),
+      numUnderWay_(0)
+{
+    memset(file_, 0, sizeof(file_));
+    memset(inMotion_, 0, sizeof(inMotion_));
+    memset(deferred_, 0, sizeof(deferred_));
+    memset(deferredWake_, 0, sizeof(deferredWake_));
+    memset(deferredGoal_, 0, sizeof(deferredGoal_));
+    memset(batch_, 0, sizeof(batch_));
+    memset(underWay_, 0, sizeof(underWay_));
+}
+
+void
+MoverCore::Begin(const RobotConstants* robot)
+{
+    robot_ = robot;
+    joints_.Begin(robot);
+    for (int j = 0; j < robot->numJoints; j++) {
+        batch_[j].speed = robot->joints[j].maxSpeedCdeg;
+        batch_[j].acceleration = robot->defaultAccelerationCdeg;
+    }
+    Enter(moverFILLING);
+}
+
+void
+MoverCore::Enter(MoverState state)
+{
+    state_ = state;
+    stateCount_++;
+    port_->StateChanged(state);
+    if (state != moverMTN) Report(-1, 0);
+}
+
+// ---- Making vectors ------------------------------------------------------------------
+
+bool
+MoverCore::NextVector(VectorPlan* plan)
+{
+    if (robot_ == 0 || numUnderWay_ == MAX_VECTORS_UNDER_WAY) return false;
+    if (state_ == moverFILLING) {
+        if (filled_) return false;
+        filled_ = true;
+        plan->numFrames = MANUAL_VECTOR_FRAMES;
+    } else if (state_ == moverMTN && player_.IsPlaying()) {
+        plan->numFrames = player_.FramesOfNextVector();
+    } else if (joints_.IsBusy()) {
+        plan->numFrames = MANUAL_VECTOR_FRAMES;
+    } else {
+        return false;
+    }
+    memset(plan->urad, 0, sizeof(plan->urad));
+    for (int f = 0; f < plan->numFrames; f++) MakeFrame(plan->urad[f]);
+    Remember(*plan);
+    return true;
+}
+
+// Joints outside the motion go their own way; the tail may wag on a walk.
+void
+MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
+{
+    joints_.Step(urad);
+    if (state_ != moverMTN || !player_.IsPlaying()) return;
+    player_.NextFrame();
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        const int joint = motion_.RobotJoint(j);
+        const JointConstants& limits = robot_->joints[joint];
+        urad[joint] = Clamp(player_.Position(j), limits.minUrad - MTN_LIMIT_TOLERANCE_URAD,
+                            limits.maxUrad + MTN_LIMIT_TOLERANCE_URAD);
+        joints_.Place(joint, urad[joint]);
+    }
+}
+
+void
+MoverCore::Remember(const VectorPlan& plan)
+{
+    UnderWay& record = underWay_[numUnderWay_++];
+    record.number = numVectors_++;
+    record.stateCount = stateCount_;
+    record.keyFrame = state_ == moverMTN ? player_.KeyFrame() : -1;
+    record.arrived = HasArrived();
+    memcpy(record.commanded, plan.urad[plan.numFrames - 1], sizeof(record.commanded));
+    joints_.VectorMade(record.number);
+}
+
+// The last frame made reaches what the state is for.
+bool
+MoverCore::HasArrived() const
+{
+    if (state_ == moverMTN) return !player_.IsPlaying();
+    for (int j = 0; j < robot_->numJoints; j++) {
+        const bool counts = state_ == moverPREPARE_MTN ? inMotion_[j] : true;
+        if (counts && joints_.IsMoving(j)) return false;
+    }
+    return true;
+}
+
+void
+MoverCore::VectorEnded()
+{
+    if (numUnderWay_ == 0) return;
+    const UnderWay ended = underWay_[0];
+    underWay_[0] = underWay_[1];
+    numUnderWay_--;
+    joints_.VectorEnded(ended.number);
+    if (ended.stateCount != stateCount_) return;
+    if (state_ == moverMTN) Report(ended.keyFrame, ended.commanded);
+    if (ended.arrived) Advance();
+}
+
+// ---- States --------------------------------------------------------------------------
+
+void
+MoverCore::Advance()
+{
+    switch (state_) {
+    case moverFILLING:
+        Enter(moverGAINS);
+        joints_.EnableAllGains();
+        EnterPosture(0);
+        break;
+    case moverBROADBASE:
+    case moverSLEEPING:
+    case moverCROUCHING:
+    case moverSTANDING:
+        EnterPosture(posture_ + 1);
+        break;
+    case moverPREPARE_MTN:
+        BeginMotion();
+        break;
+    case moverMTN:
+        EndMotion();
+        break;
+    default:
+        break;
+    }
+}
+
+// Goes on to the first posture from `index` on that the robot has and is not in.
+void
+MoverCore::EnterPosture(int index)
+{
+    for (posture_ = index; posture_ < NUM_START_POSTURES; posture_++) {
+        if (!SetPostureGoals(posture_)) continue;
+        Enter(START_POSTURES[posture_].state);
+        if (!HasArrived()) return;
+    }
+    Enter(moverACCEPTING_COMMANDS);
+    port_->InitialPostureReached();
+}
+
+bool
+MoverCore::SetPostureGoals(int index)
+{
+    const PostureConstants* posture = FindPosture(robot_, START_POSTURES[index].name);
+    if (posture == 0) return false;
+    for (int j = 0; j < robot_->numJoints; j++) joints_.SetGoal(j, posture->urad[j]);
+    return true;
+}
+
+void
+MoverCore::Report(Sint32 keyFrame, const Sint32* commanded)
+{
+    SetValueMessage message;
+    FillReport(&message, commanded);
+    message.keyFrame = keyFrame;
+    message.isOver = state_ == moverACCEPTING_COMMANDS && file_[0] != '\0';
+    memcpy(message.file, file_, sizeof(message.file));
+    port_->Report(message);
+}
+
+void
+MoverCore::ReportRefusal(const MoverCommand& command)
+{
+    SetValueMessage message;
+    FillReport(&message, 0);
+    message.keyFrame = state_ == moverMTN ? player_.KeyFrame() : -1;
+    message.isOver = 1;
+    memcpy(message.file, command.file, sizeof(message.file) - 1);
+    port_->Report(message);
+}
+
+void
+MoverCore::FillReport(SetValueMessage* message, const Sint32* commanded)
+{
+    memset(message, 0, sizeof(*message));
+    message->state = state_;
+    message->keyFrame = -1;
+    for (int j = 0; j < robot_->numJoints; j++) {
+        message->commanded[j] = commanded != 0 ? commanded[j] : joints_.Position(j);
+        message->measured[j] = port_->Measure(j);
+    }
+}
+
+// ---- Commands ------------------------------------------------------------------------
+
+void
+MoverCore::SetPosition(int joint, Sint32 urad, bool wake)
+{
+    if (!wake && joints_.IsOff(joint)) return;
+    if (InMotion() && inMotion_[joint]) {
+        deferred_[joint] = true;
+        deferredWake_[joint] = wake;
+        deferredGoal_[joint] = urad;
+    } else if (wake) {
+        joints_.Wake(joint, urad);
+    } else {
+        joints_.SetGoal(joint, urad);
+    }
+}
+
+void
+MoverCore::MoveJoint(const MoverCommand& command)
+{
+    if (state_ < moverACCEPTING_COMMANDS) return;
+    if (command.joint < 0 || command.joint >= robot_->numJoints) return;
+    if (command.kind == moverkindPOSITION) SetPosition(command.joint, command.value, false);
+    if (command.kind == moverkindSPEED) joints_.SetSpeed(command.joint, command.value);
+    if (command.kind == moverkindACCELERATION)
+        joints_.SetAcceleration(command.joint, command.value);
+}
+
+void
+MoverCore::Batch(const BatchMoverCommand& command)
+{
+    if (state_ < moverACCEPTING_COMMANDS) return;
+    for (int j = 0; j < robot_->numJoints; j++) {
+        const BatchJoint& old = batch_[j];
+        const BatchJoint& now = command.joint[j];
+        const bool isOff = (now.flags & batchMOTOR_OFF) != 0;
+        const bool wasOff = (old.flags & batchMOTOR_OFF) != 0;
+        const bool isGiven = (now.flags & batchPOSITION_GIVEN) != 0;
+        const bool wasGiven = (old.flags & batchPOSITION_GIVEN) != 0;
+        if (now.speed != old.speed) joints_.SetSpeed(j, now.speed);
+        if (now.acceleration != old.acceleration) joints_.SetAcceleration(j, now.acceleration);
+        if (isOff && !wasOff) {
+            joints_.TurnOff(j);
+            deferred_[j] = false;
+        }
+        const bool isNew = !wasGiven || now.position != old.position || wasOff;
+        if (isGiven && isNew && !isOff) SetPosition(j, now.position, true);
+        batch_[j] = now;
+    }
+}
+
+bool
+MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, std::string* error)
+{
+    if (!AcceptsMotion()) {
+        *error = std::string("JointMover is in state ") + MoverStateName(state_);
+        return false;
+    }
+    if (!motion_.Read(bytes, size) || !motion_.MapTo(robot_)) {
+        *error = motion_.Error();
+        return false;
+    }
+    memcpy(file_, command.file, sizeof(file_));
+    file_[sizeof(file_) - 1] = '\0';
+    loops_ = command.loops < 1 ? 1 : command.loops;
+    keyFramesPerVector_ =
+        command.keyFramesPerVector > 0 ? command.keyFramesPerVector : DEFAULT_KEYFRAMES_PER_VECTOR;
+    memset(inMotion_, 0, sizeof(inMotion_));
+    for (int j = 0; j < motion_.NumJoints(); j++) inMotion_[motion_.RobotJoint(j)] = true;
+    if (!NeedsPreparation()) {
+        BeginMotion();
+        return true;
+    }
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
+    }
+    Enter(moverPREPARE_MTN);
+    if (HasArrived()) BeginMotion();
+    return true;
+}
+
+// A motion of one key frame is nothing but the way to it.
+bool
+MoverCore::NeedsPreparation() const
+{
+    if (motion_.NumKeyFrames() == 1) return true;
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        const Sint32 difference = joints_.Position(motion_.RobotJoint(j)) - motion_.Angle(0, j);
+        if (difference >= PREPARE_LIMIT_URAD || -difference >= PREPARE_LIMIT_URAD) return true;
+    }
+    return false;
+}
+
+void
+MoverCore::BeginMotion()
+{
+    player_.Start(&motion_, loops_, keyFramesPerVector_);
+    Enter(moverMTN);
+    Report(0, 0);
+    if (!player_.IsPlaying()) EndMotion();
+}
+
+void
+MoverCore::Stop()
+{
+    if (!InMotion()) return;
+    player_.Stop();
+    for (int j = 0; j < robot_->numJoints; j++) {
+        if (inMotion_[j]) joints_.Halt(j);
+    }
+    EndMotion();
+}
+
+void
+MoverCore::EndMotion()
+{
+    Enter(moverACCEPTING_COMMANDS);
+    memset(file_, 0, sizeof(file_));
+    memset(inMotion_, 0, sizeof(inMotion_));
+    for (int j = 0; j < robot_->numJoints; j++) {
+        if (!deferred_[j]) continue;
+        deferred_[j] = false;
+        SetPosition(j, deferredGoal_[j], deferredWake_[j]);
+    }
+}

@@ -1,0 +1,164 @@
+#include "RCServer.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/core_macro.h>
+
+#include <string.h>
+
+#include "StickFile.h"
+
+RCServer::RCServer() : handler_(this), retryFrame_(0), isStopped_(false)
+{
+    memset(&sensors_, 0, sizeof(sensors_));
+    memset(&ledEar_, 0, sizeof(ledEar_));
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        client_[i].state = clientCLOSED;
+        client_[i].receiveData = 0;
+        client_[i].sendData = 0;
+        client_[i].isLast = false;
+    }
+}
+
+// ---- Life ----------------------------------------------------------------------------
+
+OStatus
+RCServer::DoInit(const OSystemEvent&)
+{
+    NEW_ALL_SUBJECT_AND_OBSERVER;
+    REGISTER_ALL_ENTRY;
+    SET_ALL_READY_AND_NOTIFY_ENTRY;
+
+    char design[orobotdesignNAME_MAX + 1] = "";
+    OPENR::GetRobotDesign(design);
+    const RobotConstants* robot = FindRobot(design);
+    if (robot == 0) {
+        OSYSLOG1((osyslogERROR, "RCServer: robot design '%s' is not in RobotConstants", design));
+        return oFAIL;
+    }
+    handler_.Begin(robot);
+    return sensorReader_.Open(robot);
+}
+
+OStatus
+RCServer::DoStart(const OSystemEvent&)
+{
+    ENABLE_ALL_SUBJECT;
+    ASSERT_READY_TO_ALL_OBSERVER;
+    ipstack_ = antStackRef("IPStack");
+    if (NewBuffers() != oSUCCESS) return oFAIL;
+    for (int i = 0; i < NUM_CLIENTS; i++) Listen(i);
+    return oSUCCESS;
+}
+
+OStatus
+RCServer::DoStop(const OSystemEvent&)
+{
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        if (client_[i].state != clientCLOSED && client_[i].state != clientCLOSING) Close(i);
+    }
+    isStopped_ = true;
+    DISABLE_ALL_SUBJECT;
+    DEASSERT_READY_TO_ALL_OBSERVER;
+    return oSUCCESS;
+}
+
+OStatus
+RCServer::DoDestroy(const OSystemEvent&)
+{
+    DELETE_ALL_SUBJECT_AND_OBSERVER;
+    return oSUCCESS;
+}
+
+// ---- The robot -----------------------------------------------------------------------
+
+void
+RCServer::NotifySensor(const ONotifyEvent& event)
+{
+    OSensorFrameVectorData* vector = (OSensorFrameVectorData*)event.Data(event.NumOfData() - 1);
+    sensorReader_.Read(vector, &sensors_);
+    handler_.SetSensors(sensors_);
+    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+    RetryListening(sensors_.frame);
+}
+
+void
+RCServer::NotifySetValue(const ONotifyEvent& event)
+{
+    for (int i = 0; i < event.NumOfData(); i++) {
+        handler_.SetMover(*(const SetValueMessage*)event.Data(i));
+    }
+    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+}
+
+void
+RCServer::ReadyMover(const OReadyEvent& event)
+{
+    if (event.IsAssert()) SendMover();
+}
+
+// All that wait, as far as one event holds them; the rest goes with the next ready event.
+void
+RCServer::SendMover()
+{
+    if (isStopped_ || mover_.IsEmpty() || !subject[sbjMover]->IsReady()) return;
+    for (int i = 0; i < MAX_NUM_DATA && !mover_.IsEmpty(); i++) {
+        const MoverCommand command = mover_.Pop();
+        subject[sbjMover]->SetData(&command, sizeof(command));
+    }
+    subject[sbjMover]->NotifyObservers();
+}
+
+void
+RCServer::ReadyLedEar(const OReadyEvent& event)
+{
+    if (event.IsAssert()) SendLedEar();
+}
+
+void
+RCServer::SendLedEar()
+{
+    if (isStopped_ || (ledEar_.ledMask | ledEar_.earMask) == 0) return;
+    if (!subject[sbjLedEar]->IsReady()) return;
+    subject[sbjLedEar]->SetData(&ledEar_, sizeof(ledEar_));
+    subject[sbjLedEar]->NotifyObservers();
+    memset(&ledEar_, 0, sizeof(ledEar_));
+}
+
+// ---- RequestPort ---------------------------------------------------------------------
+
+bool
+RCServer::PostMover(const MoverCommand& command)
+{
+    if (!mover_.Push(command)) return false;
+    SendMover();
+    return true;
+}
+
+void
+RCServer::PostLedEar(const LedEarState& change)
+{
+    ledEar_.ledMask |= change.ledMask;
+    ledEar_.ledOn = (ledEar_.ledOn & ~change.ledMask) | change.ledOn;
+    ledEar_.earMask |= change.earMask;
+    ledEar_.earOn = (ledEar_.earOn & ~change.earMask) | change.earOn;
+    SendLedEar();
+}
+
+bool
+RCServer::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error)
+{
+    return ReadStickFile(path, bytes, error);
+}
+
+// The robot tells 0.1 kelvin from 0 to 5000; Hohl 2004, table 3.6, ends at 227.00 degrees,
+// so 0 degrees are 273 kelvin here.
+void
+RCServer::ReadBattery(Sint32* capacity, Sint32* temperature)
+{
+    OPowerStatus power;
+    if (OPENR::GetPowerStatus(&power) != oSUCCESS) return;
+    *capacity = power.remainingCapacity;
+    *temperature = (Sint32)power.temperature * 10 - 27300;
+}

@@ -1,0 +1,99 @@
+//
+// RCServer serves remote clients over TCP (docs/remote-control.md).
+//
+//   RCServer.Mover    -> JointMover: commands for joints, motions
+//   RCServer.LedEar   -> Controller, which owns LEDs and ears
+//   RCServer.Sensor   <- sensor values and the frame number of every answer
+//   RCServer.SetValue <- state and key frame of JointMover
+//
+// Each client has an endpoint, a shared buffer and at most one operation under way:
+// listen, receive, send or close.  An error ends that client only.  What the requests
+// mean is in RequestHandler; this class moves bytes and messages.
+//
+
+#ifndef RCServer_h_DEFINED
+#define RCServer_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/OObserver.h>
+#include <ant.h>
+
+#include "MoverQueue.h"
+#include "RequestHandler.h"
+#include "SensorReader.h"
+#include "def.h"
+
+class RCServer : public OObject, private RequestPort {
+public:
+    RCServer();
+    virtual ~RCServer() {}
+
+    OSubject* subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+
+    void ReadyMover(const OReadyEvent& event);
+    void ReadyLedEar(const OReadyEvent& event);
+    void NotifySensor(const ONotifyEvent& event);
+    void NotifySetValue(const ONotifyEvent& event);
+
+    void ListenCont(ANTENVMSG msg);
+    void ReceiveCont(ANTENVMSG msg);
+    void SendCont(ANTENVMSG msg);
+    void CloseCont(ANTENVMSG msg);
+
+private:
+    // At once; a ninth client waits in the stack until one goes.
+    static const int NUM_CLIENTS = 8;
+
+    enum ClientState {
+        clientCLOSED,
+        clientLISTENING,
+        clientRECEIVING,
+        clientSENDING,
+        clientCLOSING
+    };
+
+    struct Client {
+        ClientState state;
+        antModuleRef endpoint;
+        antSharedBuffer buffer;
+        byte* receiveData;
+        byte* sendData;
+        RcFramer framer;
+        bool isLast;  // close when what is being sent has been sent
+    };
+
+    // RequestPort
+    virtual bool PostMover(const MoverCommand& command);
+    virtual void PostLedEar(const LedEarState& change);
+    virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
+    virtual void ReadBattery(Sint32* capacity, Sint32* temperature);
+
+    OStatus NewBuffers();
+    void Listen(int index);
+    void Receive(int index);
+    void AnswerRequests(int index);
+    void Send(int index, int size);
+    void Close(int index);
+    void RetryListening(Uint32 frame);
+    void SendMover();
+    void SendLedEar();
+
+    antStackRef ipstack_;
+    Client client_[NUM_CLIENTS];
+    RequestHandler handler_;
+    SensorReader sensorReader_;
+    SensorValues sensors_;
+    Uint32 retryFrame_;   // when a failed listen was tried last
+    MoverQueue mover_;    // waits for JointMover
+    LedEarState ledEar_;  // waits for Controller
+    bool isStopped_;
+};
+
+#endif  // RCServer_h_DEFINED

@@ -1,0 +1,197 @@
+//
+// The network side of RCServer.
+//
+
+#include "RCServer.h"
+
+#include <EndpointTypes.h>
+#include <OPENR/OSyslog.h>
+#include <TCPEndpointMsg.h>
+
+#include "entry.h"
+
+// A client's shared buffer: one receive, then room for an answer of full size behind answers that
+// fill a packet already.
+static const int RECEIVE_SIZE = RC_MAX_PACKET;
+static const int SEND_SIZE = 2 * RC_MAX_PACKET;
+
+// Answers that arrived together go out together while the send stays below RC_MAX_PACKET; most
+// are shorter than this.
+static const int USUAL_ANSWER_SIZE = 256;
+
+// Twice the largest send, as the samples do (network guide, chapter 1).
+static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
+
+// One second of 8 ms frames between two tries to listen.
+static const Uint32 RETRY_FRAMES = 125;
+
+// The continuation of a message carries the index of its client.
+static void*
+Continuation(int index)
+{
+    return (void*)(long)index;
+}
+
+static int
+IndexOf(const antEnvMsg* message)
+{
+    return (int)(long)message->continuation;
+}
+
+OStatus
+RCServer::NewBuffers()
+{
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        antEnvCreateSharedBufferMsg create(RECEIVE_SIZE + SEND_SIZE);
+        create.Call(ipstack_, sizeof(create));
+        if (create.error != ANT_SUCCESS) {
+            OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for client %d, error %d", i,
+                      (int)create.error));
+            return oFAIL;
+        }
+        client_[i].buffer = create.buffer;
+        client_[i].buffer.Map();
+        client_[i].receiveData = (byte*)client_[i].buffer.GetAddress();
+        client_[i].sendData = client_[i].receiveData + RECEIVE_SIZE;
+    }
+    return oSUCCESS;
+}
+
+// On failure the client stays closed; RetryListening() tries again.
+void
+RCServer::Listen(int index)
+{
+    Client& client = client_[index];
+    antEnvCreateEndpointMsg create(EndpointType_TCP, ENDPOINT_POOL_SIZE);
+    create.Call(ipstack_, sizeof(create));
+    if (create.error != ANT_SUCCESS) {
+        OSYSLOG1((osyslogERROR, "RCServer: no endpoint for client %d, error %d", index,
+                  (int)create.error));
+        return;
+    }
+    client.endpoint = create.moduleRef;
+    client.isLast = false;
+    client.framer.Reset();
+    TCPEndpointListenMsg listen(client.endpoint, IP_ADDR_ANY, RC_PORT);
+    listen.continuation = Continuation(index);
+    listen.Send(ipstack_, myOID_, Extra_Entry[entryListenCont], sizeof(listen));
+    client.state = clientLISTENING;
+}
+
+void
+RCServer::RetryListening(Uint32 frame)
+{
+    if (isStopped_ || frame - retryFrame_ < RETRY_FRAMES) return;
+    retryFrame_ = frame;
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        if (client_[i].state == clientCLOSED && client_[i].receiveData != 0) Listen(i);
+    }
+}
+
+void
+RCServer::ListenCont(ANTENVMSG msg)
+{
+    const TCPEndpointListenMsg* listen = (TCPEndpointListenMsg*)antEnvMsg::Receive(msg);
+    const int index = IndexOf(listen);
+    if (isStopped_ || client_[index].state != clientLISTENING) return;
+    if (listen->error != TCP_SUCCESS) {
+        OSYSLOG1((osyslogERROR, "RCServer: cannot listen on TCP port %d, error %d", RC_PORT,
+                  (int)listen->error));
+        client_[index].state = clientCLOSED;
+        return;
+    }
+    Receive(index);
+}
+
+void
+RCServer::Receive(int index)
+{
+    Client& client = client_[index];
+    TCPEndpointReceiveMsg receive(client.endpoint, client.receiveData, 1, RECEIVE_SIZE);
+    receive.continuation = Continuation(index);
+    receive.Send(ipstack_, myOID_, Extra_Entry[entryReceiveCont], sizeof(receive));
+    client.state = clientRECEIVING;
+}
+
+void
+RCServer::ReceiveCont(ANTENVMSG msg)
+{
+    const TCPEndpointReceiveMsg* receive = (TCPEndpointReceiveMsg*)antEnvMsg::Receive(msg);
+    const int index = IndexOf(receive);
+    if (isStopped_ || client_[index].state != clientRECEIVING) return;
+    if (receive->error != TCP_SUCCESS) {
+        Close(index);  // most often the client has gone
+        return;
+    }
+    client_[index].framer.Take(client_[index].receiveData, receive->sizeMin);
+    AnswerRequests(index);
+}
+
+// Answers what has arrived whole, then sends; with nothing to answer, receives more.
+void
+RCServer::AnswerRequests(int index)
+{
+    Client& client = client_[index];
+    int size = 0;
+    while (!client.isLast && size + USUAL_ANSWER_SIZE <= RC_MAX_PACKET) {
+        RcWriter out(client.sendData + size, RC_MAX_PACKET);
+        const RcFramer::Result result = client.framer.Next();
+        if (result == RcFramer::NEEDS_MORE) break;
+        if (result == RcFramer::PACKET) {
+            handler_.Answer(client.framer, &out);
+        } else {
+            OSYSLOG1((osyslogWARNING, "RCServer: client %d closed: %s", index,
+                      client.framer.Error().c_str()));
+            handler_.AnswerBroken(client.framer.Error(), &out);
+            client.isLast = true;
+        }
+        size += out.Size();
+    }
+    if (size > 0) {
+        Send(index, size);
+    } else {
+        Receive(index);
+    }
+}
+
+void
+RCServer::Send(int index, int size)
+{
+    Client& client = client_[index];
+    TCPEndpointSendMsg send(client.endpoint, client.sendData, size);
+    send.continuation = Continuation(index);
+    send.Send(ipstack_, myOID_, Extra_Entry[entrySendCont], sizeof(send));
+    client.state = clientSENDING;
+}
+
+void
+RCServer::SendCont(ANTENVMSG msg)
+{
+    const TCPEndpointSendMsg* send = (TCPEndpointSendMsg*)antEnvMsg::Receive(msg);
+    const int index = IndexOf(send);
+    if (isStopped_ || client_[index].state != clientSENDING) return;
+    if (send->error != TCP_SUCCESS || client_[index].isLast) {
+        Close(index);
+    } else {
+        AnswerRequests(index);
+    }
+}
+
+void
+RCServer::Close(int index)
+{
+    Client& client = client_[index];
+    TCPEndpointCloseMsg close(client.endpoint);
+    close.continuation = Continuation(index);
+    close.Send(ipstack_, myOID_, Extra_Entry[entryCloseCont], sizeof(close));
+    client.state = clientCLOSING;
+}
+
+// An endpoint serves one connection; the next client gets a new one.
+void
+RCServer::CloseCont(ANTENVMSG msg)
+{
+    const int index = IndexOf(antEnvMsg::Receive(msg));
+    client_[index].state = clientCLOSED;
+    if (!isStopped_) Listen(index);
+}

@@ -1,0 +1,265 @@
+#include "RequestHandler.h"
+
+#include <string.h>
+
+#include "Angle.h"
+#include "MoverState.h"
+#include "TextFormat.h"
+
+RequestHandler::RequestHandler(RequestPort* port)
+    : port_(port), robot_(0), state_(-1), keyFrame_(-1)
+{
+    memset(&sensors_, 0, sizeof(sensors_));
+    sensors_.frame = NO_SENSOR_FRAME;
+    memset(speed_, 0, sizeof(speed_));
+    memset(acceleration_, 0, sizeof(acceleration_));
+}
+
+void
+RequestHandler::Begin(const RobotConstants* robot)
+{
+    robot_ = robot;
+    for (int j = 0; j < robot->numJoints; j++) {
+        speed_[j] = robot->joints[j].maxSpeedCdeg;
+        acceleration_[j] = robot->defaultAccelerationCdeg;
+    }
+}
+
+void
+RequestHandler::SetMover(const SetValueMessage& message)
+{
+    state_ = message.state;
+    keyFrame_ = message.keyFrame;
+}
+
+// ---- Answers -------------------------------------------------------------------------
+
+// Room for the header, then frame and status; the header is put in when the size is known.
+void
+RequestHandler::BeginAnswer(RcWriter* out, int status)
+{
+    for (int i = 0; i < RC_HEADER_SIZE; i++) out->U8(0);
+    out->U32(sensors_.frame);
+    out->U16(status);
+    out->U16(0);
+}
+
+void
+RequestHandler::Answer(const RcFramer& request, RcWriter* out)
+{
+    RcReader in(request.Payload(), request.PayloadSize());
+    error_ = "";
+    BeginAnswer(out, rcOK);
+    const int status =
+        request.Header().version == RC_VERSION
+            ? Handle(request.Header().command, &in, out)
+            : Fail(rcerrorVERSION, TextFormat("protocol version %d is not served, only %d",
+                                              request.Header().version, RC_VERSION));
+    if (status != rcOK) {
+        out->Truncate(0);
+        BeginAnswer(out, status);
+        out->String(error_);
+    }
+    out->PutHeader(request.Header().command, request.Header().tag);
+}
+
+void
+RequestHandler::AnswerBroken(const std::string& error, RcWriter* out)
+{
+    BeginAnswer(out, rcerrorBAD_PACKET);
+    out->String(error);
+    out->PutHeader(0, 0);
+}
+
+int
+RequestHandler::Fail(int status, const std::string& why)
+{
+    error_ = why;
+    return status;
+}
+
+int
+RequestHandler::FailSize()
+{
+    return Fail(rcerrorMALFORMED, "the payload is too short or too long for this command");
+}
+
+int
+RequestHandler::FailIndex(const char* what, int index, int count)
+{
+    return Fail(rcerrorNO_SUCH_DEVICE, TextFormat("%s %d: the %s has %d, counted from 0", what,
+                                                  index, robot_->design, count));
+}
+
+int
+RequestHandler::Handle(int command, RcReader* in, RcWriter* out)
+{
+    switch (command) {
+    case rcINFO:
+        return TellInfo(in, out);
+    case rcDESCRIBE:
+        return Describe(in, out);
+    case rcGET:
+        return GetJoint(in, out);
+    case rcMOVE:
+    case rcSPEED:
+    case rcACCEL:
+        return CommandJoint(command, in, out);
+    case rcLED:
+    case rcEAR:
+        return CommandLight(command, in, out);
+    case rcSENSORS:
+        return TellSensors(in, out);
+    case rcMTN_PLAY:
+        return PlayMotion(in, out);
+    case rcMTN_STOP:
+        return StopMotion(in);
+    case rcMTN_LIST:
+    case rcUPLOAD_BEGIN:
+    case rcUPLOAD_DATA:
+    case rcUPLOAD_END:
+    case rcDELETE:
+    case rcLOG:
+    case rcREBOOT:
+    case rcSHUTDOWN:
+        return Fail(rcerrorNOT_IMPLEMENTED,
+                    TextFormat("command %02x is reserved for later", command));
+    default:
+        return Fail(rcerrorUNKNOWN_COMMAND, TextFormat("command %02x is unknown", command));
+    }
+}
+
+// ---- What there is -------------------------------------------------------------------
+
+int
+RequestHandler::NumDevices(int kind) const
+{
+    switch (kind) {
+    case rcdeviceJOINT:
+        return robot_->numJoints;
+    case rcdeviceLED:
+        return robot_->numLeds;
+    case rcdeviceEAR:
+        return robot_->numPlungers;
+    case rcdeviceBINARY:
+        return CountSensors(robot_, sensorBINARY);
+    case rcdeviceOTHER:
+        return CountSensors(robot_, sensorOTHER);
+    default:
+        return 0;
+    }
+}
+
+const SensorConstants*
+RequestHandler::FindInGroup(SensorGroup group, int index) const
+{
+    for (int i = 0; i < robot_->numSensors; i++) {
+        if (robot_->sensors[i].group == group && index-- == 0) return &robot_->sensors[i];
+    }
+    return 0;
+}
+
+int
+RequestHandler::TellInfo(RcReader* in, RcWriter* out)
+{
+    if (!in->IsComplete()) return FailSize();
+    RcInfo info;
+    info.numJoints = (Uint8)robot_->numJoints;
+    info.numLeds = (Uint8)robot_->numLeds;
+    info.numEars = (Uint8)robot_->numPlungers;
+    info.numBinary = (Uint8)NumDevices(rcdeviceBINARY);
+    info.numOther = (Uint8)NumDevices(rcdeviceOTHER);
+    info.numMisc = 2;
+    info.state = (Uint8)state_;
+    info.design = robot_->design;
+    info.software = "openr-host RCServer";
+    info.Write(out);
+    return rcOK;
+}
+
+int
+RequestHandler::Describe(RcReader* in, RcWriter* out)
+{
+    const int kind = in->U8();
+    const int index = in->U8();
+    if (!in->IsComplete()) return FailSize();
+    if (kind >= NUM_RC_DEVICES)
+        return Fail(rcerrorNO_SUCH_DEVICE, TextFormat("device kind %d is unknown", kind));
+    RcDescription description;
+    if (!DescribeDevice(kind, index, &description))
+        return FailIndex("device", index, NumDevices(kind));
+    description.Write(out);
+    return rcOK;
+}
+
+bool
+RequestHandler::DescribeDevice(int kind, int index, RcDescription* description) const
+{
+    if (index >= NumDevices(kind)) return false;
+    if (kind == rcdeviceJOINT) {
+        const JointConstants& joint = robot_->joints[index];
+        description->name = joint.name;
+        description->title = joint.title;
+        description->locator = joint.locator;
+        const Sint32 values[NUM_RC_JOINT_VALUES] = {
+            joint.minCdeg,
+            joint.maxCdeg,
+            joint.minSpeedCdeg,
+            joint.maxSpeedCdeg,
+            robot_->minAccelerationCdeg,
+            robot_->maxAccelerationCdeg,
+            robot_->defaultAccelerationCdeg,
+        };
+        description->values.assign(values, values + NUM_RC_JOINT_VALUES);
+    } else if (kind == rcdeviceLED) {
+        description->title = robot_->leds[index].title;
+        description->locator = robot_->leds[index].locator;
+    } else if (kind == rcdeviceEAR) {
+        description->title = robot_->plungers[index].title;
+        description->locator = robot_->plungers[index].locator;
+    } else {
+        const SensorConstants* sensor =
+            FindInGroup(kind == rcdeviceBINARY ? sensorBINARY : sensorOTHER, index);
+        description->title = sensor->title;
+        description->locator = sensor->locator;
+        description->values.push_back(sensor->kind);
+    }
+    if (description->name.empty()) description->name = description->title;
+    return true;
+}
+
+// ---- What it measures ----------------------------------------------------------------
+
+int
+RequestHandler::GetJoint(RcReader* in, RcWriter* out)
+{
+    const int joint = in->U8();
+    if (!in->IsComplete()) return FailSize();
+    if (joint >= robot_->numJoints) return FailIndex("joint", joint, robot_->numJoints);
+    const RcJointState state = { CdegFromUrad(sensors_.joint[joint]), speed_[joint],
+                                 acceleration_[joint] };
+    state.Write(out);
+    return rcOK;
+}
+
+int
+RequestHandler::TellSensors(RcReader* in, RcWriter* out)
+{
+    if (!in->IsComplete()) return FailSize();
+    RcSensors answer;
+    answer.state = (Uint8)state_;
+    for (int j = 0; j < robot_->numJoints; j++)
+        answer.joints.push_back(CdegFromUrad(sensors_.joint[j]));
+    for (int i = 0; i < robot_->numSensors; i++) {
+        (robot_->sensors[i].group == sensorBINARY ? answer.binary : answer.other)
+            .push_back(sensors_.sensor[i]);
+    }
+    Sint32 capacity = 0;
+    Sint32 temperature = 0;
+    port_->ReadBattery(&capacity, &temperature);
+    answer.misc.push_back(capacity);
+    answer.misc.push_back(temperature);
+    answer.keyFrame.push_back(keyFrame_);
+    answer.Write(out);
+    return rcOK;
+}

@@ -1,0 +1,51 @@
+//
+// The two angle units of the objects, and the way between them.
+//
+//   urad   micro-radians: command vectors, sensor vectors, MTN files (Level 2 Reference
+//          Guide 4.2.1; Hohl 2004, appendix A)
+//   cdeg   hundredths of a degree, of a degree/s, of a degree/s^2: the unit of the remote
+//          control (Hohl 2004, table 3.10) and of the speed tables
+//
+// Whole numbers only, rounded to the nearest (half away from zero), so that every
+// compiler and every word size gives the same result.
+//
+
+#ifndef Angle_h_DEFINED
+#define Angle_h_DEFINED
+
+#include "FixedTypes.h"
+
+// numerator / denominator, rounded to the nearest, half away from zero.  REQUIRES: denominator > 0.
+inline Sint64
+DivideRounded(Sint64 numerator, Sint64 denominator)
+{
+    const Sint64 half = denominator / 2;
+    return numerator >= 0 ? (numerator + half) / denominator : -((half - numerator) / denominator);
+}
+
+// Micro-radians per 0.01 degree, times 10^9: pi / 18000 x 10^6 x 10^9.
+const Sint64 URAD_PER_CDEG_E9 = 174532925199LL;
+
+// Beyond +-100 turns the result stays at 100 turns; no angle of the robot is near that.
+inline Sint32
+UradFromCdeg(Sint32 cdeg)
+{
+    const Sint32 MAX_CDEG = 100 * 36000;
+    if (cdeg > MAX_CDEG) cdeg = MAX_CDEG;
+    if (cdeg < -MAX_CDEG) cdeg = -MAX_CDEG;
+    return (Sint32)DivideRounded((Sint64)cdeg * URAD_PER_CDEG_E9, 1000000000LL);
+}
+
+inline Sint32
+CdegFromUrad(Sint32 urad)
+{
+    return (Sint32)DivideRounded((Sint64)urad * 1000000000LL, URAD_PER_CDEG_E9);
+}
+
+inline Sint32
+Clamp(Sint32 value, Sint32 low, Sint32 high)
+{
+    return value < low ? low : (value > high ? high : value);
+}
+
+#endif  // Angle_h_DEFINED

@@ -1,0 +1,28 @@
+//
+// Integers of a fixed width.
+//
+// The robot's headers have their own names for these (byte, longword, int32), but
+// what lies in objects/common must also compile without them, and the robot's C
+// library has no <stdint.h>.
+//
+
+#ifndef FixedTypes_h_DEFINED
+#define FixedTypes_h_DEFINED
+
+typedef signed char Sint8;
+typedef unsigned char Uint8;
+typedef short Sint16;
+typedef unsigned short Uint16;
+typedef int Sint32;
+typedef unsigned int Uint32;
+typedef long long Sint64;
+
+// Stops the compiler where `condition` does not hold.  At namespace scope or in a
+// class; `name` must be a free identifier.
+#define COMPILE_TIME_CHECK(name, condition) typedef char name[(condition) ? 1 : -1]
+
+COMPILE_TIME_CHECK(Sint16HasTwoBytes, sizeof(Sint16) == 2);
+COMPILE_TIME_CHECK(Sint32HasFourBytes, sizeof(Sint32) == 4);
+COMPILE_TIME_CHECK(Sint64HasEightBytes, sizeof(Sint64) == 8);
+
+#endif  // FixedTypes_h_DEFINED

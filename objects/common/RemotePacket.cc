@@ -1,0 +1,165 @@
+#include "RemotePacket.h"
+
+#include <string.h>
+
+#include "ByteOrder.h"
+#include "TextFormat.h"
+
+// ---- RcWriter ------------------------------------------------------------------------
+
+RcWriter::RcWriter(Uint8* buffer, int capacity)
+    : buffer_(buffer), capacity_(capacity), size_(0), hasOverflowed_(false)
+{
+}
+
+bool
+RcWriter::Room(int count)
+{
+    if (capacity_ - size_ < count) hasOverflowed_ = true;
+    return !hasOverflowed_;
+}
+
+void
+RcWriter::U8(Uint32 value)
+{
+    if (Room(1)) buffer_[size_++] = (Uint8)value;
+}
+
+void
+RcWriter::U16(Uint32 value)
+{
+    if (!Room(2)) return;
+    PutU16(buffer_ + size_, (Uint16)value);
+    size_ += 2;
+}
+
+void
+RcWriter::U32(Uint32 value)
+{
+    if (!Room(4)) return;
+    PutU32(buffer_ + size_, value);
+    size_ += 4;
+}
+
+void
+RcWriter::String(const std::string& text)
+{
+    const int length = text.size() < 255 ? (int)text.size() : 255;
+    if (!Room(1 + length)) return;
+    buffer_[size_++] = (Uint8)length;
+    memcpy(buffer_ + size_, text.data(), length);
+    size_ += length;
+}
+
+void
+RcWriter::Truncate(int size)
+{
+    if (size < size_) size_ = size;
+    hasOverflowed_ = false;
+}
+
+void
+RcWriter::PutHeader(int command, int tag)
+{
+    if (size_ < RC_HEADER_SIZE) return;
+    PutU16(buffer_, RC_MAGIC);
+    PutU16(buffer_ + 2, (Uint16)size_);
+    buffer_[4] = RC_VERSION;
+    buffer_[5] = (Uint8)command;
+    PutU16(buffer_ + 6, (Uint16)tag);
+}
+
+// ---- RcReader ------------------------------------------------------------------------
+
+bool
+RcReader::Has(int count)
+{
+    if (size_ - at_ < count) hasFailed_ = true;
+    return !hasFailed_;
+}
+
+Uint8
+RcReader::U8()
+{
+    return Has(1) ? bytes_[at_++] : 0;
+}
+
+Uint16
+RcReader::U16()
+{
+    if (!Has(2)) return 0;
+    at_ += 2;
+    return GetU16(bytes_ + at_ - 2);
+}
+
+Uint32
+RcReader::U32()
+{
+    if (!Has(4)) return 0;
+    at_ += 4;
+    return GetU32(bytes_ + at_ - 4);
+}
+
+Sint32
+RcReader::S32()
+{
+    if (!Has(4)) return 0;
+    at_ += 4;
+    return GetS32(bytes_ + at_ - 4);
+}
+
+std::string
+RcReader::String()
+{
+    const int length = U8();
+    if (!Has(length)) return std::string();
+    at_ += length;
+    return std::string((const char*)bytes_ + at_ - length, length);
+}
+
+// ---- RcFramer ------------------------------------------------------------------------
+
+void
+RcFramer::Reset()
+{
+    memset(buffer_, 0, sizeof(buffer_));
+    memset(&header_, 0, sizeof(header_));
+    size_ = 0;
+    consumed_ = 0;
+    error_ = "";
+}
+
+void
+RcFramer::Take(const Uint8* bytes, int size)
+{
+    if (size <= 0 || size > Room()) return;
+    memcpy(buffer_ + size_, bytes, size);
+    size_ += size;
+}
+
+RcFramer::Result
+RcFramer::Next()
+{
+    size_ -= consumed_;
+    memmove(buffer_, buffer_ + consumed_, size_);
+    consumed_ = 0;
+    // The magic is judged as soon as it is here: who speaks something else gets an answer.
+    if (size_ >= 2 && GetU16(buffer_) != RC_MAGIC) {
+        error_ = TextFormat("a packet begins with 'RC', not with the bytes %02x %02x", buffer_[0],
+                            buffer_[1]);
+        return BROKEN;
+    }
+    if (size_ < RC_HEADER_SIZE) return NEEDS_MORE;
+    header_.size = GetU16(buffer_ + 2);
+    header_.version = buffer_[4];
+    header_.command = buffer_[5];
+    header_.tag = GetU16(buffer_ + 6);
+    if (header_.size < RC_HEADER_SIZE || header_.size > RC_MAX_PACKET) {
+        error_ = TextFormat("size of a packet is %d, must be %d to %d", header_.size,
+                            RC_HEADER_SIZE, RC_MAX_PACKET);
+        return BROKEN;
+    }
+    if (size_ < header_.size) return NEEDS_MORE;
+    consumed_ = header_.size;
+    return PACKET;
+}

@@ -1,0 +1,146 @@
+//
+// Requests and answers of the remote control: what docs/remote-control.md puts into packets.
+//
+// Positions are 0.01 degree, speeds 0.01 degree/s, accelerations 0.01 degree/s^2.  Each struct
+// writes and reads itself, so that server and client cannot disagree.  Read() returns false
+// when bytes are missing or left over.
+//
+
+#ifndef RemoteProtocol_h_DEFINED
+#define RemoteProtocol_h_DEFINED
+
+#include <string>
+#include <vector>
+
+#include "FixedTypes.h"
+#include "RemotePacket.h"
+
+enum RcCommand {
+    rcINFO = 0x01,
+    rcDESCRIBE = 0x02,
+    rcGET = 0x10,
+    rcMOVE = 0x11,
+    rcSPEED = 0x12,
+    rcACCEL = 0x13,
+    rcLED = 0x20,
+    rcEAR = 0x21,
+    rcSENSORS = 0x30,
+    rcMTN_PLAY = 0x40,
+    rcMTN_STOP = 0x41,
+    // Reserved; a server of version 1 answers rcerrorNOT_IMPLEMENTED.
+    rcMTN_LIST = 0x42,
+    rcUPLOAD_BEGIN = 0x50,
+    rcUPLOAD_DATA = 0x51,
+    rcUPLOAD_END = 0x52,
+    rcDELETE = 0x53,
+    rcLOG = 0x60,
+    rcREBOOT = 0x70,
+    rcSHUTDOWN = 0x71
+};
+
+enum RcStatus {
+    rcOK = 0,
+    rcerrorBAD_PACKET = 1,  // no packet; the server closes the connection
+    rcerrorVERSION = 2,     // protocol version is not served
+    rcerrorUNKNOWN_COMMAND = 3,
+    rcerrorNOT_IMPLEMENTED = 4,  // reserved command
+    rcerrorMALFORMED = 5,        // payload too short or too long
+    rcerrorNO_SUCH_DEVICE = 6,   // index out of range
+    rcerrorBUSY = 7,             // the robot cannot take this now
+    rcerrorNO_SUCH_FILE = 8,
+    rcerrorBAD_FILE = 9,  // no motion, or not for this robot
+    rcerrorBAD_VALUE = 10
+};
+
+// What every answer says besides its payload.
+struct RcAnswerHeader {
+    RcHeader header;
+    Uint32 frame;   // of 8 ms, of the newest sensor values; 0xffffffff: none yet
+    Uint16 status;  // RcStatus
+
+    // From a packet of RcFramer; false when it is too short for an answer.
+    bool Read(const RcFramer& packet);
+};
+
+struct RcInfo {
+    Uint8 numJoints, numLeds, numEars, numBinary, numOther, numMisc;
+    Uint8 state;           // MoverState
+    std::string design;    // "ERS-210"
+    std::string software;  // "openr-host RCServer"
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+enum RcDeviceKind {
+    rcdeviceJOINT,
+    rcdeviceLED,
+    rcdeviceEAR,
+    rcdeviceBINARY,
+    rcdeviceOTHER,
+    NUM_RC_DEVICES
+};
+
+// Values of a joint: limits of position, of speed, of acceleration, and default acceleration.
+enum RcJointValue {
+    rcjointMIN,
+    rcjointMAX,
+    rcjointMIN_SPEED,
+    rcjointMAX_SPEED,
+    rcjointMIN_ACCEL,
+    rcjointMAX_ACCEL,
+    rcjointDEFAULT_ACCEL,
+    NUM_RC_JOINT_VALUES
+};
+
+struct RcDescription {
+    std::string name;   // short: "LF_j1"
+    std::string title;  // "Left fore leg J1"
+    std::string locator;
+    std::vector<Sint32> values;  // joint: RcJointValue; sensors: one, the SensorKind; else none
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+struct RcJointState {
+    Sint32 position;  // measured
+    Sint32 speed;     // limits as set last by remote control
+    Sint32 acceleration;
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+// Groups and order of Hohl 2004, table 3.8.
+struct RcSensors {
+    Uint8 state;                   // MoverState
+    std::vector<Sint32> joints;    // 0.01 degree
+    std::vector<Sint32> binary;    // 0 or 1
+    std::vector<Sint32> other;     // 10^-6 of N, m, degree C, m/s^2; or A/D counts
+    std::vector<Sint32> misc;      // battery: capacity %, temperature 0.01 degree C
+    std::vector<Sint32> keyFrame;  // one: -1 or 0..32767
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+struct RcPlayRequest {
+    std::string file;          // "WALK.MTN"
+    Uint16 loops;              // >= 1
+    Uint8 keyFramesPerVector;  // 0: as the robot likes
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+struct RcPlayAnswer {
+    Uint32 durationMs;  // of one loop
+    Uint16 keyFrames;
+    Uint16 loops;
+
+    void Write(RcWriter* out) const;
+    bool Read(RcReader* in);
+};
+
+#endif  // RemoteProtocol_h_DEFINED

@@ -1,0 +1,112 @@
+//
+// What the objects know about a robot: the shape of the tables in RobotConstants.cc.
+//
+// The tables themselves are generated from the robot models (virtualrobot/model/*.json)
+// by tools/genmodel, for all models at once; an object finds its robot at run time with
+// OPENR::GetRobotDesign() and FindRobot().  No constant of a robot is written down
+// anywhere else in objects/.
+//
+
+#ifndef RobotDescription_h_DEFINED
+#define RobotDescription_h_DEFINED
+
+#include "FixedTypes.h"
+
+// Room for the largest robot, in tables and in the messages between objects: ERS-210 and
+// ERS-7 have 18 joints, the ERS-7 has 26 LEDs and 16 sensors that are no joints, all have
+// at most 2 plungers.
+const int MAX_JOINTS = 20;
+const int MAX_LEDS = 32;
+const int MAX_PLUNGERS = 4;
+const int MAX_SENSORS = 20;
+
+struct JointConstants {
+    const char* name;     // "LF_j1"
+    const char* title;    // "Left fore leg J1"
+    const char* locator;  // "PRM:/r2/c1-Joint2:j1"
+    Sint32 minUrad;       // software limits
+    Sint32 maxUrad;
+    Sint32 minCdeg;  // the same in 0.01 degree
+    Sint32 maxCdeg;
+    Sint32 minSpeedCdeg;  // 0.01 degree/s
+    Sint32 maxSpeedCdeg;  // the speed in force at start-up, too
+    Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
+    Sint16 sensorIndex;   // element of the sensor frame vector
+    Sint16 mtnIndex;      // column in the vendor's MTN files; -1: in none
+};
+
+enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // OLEDCommandValue2 or 3
+
+struct LedConstants {
+    const char* title;
+    const char* locator;
+    Sint32 kind;  // LedKind
+};
+
+enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };  // OJointCommandValue3 or 4
+
+struct PlungerConstants {
+    const char* title;
+    const char* locator;
+    Sint32 kind;  // PlungerKind
+};
+
+// Groups of Hohl 2004, table 3.8, as model/ers210.md section 7 reads it.
+enum SensorGroup { sensorBINARY = 1, sensorOTHER = 2 };
+
+enum SensorKind {
+    sensorkindSWITCH,        // 0 or 1
+    sensorkindFORCE,         // 10^-6 N
+    sensorkindLENGTH,        // 10^-6 m
+    sensorkindTEMPERATURE,   // 10^-6 degree Celsius
+    sensorkindACCELERATION,  // 10^-6 m/s^2
+    sensorkindRAW            // A/D counts
+};
+
+// A sensor that is not the position of a joint.
+struct SensorConstants {
+    const char* title;
+    const char* locator;
+    Sint32 group;        // SensorGroup
+    Sint32 kind;         // SensorKind
+    Sint32 touchLimit;   // touched when the value is above this; -1: not a touch sensor
+    Sint16 sensorIndex;  // element of the sensor frame vector
+    Sint16 reserved;
+};
+
+// Angles in the order of RobotConstants::joints, inside the software limits.
+struct PostureConstants {
+    const char* name;  // "stand", "sit", "sleep", "crouch", "broadbase"
+    Sint32 urad[MAX_JOINTS];
+};
+
+struct RobotConstants {
+    const char* design;  // as OPENR::GetRobotDesign() writes it: "ERS-210"
+    int numJoints;
+    const JointConstants* joints;  // order of the Model Information guide, section 2.1
+    int numLeds;
+    const LedConstants* leds;
+    int numPlungers;
+    const PlungerConstants* plungers;
+    int numSensors;                  // without joints
+    const SensorConstants* sensors;  // in order of sensorIndex
+    int numSensorElements;           // of a sensor frame vector, joints included
+    int numPostures;
+    const PostureConstants* postures;
+    Sint32 minAccelerationCdeg;  // 0.01 degree/s^2, of every joint
+    Sint32 defaultAccelerationCdeg;
+    Sint32 maxAccelerationCdeg;
+};
+
+// All return 0 (or -1) when there is no such thing.  `robot` must not be 0.
+const RobotConstants* FindRobot(const char* design);
+const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
+int FindJoint(const RobotConstants* robot, const char* locator);
+int FindLed(const RobotConstants* robot, const char* locator);
+int FindPlunger(const RobotConstants* robot, const char* locator);
+int FindSensor(const RobotConstants* robot, const char* locator);
+
+// How many sensors of `robot` belong to `group`.
+int CountSensors(const RobotConstants* robot, SensorGroup group);
+
+#endif  // RobotDescription_h_DEFINED

@@ -1,0 +1,19 @@
+//
+// The newest sensor values of the robot, in the order of RobotConstants.
+//
+
+#ifndef SensorValues_h_DEFINED
+#define SensorValues_h_DEFINED
+
+#include "FixedTypes.h"
+#include "RobotDescription.h"
+
+const Uint32 NO_SENSOR_FRAME = 0xffffffff;
+
+struct SensorValues {
+    Uint32 frame;                // of 8 ms, in which they were sampled; NO_SENSOR_FRAME: none yet
+    Sint32 joint[MAX_JOINTS];    // urad
+    Sint32 sensor[MAX_SENSORS];  // in the unit of SensorConstants::kind
+};
+
+#endif  // SensorValues_h_DEFINED

@@ -1,0 +1,124 @@
+#include "Trajectory.h"
+
+#include "Angle.h"
+
+static const Sint64 ONE_URAD = 65536;
+
+// One 0.01 degree/s is pi/18000 x 10^6 urad/s x 0.008 s = 1.396263402 urad per frame, here
+// in 2^-16 urad and times 10^6; one 0.01 degree/s^2 is another 0.008 of that per frame^2.
+static const Sint64 SPEED_SCALE_E6 = 91505518287LL;
+static const Sint64 ACCELERATION_SCALE_E6 = 732044146LL;
+
+Trajectory::Trajectory()
+    : goal_(0), position_(0), speed_(0), speedLimit_(1), acceleration_(1), nextAcceleration_(1)
+{
+}
+
+void
+Trajectory::Reset(Sint32 urad)
+{
+    goal_ = urad;
+    Rest();
+}
+
+void
+Trajectory::Rest()
+{
+    position_ = goal_ * ONE_URAD;
+    speed_ = 0;
+    acceleration_ = nextAcceleration_;
+}
+
+void
+Trajectory::SetSpeed(Sint32 speedCdeg)
+{
+    speedLimit_ = DivideRounded(speedCdeg * SPEED_SCALE_E6, 1000000);
+}
+
+void
+Trajectory::SetAcceleration(Sint32 accelerationCdeg)
+{
+    nextAcceleration_ = DivideRounded(accelerationCdeg * ACCELERATION_SCALE_E6, 1000000);
+    if (!IsMoving() || nextAcceleration_ > acceleration_) acceleration_ = nextAcceleration_;
+}
+
+void
+Trajectory::SetGoal(Sint32 urad)
+{
+    goal_ = urad;
+}
+
+void
+Trajectory::Halt()
+{
+    if (!IsMoving()) return;
+    const Sint64 ahead = speed_ >= 0 ? StoppingDistance(speed_) : -StoppingDistance(-speed_);
+    goal_ = (Sint32)DivideRounded(position_ + ahead, ONE_URAD);
+}
+
+bool
+Trajectory::IsMoving() const
+{
+    return speed_ != 0 || position_ != goal_ * ONE_URAD;
+}
+
+Sint32
+Trajectory::Position() const
+{
+    return (Sint32)DivideRounded(position_, ONE_URAD);
+}
+
+// What is still travelled in the frames after this one when braking from `speed` >= 0.
+Sint64
+Trajectory::StoppingDistance(Sint64 speed) const
+{
+    const Sint64 n = speed / acceleration_;
+    return n * speed - acceleration_ * n * (n + 1) / 2;
+}
+
+// Whole part of the square root.  Newton's method from above: the sequence falls until it is there.
+static Sint64
+SquareRoot(Sint64 value)
+{
+    if (value < 2) return value;
+    Sint64 root = value;
+    Sint64 next = (root + 1) / 2;
+    while (next < root) {
+        root = next;
+        next = (root + value / root) / 2;
+    }
+    return root;
+}
+
+// The largest step s with s + StoppingDistance(s) <= distance, for distance >= 0.  Braking
+// from s takes n = s / acceleration more frames, so (n + 1) s - a n (n + 1) / 2 = distance,
+// where n is the largest number with a n (n + 1) / 2 <= distance.
+Sint64
+Trajectory::LargestStep(Sint64 distance) const
+{
+    const Sint64 n = (SquareRoot(8 * (distance / acceleration_) + 1) - 1) / 2;
+    return (distance + acceleration_ * n * (n + 1) / 2) / (n + 1);
+}
+
+Sint32
+Trajectory::Step()
+{
+    if (!IsMoving()) {
+        acceleration_ = nextAcceleration_;
+        return goal_;
+    }
+    // Seen in the direction of the goal.
+    const Sint64 toGoal = goal_ * ONE_URAD - position_;
+    const bool forward = toGoal >= 0;
+    const Sint64 distance = forward ? toGoal : -toGoal;
+    const Sint64 speed = forward ? speed_ : -speed_;
+
+    Sint64 step = LargestStep(distance);
+    if (step > speedLimit_) step = speedLimit_;
+    if (step > speed + acceleration_) step = speed + acceleration_;
+    if (step < speed - acceleration_) step = speed - acceleration_;  // too fast: past it and back
+    position_ += forward ? step : -step;
+    speed_ = forward ? step : -step;
+    if (step == distance && step <= acceleration_) Rest();  // there, and slow enough to stop
+    return Position();
+}

@@ -1,0 +1,368 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <random>
+
+#include "MoverState.h"
+#include "RequestHandler.h"
+#include "mtn_bytes.h"
+
+namespace openr_host {
+namespace {
+
+// A robot behind RCServer that remembers what it was told.
+class Robot : public RequestPort {
+ public:
+  Robot() : handler(this) {
+    handler.Begin(FindRobot("ERS-210"));
+    SensorValues values = {};
+    values.frame = 2500;
+    for (int j = 0; j < MAX_JOINTS; ++j) values.joint[j] = j * 17453;
+    for (int i = 0; i < MAX_SENSORS; ++i) values.sensor[i] = 100 + i;
+    handler.SetSensors(values);
+    Say(moverACCEPTING_COMMANDS, -1);
+  }
+
+  bool PostMover(const MoverCommand& command) override {
+    if (full) return false;
+    commands.push_back(command);
+    return true;
+  }
+  void PostLedEar(const LedEarState& change) override { lights.push_back(change); }
+  bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error) override {
+    if (!files.contains(path)) {
+      *error = path + ": no such file on the Memory Stick";
+      return false;
+    }
+    *bytes = files[path];
+    return true;
+  }
+  void ReadBattery(Sint32* capacity, Sint32* temperature) override {
+    *capacity = 87;
+    *temperature = 2500;
+  }
+
+  void Say(int state, int key_frame) {
+    SetValueMessage message = {};
+    message.state = state;
+    message.keyFrame = key_frame;
+    handler.SetMover(message);
+  }
+
+  // Sends a request and returns the status; the answer's payload is in `payload`.
+  int Ask(int command, const std::vector<uint8_t>& request, int version = RC_VERSION) {
+    uint8_t bytes[RC_MAX_PACKET];
+    RcWriter in(bytes, RC_MAX_PACKET);
+    for (int i = 0; i < RC_HEADER_SIZE; ++i) in.U8(0);
+    for (const uint8_t byte : request) in.U8(byte);
+    in.PutHeader(command, 4711);
+    bytes[4] = static_cast<uint8_t>(version);
+    RcFramer framer;
+    framer.Take(bytes, in.Size());
+    EXPECT_EQ(framer.Next(), RcFramer::PACKET);
+    uint8_t answer[RC_MAX_PACKET];
+    RcWriter out(answer, RC_MAX_PACKET);
+    handler.Answer(framer, &out);
+    return ReadAnswer(answer, out.Size(), command, 4711);
+  }
+
+  int ReadAnswer(const uint8_t* answer, int size, int command, int tag) {
+    RcFramer framer;
+    framer.Take(answer, size);
+    EXPECT_EQ(framer.Next(), RcFramer::PACKET);
+    RcAnswerHeader header;
+    EXPECT_TRUE(header.Read(framer));
+    EXPECT_EQ(header.frame, 2500u) << "every answer carries the frame number";
+    EXPECT_EQ(header.header.command, command);
+    EXPECT_EQ(header.header.tag, tag);
+    payload.assign(answer + RC_ANSWER_HEADER_SIZE, answer + size);
+    error.clear();
+    if (header.status != rcOK) {
+      RcReader in(payload.data(), static_cast<int>(payload.size()));
+      error = in.String();
+      EXPECT_TRUE(in.IsComplete());
+      EXPECT_NE(error, "");
+    }
+    return header.status;
+  }
+
+  template <class Message>
+  Message Payload() {
+    Message message{};
+    RcReader in(payload.data(), static_cast<int>(payload.size()));
+    EXPECT_TRUE(message.Read(&in));
+    return message;
+  }
+  int32_t Number() {
+    RcReader in(payload.data(), static_cast<int>(payload.size()));
+    const int32_t number = in.S32();
+    EXPECT_TRUE(in.IsComplete());
+    return number;
+  }
+  static std::vector<uint8_t> JointValue(int joint, int32_t value) {
+    std::vector<uint8_t> bytes{static_cast<uint8_t>(joint)};
+    Append32(&bytes, static_cast<uint32_t>(value));
+    return bytes;
+  }
+  static std::vector<uint8_t> PlayRequest(const std::string& file, int loops = 1) {
+    std::vector<uint8_t> bytes;
+    AppendString(&bytes, file);
+    Append16(&bytes, loops);
+    bytes.push_back(0);
+    return bytes;
+  }
+  void AddMotion(const std::string& name, const std::vector<uint8_t>& bytes) {
+    files["/MS/OPEN-R/MW/DATA/P/" + name] = bytes;
+  }
+
+  RequestHandler handler;
+  std::vector<MoverCommand> commands;
+  std::vector<LedEarState> lights;
+  std::map<std::string, std::vector<uint8_t>> files;
+  bool full = false;
+  std::vector<uint8_t> payload;
+  std::string error;
+};
+
+const std::vector<uint8_t> kMotion =
+    MtnBytes::OneJoint("PRM:/r1/c1-Joint2:j1", {0, 10, 20}).Bytes();
+
+TEST(RequestHandlerTest, InfoTellsTheCountsOfTable38) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcINFO, {}), rcOK);
+  const RcInfo info = robot.Payload<RcInfo>();
+  EXPECT_EQ(info.design, "ERS-210");
+  EXPECT_EQ(info.numJoints, 18);
+  EXPECT_EQ(info.numBinary, 6);
+  EXPECT_EQ(info.numOther, 7);
+  EXPECT_EQ(info.numMisc, 2);
+  EXPECT_EQ(info.numLeds, 9);
+  EXPECT_EQ(info.numEars, 2);
+  EXPECT_EQ(info.state, moverACCEPTING_COMMANDS);
+}
+
+TEST(RequestHandlerTest, DescribesAJointWithItsLimits) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcDESCRIBE, {rcdeviceJOINT, 4}), rcOK);
+  const RcDescription joint = robot.Payload<RcDescription>();
+  EXPECT_EQ(joint.name, "LF_j1");
+  EXPECT_EQ(joint.title, "Left fore leg J1");
+  EXPECT_EQ(joint.locator, "PRM:/r2/c1-Joint2:j1");
+  EXPECT_EQ(joint.values, (std::vector<int32_t>{-11700, 11700, 250, 16125, 313, 31250, 4883}));
+}
+
+TEST(RequestHandlerTest, DescribesSensorsInTheOrderOfTheirGroups) {
+  Robot robot;
+  std::vector<std::string> titles;
+  for (uint8_t i = 0; i < 6; ++i) {
+    ASSERT_EQ(robot.Ask(rcDESCRIBE, {rcdeviceBINARY, i}), rcOK);
+    titles.push_back(robot.Payload<RcDescription>().title);
+  }
+  EXPECT_EQ(titles,
+            (std::vector<std::string>{"Chin switch", "Paw sensor (left fore leg)",
+                                      "Paw sensor (left hind leg)", "Paw sensor (right fore leg)",
+                                      "Paw sensor (right hind leg)", "Back sensor"}));
+  EXPECT_EQ(robot.Ask(rcDESCRIBE, {rcdeviceBINARY, 6}), rcerrorNO_SUCH_DEVICE);
+  EXPECT_EQ(robot.Ask(rcDESCRIBE, {rcdeviceOTHER, 6}), rcOK);
+  EXPECT_EQ(robot.Ask(rcDESCRIBE, {5, 0}), rcerrorNO_SUCH_DEVICE);
+}
+
+TEST(RequestHandlerTest, SensorsComeInGroups) {
+  Robot robot;
+  robot.Say(moverMTN, 12);
+  ASSERT_EQ(robot.Ask(rcSENSORS, {}), rcOK);
+  const RcSensors sensors = robot.Payload<RcSensors>();
+  ASSERT_EQ(sensors.joints.size(), 18u);
+  EXPECT_EQ(sensors.joints[17], 1700);
+  EXPECT_EQ(sensors.binary.size(), 6u);
+  EXPECT_EQ(sensors.other.size(), 7u);
+  EXPECT_EQ(sensors.misc, (std::vector<int32_t>{87, 2500}));
+  EXPECT_EQ(sensors.keyFrame, (std::vector<int32_t>{12}));
+  EXPECT_EQ(sensors.state, moverMTN);
+}
+
+TEST(RequestHandlerTest, GetTellsPositionAndLimits) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcGET, {2}), rcOK);
+  const RcJointState state = robot.Payload<RcJointState>();
+  EXPECT_EQ(state.position, 200);
+  EXPECT_EQ(state.speed, 17250);
+  EXPECT_EQ(state.acceleration, 4883);
+}
+
+TEST(RequestHandlerTest, MoveAnswersWithThePositionInForce) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcMOVE, Robot::JointValue(1, 3000)), rcOK);
+  EXPECT_EQ(robot.Number(), 3000);
+  ASSERT_EQ(robot.commands.size(), 1u);
+  EXPECT_EQ(robot.commands[0].kind, moverkindPOSITION);
+  EXPECT_EQ(robot.commands[0].joint, 1);
+  EXPECT_EQ(robot.commands[0].value, 523599);
+}
+
+TEST(RequestHandlerTest, MoveBeyondTheLimitEndsAtTheLimit) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcMOVE, Robot::JointValue(0, 9000)), rcOK);
+  EXPECT_EQ(robot.Number(), 4300);
+  ASSERT_EQ(robot.Ask(rcMOVE, Robot::JointValue(0, -2147483647 - 1)), rcOK);
+  EXPECT_EQ(robot.Number(), -8200);
+}
+
+TEST(RequestHandlerTest, SpeedAndAccelerationAreLimitedAndRemembered) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcSPEED, Robot::JointValue(0, 100000)), rcOK);
+  EXPECT_EQ(robot.Number(), 12062);
+  ASSERT_EQ(robot.Ask(rcSPEED, Robot::JointValue(0, 5000)), rcOK);
+  ASSERT_EQ(robot.Ask(rcACCEL, Robot::JointValue(0, 1)), rcOK);
+  EXPECT_EQ(robot.Number(), 313);
+  ASSERT_EQ(robot.Ask(rcGET, {0}), rcOK);
+  const RcJointState state = robot.Payload<RcJointState>();
+  EXPECT_EQ(state.speed, 5000);
+  EXPECT_EQ(state.acceleration, 313);
+}
+
+TEST(RequestHandlerTest, JointsThatDoNotExistAreNamed) {
+  Robot robot;
+  EXPECT_EQ(robot.Ask(rcMOVE, Robot::JointValue(18, 0)), rcerrorNO_SUCH_DEVICE);
+  EXPECT_EQ(robot.error, "joint 18: the ERS-210 has 18, counted from 0");
+  EXPECT_EQ(robot.Ask(rcGET, {255}), rcerrorNO_SUCH_DEVICE);
+  EXPECT_TRUE(robot.commands.empty());
+}
+
+TEST(RequestHandlerTest, BeforeTheRobotStandsItIsBusyAndSaysWhere) {
+  Robot robot;
+  robot.Say(moverCROUCHING, -1);
+  for (const int command : {rcMOVE, rcSPEED, rcACCEL}) {
+    EXPECT_EQ(robot.Ask(command, Robot::JointValue(1, 3000)), rcerrorBUSY);
+  }
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("WALK.MTN")), rcerrorBUSY);
+  EXPECT_EQ(robot.Ask(rcMTN_STOP, {}), rcerrorBUSY);
+  EXPECT_EQ(robot.error, "the robot is still on its way to its standing posture (crouching)");
+  EXPECT_TRUE(robot.commands.empty());
+  EXPECT_EQ(robot.Ask(rcSENSORS, {}), rcOK);
+  EXPECT_EQ(robot.Ask(rcLED, {0, 1}), rcOK);
+}
+
+TEST(RequestHandlerTest, MoveDuringAMotionIsBusyButLimitsAreNot) {
+  Robot robot;
+  robot.Say(moverMTN, 3);
+  EXPECT_EQ(robot.Ask(rcMOVE, Robot::JointValue(1, 3000)), rcerrorBUSY);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("WALK.MTN")), rcerrorBUSY);
+  EXPECT_EQ(robot.Ask(rcSPEED, Robot::JointValue(1, 3000)), rcOK);
+  EXPECT_EQ(robot.Ask(rcMTN_STOP, {}), rcOK);
+}
+
+TEST(RequestHandlerTest, AFullQueueIsBusyAndChangesNothing) {
+  Robot robot;
+  robot.full = true;
+  EXPECT_EQ(robot.Ask(rcSPEED, Robot::JointValue(0, 5000)), rcerrorBUSY);
+  robot.full = false;
+  ASSERT_EQ(robot.Ask(rcGET, {0}), rcOK);
+  EXPECT_EQ(robot.Payload<RcJointState>().speed, 12062);
+}
+
+TEST(RequestHandlerTest, LedsAndEarsAreBitsOfAChange) {
+  Robot robot;
+  ASSERT_EQ(robot.Ask(rcLED, {8, 1}), rcOK);
+  ASSERT_EQ(robot.Ask(rcEAR, {1, 0}), rcOK);
+  ASSERT_EQ(robot.lights.size(), 2u);
+  EXPECT_EQ(robot.lights[0].ledMask, 1u << 8);
+  EXPECT_EQ(robot.lights[0].ledOn, 1u << 8);
+  EXPECT_EQ(robot.lights[1].earMask, 2u);
+  EXPECT_EQ(robot.lights[1].earOn, 0u);
+  EXPECT_EQ(robot.Ask(rcLED, {9, 1}), rcerrorNO_SUCH_DEVICE);
+  EXPECT_EQ(robot.Ask(rcEAR, {2, 1}), rcerrorNO_SUCH_DEVICE);
+  EXPECT_EQ(robot.Ask(rcLED, {0, 2}), rcerrorBAD_VALUE);
+}
+
+TEST(RequestHandlerTest, PlayChecksTheMotionAndTellsItsLength) {
+  Robot robot;
+  robot.AddMotion("NOD.MTN", kMotion);
+  ASSERT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("nod.mtn", 5)), rcOK) << robot.error;
+  const RcPlayAnswer answer = robot.Payload<RcPlayAnswer>();
+  EXPECT_EQ(answer.durationMs, 32u);
+  EXPECT_EQ(answer.keyFrames, 3);
+  EXPECT_EQ(answer.loops, 5);
+  ASSERT_EQ(robot.commands.size(), 1u);
+  EXPECT_EQ(robot.commands[0].kind, moverkindPLAY);
+  EXPECT_EQ(robot.commands[0].loops, 5);
+  EXPECT_STREQ(robot.commands[0].file, "NOD.MTN");
+}
+
+TEST(RequestHandlerTest, ASecondPlayIsBusyBeforeJointMoverHasSpoken) {
+  Robot robot;
+  robot.AddMotion("NOD.MTN", kMotion);
+  ASSERT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("NOD.MTN")), rcOK);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("NOD.MTN")), rcerrorBUSY);
+}
+
+TEST(RequestHandlerTest, PlayRefusesWhatCannotBePlayed) {
+  Robot robot;
+  robot.AddMotion("SEVEN.MTN", MtnBytes::OneJoint("PRM:/r1/c1-Joint2:11", {0, 1}).Bytes());
+  robot.AddMotion("TEXT.MTN", {'h', 'e', 'l', 'l', 'o'});
+  robot.AddMotion("EMPTY.MTN", {});
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("NONE.MTN")), rcerrorNO_SUCH_FILE);
+  EXPECT_EQ(robot.error, "/MS/OPEN-R/MW/DATA/P/NONE.MTN: no such file on the Memory Stick");
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("../CONF/PASSWD")), rcerrorNO_SUCH_FILE);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest(std::string("A\0B.MTN", 7))),
+            rcerrorNO_SUCH_FILE);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("SEVEN.MTN")), rcerrorBAD_FILE);
+  EXPECT_EQ(robot.error,
+            "SEVEN.MTN: section 2, joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("TEXT.MTN")), rcerrorBAD_FILE);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("EMPTY.MTN")), rcerrorBAD_FILE);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("SEVEN.MTN", 0)), rcerrorBAD_VALUE);
+  EXPECT_TRUE(robot.commands.empty());
+}
+
+TEST(RequestHandlerTest, AnotherProtocolVersionIsRefused) {
+  Robot robot;
+  EXPECT_EQ(robot.Ask(rcINFO, {}, 2), rcerrorVERSION);
+  EXPECT_EQ(robot.error, "protocol version 2 is not served, only 1");
+}
+
+TEST(RequestHandlerTest, ReservedAndUnknownCommandsAreToldApart) {
+  Robot robot;
+  for (const int command : {0x42, 0x50, 0x51, 0x52, 0x53, 0x60, 0x70, 0x71}) {
+    EXPECT_EQ(robot.Ask(command, {1, 2, 3}), rcerrorNOT_IMPLEMENTED) << command;
+  }
+  EXPECT_EQ(robot.Ask(0xff, {}), rcerrorUNKNOWN_COMMAND);
+}
+
+TEST(RequestHandlerTest, PayloadsOfTheWrongLengthAreMalformed) {
+  Robot robot;
+  EXPECT_EQ(robot.Ask(rcINFO, {0}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcSENSORS, {0}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcMOVE, {1, 2, 3, 4}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcMOVE, {1, 2, 3, 4, 5, 6}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcLED, {1}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcGET, {}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcMTN_PLAY, {200, 'a'}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcMTN_STOP, {1}), rcerrorMALFORMED);
+  EXPECT_EQ(robot.Ask(rcDESCRIBE, {0}), rcerrorMALFORMED);
+}
+
+TEST(RequestHandlerTest, RandomRequestsAlwaysGetAnAnswer) {
+  Robot robot;
+  robot.AddMotion("A.B", kMotion);
+  std::mt19937 random(11);
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<uint8_t> payload(random() % 12);
+    for (uint8_t& byte : payload)
+      byte = static_cast<uint8_t>(random() % 4 == 0 ? random() : random() % 8);
+    robot.Ask(static_cast<int>(random() % 256), payload);
+  }
+}
+
+TEST(RequestHandlerTest, BytesThatAreNoPacketGetALastAnswer) {
+  Robot robot;
+  uint8_t answer[RC_MAX_PACKET];
+  RcWriter out(answer, RC_MAX_PACKET);
+  robot.handler.AnswerBroken("no packet", &out);
+  EXPECT_EQ(robot.ReadAnswer(answer, out.Size(), 0, 0), rcerrorBAD_PACKET);
+  EXPECT_EQ(robot.error, "no packet");
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# Format, arrows between folders and other rules that a compiler does not see.  Prints every
+# offence with its rule; the last line is "N passed, N failed", one per rule.
+set -uo pipefail
+shopt -s lastpipe  # rule() counts in this shell
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+passed=0
+failed=0
+
+# rule NAME: reads offences from standard input; none is good.
+rule() {
+  local offences
+  offences=$(cat)
+  if [ -z "$offences" ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf '%s:\n%s\n' "$1" "$offences"
+  fi
+}
+
+# files PATTERN FOLDER...: sources below the folders, sorted.
+files() {
+  local pattern=$1
+  shift
+  find "$@" -regextype posix-extended -type f -regex ".*\.($pattern)" 2>/dev/null | sort
+}
+
+# grep_in REGEX FOLDER...: lines of C and C++ that match, comments left out.
+grep_in() {
+  local regex=$1
+  shift
+  files 'cc|c|h' "$@" | xargs -r grep -nE "$regex" /dev/null | grep -vE '^[^:]+:[0-9]+: *//'
+}
+
+if command -v clang-format >/dev/null; then
+  files 'cc|h' openr runtime virtualrobot tools tests bench |
+    xargs -r clang-format --dry-run 2>&1 | grep -E 'warning|error' | head -40 |
+    rule 'clang-format (./.clang-format) would change'
+else
+  echo 'clang-format is not installed' | rule 'clang-format'
+fi
+
+grep_in '#include *["<](openr|objects|virtualrobot)/' runtime |
+  rule 'runtime/ knows nothing of ours'
+grep_in '#include *["<](openr|objects)/' virtualrobot |
+  rule 'virtualrobot/ knows the runtime only'
+grep_in '#include *["<](openr|virtualrobot|runtime|fmt|Eigen|nlohmann|ode|boost|sys|netinet|arpa|unistd|pthread|dlfcn)' \
+  objects | rule 'objects/ includes SDK headers, the C and C++ library and its own'
+grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__x86_64|__GLIBC__)' objects |
+  rule 'objects/ has no special case for the host'
+files 'cc|h|c' openr runtime virtualrobot objects tools | grep -v '^virtualrobot/ode/' |
+  xargs -r grep -nE '#include *[<"]ode/' /dev/null | rule 'only virtualrobot/ode includes ODE'
+# process_hooks.cc and file_hooks.cc define these calls for objects; host_*.cc and ipstack are
+# the outside, which enters at frame boundaries.
+grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std::(thread|mutex|async)|pthread_create)' \
+  runtime virtualrobot | grep -vE '^runtime/(core/process_hooks|ipstack/host_)' |
+  rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
+grep_in 'unordered_(map|set|multi)' runtime virtualrobot |
+  rule 'no hash order in runtime/ and virtualrobot/'
+grep_in '\b(TODO|FIXME|XXX|HACK)\b' openr runtime virtualrobot objects tools tests |
+  rule 'no unfinished marks'
+grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.h' --include='*.c' \
+  --include='*.cmake' --include='CMakeLists.txt' --include='*.sh' --include='*.py' --include='*.md' \
+  . 2>/dev/null | grep -vE '^\./(build|\.git|tests)/' | grep -v 'tools/check.sh' |
+  rule 'no paths of one machine'
+files 'cc|h|c|py|sh' openr runtime virtualrobot objects tools tests bench | xargs -r wc -l |
+  awk '$2 != "total" && $1 > 500' | rule 'no file has more than 500 lines'
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

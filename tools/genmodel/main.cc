@@ -1,0 +1,51 @@
+// openr_genmodel: writes objects' robot constants from the robot models.
+//
+//   openr_genmodel -o DIR MODEL.json...
+//
+// writes DIR/RobotConstants.h and DIR/RobotConstants.cc, all models in one table, in the
+// order given.  Files whose content would not change are left untouched, so that nothing
+// is rebuilt for nothing.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "emit.h"
+#include "model_file.h"
+
+namespace {
+
+void WriteIfChanged(const std::filesystem::path& path, const std::string& text) {
+  std::ostringstream old;
+  old << std::ifstream(path).rdbuf();
+  if (old.str() == text) return;
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Writes RobotConstants.h and RobotConstants.cc from robot models.");
+  std::string directory;
+  std::vector<std::string> paths;
+  app.add_option("-o,--output", directory, "folder for the two files")->required();
+  app.add_option("models", paths, "robot models (JSON)")->required();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    std::vector<openr_host::genmodel::Model> models;
+    for (const std::string& path : paths) models.push_back(openr_host::genmodel::ReadModel(path));
+    std::filesystem::create_directories(directory);
+    WriteIfChanged(std::filesystem::path(directory) / "RobotConstants.h",
+                   openr_host::genmodel::HeaderText(models));
+    WriteIfChanged(std::filesystem::path(directory) / "RobotConstants.cc",
+                   openr_host::genmodel::SourceText(models));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr_genmodel: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,78 @@
+// openr_motions: writes the project's own motions as MTN files.
+//
+//   openr_motions -o DIR MODEL.json [--step-mm ...]
+//
+// SIT stand to sit, STAND sit to stand, LIE stand to lying, BOW; WALKSTA, WALK and WALKEND are a
+// walk: start once, cycle as often as wanted, end.  All are computed here from the model's geometry
+// and postures.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "postures.h"
+#include "walk.h"
+
+namespace {
+
+using namespace openr_host::motions;
+
+// Files that would not change are left untouched.
+void WriteIfChanged(const std::filesystem::path& path, const std::vector<uint8_t>& bytes) {
+  std::ifstream old(path, std::ios::binary);
+  if (old && std::vector<uint8_t>(std::istreambuf_iterator<char>(old), {}) == bytes) return;
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  if (!file.flush()) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+}
+
+void WriteAll(const std::filesystem::path& directory, const Dog& dog, const Gait& gait) {
+  const struct {
+    const char* file;
+    const char* name;
+    std::vector<KeyFrame> frames;
+  } motions[] = {
+      {"SIT.MTN", "stand#sit", Sit(dog)},
+      {"STAND.MTN", "sit#stand", Stand(dog)},
+      {"LIE.MTN", "stand#lie", Lie(dog)},
+      {"BOW.MTN", "stand#stand_bow", Bow(dog)},
+      {"WALKSTA.MTN", "stand#walk", WalkStart(dog, gait)},
+      {"WALK.MTN", "walk#walk", WalkCycle(dog, gait)},
+      {"WALKEND.MTN", "walk#stand", WalkEnd(dog, gait)},
+  };
+  std::filesystem::create_directories(directory);
+  for (const auto& motion : motions) {
+    MotionFile file;
+    file.name = motion.name;
+    file.locators = dog.Locators();
+    file.key_frames = motion.frames;
+    WriteIfChanged(directory / motion.file, WriteMtn(file));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Writes the project's own motions as MTN files.");
+  std::string directory, model;
+  Gait gait;
+  app.add_option("-o,--output", directory, "folder for the files")->required();
+  app.add_option("model", model, "robot model (JSON)")->required();
+  app.add_option("--period-frames", gait.period_frames, "walk: frames of 16 ms in a cycle");
+  app.add_option("--step-mm", gait.step_mm, "walk: way of a cycle");
+  app.add_option("--lift-mm", gait.lift_mm, "walk: lift of a paw");
+  app.add_option("--duty", gait.duty, "walk: share of the cycle a paw stands");
+  app.add_option("--height-mm", gait.height_mm, "walk: height of the body");
+  app.add_option("--shift-mm", gait.shift_mm, "walk: paws ahead of their place when standing");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    WriteAll(directory, Dog(model), gait);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr_motions: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,90 @@
+#include "mtn_writer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace openr_host::motions {
+namespace {
+
+constexpr int kFrameMs = 16;
+
+class Section {
+ public:
+  explicit Section(uint32_t number) {
+    U32(number);
+    U32(0);  // size, when it is known
+  }
+  void U8(uint32_t value) { bytes_.push_back(static_cast<uint8_t>(value)); }
+  void U16(uint32_t value) {
+    U8(value & 0xff);
+    U8(value >> 8 & 0xff);
+  }
+  void U32(uint32_t value) {
+    U16(value & 0xffff);
+    U16(value >> 16);
+  }
+  void String(const std::string& text) {
+    if (text.size() > 255)
+      throw std::invalid_argument(fmt::format("'{}' has more than 255 characters", text));
+    U8(static_cast<uint32_t>(text.size()));
+    bytes_.insert(bytes_.end(), text.begin(), text.end());
+  }
+  // Pads, fills in the size and appends the section to `out`.
+  void Finish(std::vector<uint8_t>* out) {
+    while (bytes_.size() % 4 != 0) bytes_.push_back(0);
+    for (int i = 0; i < 4; ++i) bytes_[4 + i] = static_cast<uint8_t>(bytes_.size() >> 8 * i);
+    out->insert(out->end(), bytes_.begin(), bytes_.end());
+  }
+
+ private:
+  std::vector<uint8_t> bytes_;
+};
+
+void WriteKeyFrame(const KeyFrame& frame, bool first, Section* section) {
+  if (!first) section->U32(static_cast<uint32_t>(frame.interpolation));
+  section->U32(0);  // roll
+  section->U32(static_cast<uint32_t>(std::lround(frame.pitch_rad * 1e6)));
+  section->U32(0);  // yaw
+  for (const int32_t angle : frame.angles_urad) section->U32(static_cast<uint32_t>(angle));
+}
+
+}  // namespace
+
+std::vector<uint8_t> WriteMtn(const MotionFile& motion) {
+  std::vector<uint8_t> out{'O', 'M', 'T', 'N'};
+  Section header(0);
+  header.U32(4);
+  header.U16(1);
+  header.U16(2);
+  header.U16(static_cast<uint32_t>(motion.key_frames.size()));
+  header.U16(kFrameMs);
+  header.U32(0);
+  header.Finish(&out);
+
+  Section names(1);
+  for (const std::string& name : {motion.name, motion.creator, motion.design_label})
+    names.String(name);
+  names.Finish(&out);
+
+  Section joints(2);
+  joints.U16(static_cast<uint32_t>(motion.locators.size()));
+  for (const std::string& locator : motion.locators) joints.String(locator);
+  joints.Finish(&out);
+
+  Section data(3);
+  data.U32(0);  // angles
+  for (size_t k = 0; k < motion.key_frames.size(); ++k) {
+    if (motion.key_frames[k].angles_urad.size() != motion.locators.size()) {
+      throw std::invalid_argument(
+          fmt::format("'{}': key frame {} has {} angles for {} joints", motion.name, k,
+                      motion.key_frames[k].angles_urad.size(), motion.locators.size()));
+    }
+    WriteKeyFrame(motion.key_frames[k], k == 0, &data);
+  }
+  data.Finish(&out);
+  return out;
+}
+
+}  // namespace openr_host::motions

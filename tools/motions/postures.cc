@@ -1,0 +1,72 @@
+#include "postures.h"
+
+#include <cmath>
+#include <string>
+
+namespace openr_host::motions {
+namespace {
+
+constexpr double kDeg = M_PI / 180;
+
+// Key frames on the way, each `interpolation` + 1 ticks of 16 ms after the one before.
+void Go(const Dog& dog, const Dog::Pose& from, const Dog::Pose& to, int count, int interpolation,
+        const std::string& what, std::vector<KeyFrame>* frames) {
+  for (KeyFrame& frame : dog.Way(from, to, count, what)) {
+    frame.interpolation = interpolation;
+    frames->push_back(frame);
+  }
+}
+
+// Straight to a posture, every joint at its own pace.
+void GoStraight(const KeyFrame& to, int interpolation, std::vector<KeyFrame>* frames) {
+  frames->push_back(to);
+  frames->back().interpolation = interpolation;
+}
+
+}  // namespace
+
+std::vector<KeyFrame> Sit(const Dog& dog) {
+  std::vector<KeyFrame> frames{dog.FrameOf("stand")};
+  Go(dog, dog.PoseOf("stand"), dog.PoseOf("sit"), 12, 11, "sit", &frames);
+  return frames;
+}
+
+std::vector<KeyFrame> Stand(const Dog& dog) {
+  std::vector<KeyFrame> frames{dog.FrameOf("sit")};
+  Go(dog, dog.PoseOf("sit"), dog.PoseOf("stand"), 12, 11, "stand", &frames);
+  return frames;
+}
+
+// First down on bent legs, then the fore legs slide forward and the hind legs fold.
+std::vector<KeyFrame> Lie(const Dog& dog) {
+  Stance low;
+  low.height_mm = 88;
+  low.pitch_rad = 3 * kDeg;
+  low.fore_mm = 95;
+  low.hind_mm = -52;
+  low.tilt_rad = -20 * kDeg;
+  std::vector<KeyFrame> frames{dog.FrameOf("stand")};
+  Go(dog, dog.PoseOf("stand"), dog.PoseOf(low, "lie"), 8, 11, "lie", &frames);
+  GoStraight(dog.FrameOf("sleep"), 79, &frames);
+  return frames;
+}
+
+std::vector<KeyFrame> Bow(const Dog& dog) {
+  const Dog::Pose stand = dog.PoseOf("stand");
+  Stance bowed = stand.stance;
+  bowed.height_mm -= 22;
+  bowed.pitch_rad = -15 * kDeg;
+  bowed.fore_mm += 12;
+  bowed.tilt_rad = -15 * kDeg;
+  const Dog::Pose down = dog.PoseOf(bowed, "bow");
+  bowed.tilt_rad = -45 * kDeg;
+  const Dog::Pose nod = dog.PoseOf(bowed, "bow");
+  std::vector<KeyFrame> frames{stand.frame};
+  Go(dog, stand, down, 8, 9, "bow", &frames);
+  Go(dog, down, nod, 2, 14, "bow", &frames);
+  Go(dog, nod, down, 2, 14, "bow", &frames);
+  Go(dog, down, stand, 8, 9, "bow", &frames);
+  return frames;
+}
+
+}  // namespace openr_host::motions

@@ -1,0 +1,86 @@
+#include "walk.h"
+
+#include <cmath>
+
+namespace openr_host::motions {
+namespace {
+
+// Frames in which body and paws go from standing to where the walk has them, all paws down.
+constexpr int kCrouchFrames = 20;
+
+// Cycles in which the steps grow to full length, or shrink to none.
+constexpr int kRampCycles = 1;
+
+double Smooth(double t) { return t * t * (3 - 2 * t); }
+
+// A paw at `phase` of its cycle, 0 where it touches the floor; `size` scales the step.
+PawOffset PawAt(const Gait& gait, double phase, double size) {
+  phase -= std::floor(phase);
+  const double reach = gait.step_mm * gait.duty * size;  // of the body while the paw stands
+  if (phase < gait.duty) return {reach * (0.5 - phase / gait.duty), 0};
+  const double t = (phase - gait.duty) / (1 - gait.duty);
+  return {reach * (Smooth(t) - 0.5), gait.lift_mm * size * std::sin(M_PI * t) * std::sin(M_PI * t)};
+}
+
+PawOffsets PawsAt(const Gait& gait, double phase, double size) {
+  const PawOffset one = PawAt(gait, phase, size), other = PawAt(gait, phase + 0.5, size);
+  return {one, other, other, one};
+}
+
+// The body of the walk: level, lower than standing, the paws under its centre of mass.
+Stance WalkStance(const Dog& dog, const Gait& gait) {
+  Stance stance = dog.StanceOf("stand");
+  stance.height_mm = gait.height_mm;
+  stance.pitch_rad = 0;
+  stance.fore_mm += gait.shift_mm;
+  stance.hind_mm += gait.shift_mm;
+  return stance;
+}
+
+// The walk begins and ends where all four paws are down: one diagonal has just been put down, the
+// other is about to be lifted.
+double PhaseOf(const Gait& gait, int frame) {
+  return (gait.duty - 0.5) / 2 + double(frame) / gait.period_frames;
+}
+
+}  // namespace
+
+std::vector<KeyFrame> WalkCycle(const Dog& dog, const Gait& gait) {
+  std::vector<KeyFrame> frames;
+  for (int f = 0; f <= gait.period_frames; ++f) {
+    frames.push_back(dog.FrameOf(WalkStance(dog, gait), PawsAt(gait, PhaseOf(gait, f), 1), "walk"));
+  }
+  frames.back() = frames.front();
+  return frames;
+}
+
+std::vector<KeyFrame> WalkStart(const Dog& dog, const Gait& gait) {
+  std::vector<KeyFrame> frames{dog.FrameOf("stand")};
+  const Stance stand = dog.StanceOf("stand"), walk = WalkStance(dog, gait);
+  for (int f = 1; f <= kCrouchFrames; ++f) {
+    frames.push_back(
+        dog.FrameOf(Blend(stand, walk, Smooth(double(f) / kCrouchFrames)), {}, "walk start"));
+  }
+  const int ramp = kRampCycles * gait.period_frames;
+  for (int f = 1; f <= ramp; ++f) {
+    frames.push_back(
+        dog.FrameOf(walk, PawsAt(gait, PhaseOf(gait, f), Smooth(double(f) / ramp)), "walk start"));
+  }
+  return frames;
+}
+
+std::vector<KeyFrame> WalkEnd(const Dog& dog, const Gait& gait) {
+  std::vector<KeyFrame> frames;
+  const Stance walk = WalkStance(dog, gait);
+  const int ramp = kRampCycles * gait.period_frames;
+  for (int f = 0; f <= ramp; ++f) {
+    frames.push_back(dog.FrameOf(walk, PawsAt(gait, PhaseOf(gait, f), Smooth(1 - double(f) / ramp)),
+                                 "walk end"));
+  }
+  const std::vector<KeyFrame> rest =
+      dog.Way(dog.PoseOf(walk, "walk end"), dog.PoseOf("stand"), kCrouchFrames, "walk end");
+  frames.insert(frames.end(), rest.begin(), rest.end());
+  return frames;
+}
+
+}  // namespace openr_host::motions

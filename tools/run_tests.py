@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Runs the test programs of a build, a few at a time, and the script tests.
+
+Every program prints "N passed, N failed" (", N skipped") as its last line; the last line here
+is the sum.  A program that crashes or hangs counts as one failure more.
+"""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
+LIMIT_S = 900  # for one program
+
+
+def environment():
+    env = dict(os.environ)
+    env.setdefault("ASAN_OPTIONS", "detect_stack_use_after_return=0:abort_on_error=0")
+    env.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")
+    return env
+
+
+def run(name, command):
+    """Returns (name, passed, failed, skipped, output, seconds)."""
+    begin = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="openr-test-") as scratch:
+        try:
+            done = subprocess.run(command, cwd=scratch, env=environment(), timeout=LIMIT_S,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT)
+            output, status = done.stdout.decode(errors="replace"), done.returncode
+        except subprocess.TimeoutExpired as late:
+            output = (late.stdout or b"").decode(errors="replace")
+            output += f"\n{name}: not done after {LIMIT_S} s\n"
+            status = -1
+    lines = output.strip().splitlines()
+    totals = TOTALS.match(lines[-1]) if lines else None
+    seconds = time.monotonic() - begin
+    if totals is None:  # a script: its exit status is the result; a program: it crashed
+        good = status == 0 and name.endswith(".sh")
+        return name, int(good), int(not good), 0, output, seconds
+    passed, failed, skipped = (int(n or 0) for n in totals.groups())
+    if status != 0 and failed == 0:
+        failed = 1
+    return name, passed, failed, skipped, output, seconds
+
+
+def jobs(build, pattern):
+    """Name and command of everything to run."""
+    found = []
+    gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
+    for program in sorted((build / "bin").glob("*_tests")):
+        found.append((program.name, [str(program)] + gtest))
+    header_check = ROOT / "tests/runtime/include/check_headers.sh"
+    if pattern in header_check.name:
+        found.append((header_check.name, ["sh", str(header_check), str(ROOT / "runtime/include"),
+                                          "headers"]))
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", required=True, type=pathlib.Path)
+    parser.add_argument("--filter", default="")
+    arguments = parser.parse_args()
+    sums = [0, 0, 0]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        todo = [pool.submit(run, name, command)
+                for name, command in jobs(arguments.build.resolve(), arguments.filter)]
+        for future in concurrent.futures.as_completed(todo):
+            name, passed, failed, skipped, output, seconds = future.result()
+            if failed:
+                print(output)
+            extra = f", {skipped} skipped" if skipped else ""
+            print(f"{name}: {passed} passed, {failed} failed{extra} ({seconds:.1f} s)", flush=True)
+            sums = [a + b for a, b in zip(sums, (passed, failed, skipped))]
+    if sum(sums) == 0:
+        print(f"no test matches '{arguments.filter}'")
+        sums[1] = 1
+    print(f"{sums[0]} passed, {sums[1]} failed" + (f", {sums[2]} skipped" if sums[2] else ""))
+    return 1 if sums[1] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
