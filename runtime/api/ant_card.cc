@@ -51,8 +51,12 @@ EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
   return Ask(msg, [msg](const IpStack& stack) {
     // Locally administered, so nobody's; the last octets tell robots apart.
     const int robot = stack.host().robot + 1;
-    const byte octets[6] = {0x02, 0x00, 0x00, static_cast<byte>(robot >> 16),
-                            static_cast<byte>(robot >> 8), static_cast<byte>(robot)};
+    const byte octets[6] = {0x02,
+                            0x00,
+                            0x00,
+                            static_cast<byte>(robot >> 16),
+                            static_cast<byte>(robot >> 8),
+                            static_cast<byte>(robot)};
     std::memcpy(msg->address.octet, octets, sizeof octets);
   });
 }

@@ -35,9 +35,12 @@ Message* NewRequest(IpStack* stack, const antEnvMsg& message) {
 
 antError AntErrorOf(sError error) {
   switch (error) {
-    case sSUCCESS: return ANT_SUCCESS;
-    case sFULLMSGQENTRY: return ANT_QUEUE_REJECTED;
-    default: return ANT_FAIL;
+    case sSUCCESS:
+      return ANT_SUCCESS;
+    case sFULLMSGQENTRY:
+      return ANT_QUEUE_REJECTED;
+    default:
+      return ANT_FAIL;
   }
 }
 
@@ -60,10 +63,10 @@ antError antEnvMsg::Call(antStackRef target, int size) {
   IpStack* const stack = StackFor(target, this);
   if (stack == nullptr || dstSelector > Entry_antEnv_External) return ANT_FAIL;
   if (t_current.object->running == nullptr) {
-    t_current.system->AddFinding(Severity::kError,
-                                 fmt::format("Call() of a {} message in a constructor fails: only a "
-                                             "handler can wait for an answer; do it in DoInit",
-                                             AntMessageName(*this)));
+    t_current.system->AddFinding(
+        Severity::kError, fmt::format("Call() of a {} message in a constructor fails: only a "
+                                      "handler can wait for an answer; do it in DoInit",
+                                      AntMessageName(*this)));
     return ANT_FAIL;
   }
   sender = OidOf(t_current.object->id);
@@ -74,8 +77,8 @@ antError antEnvMsg::Call(antStackRef target, int size) {
   const sError error = t_current.system->SendWithReply(NewRequest(stack, *this), &box);
   if (error != sSUCCESS) return AntErrorOf(error);
   const std::string why = fmt::format("the answer of IPStack ({})", AntMessageName(*this));
-  return AntErrorOf(t_current.system->WaitForReply(box, static_cast<void*>(this), reply_size,
-                                                   nullptr, -1, why));
+  return AntErrorOf(
+      t_current.system->WaitForReply(box, static_cast<void*>(this), reply_size, nullptr, -1, why));
 }
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
@@ -89,7 +92,8 @@ antError antEnvMsg::Reply() {
   const size_t size = AntMessageSize(*this);
   const uint64_t hash = AntMessageHash(*this);
   if (invocationType == ANTENVMSG_CALL) {
-    return AntErrorOf(system.Reply(system.TakeReplyTicket(), static_cast<const void*>(this), size, hash));
+    return AntErrorOf(
+        system.Reply(system.TakeReplyTicket(), static_cast<const void*>(this), size, hash));
   }
   Message* const answer = system.NewMessage(ObjectIdOf(contInfo.oid), contInfo.selector);
   std::memcpy(answer->payload, static_cast<const void*>(this), size);

@@ -30,12 +30,18 @@ std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {
-    case TCPEndpoint_Operation_Bind: return visit(As<TCPEndpointBindMsg>(m), "TCP Bind");
-    case TCPEndpoint_Operation_Listen: return visit(As<TCPEndpointListenMsg>(m), "TCP Listen");
-    case TCPEndpoint_Operation_Connect: return visit(As<TCPEndpointConnectMsg>(m), "TCP Connect");
-    case TCPEndpoint_Operation_Send: return visit(As<TCPEndpointSendMsg>(m), "TCP Send");
-    case TCPEndpoint_Operation_Receive: return visit(As<TCPEndpointReceiveMsg>(m), "TCP Receive");
-    case TCPEndpoint_Operation_Close: return visit(As<TCPEndpointCloseMsg>(m), "TCP Close");
+    case TCPEndpoint_Operation_Bind:
+      return visit(As<TCPEndpointBindMsg>(m), "TCP Bind");
+    case TCPEndpoint_Operation_Listen:
+      return visit(As<TCPEndpointListenMsg>(m), "TCP Listen");
+    case TCPEndpoint_Operation_Connect:
+      return visit(As<TCPEndpointConnectMsg>(m), "TCP Connect");
+    case TCPEndpoint_Operation_Send:
+      return visit(As<TCPEndpointSendMsg>(m), "TCP Send");
+    case TCPEndpoint_Operation_Receive:
+      return visit(As<TCPEndpointReceiveMsg>(m), "TCP Receive");
+    case TCPEndpoint_Operation_Close:
+      return visit(As<TCPEndpointCloseMsg>(m), "TCP Close");
     case TCPEndpoint_Operation_SetBlockingMode:
       return visit(As<TCPEndpointSetBlockingModeMsg>(m), "TCP SetBlockingMode");
     case TCPEndpoint_Operation_ReadyForRead:
@@ -44,32 +50,42 @@ void VisitTcp(M& m, V&& visit) {
       return visit(As<TCPEndpointReadyForWriteMsg>(m), "TCP ReadyForWrite");
     case TCPEndpoint_Operation_BacklogListen:
       return visit(As<TCPEndpointBacklogListenMsg>(m), "TCP BacklogListen");
-    case TCPEndpoint_Operation_Accept: return visit(As<TCPEndpointAcceptMsg>(m), "TCP Accept");
+    case TCPEndpoint_Operation_Accept:
+      return visit(As<TCPEndpointAcceptMsg>(m), "TCP Accept");
     case TCPEndpoint_Operation_BacklogQueue:
       return visit(As<TCPEndpointBacklogQueueMsg>(m), "TCP BacklogQueue");
-    case TCPEndpoint_Operation_Address: return visit(As<TCPEndpointAddressMsg>(m), "TCP Address");
-    default: return visit(As<UnknownMsg>(m), "unknown TCP operation");
+    case TCPEndpoint_Operation_Address:
+      return visit(As<TCPEndpointAddressMsg>(m), "TCP Address");
+    default:
+      return visit(As<UnknownMsg>(m), "unknown TCP operation");
   }
 }
 
 template <typename M, typename V>
 void VisitUdp(M& m, V&& visit) {
   switch (m.dstOperation) {
-    case UDPEndpoint_Operation_Bind: return visit(As<UDPEndpointBindMsg>(m), "UDP Bind");
-    case UDPEndpoint_Operation_Connect: return visit(As<UDPEndpointConnectMsg>(m), "UDP Connect");
-    case UDPEndpoint_Operation_Send: return visit(As<UDPEndpointSendMsg>(m), "UDP Send");
-    case UDPEndpoint_Operation_Receive: return visit(As<UDPEndpointReceiveMsg>(m), "UDP Receive");
-    case UDPEndpoint_Operation_Close: return visit(As<UDPEndpointCloseMsg>(m), "UDP Close");
+    case UDPEndpoint_Operation_Bind:
+      return visit(As<UDPEndpointBindMsg>(m), "UDP Bind");
+    case UDPEndpoint_Operation_Connect:
+      return visit(As<UDPEndpointConnectMsg>(m), "UDP Connect");
+    case UDPEndpoint_Operation_Send:
+      return visit(As<UDPEndpointSendMsg>(m), "UDP Send");
+    case UDPEndpoint_Operation_Receive:
+      return visit(As<UDPEndpointReceiveMsg>(m), "UDP Receive");
+    case UDPEndpoint_Operation_Close:
+      return visit(As<UDPEndpointCloseMsg>(m), "UDP Close");
     case UDPEndpoint_Operation_SetBlockingMode:
       return visit(As<UDPEndpointSetBlockingModeMsg>(m), "UDP SetBlockingMode");
     case UDPEndpoint_Operation_ReadyForRead:
       return visit(As<UDPEndpointReadyForReadMsg>(m), "UDP ReadyForRead");
     case UDPEndpoint_Operation_ReadyForWrite:
       return visit(As<UDPEndpointReadyForWriteMsg>(m), "UDP ReadyForWrite");
-    case UDPEndpoint_Operation_Address: return visit(As<UDPEndpointAddressMsg>(m), "UDP Address");
+    case UDPEndpoint_Operation_Address:
+      return visit(As<UDPEndpointAddressMsg>(m), "UDP Address");
     case UDPEndpoint_Operation_ResetConnect:
       return visit(As<UDPEndpointResetConnectMsg>(m), "UDP ResetConnect");
-    default: return visit(As<UnknownMsg>(m), "unknown UDP operation");
+    default:
+      return visit(As<UnknownMsg>(m), "unknown UDP operation");
   }
 }
 
@@ -92,8 +108,10 @@ void VisitDns(M& m, V&& visit) {
       return visit(As<DNSEndpointGetAddressMsg>(m), "DNS GetAddress");
     case DNSEndpoint_Operation_GetAlias:
       return visit(As<DNSEndpointGetAliasMsg>(m), "DNS GetAlias");
-    case DNSEndpoint_Operation_Close: return visit(As<DNSEndpointCloseMsg>(m), "DNS Close");
-    default: return visit(As<UnknownMsg>(m), "unknown DNS operation");
+    case DNSEndpoint_Operation_Close:
+      return visit(As<DNSEndpointCloseMsg>(m), "DNS Close");
+    default:
+      return visit(As<UnknownMsg>(m), "unknown DNS operation");
   }
 }
 
@@ -103,10 +121,12 @@ void VisitStack(M& m, V&& visit) {
     switch (m.dstOperation) {
       case antEnv_Operation_InitSetParam:
         return visit(As<antEnvInitSetParamMsg>(m), "SetParam");
-      case antEnv_Operation_InitStart: return visit(As<antEnvInitStartMsg>(m), "Start");
+      case antEnv_Operation_InitStart:
+        return visit(As<antEnvInitStartMsg>(m), "Start");
       case antEnv_Operation_InitGetParam:
         return visit(As<antEnvInitGetParamMsg>(m), "GetParam");
-      default: break;
+      default:
+        break;
     }
   } else if (m.dstSelector == Entry_antEnv_External) {
     switch (m.dstOperation) {
@@ -116,7 +136,8 @@ void VisitStack(M& m, V&& visit) {
         return visit(As<antEnvCreateSharedBufferMsg>(m), "CreateSharedBuffer");
       case antEnv_Operation_DestroySharedBuffer:
         return visit(As<antEnvDestroySharedBufferMsg>(m), "DestroySharedBuffer");
-      default: break;
+      default:
+        break;
     }
   }
   visit(As<UnknownMsg>(m), "unknown operation");
@@ -125,10 +146,14 @@ void VisitStack(M& m, V&& visit) {
 template <typename M, typename V>
 void Visit(M& m, V&& visit) {
   switch (ProtocolOf(m.dstModule)) {
-    case EndpointType_TCP: return VisitTcp(m, visit);
-    case EndpointType_UDP: return VisitUdp(m, visit);
-    case EndpointType_DNS: return VisitDns(m, visit);
-    default: return VisitStack(m, visit);
+    case EndpointType_TCP:
+      return VisitTcp(m, visit);
+    case EndpointType_UDP:
+      return VisitUdp(m, visit);
+    case EndpointType_DNS:
+      return VisitDns(m, visit);
+    default:
+      return VisitStack(m, visit);
   }
 }
 
@@ -266,7 +291,8 @@ const char* AntMessageName(const antEnvMsg& message) {
 }
 
 void SetAntError(antEnvMsg* message, int32_t error) {
-  Visit(*message, [error](auto& m, const char*) { m.error = static_cast<decltype(m.error)>(error); });
+  Visit(*message,
+        [error](auto& m, const char*) { m.error = static_cast<decltype(m.error)>(error); });
 }
 
 void ClearCounts(antEnvMsg* message) {

@@ -53,12 +53,16 @@ void DnsEndpoint::Start(const Operation& operation) {
       CopyName(op.As<DNSEndpointGetDefaultDomainNameMsg>().name, domain_);
       break;
     case DNSEndpoint_Operation_GetHostByName:
-    case DNSEndpoint_Operation_GetHostByAddr: return Query(op);
+    case DNSEndpoint_Operation_GetHostByAddr:
+      return Query(op);
     case DNSEndpoint_Operation_GetAddress:
       error = GetAddress(&op.As<DNSEndpointGetAddressMsg>());
       break;
-    case DNSEndpoint_Operation_GetAlias: error = GetAlias(&op.As<DNSEndpointGetAliasMsg>()); break;
-    default: error = DNS_OPERATION_UNKNOWN;
+    case DNSEndpoint_Operation_GetAlias:
+      error = GetAlias(&op.As<DNSEndpointGetAliasMsg>());
+      break;
+    default:
+      error = DNS_OPERATION_UNKNOWN;
   }
   stack_->Answer(&op, error);
 }

@@ -18,7 +18,7 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  static constexpr size_t kAddressesMax = 16;  // kept of one answer; as many aliases
+  static constexpr size_t kAddressesMax = 16;       // kept of one answer; as many aliases
   static constexpr int64_t kAnswerUs = 30'000'000;  // virtual; then DNS_TRY_AGAIN
 
   void Start(const Operation& operation) override;
@@ -41,8 +41,8 @@ class DnsEndpoint : public Endpoint {
   // What a program's name means: without its final dot, or in the default domain.
   std::string FullName(const std::string& name) const;
 
-  std::string domain_;              // default domain, "" for none
-  NetHandle socket_ = 0;            // of the question that is out
+  std::string domain_;    // default domain, "" for none
+  NetHandle socket_ = 0;  // of the question that is out
   int64_t asked_us_ = 0;
   std::optional<Operation> query_;  // GetHostByName or GetHostByAddr
   std::optional<NetworkEvent> answer_;

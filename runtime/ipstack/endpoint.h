@@ -50,8 +50,8 @@ class Endpoint : public EventSink {
 
  protected:
   IpStack* const stack_;
-  const int32_t protocol_;   // EndpointType_...
-  const ObjectId owner_;     // who created it
+  const int32_t protocol_;    // EndpointType_...
+  const ObjectId owner_;      // who created it
   const int32_t pool_bytes_;  // most bytes sent and not yet taken by the network; > 0
   bool dead_ = false;
 };

@@ -29,8 +29,8 @@ void FailingNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
 void FailingNetwork::SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) {
   if (!Fails(handle)) inner_->SendTo(handle, remote, data, size);
 }
-void FailingNetwork::ReceiveFrom(NetHandle handle, size_t size_max) {
-  if (!Fails(handle)) inner_->ReceiveFrom(handle, size_max);
+void FailingNetwork::ReceiveFrom(NetHandle handle, size_t count_max) {
+  if (!Fails(handle)) inner_->ReceiveFrom(handle, count_max);
 }
 void FailingNetwork::Resolve(NetHandle handle, const std::string& name) {
   if (!Fails(handle)) inner_->Resolve(handle, name);

@@ -26,7 +26,7 @@ class FailingNetwork : public Network {
   void Close(NetHandle handle) override { inner_->Close(handle); }
   void Bind(NetHandle handle, uint16_t port, bool any_port) override;
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) override;
-  void ReceiveFrom(NetHandle handle, size_t size_max) override;
+  void ReceiveFrom(NetHandle handle, size_t count_max) override;
   void Resolve(NetHandle handle, const std::string& name) override;
   void ResolveAddress(NetHandle handle, uint32_t ip) override;
   void Drop(NetHandle handle, bool reset) override { inner_->Drop(handle, reset); }

@@ -44,8 +44,9 @@ HostNetwork::HostNetwork(HostNetworkOptions options)
       udp_(options_) {}
 
 NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) const {
-  if (remote.ip == ip_ || remote.ip >> 24 == 127) {
-    return {options_.bind_ip == 0 ? 0x7f000001 : options_.bind_ip, ports.HostPort(remote.port)};
+  const uint16_t own = ports.HostPort(remote.port);
+  if (remote.ip == ip_ || (remote.ip >> 24 == 127 && own != 0)) {
+    return {options_.bind_ip == 0 ? 0x7f000001 : options_.bind_ip, own};
   }
   const auto found = options_.addresses.find(remote.ip);
   return {found == options_.addresses.end() ? remote.ip : found->second, remote.port};
@@ -69,7 +70,8 @@ void HostNetwork::Listen(NetHandle handle, uint16_t port) {
     return fd.valid() ? ListenOn(fd, {options_.bind_ip, host_port}, kBacklog) : errno;
   };
   std::string note;
-  const int error = tcp_ports_.Bind(port, take, [&] { return PortOf(fd); }, &note);
+  const int error = tcp_ports_.Bind(
+      port, take, [&] { return PortOf(fd); }, &note);
   if (error != 0) events_.push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events_.push_back(NoteEvent(note));
   if (error == 0) listeners_[handle].fd = std::move(fd);
@@ -147,8 +149,8 @@ void HostNetwork::SendTo(NetHandle handle, NetAddress remote, const void* data, 
   if (address.port != 0) udp_.SendTo(handle, address, data, size, &events_);
 }
 
-void HostNetwork::ReceiveFrom(NetHandle handle, size_t size_max) {
-  udp_.ReceiveFrom(handle, size_max);
+void HostNetwork::ReceiveFrom(NetHandle handle, size_t count_max) {
+  udp_.ReceiveFrom(handle, count_max);
 }
 
 void HostNetwork::Resolve(NetHandle handle, const std::string& name) {

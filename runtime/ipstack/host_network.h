@@ -1,8 +1,10 @@
 // The robot's network over sockets of the host.
 //
 // A server port of the robot is bound to 127.0.0.1 unless the options say otherwise, under
-// its own number if that is free (host_ports.h).  The robot's own address and 127.x.x.x
-// mean the robot itself, and reach only ports that it listens on.
+// its own number if that is free (host_ports.h).  The robot's own address means the robot
+// and reaches only ports that it listens on.  127.0.0.1 means the robot where it listens,
+// else this computer: its programs appear to objects under that address, and answers and
+// the data connections of FTP go back there.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +48,7 @@ class HostNetwork : public Network {
   void Close(NetHandle handle) override;
   void Bind(NetHandle handle, uint16_t port, bool any_port) override;
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) override;
-  void ReceiveFrom(NetHandle handle, size_t size_max) override;
+  void ReceiveFrom(NetHandle handle, size_t count_max) override;
   void Resolve(NetHandle handle, const std::string& name) override;
   void ResolveAddress(NetHandle handle, uint32_t ip) override;
   void Drop(NetHandle handle, bool reset) override;
@@ -60,13 +62,13 @@ class HostNetwork : public Network {
   };
   struct Connection {
     Fd fd;
-    std::string out;       // not yet taken by the host; bounded by the endpoint's pool
-    uint64_t taken = 0;    // bytes since the last poll
-    size_t want = 0;       // of a Receive()
+    std::string out;     // not yet taken by the host; bounded by the endpoint's pool
+    uint64_t taken = 0;  // bytes since the last poll
+    size_t want = 0;     // of a Receive()
     bool connecting = false;
     bool closing = false;
-    bool ended = false;    // our side has been ended
-    bool failed = false;   // reported
+    bool ended = false;   // our side has been ended
+    bool failed = false;  // reported
   };
 
   // Where a program's `remote` is on the host; port 0: nowhere.

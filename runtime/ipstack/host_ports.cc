@@ -10,7 +10,7 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
                     const std::function<uint16_t()>& bound, std::string* note) {
   const auto before = chosen_.find(port);
   const auto wish = wished_.find(port);
-  const uint16_t first = before != chosen_.end()   ? before->second
+  const uint16_t first = before != chosen_.end() ? before->second
                          : wish != wished_.end() ? wish->second
                                                  : port;
   const int first_error = take(first);
@@ -19,10 +19,11 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
   if (error != 0) return error;
   chosen_[port] = bound();
   if (first_error != 0) {
-    *note = fmt::format("{} port {} of the robot is port {} of this computer: port {} cannot be had ({}; "
-                        "another openr-host running?)",
-                        protocol_ == NetProtocol::kTcp ? "TCP" : "UDP", port, chosen_[port], first,
-                        std::strerror(first_error));
+    *note = fmt::format(
+        "{} port {} of the robot is port {} of this computer: port {} cannot be had ({}; "
+        "another openr-host running?)",
+        protocol_ == NetProtocol::kTcp ? "TCP" : "UDP", port, chosen_[port], first,
+        std::strerror(first_error));
   }
   return 0;
 }

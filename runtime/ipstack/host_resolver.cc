@@ -16,8 +16,10 @@ NetError ErrorOf(int status) {
     case EAI_NODATA:
 #endif
       return NetError::kNone;
-    case EAI_AGAIN: return NetError::kTimeout;
-    default: return NetError::kFailed;
+    case EAI_AGAIN:
+      return NetError::kTimeout;
+    default:
+      return NetError::kFailed;
   }
 }
 

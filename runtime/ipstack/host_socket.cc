@@ -42,21 +42,32 @@ void Fd::Reset() {
 
 NetError NetErrorOf(int error) {
   switch (error) {
-    case 0: return NetError::kNone;
-    case EPIPE: return NetError::kClosed;
+    case 0:
+      return NetError::kNone;
+    case EPIPE:
+      return NetError::kClosed;
     case ECONNRESET:
-    case ECONNABORTED: return NetError::kReset;
-    case ETIMEDOUT: return NetError::kTimeout;
-    case EADDRINUSE: return NetError::kAddressInUse;
+    case ECONNABORTED:
+      return NetError::kReset;
+    case ETIMEDOUT:
+      return NetError::kTimeout;
+    case EADDRINUSE:
+      return NetError::kAddressInUse;
     case EADDRNOTAVAIL:
-    case EINVAL: return NetError::kBadAddress;
-    case ECONNREFUSED: return NetError::kRefused;
+    case EINVAL:
+      return NetError::kBadAddress;
+    case ECONNREFUSED:
+      return NetError::kRefused;
     case EHOSTUNREACH:
-    case EHOSTDOWN: return NetError::kHostUnreachable;
+    case EHOSTDOWN:
+      return NetError::kHostUnreachable;
     case ENETUNREACH:
-    case ENETDOWN: return NetError::kNetworkUnreachable;
-    case EMSGSIZE: return NetError::kTooLong;
-    default: return NetError::kFailed;
+    case ENETDOWN:
+      return NetError::kNetworkUnreachable;
+    case EMSGSIZE:
+      return NetError::kTooLong;
+    default:
+      return NetError::kFailed;
   }
 }
 
@@ -116,8 +127,8 @@ int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes, NetAddre
   sockaddr_in address{};
   socklen_t size = sizeof address;
   bytes->resize(size_max);
-  const int64_t count = recvfrom(fd.get(), bytes->data(), size_max, 0,
-                                 reinterpret_cast<sockaddr*>(&address), &size);
+  const int64_t count =
+      recvfrom(fd.get(), bytes->data(), size_max, 0, reinterpret_cast<sockaddr*>(&address), &size);
   const int error = errno;
   bytes->resize(count < 0 ? 0 : static_cast<size_t>(count));
   if (remote != nullptr) *remote = FromSockaddr(address);

@@ -38,7 +38,7 @@ Fd OpenSocket(NetProtocol protocol);
 // All return 0 or an errno.
 int BindSocket(const Fd& fd, NetAddress local);
 int ListenOn(const Fd& fd, NetAddress local, int backlog);  // binds as well
-int ConnectTo(const Fd& fd, NetAddress remote);  // EINPROGRESS: see ConnectResult()
+int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see ConnectResult()
 
 // EINPROGRESS while it is not decided.
 int ConnectResult(const Fd& fd);
@@ -50,10 +50,11 @@ Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
 // At most `size_max` bytes into `bytes`, which gets the size of what came.
-int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes, NetAddress* remote = nullptr);
+int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
+                     NetAddress* remote = nullptr);
 
-void EndStream(const Fd& fd);        // the peer reads to an end
-void ResetOnClose(const Fd& fd);     // the peer sees it broken when it is closed
-uint16_t PortOf(const Fd& fd);       // local one; 0 when not bound
+void EndStream(const Fd& fd);     // the peer reads to an end
+void ResetOnClose(const Fd& fd);  // the peer sees it broken when it is closed
+uint16_t PortOf(const Fd& fd);    // local one; 0 when not bound
 
 }  // namespace openr_host

@@ -8,6 +8,11 @@
 #include "runtime/ipstack/host_network.h"
 
 namespace openr_host {
+namespace {
+
+constexpr size_t kDatagramMax = 65536;  // more than IPv4 can carry
+
+}  // namespace
 
 HostUdp::HostUdp(const HostNetworkOptions& options)
     : bind_ip_(options.bind_ip), ports_(NetProtocol::kUdp, options.udp_ports) {}
@@ -23,7 +28,8 @@ void HostUdp::Bind(NetHandle handle, uint16_t port, bool any_port,
     return BindSocket(fd, {any_port ? 0 : bind_ip_, any_port ? uint16_t{0} : host_port});
   };
   std::string note;
-  const int error = ports_.Bind(port, take, [&] { return PortOf(fd); }, &note);
+  const int error = ports_.Bind(
+      port, take, [&] { return PortOf(fd); }, &note);
   if (error != 0) events->push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events->push_back(NoteEvent(note));
   if (error == 0) sockets_[handle].fd = std::move(fd);
@@ -35,27 +41,30 @@ void HostUdp::SendTo(NetHandle handle, NetAddress remote, const void* data, size
   if (found == sockets_.end()) return;
   if (SendDatagram(found->second.fd, remote, data, size) >= 0 || errno == EAGAIN) return;
   const std::string why = std::strerror(errno);
-  events->push_back(NoteEvent(fmt::format("a UDP datagram to {}.{}.{}.{}:{} was not sent: {}",
-                                          remote.ip >> 24, remote.ip >> 16 & 255,
-                                          remote.ip >> 8 & 255, remote.ip & 255, remote.port, why)));
+  events->push_back(NoteEvent(
+      fmt::format("a UDP datagram to {}.{}.{}.{}:{} was not sent: {}", remote.ip >> 24,
+                  remote.ip >> 16 & 255, remote.ip >> 8 & 255, remote.ip & 255, remote.port, why)));
 }
 
-void HostUdp::ReceiveFrom(NetHandle handle, size_t size_max) {
+void HostUdp::ReceiveFrom(NetHandle handle, size_t count_max) {
   const auto found = sockets_.find(handle);
-  if (found != sockets_.end()) found->second.want = size_max;
+  if (found != sockets_.end()) found->second.want = count_max;
 }
 
 void HostUdp::Poll(std::vector<NetworkEvent>* events) {
   for (auto& [handle, socket] : sockets_) {
-    if (socket.want == 0) continue;
-    NetworkEvent event;
-    event.kind = NetworkEvent::Kind::kDatagram;
-    event.handle = handle;
-    // Errors here are late news of an earlier send (port unreachable): the datagram is
-    // lost, as UDP has it.
-    if (ReceiveBytes(socket.fd, socket.want, &event.bytes, &event.remote) < 0) continue;
-    socket.want = 0;
-    events->push_back(std::move(event));
+    bool any = false;
+    for (; socket.want > 0; --socket.want) {
+      NetworkEvent event;
+      event.kind = NetworkEvent::Kind::kDatagram;
+      event.handle = handle;
+      // Errors here are late news of an earlier send (port unreachable): that datagram is
+      // lost, as UDP has it.
+      if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
+      any = true;
+      events->push_back(std::move(event));
+    }
+    if (any) socket.want = 0;
   }
 }
 

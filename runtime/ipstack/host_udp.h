@@ -22,7 +22,7 @@ class HostUdp {
   void Bind(NetHandle handle, uint16_t port, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
-  void ReceiveFrom(NetHandle handle, size_t size_max);
+  void ReceiveFrom(NetHandle handle, size_t count_max);
   void Drop(NetHandle handle) { sockets_.erase(handle); }
   void Poll(std::vector<NetworkEvent>* events);
 
@@ -31,7 +31,7 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    size_t want = 0;
+    size_t want = 0;  // datagrams
   };
 
   const uint32_t bind_ip_;

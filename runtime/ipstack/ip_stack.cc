@@ -24,16 +24,21 @@ MemoryStick* StickOf(const Object& object) {
 
 // What the closed endpoint of a protocol answers; DNS has other numbers than the rest.
 int32_t ClosedError(int32_t protocol) {
-  return protocol == EndpointType_DNS ? int32_t{DNS_CONNECTION_CLOSED} : int32_t{TCP_CONNECTION_CLOSED};
+  return protocol == EndpointType_DNS ? int32_t{DNS_CONNECTION_CLOSED}
+                                      : int32_t{TCP_CONNECTION_CLOSED};
 }
 static_assert(int{TCP_CONNECTION_CLOSED} == int{UDP_CONNECTION_CLOSED});
 
 int32_t InvalidError(int32_t protocol) {
   switch (protocol) {
-    case EndpointType_TCP: return TCP_OPERATION_INVALID;
-    case EndpointType_UDP: return UDP_OPERATION_INVALID;
-    case EndpointType_DNS: return DNS_OPERATION_INVALID;
-    default: return ANT_FAIL;
+    case EndpointType_TCP:
+      return TCP_OPERATION_INVALID;
+    case EndpointType_UDP:
+      return UDP_OPERATION_INVALID;
+    case EndpointType_DNS:
+      return DNS_OPERATION_INVALID;
+    default:
+      return ANT_FAIL;
   }
 }
 
@@ -134,24 +139,29 @@ void IpStack::HandleStackMessage(Operation* operation) {
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
-      case antEnv_Operation_InitStart: return Answer(operation, ANT_SUCCESS);
-      default: return Answer(operation, ANT_FAIL);
+      case antEnv_Operation_InitStart:
+        return Answer(operation, ANT_SUCCESS);
+      default:
+        return Answer(operation, ANT_FAIL);
     }
   }
   if (message.dstSelector != Entry_antEnv_External) return Answer(operation, ANT_FAIL);
   switch (message.dstOperation) {
-    case antEnv_Operation_CreateEndpoint: return CreateEndpoint(operation);
+    case antEnv_Operation_CreateEndpoint:
+      return CreateEndpoint(operation);
     case antEnv_Operation_CreateSharedBuffer: {
       auto& create = operation->As<antEnvCreateSharedBufferMsg>();
       return Answer(operation, buffers_.Create(create.size, operation->sender, &create.buffer));
     }
     case antEnv_Operation_DestroySharedBuffer: {
-      const antError error =
-          buffers_.Destroy(operation->As<antEnvDestroySharedBufferMsg>().buffer);
-      if (error == ANT_FAIL) Warn(*operation, "a shared buffer was to be destroyed while it is mapped; UnMap() it first");
+      const antError error = buffers_.Destroy(operation->As<antEnvDestroySharedBufferMsg>().buffer);
+      if (error == ANT_FAIL)
+        Warn(*operation,
+             "a shared buffer was to be destroyed while it is mapped; UnMap() it first");
       return Answer(operation, error);
     }
-    default: return Answer(operation, ANT_FAIL);
+    default:
+      return Answer(operation, ANT_FAIL);
   }
 }
 
@@ -159,18 +169,27 @@ void IpStack::CreateEndpoint(Operation* operation) {
   auto& message = operation->As<antEnvCreateEndpointMsg>();
   if (message.poolSize < 0) return Answer(operation, ANT_FAIL);
   if (message.poolSize > kPoolBytesMax || endpoints_.size() >= kEndpointsMax) {
-    Warn(*operation, fmt::format("CreateEndpoint fails: pool of {} bytes (most {}), {} endpoints open (most {})",
-                                 message.poolSize, kPoolBytesMax, endpoints_.size(), kEndpointsMax));
+    Warn(
+        *operation,
+        fmt::format("CreateEndpoint fails: pool of {} bytes (most {}), {} endpoints open (most {})",
+                    message.poolSize, kPoolBytesMax, endpoints_.size(), kEndpointsMax));
     return Answer(operation, ANT_NOMEMORY);
   }
   const int32_t pool = message.poolSize == 0 ? kPoolBytesDefault : message.poolSize;
   const ObjectId owner = operation->sender;
   std::unique_ptr<Endpoint> endpoint;
   switch (message.protocol) {
-    case EndpointType_TCP: endpoint = std::make_unique<TcpEndpoint>(this, owner, pool); break;
-    case EndpointType_UDP: endpoint = std::make_unique<UdpEndpoint>(this, owner, pool); break;
-    case EndpointType_DNS: endpoint = std::make_unique<DnsEndpoint>(this, owner, pool); break;
-    default: return Answer(operation, ANT_ENDPOINT_NOFACTORY);
+    case EndpointType_TCP:
+      endpoint = std::make_unique<TcpEndpoint>(this, owner, pool);
+      break;
+    case EndpointType_UDP:
+      endpoint = std::make_unique<UdpEndpoint>(this, owner, pool);
+      break;
+    case EndpointType_DNS:
+      endpoint = std::make_unique<DnsEndpoint>(this, owner, pool);
+      break;
+    default:
+      return Answer(operation, ANT_ENDPOINT_NOFACTORY);
   }
   endpoints_[++last_index_] = std::move(endpoint);
   message.moduleRef = MakeModuleRef(message.protocol, last_index_);
@@ -183,7 +202,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
-    return Answer(operation, was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
+    return Answer(operation,
+                  was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
   }
   found->second->Start(*operation);
   found->second->AnswerReady();

@@ -134,9 +134,9 @@ void LoopbackNetwork::SendTo(NetHandle handle, NetAddress remote, const void* da
   }
 }
 
-void LoopbackNetwork::ReceiveFrom(NetHandle handle, size_t size_max) {
+void LoopbackNetwork::ReceiveFrom(NetHandle handle, size_t count_max) {
   const auto found = udps_.find(handle);
-  if (found != udps_.end()) found->second.want = size_max;
+  if (found != udps_.end()) found->second.want = count_max;
 }
 
 void LoopbackNetwork::Resolve(NetHandle handle, const std::string& name) {
@@ -211,12 +211,14 @@ std::vector<NetworkEvent> LoopbackNetwork::Poll() {
     connections_.erase(current);
   }
   for (auto& [handle, udp] : udps_) {
-    if (udp.want == 0 || udp.waiting.empty()) continue;
-    Add(NetworkEvent::Kind::kDatagram, handle);
-    events_.back().remote = udp.waiting.front().remote;
-    events_.back().bytes = udp.waiting.front().bytes.substr(0, udp.want);
-    udp.waiting.pop_front();
-    udp.want = 0;
+    const bool any = !udp.waiting.empty();
+    for (; udp.want > 0 && !udp.waiting.empty(); --udp.want) {
+      Add(NetworkEvent::Kind::kDatagram, handle);
+      events_.back().remote = udp.waiting.front().remote;
+      events_.back().bytes = std::move(udp.waiting.front().bytes);
+      udp.waiting.pop_front();
+    }
+    if (any) udp.want = 0;
   }
   return std::exchange(events_, {});
 }

@@ -52,7 +52,7 @@ class LoopbackNetwork : public Network {
   void Close(NetHandle handle) override;
   void Bind(NetHandle handle, uint16_t port, bool any_port) override;
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) override;
-  void ReceiveFrom(NetHandle handle, size_t size_max) override;
+  void ReceiveFrom(NetHandle handle, size_t count_max) override;
   void Resolve(NetHandle handle, const std::string& name) override;
   void ResolveAddress(NetHandle handle, uint32_t ip) override;
   void Drop(NetHandle handle, bool reset) override;
@@ -74,9 +74,9 @@ class LoopbackNetwork : public Network {
   };
   struct Connection {
     std::shared_ptr<Link> link;
-    int side = 0;            // reads link->to[side]
-    std::string out;         // not yet in the pipe
-    size_t want = 0;         // of a Receive()
+    int side = 0;     // reads link->to[side]
+    std::string out;  // not yet in the pipe
+    size_t want = 0;  // of a Receive()
     bool closing = false;
     Pipe& in() const { return link->to[side]; }
     Pipe& peer() const { return link->to[1 - side]; }
@@ -96,7 +96,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;
+    size_t want = 0;  // datagrams
     std::deque<Datagram> waiting;
   };
 

@@ -57,7 +57,7 @@ struct NetworkEvent {
     kReceived,   // answers Receive(): bytes, at least one and at most what was asked
     kEnd,        // answers Receive(): the peer sends no more
     kClosed,     // answers Close(): both sides have ended
-    kDatagram,   // answers ReceiveFrom(): bytes, cut to what was asked, and remote
+    kDatagram,   // answers ReceiveFrom(): bytes and remote
     kResolved,   // answers Resolve() and ResolveAddress(): host; no addresses: not found
     kFailed,     // error: the socket is of no use any more, except to be dropped
     kNote,       // bytes is a text for the user
@@ -100,8 +100,9 @@ class Network {
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes.  Datagrams that cannot be sent are lost; a kNote may say so.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
-  // Asks once for one datagram.  REQUIRES: the last one was answered.
-  virtual void ReceiveFrom(NetHandle handle, size_t size_max) = 0;
+  // Asks once for what there is, `count_max` whole datagrams at most, all of one Poll().
+  // REQUIRES: the last one was answered.
+  virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
   // ---- names
 

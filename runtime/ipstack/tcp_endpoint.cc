@@ -15,17 +15,28 @@ namespace openr_host {
 
 TCPEndpointError TcpErrorOf(NetError error) {
   switch (error) {
-    case NetError::kNone: return TCP_SUCCESS;
-    case NetError::kFailed: return TCP_FAIL;
-    case NetError::kClosed: return TCP_CONNECTION_CLOSED;
-    case NetError::kReset: return TCP_CONNECTION_RESET;
-    case NetError::kTimeout: return TCP_CONNECTION_TIMEOUT;
-    case NetError::kAddressInUse: return TCP_ADDRESSINUSE;
-    case NetError::kBadAddress: return TCP_ADDRESSERROR;
-    case NetError::kRefused: return TCP_PORT_UNREACHABLE;
-    case NetError::kHostUnreachable: return TCP_HOST_UNREACHABLE;
-    case NetError::kNetworkUnreachable: return TCP_NETWORK_UNREACHABLE;
-    case NetError::kTooLong: return TCP_MESSAGE_TOO_LONG;
+    case NetError::kNone:
+      return TCP_SUCCESS;
+    case NetError::kFailed:
+      return TCP_FAIL;
+    case NetError::kClosed:
+      return TCP_CONNECTION_CLOSED;
+    case NetError::kReset:
+      return TCP_CONNECTION_RESET;
+    case NetError::kTimeout:
+      return TCP_CONNECTION_TIMEOUT;
+    case NetError::kAddressInUse:
+      return TCP_ADDRESSINUSE;
+    case NetError::kBadAddress:
+      return TCP_ADDRESSERROR;
+    case NetError::kRefused:
+      return TCP_PORT_UNREACHABLE;
+    case NetError::kHostUnreachable:
+      return TCP_HOST_UNREACHABLE;
+    case NetError::kNetworkUnreachable:
+      return TCP_NETWORK_UNREACHABLE;
+    case NetError::kTooLong:
+      return TCP_MESSAGE_TOO_LONG;
   }
   return TCP_FAIL;
 }
@@ -35,14 +46,22 @@ TcpEndpoint::TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes)
 
 void TcpEndpoint::Start(const Operation& operation) {
   switch (operation.message().dstOperation) {
-    case TCPEndpoint_Operation_Bind: return Bind(operation);
-    case TCPEndpoint_Operation_Listen: return Listen(operation);
-    case TCPEndpoint_Operation_Connect: return Connect(operation);
-    case TCPEndpoint_Operation_Send: return Send(operation);
-    case TCPEndpoint_Operation_Receive: return Receive(operation);
-    case TCPEndpoint_Operation_Close: return Close(operation);
-    case TCPEndpoint_Operation_Address: return Address(operation);
-    default: return Refuse(operation, TCP_OPERATION_UNKNOWN);
+    case TCPEndpoint_Operation_Bind:
+      return Bind(operation);
+    case TCPEndpoint_Operation_Listen:
+      return Listen(operation);
+    case TCPEndpoint_Operation_Connect:
+      return Connect(operation);
+    case TCPEndpoint_Operation_Send:
+      return Send(operation);
+    case TCPEndpoint_Operation_Receive:
+      return Receive(operation);
+    case TCPEndpoint_Operation_Close:
+      return Close(operation);
+    case TCPEndpoint_Operation_Address:
+      return Address(operation);
+    default:
+      return Refuse(operation, TCP_OPERATION_UNKNOWN);
   }
 }
 
@@ -89,8 +108,9 @@ void TcpEndpoint::Listen(const Operation& operation) {
   if (!stack_->tcp_ports().Accept(local_port_, socket_, this)) {
     stack_->Drop(socket_, false);
     socket_ = 0;
-    stack_->Warn(operation, fmt::format("TCP Listen on port {} refused: the stack listens on {} ports already",
-                                        local_port_, TcpPorts::kPortsMax));
+    stack_->Warn(operation,
+                 fmt::format("TCP Listen on port {} refused: the stack listens on {} ports already",
+                             local_port_, TcpPorts::kPortsMax));
     return Refuse(operation, TCP_FAIL);
   }
   opening_ = accepted;
@@ -121,10 +141,18 @@ bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   switch (state_) {
     case State::kNew:
     case State::kListening:
-    case State::kConnecting: error = TCP_OPERATION_INVALID; break;
-    case State::kActive: error = busy ? TCP_CONNECTION_BUSY : TCP_SUCCESS; break;
-    case State::kClosing: error = TCP_CONNECTION_CLOSED; break;
-    case State::kFailed: error = error_; break;
+    case State::kConnecting:
+      error = TCP_OPERATION_INVALID;
+      break;
+    case State::kActive:
+      error = busy ? TCP_CONNECTION_BUSY : TCP_SUCCESS;
+      break;
+    case State::kClosing:
+      error = TCP_CONNECTION_CLOSED;
+      break;
+    case State::kFailed:
+      error = error_;
+      break;
   }
   if (error != TCP_SUCCESS) Refuse(operation, error);
   return error != TCP_SUCCESS;
@@ -138,9 +166,11 @@ void TcpEndpoint::Send(const Operation& operation) {
     return Refuse(operation, TCP_BUFFER_INVALID);
   }
   if (message.size > pool_bytes_) {
-    stack_->Warn(operation, fmt::format("TCP Send of {} bytes fails: the endpoint was created with a pool of {} "
-                                        "bytes; a pool holds a little more than the largest send",
-                                        message.size, pool_bytes_));
+    stack_->Warn(
+        operation,
+        fmt::format("TCP Send of {} bytes fails: the endpoint was created with a pool of {} "
+                    "bytes; a pool holds a little more than the largest send",
+                    message.size, pool_bytes_));
     return Refuse(operation, TCP_FAIL);
   }
   send_ = accepted;
@@ -190,12 +220,14 @@ void TcpEndpoint::Address(Operation operation) {
 
 void TcpEndpoint::Take(const NetworkEvent& event) {
   switch (event.kind) {
-    case NetworkEvent::Kind::kAccepted: return Accepted(event);
+    case NetworkEvent::Kind::kAccepted:
+      return Accepted(event);
     case NetworkEvent::Kind::kConnected:
       if (state_ == State::kConnecting) state_ = State::kActive;
       return;
     case NetworkEvent::Kind::kSent:
-      unsent_ -= static_cast<int64_t>(std::min<uint64_t>(event.count, static_cast<uint64_t>(unsent_)));
+      unsent_ -=
+          static_cast<int64_t>(std::min<uint64_t>(event.count, static_cast<uint64_t>(unsent_)));
       if (state_ == State::kClosing) closing_since_us_ = stack_->system().now_us();
       return;
     case NetworkEvent::Kind::kReceived:
@@ -206,9 +238,13 @@ void TcpEndpoint::Take(const NetworkEvent& event) {
       asked_ = false;
       ended_ = true;
       return;
-    case NetworkEvent::Kind::kClosed: closed_ = true; return;
-    case NetworkEvent::Kind::kFailed: return Fail(event.error);
-    default: return;
+    case NetworkEvent::Kind::kClosed:
+      closed_ = true;
+      return;
+    case NetworkEvent::Kind::kFailed:
+      return Fail(event.error);
+    default:
+      return;
   }
 }
 
@@ -296,7 +332,9 @@ void TcpEndpoint::FinishReceive() {
   const auto max = static_cast<size_t>(message.sizeMax);
   const bool enough = in_.size() >= min || (ended_ && !in_.empty());
   if (!enough && state_ != State::kFailed && !ended_) {
-    if (!asked_) stack_->network().Receive(socket_, max - in_.size());
+    if (!asked_) {
+      stack_->network().Receive(socket_, std::max(max, kReadAheadBytes) - in_.size());
+    }
     asked_ = true;
     return;
   }

@@ -20,6 +20,10 @@ class TcpEndpoint : public Endpoint {
   static constexpr int64_t kPeerEndUs = 1'000'000;
   static constexpr int64_t kUnsentUs = 60'000'000;
 
+  // Bytes taken from the network beyond what a Receive asks for, so that a header and
+  // the body after it do not cost a frame each.
+  static constexpr size_t kReadAheadBytes = 16384;
+
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
   void AnswerReady() override;
@@ -57,15 +61,15 @@ class TcpEndpoint : public Endpoint {
   uint16_t local_port_ = 0;
   bool own_port_ = false;  // the stack chose local_port_ for a Listen
   NetAddress remote_;
-  NetAddress wanted_;  // the only peer a Listen takes; 0: any
+  NetAddress wanted_;                     // the only peer a Listen takes; 0: any
   TCPEndpointError error_ = TCP_SUCCESS;  // why the connection is broken
 
-  std::string in_;         // received, not delivered
-  bool asked_ = false;     // a Network::Receive() is out
-  bool ended_ = false;     // the peer sends no more
-  bool closed_ = false;    // both sides have ended
-  int64_t unsent_ = 0;     // bytes given to the network that it has not taken
-  uint64_t sent_hash_ = 0;  // of all bytes sent
+  std::string in_;                // received, not delivered
+  bool asked_ = false;            // a Network::Receive() is out
+  bool ended_ = false;            // the peer sends no more
+  bool closed_ = false;           // both sides have ended
+  int64_t unsent_ = 0;            // bytes given to the network that it has not taken
+  uint64_t sent_hash_ = 0;        // of all bytes sent
   int64_t closing_since_us_ = 0;  // Close, or the last progress since
 
   std::optional<Operation> opening_;  // Listen or Connect

@@ -14,15 +14,24 @@ namespace openr_host {
 
 UDPEndpointError UdpErrorOf(NetError error) {
   switch (error) {
-    case NetError::kNone: return UDP_SUCCESS;
-    case NetError::kClosed: return UDP_CONNECTION_CLOSED;
-    case NetError::kAddressInUse: return UDP_ADDRESSINUSE;
-    case NetError::kBadAddress: return UDP_ADDRESSERROR;
-    case NetError::kRefused: return UDP_PORT_UNREACHABLE;
-    case NetError::kHostUnreachable: return UDP_HOST_UNREACHABLE;
-    case NetError::kNetworkUnreachable: return UDP_NETWORK_UNREACHABLE;
-    case NetError::kTooLong: return UDP_MESSAGE_TOO_LONG;
-    default: return UDP_FAIL;
+    case NetError::kNone:
+      return UDP_SUCCESS;
+    case NetError::kClosed:
+      return UDP_CONNECTION_CLOSED;
+    case NetError::kAddressInUse:
+      return UDP_ADDRESSINUSE;
+    case NetError::kBadAddress:
+      return UDP_ADDRESSERROR;
+    case NetError::kRefused:
+      return UDP_PORT_UNREACHABLE;
+    case NetError::kHostUnreachable:
+      return UDP_HOST_UNREACHABLE;
+    case NetError::kNetworkUnreachable:
+      return UDP_NETWORK_UNREACHABLE;
+    case NetError::kTooLong:
+      return UDP_MESSAGE_TOO_LONG;
+    default:
+      return UDP_FAIL;
   }
 }
 
@@ -31,14 +40,22 @@ UdpEndpoint::UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes)
 
 void UdpEndpoint::Start(const Operation& operation) {
   switch (operation.message().dstOperation) {
-    case UDPEndpoint_Operation_Bind: return Bind(operation);
-    case UDPEndpoint_Operation_Connect: return Connect(operation);
-    case UDPEndpoint_Operation_ResetConnect: return ResetConnect(operation);
-    case UDPEndpoint_Operation_Send: return Send(operation);
-    case UDPEndpoint_Operation_Receive: return Receive(operation);
-    case UDPEndpoint_Operation_Close: return Close(operation);
-    case UDPEndpoint_Operation_Address: return Address(operation);
-    default: return Refuse(operation, UDP_OPERATION_UNKNOWN);
+    case UDPEndpoint_Operation_Bind:
+      return Bind(operation);
+    case UDPEndpoint_Operation_Connect:
+      return Connect(operation);
+    case UDPEndpoint_Operation_ResetConnect:
+      return ResetConnect(operation);
+    case UDPEndpoint_Operation_Send:
+      return Send(operation);
+    case UDPEndpoint_Operation_Receive:
+      return Receive(operation);
+    case UDPEndpoint_Operation_Close:
+      return Close(operation);
+    case UDPEndpoint_Operation_Address:
+      return Address(operation);
+    default:
+      return Refuse(operation, UDP_OPERATION_UNKNOWN);
   }
 }
 
@@ -111,9 +128,11 @@ void UdpEndpoint::Send(const Operation& operation) {
   if (DestinationOf(message).ip == 0) return Refuse(operation, UDP_ADDRESSERROR);
   if (message.size > kDatagramMax) return Refuse(operation, UDP_MESSAGE_TOO_LONG);
   if (message.size > pool_bytes_) {
-    stack_->Warn(operation, fmt::format("UDP Send of {} bytes fails: the endpoint was created with a pool of {} "
-                                        "bytes; a pool holds a little more than the largest datagram",
-                                        message.size, pool_bytes_));
+    stack_->Warn(
+        operation,
+        fmt::format("UDP Send of {} bytes fails: the endpoint was created with a pool of {} "
+                    "bytes; a pool holds a little more than the largest datagram",
+                    message.size, pool_bytes_));
     return Refuse(operation, UDP_FAIL);
   }
   send_ = accepted;
@@ -151,7 +170,7 @@ void UdpEndpoint::Take(const NetworkEvent& event) {
     error_ = UdpErrorOf(event.error);
   } else if (event.kind == NetworkEvent::Kind::kDatagram) {
     asked_ = false;
-    if (peer_.ip == 0 || event.remote == peer_) datagram_ = event;  // else ask for another
+    waiting_.push_back(event);
   }
 }
 
@@ -174,24 +193,33 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
+// A connected endpoint hears its peer only.  Whether a datagram for the program is left.
+bool UdpEndpoint::DropStrangers() {
+  while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
+    waiting_.pop_front();
+  }
+  return !waiting_.empty();
+}
+
 void UdpEndpoint::FinishReceive() {
   auto& message = receive_->As<UDPEndpointReceiveMsg>();
   const int room = message.size;
   if (error_ != UDP_SUCCESS) return Finish(&receive_, error_);
-  if (!datagram_) {
-    if (!asked_) stack_->network().ReceiveFrom(socket_, static_cast<size_t>(room));
+  if (!DropStrangers()) {
+    if (!asked_) stack_->network().ReceiveFrom(socket_, kReadAhead);
     asked_ = true;
     return;
   }
   if (!stack_->buffers().Contains(message.buffer, room)) {  // destroyed meanwhile
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }
-  const size_t count = std::min(datagram_->bytes.size(), static_cast<size_t>(room));
-  std::memcpy(message.buffer, datagram_->bytes.data(), count);
-  message.address = datagram_->remote.ip;
-  message.port = datagram_->remote.port;
+  const NetworkEvent datagram = std::move(waiting_.front());
+  waiting_.pop_front();
+  const size_t count = std::min(datagram.bytes.size(), static_cast<size_t>(room));
+  std::memcpy(message.buffer, datagram.bytes.data(), count);
+  message.address = datagram.remote.ip;
+  message.port = datagram.remote.port;
   message.size = static_cast<int>(count);
-  datagram_.reset();
   const byte* const data = message.buffer;
   Finish(&receive_, UDP_SUCCESS, data, count);
 }
@@ -214,7 +242,11 @@ void UdpEndpoint::HashState(Hasher* hasher) const {
   hasher->Add(error_);
   hasher->Add(asked_);
   hasher->Add(sent_in_frame_);
-  if (datagram_) hasher->AddText(datagram_->bytes);
+  for (const NetworkEvent& datagram : waiting_) {
+    hasher->Add(datagram.remote.ip);
+    hasher->Add(datagram.remote.port);
+    hasher->AddText(datagram.bytes);
+  }
   for (const auto* pending : {&send_, &receive_}) {
     hasher->Add(pending->has_value());
     if (*pending) hasher->Add(AntMessageHash((*pending)->message()));

@@ -4,6 +4,7 @@
 #include <UDPEndpointMsg.h>
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 #include "runtime/ipstack/endpoint.h"
@@ -15,6 +16,7 @@ class UdpEndpoint : public Endpoint {
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
   static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
+  static constexpr size_t kReadAhead = 16;    // datagrams taken from the network at a time
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
@@ -38,16 +40,17 @@ class UdpEndpoint : public Endpoint {
   bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
   void Refuse(Operation operation, UDPEndpointError error);
   void FinishSend();
+  bool DropStrangers();
   void FinishReceive();
   void Finish(std::optional<Operation>* operation, UDPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 
   NetHandle socket_ = 0;  // 0: not bound
   uint16_t port_ = 0;
-  NetAddress peer_;  // of Connect; ip 0: none
+  NetAddress peer_;                       // of Connect; ip 0: none
   UDPEndpointError error_ = UDP_SUCCESS;  // the socket is of no use
   bool asked_ = false;                    // a Network::ReceiveFrom() is out
-  std::optional<NetworkEvent> datagram_;  // came, not delivered
+  std::deque<NetworkEvent> waiting_;      // datagrams that came and are not delivered
   int64_t sent_in_frame_ = 0;             // bytes; the pool is empty again at the next frame
 
   std::optional<Operation> send_;

@@ -1,0 +1,74 @@
+// Which port of the host is taken, without sockets.
+#include "runtime/ipstack/host_ports.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <vector>
+
+namespace openr_host {
+namespace {
+
+// A host where the ports in `taken` are taken and the next free one is 5555.
+struct Host {
+  int Bind(HostPorts* ports, uint16_t port) {
+    const auto take = [this](uint16_t wanted) {
+      for (const uint16_t other : taken) {
+        if (wanted == other) return EADDRINUSE;
+      }
+      bound = wanted == 0 ? uint16_t{5555} : wanted;
+      return 0;
+    };
+    return ports->Bind(
+        port, take, [this] { return bound; }, &note);
+  }
+  std::vector<uint16_t> taken = {};
+  uint16_t bound = 0;
+  std::string note = {};
+};
+
+TEST(HostPortsTest, PortKeepsItsNumberWhenItIsFree) {
+  HostPorts ports(NetProtocol::kTcp, {});
+  Host host;
+  EXPECT_EQ(host.Bind(&ports, 54000), 0);
+  EXPECT_EQ(ports.HostPort(54000), 54000);
+  EXPECT_EQ(host.note, "");
+}
+
+TEST(HostPortsTest, TakenPortIsReplacedByAFreeOneWithANote) {
+  HostPorts ports(NetProtocol::kUdp, {});
+  Host host{{54000}};
+  EXPECT_EQ(host.Bind(&ports, 54000), 0);
+  EXPECT_EQ(ports.HostPort(54000), 5555);
+  EXPECT_EQ(ports.RobotPort(5555), 54000);
+  EXPECT_EQ(host.note,
+            "UDP port 54000 of the robot is port 5555 of this computer: port 54000 cannot be had "
+            "(Address already in use; another openr-host running?)");
+}
+
+TEST(HostPortsTest, AnyFreePortIsTakenSilentlyWhenWishedFor) {
+  HostPorts ports(NetProtocol::kTcp, {{54000, 0}});
+  Host host;
+  EXPECT_EQ(host.Bind(&ports, 54000), 0);
+  EXPECT_EQ(ports.HostPort(54000), 5555);
+  EXPECT_EQ(host.note, "");
+}
+
+TEST(HostPortsTest, PortOnceChosenIsTriedFirstTheNextTime) {
+  HostPorts ports(NetProtocol::kTcp, {{54000, 0}});
+  Host host;
+  host.Bind(&ports, 54000);
+  host.bound = 0;
+  EXPECT_EQ(host.Bind(&ports, 54000), 0);
+  EXPECT_EQ(host.bound, 5555);
+}
+
+TEST(HostPortsTest, HostWithoutAnyPortIsAnError) {
+  HostPorts ports(NetProtocol::kTcp, {});
+  Host host{{54000, 0}};
+  EXPECT_EQ(host.Bind(&ports, 54000), EADDRINUSE);
+  EXPECT_EQ(ports.HostPort(54000), 0);
+}
+
+}  // namespace
+}  // namespace openr_host
