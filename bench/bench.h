@@ -32,6 +32,7 @@ void RunRows(const std::vector<Row>& rows, const std::string& filter, const std:
 double WallSeconds();
 
 std::vector<Row> MessageRows();
-std::vector<Row> GraphRows(const std::string& stick, const std::string& models);
+// `stick`: a folder that holds OPEN-R/.
+std::vector<Row> GraphRows(const std::string& stick);
 
 }  // namespace openr_host

@@ -1,21 +1,22 @@
-// openr_bench [--filter TEXT] [--json FILE] [--stick DIR --models DIR]
-#include <cstring>
+// openr_bench STICK [FILTER] [JSON]
+#include <cstdio>
+#include <exception>
 #include <string>
 
 #include "bench/bench.h"
 
 int main(int argc, char** argv) {
-  std::string filter, json, stick, models;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--filter") == 0) filter = argv[i + 1];
-    if (std::strcmp(argv[i], "--json") == 0) json = argv[i + 1];
-    if (std::strcmp(argv[i], "--stick") == 0) stick = argv[i + 1];
-    if (std::strcmp(argv[i], "--models") == 0) models = argv[i + 1];
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: openr_bench STICK [FILTER] [JSON]\n");
+    return 2;
   }
-  std::vector<openr_host::Row> rows = openr_host::MessageRows();
-  if (!stick.empty() && !models.empty()) {
-    for (auto& row : openr_host::GraphRows(stick, models)) rows.push_back(std::move(row));
+  try {
+    std::vector<openr_host::Row> rows = openr_host::MessageRows();
+    for (auto& row : openr_host::GraphRows(argv[1])) rows.push_back(std::move(row));
+    openr_host::RunRows(rows, argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
   }
-  openr_host::RunRows(rows, filter, json);
   return 0;
 }

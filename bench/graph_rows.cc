@@ -1,0 +1,80 @@
+// The full graph beside its body alone; one operation is one 8 ms frame.
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "bench/bench.h"
+#include "openr/simulation.h"
+
+namespace openr_host {
+namespace {
+
+// A dog that has stood up and stands.
+std::shared_ptr<Simulation> Standing(const std::string& stick, const std::string& body) {
+  SimulationOptions options;
+  options.stick = stick;
+  options.body = body;
+  options.host_network = false;
+  options.console = [](std::string_view) {};
+  auto simulation = std::make_shared<Simulation>(options);
+  System& system = simulation->system();
+  system.Boot();
+  const Object* const mover = system.FindObject(0, "jointMover");
+  if (mover == nullptr ||
+      !system.RunUntil([&] { return mover->state == "accepting-commands"; }, 20'000'000)) {
+    throw std::runtime_error("bench: the dog does not stand up");
+  }
+  system.RunFor(1'000'000);
+  return simulation;
+}
+
+// The body of a standing dog, holding its set points; no objects, no sensors.
+class BareBody {
+ public:
+  explicit BareBody(const std::string& stick) : simulation_(Standing(stick, "ode")) {
+    for (const JointDevice& joint : simulation_->robots()[0]->devices().joints) {
+      const GainWords& g = joint.gains;
+      commands_.push_back({joint.target_urad * 1e-6, true, {g[0], g[1], g[2], g[3], g[4], g[5]}});
+    }
+  }
+  void Run(int64_t frames) {
+    for (; frames > 0; --frames) simulation_->robots()[0]->body().Advance(commands_);
+  }
+
+ private:
+  std::shared_ptr<Simulation> simulation_;
+  std::vector<JointCommand> commands_;
+};
+
+}  // namespace
+
+std::vector<Row> GraphRows(const std::string& stick) {
+  const auto bare = std::make_shared<std::unique_ptr<BareBody>>();
+  const auto graph = std::make_shared<std::shared_ptr<Simulation>>();
+  const auto ideal = std::make_shared<std::shared_ptr<Simulation>>();
+  const auto run_graph = [stick](const auto& slot, const char* body, int64_t frames) {
+    if (*slot == nullptr) *slot = Standing(stick, body);
+    (*slot)->system().RunFor(frames * kFrameUs);
+  };
+  return {
+      {"full graph, sensors, trace hash; a frame",
+       "ns a frame",
+       250,
+       {{"bare ODE body",
+         [=](int64_t frames) {
+           if (*bare == nullptr) *bare = std::make_unique<BareBody>(stick);
+           (*bare)->Run(frames);
+         }},
+        {"full graph on it", [=](int64_t frames) { run_graph(graph, "ode", frames); }}},
+       1 / 0.90},
+      {"full graph on the ideal body; a frame (3,000 x real time is 2,667 ns)",
+       "ns a frame",
+       2500,
+       {{"full graph", [=](int64_t frames) { run_graph(ideal, "ideal", frames); }}},
+       0},
+  };
+}
+
+}  // namespace openr_host

@@ -1,0 +1,16 @@
+// The commands of the program.  Each adds itself to the command line; when it was chosen, its
+// function runs and leaves the exit code (exit_code.h) in `*exit_code`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace openr_host {
+
+void AddRunCommand(CLI::App* app, int* exit_code);
+void AddRcCommand(CLI::App* app, int* exit_code);
+void AddGraphCommand(CLI::App* app, int* exit_code);
+void AddMtnCommand(CLI::App* app, int* exit_code);
+void AddStubgenCommand(CLI::App* app, int* exit_code);
+void AddVersionCommand(CLI::App* app, int* exit_code);
+
+}  // namespace openr_host

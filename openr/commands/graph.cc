@@ -1,0 +1,93 @@
+// openr graph: objects, services and connections of a stick.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/console.h"
+#include "openr/duration.h"
+#include "openr/exit_code.h"
+#include "openr/filter_process.h"
+#include "openr/graph_view.h"
+#include "openr/report.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kBootMaxUs = 60'000'000;
+
+struct GraphFlags {
+  SimulationOptions simulation;
+  std::string format = "dot";
+  std::string file;
+  std::string for_text = "0s";
+};
+
+std::string Rendered(const GraphView& graph, const std::string& format) {
+  if (format == "json") return GraphToJson(graph).dump(2) + "\n";
+  const std::string dot = GraphToDot(graph);
+  if (format == "dot") return dot;
+  if (const std::optional<std::string> svg = Filter({"dot", "-Tsvg"}, dot)) return *svg;
+  throw std::runtime_error("--format svg needs the program 'dot' (Debian package graphviz)");
+}
+
+void Write(const std::string& text, const std::string& name, Console* console) {
+  if (name.empty()) {
+    console->Answer(text);
+    return;
+  }
+  std::ofstream file(name, std::ios::trunc | std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(name + ": cannot be written");
+}
+
+int Graph(GraphFlags flags) {
+  int64_t for_us = 0;
+  const std::string problem = ParseDuration(flags.for_text, &for_us);
+  if (!problem.empty()) throw CLI::ValidationError("--for", problem);
+  Console console("");
+  flags.simulation.console = [](std::string_view) {};  // only the wiring is asked for
+  flags.simulation.host_network = false;
+  Simulation simulation(flags.simulation);
+  System& system = simulation.system();
+  bool booted = false;
+  if (simulation.loaded()) {
+    system.Boot();
+    booted = system.RunUntil([&system] { return system.booted(); }, kBootMaxUs);
+    if (booted && for_us > system.now_us()) system.RunUntil(for_us);
+  }
+  if (!booted) {
+    fmt::print(stderr, "{}openr graph: the robot does not boot\n", DescribeFindings(&simulation));
+    return kExitWrong;
+  }
+  fmt::print(stderr, "{}", DescribeFindings(&simulation));
+  Write(Rendered(CollectGraph(&system), flags.format), flags.file, &console);
+  return system.findings().HasError() ? kExitWrong : kExitGood;
+}
+
+}  // namespace
+
+void AddGraphCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("graph", "Objects, services and connections of a stick");
+  auto flags = std::make_shared<GraphFlags>();
+  AddCommonFlags(command, &flags->simulation);
+  command->add_option("--format", flags->format, "dot, json or svg")
+      ->check(CLI::IsMember({"dot", "json", "svg"}))
+      ->capture_default_str();
+  command
+      ->add_option("--for", flags->for_text,
+                   "Run for this virtual time first: shows states and counts of events")
+      ->capture_default_str();
+  command->add_option("-o,--output", flags->file, "File to write (default: standard output)");
+  command->callback([flags, exit_code] { *exit_code = Graph(*flags); });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,170 @@
+// openr mtn: what is in a motion file, and whether a robot can play it.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "MtnFile.h"
+#include "RobotDescription.h"
+#include "openr/commands/commands.h"
+#include "openr/exit_code.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegPerUrad = 180 / 3.14159265358979323846 * 1e-6;
+
+struct MtnFlags {
+  std::vector<std::string> files;
+  std::string robot = "ers210";
+  bool json = false;
+};
+
+// False after a complaint in `problem`.
+bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
+  std::ifstream stream(name, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream || stream.bad()) {
+    *problem = "cannot be read";
+    return false;
+  }
+  if (motion->Read(reinterpret_cast<const Uint8*>(bytes.data()), bytes.size())) return true;
+  *problem = motion->Error();
+  return false;
+}
+
+Json Facts(const std::string& name, const MtnFile& motion) {
+  Json joints = Json::array();
+  for (int j = 0; j < motion.NumJoints(); ++j) joints.push_back(motion.Locator(j));
+  return {{"file", name},
+          {"name", motion.Name()},
+          {"creator", motion.Creator()},
+          {"design_label", motion.DesignLabel()},
+          {"version", fmt::format("{}.{}", motion.MajorVersion(), motion.MinorVersion())},
+          {"key_frames", motion.NumKeyFrames()},
+          {"duration_ms", motion.DurationMs()},
+          {"joints", joints},
+          {"warnings", motion.Warnings()}};
+}
+
+void PrintFacts(const std::string& name, const MtnFile& motion) {
+  fmt::print("{}: \"{}\" by \"{}\" for \"{}\", version {}.{}\n", name, motion.Name(),
+             motion.Creator(), motion.DesignLabel(), motion.MajorVersion(), motion.MinorVersion());
+  fmt::print("  {} key frames of {} joints, {:.3f} s\n", motion.NumKeyFrames(), motion.NumJoints(),
+             motion.DurationMs() / 1000.0);
+  for (int j = 0; j < motion.NumJoints(); ++j) {
+    Sint32 low = motion.NumKeyFrames() > 0 ? motion.Angle(0, j) : 0, high = low;
+    for (int k = 0; k < motion.NumKeyFrames(); ++k) {
+      low = std::min(low, motion.Angle(k, j));
+      high = std::max(high, motion.Angle(k, j));
+    }
+    fmt::print("  {:<32} {:8.2f} to {:8.2f} deg\n", motion.Locator(j), low * kDegPerUrad,
+               high * kDegPerUrad);
+  }
+}
+
+void PrintWarnings(const std::string& name, const MtnFile& motion) {
+  for (const std::string& warning : motion.Warnings()) {
+    fmt::print(stderr, "{}: warning: {}\n", name, warning);
+  }
+}
+
+bool Info(const std::string& name, const MtnFlags& flags) {
+  MtnFile motion;
+  std::string problem;
+  if (!Load(name, &motion, &problem)) {
+    fmt::print(stderr, "{}: {}\n", name, problem);
+    return false;
+  }
+  if (flags.json) {
+    fmt::print("{}\n", Facts(name, motion).dump());
+    return true;
+  }
+  PrintFacts(name, motion);
+  PrintWarnings(name, motion);
+  return true;
+}
+
+const RobotConstants* RobotOf(const std::string& model) {
+  const std::string design = "ERS-" + model.substr(3);
+  return FindRobot(design.c_str());
+}
+
+bool Check(const std::string& name, const MtnFlags& flags) {
+  MtnFile motion;
+  std::string problem;
+  const RobotConstants* const robot = RobotOf(flags.robot);
+  const bool good = Load(name, &motion, &problem) && motion.MapTo(robot);
+  if (!good && problem.empty()) problem = motion.Error();
+  if (flags.json) {
+    Json json = {{"file", name}, {"robot", robot->design}, {"plays", good}, {"error", problem}};
+    json["warnings"] = motion.Warnings();
+    fmt::print("{}\n", json.dump());
+  } else if (good) {
+    fmt::print("{}: plays on the {}: {} key frames, {:.3f} s\n", name, robot->design,
+               motion.NumKeyFrames(), motion.DurationMs() / 1000.0);
+  }
+  if (!good) fmt::print(stderr, "{}: {}\n", name, problem);
+  if (!flags.json) PrintWarnings(name, motion);
+  return good;
+}
+
+// A line per key frame: time, attitude and joints, in degrees.
+bool Dump(const std::string& name, const MtnFlags&) {
+  MtnFile motion;
+  std::string problem;
+  if (!Load(name, &motion, &problem)) {
+    fmt::print(stderr, "{}: {}\n", name, problem);
+    return false;
+  }
+  fmt::print("key_frame,time_ms,roll_deg,pitch_deg,yaw_deg");
+  for (int j = 0; j < motion.NumJoints(); ++j) fmt::print(",{}", motion.Locator(j));
+  fmt::print("\n");
+  for (int k = 0; k < motion.NumKeyFrames(); ++k) {
+    fmt::print("{},{}", k, motion.TimeMs(k));
+    for (int a = 0; a < 3; ++a) fmt::print(",{:.4f}", motion.Attitude(k, a) * kDegPerUrad);
+    for (int j = 0; j < motion.NumJoints(); ++j) {
+      fmt::print(",{:.4f}", motion.Angle(k, j) * kDegPerUrad);
+    }
+    fmt::print("\n");
+  }
+  return true;
+}
+
+using ForFile = bool (*)(const std::string& name, const MtnFlags& flags);
+
+}  // namespace
+
+void AddMtnCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const mtn = app->add_subcommand("mtn", "Motion files");
+  mtn->require_subcommand(1);
+  auto flags = std::make_shared<MtnFlags>();
+  const auto add = [&](const char* name, const char* about, ForFile for_file) {
+    CLI::App* const command = mtn->add_subcommand(name, about);
+    command->add_option("FILE", flags->files, "Motion files")->required();
+    command->callback([flags, exit_code, for_file] {
+      for (const std::string& file : flags->files) {
+        if (!for_file(file, *flags)) *exit_code = kExitWrong;
+      }
+    });
+    return command;
+  };
+  CLI::App* const info = add("info", "What is in a motion file", &Info);
+  CLI::App* const check = add("check", "Whether a robot can play it", &Check);
+  add("dump", "All key frames as comma-separated values, in degrees", &Dump);
+  for (CLI::App* const command : {info, check}) {
+    command->add_flag("--json", flags->json, "One JSON object per file");
+  }
+  check->add_option("--robot", flags->robot, "Model of the robot")
+      ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))
+      ->capture_default_str();
+}
+
+}  // namespace openr_host

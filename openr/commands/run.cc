@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/console.h"
+#include "openr/crash_log.h"
+#include "openr/duration.h"
+#include "openr/exit_code.h"
+#include "openr/interrupt.h"
+#include "openr/report.h"
+#include "openr/runner.h"
+#include "openr/simulation.h"
+#include "openr/watchdog.h"
+
+namespace openr_host {
+namespace {
+
+struct RunFlags {
+  SimulationOptions simulation;
+  std::string for_text;
+  bool until_idle = false;
+  std::string rate = "1";
+  std::string report_file;
+  bool json = false;
+  bool no_panel = false;
+  std::string panel;
+  std::string log = "info";
+  std::string console_file;
+  std::string handler_limit = "10s";
+  std::vector<std::string> snapshots;
+  std::vector<std::string> snapshot_files;
+};
+
+void Describe(CLI::App* command, RunFlags* flags) {
+  AddCommonFlags(command, &flags->simulation);
+  command->add_option("--for", flags->for_text, "How long to run, in virtual time: 20s, 250ms");
+  command->add_flag("--until-idle", flags->until_idle,
+                    "Run until the objects have sent nothing for 1 s of virtual time");
+  command->add_option("--rate", flags->rate, "Virtual seconds per second, or max")
+      ->capture_default_str();
+  command
+      ->add_option("--robots", flags->simulation.robots,
+                   "Number of robots, each in a world of its own, on one read-only stick")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--report", flags->report_file, "Write the report to this file");
+  command->add_flag("--json", flags->json, "Print the report, and nothing else, as JSON");
+  command
+      ->add_option("--rc-port", flags->simulation.rc_port,
+                   "Port of the remote control; 0: any free one")
+      ->check(CLI::Range(0, 65535));
+  command->add_flag("--no-panel", flags->no_panel, "No web panel");
+  command->add_option("--panel", flags->panel, "Web panel (not in this version)")->expected(0, 1);
+  command->add_flag("--strict", flags->simulation.strict,
+                    "Enforce the limits of the robot; refuse wrong wiring");
+  command
+      ->add_option("--body", flags->simulation.body, "ode: physics; ideal: joints follow exactly")
+      ->check(CLI::IsMember({"ode", "ideal"}))
+      ->capture_default_str();
+  command->add_option("--log", flags->log, "Lines of objects to print")
+      ->check(CLI::IsMember({"error", "warning", "info"}))
+      ->capture_default_str();
+  command->add_option("--console", flags->console_file,
+                      "File for what objects print (default: standard error)");
+  command
+      ->add_option("--handler-limit", flags->handler_limit,
+                   "End the run when a handler uses more processor time; 0s: never")
+      ->capture_default_str();
+  command
+      ->add_option("--snapshot", flags->snapshots,
+                   "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")
+      ->take_all();
+  command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")
+      ->take_all();
+}
+
+std::vector<SnapshotPlan> SnapshotPlans(const RunFlags& flags) {
+  if (flags.snapshots.size() != flags.snapshot_files.size()) {
+    throw CLI::ValidationError(
+        "--snapshot", fmt::format("{} given, with {} files (-o FILE)", flags.snapshots.size(),
+                                  flags.snapshot_files.size()));
+  }
+  std::vector<SnapshotPlan> plans;
+  for (size_t i = 0; i < flags.snapshots.size(); ++i) {
+    SnapshotPlan plan;
+    plan.file = flags.snapshot_files[i];
+    const std::string problem = ParseSnapshot(flags.snapshots[i], &plan);
+    if (!problem.empty()) throw CLI::ValidationError("--snapshot", problem);
+    if (plan.robot >= flags.simulation.robots) {
+      throw CLI::ValidationError("--snapshot", fmt::format("there is no robot {}", plan.robot));
+    }
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+int64_t DurationOf(const char* flag, const std::string& text) {
+  int64_t us = 0;
+  const std::string problem = ParseDuration(text, &us);
+  if (!problem.empty()) throw CLI::ValidationError(flag, problem);
+  return us;
+}
+
+double RateOf(const std::string& text) {
+  if (text == "max") return 0;
+  char* end = nullptr;
+  const double rate = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == 0 && rate >= 0.001 && rate <= 1000) return rate;
+  throw CLI::ValidationError(
+      "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
+}
+
+RunPlan PlanOf(const RunFlags& flags) {
+  RunPlan plan;
+  if (!flags.for_text.empty()) plan.for_us = DurationOf("--for", flags.for_text);
+  plan.until_idle = flags.until_idle;
+  plan.rate = RateOf(flags.rate);
+  plan.snapshots = SnapshotPlans(flags);
+  plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  return plan;
+}
+
+void WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags, Console* console) {
+  if (flags.json) console->Answer(report.dump() + "\n");
+  if (flags.report_file.empty()) return;
+  std::ofstream file(flags.report_file, std::ios::trunc);
+  file << report.dump(2) << '\n';
+  file.close();
+  if (!file) throw std::runtime_error(flags.report_file + ": the report cannot be written");
+}
+
+std::string Summary(const nlohmann::ordered_json& report) {
+  std::string text = fmt::format(
+      "{:.3f} s of virtual time in {:.3f} s, {:.1f} x real time; {} messages; state {}\n",
+      report["virtual_time_s"].get<double>(), report["wall_time_s"].get<double>(),
+      report["x_real_time"].get<double>(), report["messages"].get<uint64_t>(),
+      report["state_hash"].get<std::string>());
+  for (const auto& robot : report["robots"]) {
+    text += fmt::format("{}: {}\n", robot["model"].get<std::string>(),
+                        robot["standing"].get<bool>() ? "standing" : "not standing");
+  }
+  return text;
+}
+
+int Run(RunFlags flags) {
+  if (!flags.panel.empty()) {
+    throw CLI::ValidationError("--panel", "there is no web panel in this version");
+  }
+  const RunPlan plan = PlanOf(flags);
+  const int64_t handler_limit_us = DurationOf("--handler-limit", flags.handler_limit);
+  flags.simulation.log_level = flags.log == "error" ? 1 : flags.log == "warning" ? 2 : 3;
+
+  Console console(flags.console_file);
+  flags.simulation.console = [&console](std::string_view text) { console.Print(text); };
+  const InterruptCounter interrupts;
+  Simulation simulation(flags.simulation);
+  bool good = simulation.loaded();
+  RunFacts facts;
+  facts.seed = flags.simulation.seed;
+  if (good && !(flags.simulation.strict && simulation.system().findings().HasError())) {
+    const CrashLog crash_log(
+        std::vector<std::string>(static_cast<size_t>(flags.simulation.robots), simulation.stick()));
+    const Watchdog watchdog(handler_limit_us);
+    Runner runner(&simulation, plan, &interrupts);
+    good = runner.Run();
+    facts.wall_time_s = runner.wall_time_s();
+    facts.standing = runner.standing();
+  } else {
+    facts.standing.assign(simulation.robots().size(), StandingMonitor(simulation.model()));
+    fmt::print(stderr, "openr: the robot does not boot\n");
+  }
+  const nlohmann::ordered_json report = MakeReport(&simulation, facts);
+  fmt::print(stderr, "{}{}", DescribeFindings(&simulation), Summary(report));
+  WriteReport(report, flags, &console);
+  return good && !simulation.system().findings().HasError() ? kExitGood : kExitWrong;
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("run", "Runs the objects of a stick; Ctrl-C is the pause button");
+  auto flags = std::make_shared<RunFlags>();
+  Describe(command, flags.get());
+  command->callback([flags, exit_code] { *exit_code = Run(*flags); });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,26 @@
+// What is left of a run that an object brought down: OPEN-R/EMON.LOG on its stick, as the
+// robot's emergency monitor leaves it, and the same on standard error.
+//
+// On the robot a crash of one object is a crash of the robot; here it ends the run with exit
+// status 1.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+// While it lives, SIGSEGV, SIGBUS, SIGFPE and SIGILL of an object end the run with a record.
+// Those of the program itself end it the way the system does.  Under AddressSanitizer only the
+// alternate stack is set up: its own report says more.
+class CrashLog {
+ public:
+  // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.
+  explicit CrashLog(const std::vector<std::string>& sticks);
+  ~CrashLog();
+  CrashLog(const CrashLog&) = delete;
+  CrashLog& operator=(const CrashLog&) = delete;
+};
+
+}  // namespace openr_host

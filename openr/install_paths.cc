@@ -1,0 +1,65 @@
+#include "openr/install_paths.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The prefix: bin/openr lies below it both when built and when installed.
+fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
+
+std::vector<fs::path> DataFolders() { return {Prefix(), Prefix() / "share" / "openr-host"}; }
+
+}  // namespace
+
+std::string ProgramFolder() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error) throw std::runtime_error("/proc/self/exe: " + error.message());
+  return self.parent_path();
+}
+
+std::string DefaultStick() {
+  std::string looked;
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    if (fs::is_directory(folder / "stick" / "OPEN-R", error)) return folder / "stick";
+    looked += fmt::format(" {}", (folder / "stick").string());
+  }
+  throw std::runtime_error(fmt::format(
+      "no default stick in{}; build the target 'stick', or name one with --stick DIR", looked));
+}
+
+std::string ModelFile(const std::string& name) {
+  std::vector<std::string> known;
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    const fs::path file = folder / "model" / (name + ".json");
+    if (name.find('/') == std::string::npos && fs::is_regular_file(file, error)) return file;
+    for (const auto& entry : fs::directory_iterator(folder / "model", error)) {
+      if (entry.path().extension() == ".json") known.push_back(entry.path().stem());
+    }
+  }
+  std::sort(known.begin(), known.end());
+  throw std::runtime_error(
+      fmt::format("no robot model '{}'; there are: {}", name, fmt::join(known, ", ")));
+}
+
+std::string RenderLibrary() {
+  const char* const name = "libopenr_render.so";
+  for (const fs::path& folder : {Prefix() / "lib", Prefix() / "lib" / "openr-host"}) {
+    std::error_code error;
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  }
+  return name;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,23 @@
+// Where the program finds what belongs to it: next to itself, in the build tree as in an
+// installed one.
+#pragma once
+
+#include <string>
+
+namespace openr_host {
+
+// The folder of the running program.
+std::string ProgramFolder();
+
+// The default stick: a folder that holds OPEN-R/.  Throws std::runtime_error naming the places
+// looked at when it is nowhere.
+std::string DefaultStick();
+
+// File of the robot model `name` ("ers210").  Throws std::runtime_error that lists the models
+// there are.
+std::string ModelFile(const std::string& name);
+
+// libopenr_render.so, or its bare name for the dynamic linker to look for.
+std::string RenderLibrary();
+
+}  // namespace openr_host

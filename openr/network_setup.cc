@@ -1,0 +1,27 @@
+#include "openr/network_setup.h"
+
+#include <memory>
+#include <utility>
+
+#include "RemotePacket.h"
+#include "runtime/ipstack/host_network.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/ipstack/loopback_network.h"
+
+namespace openr_host {
+
+IpStack* AddHostNetwork(System* system, int robot, int rc_port) {
+  HostNetworkOptions options;
+  if (rc_port >= 0) options.tcp_ports[RC_PORT] = static_cast<uint16_t>(rc_port);
+  return AddIpStack(system, robot, std::make_unique<HostNetwork>(std::move(options)));
+}
+
+IpStack* AddLonelyNetwork(System* system, int robot) {
+  return AddIpStack(system, robot, std::make_unique<LoopbackNetwork>());
+}
+
+uint16_t HostPortOfRemoteControl(const IpStack& network) {
+  return network.HostPort(NetProtocol::kTcp, RC_PORT);
+}
+
+}  // namespace openr_host

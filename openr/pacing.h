@@ -1,0 +1,31 @@
+// Keeps virtual time in step with the wall clock.  The only place where the wall clock decides
+// anything, and it only decides when to go on.
+#pragma once
+
+#include <cstdint>
+
+namespace openr_host {
+
+class Pacer {
+ public:
+  // Virtual seconds per second; 0: as fast as possible.
+  explicit Pacer(double rate) : rate_(rate) {}
+
+  // Sleeps until virtual time `time_us` is due.  Returns early on a signal.  A run that is more
+  // than 0.1 s late does not rush to catch up: from there on it is in step again.
+  void WaitFor(int64_t time_us);
+
+  // From now on as fast as possible.
+  void LetGo() { rate_ = 0; }
+
+ private:
+  double rate_;
+  bool started_ = false;
+  int64_t start_wall_ns_ = 0;
+  int64_t start_virtual_us_ = 0;
+};
+
+// The monotonic clock in nanoseconds; may be called while an object is running.
+int64_t WallClockNs();
+
+}  // namespace openr_host

@@ -1,0 +1,61 @@
+#include "openr/render/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace openr_host::render {
+namespace {
+
+// One side of the box: a grid over [-1, 1] x [-1, 1] in which the middle line is there twice,
+// once for each half; between the two lies the flat part.
+void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
+             Mesh* mesh) {
+  const int u_axis = (axis + 1) % 3;
+  const int v_axis = (axis + 2) % 3;
+  const int per_line = 2 * (steps + 1);
+  // Equal angles along an edge, so that the rounding is even.
+  const auto slope = [steps](int i) {
+    const int step = i <= steps ? i - steps : i - steps - 1;  // -steps .. 0, 0 .. steps
+    return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
+  };
+  const auto half = [steps](int i) { return i <= steps ? -1.0f : 1.0f; };
+
+  const auto first = static_cast<uint32_t>(mesh->vertices.size());
+  for (int i = 0; i < per_line; ++i) {
+    for (int j = 0; j < per_line; ++j) {
+      Eigen::Vector3f normal;
+      normal[axis] = sign;
+      normal[u_axis] = slope(i);
+      normal[v_axis] = slope(j);
+      normal.normalize();
+      Eigen::Vector3f corner;
+      corner[axis] = sign * flat[axis];
+      corner[u_axis] = half(i) * flat[u_axis];
+      corner[v_axis] = half(j) * flat[v_axis];
+      mesh->vertices.push_back({corner + radius * normal, normal});
+    }
+  }
+  const auto at = [&](int i, int j) { return first + static_cast<uint32_t>(i * per_line + j); };
+  for (int i = 0; i + 1 < per_line; ++i) {
+    for (int j = 0; j + 1 < per_line; ++j) {
+      uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      if (sign < 0) std::swap(b, d);
+      for (const uint32_t index : {a, b, c, a, c, d}) mesh->triangles.push_back(index);
+    }
+  }
+}
+
+}  // namespace
+
+Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps) {
+  radius = std::clamp(radius, 0.0f, 0.5f * size.minCoeff());
+  const Eigen::Vector3f flat = 0.5f * size - Eigen::Vector3f::Constant(radius);
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis) {
+    AddSide(axis, 1, flat, radius, steps, &mesh);
+    AddSide(axis, -1, flat, radius, steps, &mesh);
+  }
+  return mesh;
+}
+
+}  // namespace openr_host::render

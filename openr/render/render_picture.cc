@@ -1,0 +1,21 @@
+// The one door into this library; see scene.h.
+#include <exception>
+
+#include "openr/render/png_file.h"
+#include "openr/render/renderer.h"
+#include "openr/render/scene.h"
+
+namespace openr_host::render {
+
+extern "C" __attribute__((visibility("default"))) void openr_render_picture(const Scene& scene,
+                                                                            const Picture& picture,
+                                                                            std::string* error) {
+  try {
+    *error = WritePng(picture.file, picture.width_px, picture.height_px,
+                      Draw(scene, picture.width_px, picture.height_px));
+  } catch (const std::exception& e) {
+    *error = e.what();
+  }
+}
+
+}  // namespace openr_host::render

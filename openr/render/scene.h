@@ -1,0 +1,50 @@
+// A picture to be taken, as plain data: what stands where, in which colour, seen from where.
+//
+// World W: metres, right-handed, z up, floor at z = 0.  Nothing here knows robots.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+namespace openr_host::render {
+
+struct Colour {
+  float r = 0.5f, g = 0.5f, b = 0.5f;  // 0 to 1, as seen on a screen (sRGB)
+};
+
+// A box with rounded edges; a ball when the radius is half of all edges.
+struct Shape {
+  Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
+  Eigen::Vector3d size_m{0, 0, 0};                         // full edges
+  double radius_m = 0;  // of the edges; at most half of the shortest edge is used
+  Colour colour;
+  float gloss = 0.3f;  // 0 dull to 1 polished
+  bool glows = false;  // shines by itself, in its colour
+};
+
+struct Camera {
+  Eigen::Vector3d p_W{1, -1, 0.5};  // where it is
+  Eigen::Vector3d target_W{0, 0, 0};
+  Eigen::Vector3d up{0, 0, 1};  // not along the line of sight
+  double fov_rad = 0.5;         // of the height of the picture
+};
+
+struct Scene {
+  std::vector<Shape> shapes;
+  Camera camera;
+  double floor_grid_m = 0.1;  // distance of the lines on the floor
+};
+
+struct Picture {
+  int width_px = 1280;  // 16 to 4096
+  int height_px = 720;  // 16 to 4096
+  std::string file;     // PNG
+};
+
+// What libopenr_render.so shows under the name openr_render_picture.  `error` is left empty or
+// says what went wrong; then there is no file.
+using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* error);
+constexpr char kRenderPictureName[] = "openr_render_picture";
+
+}  // namespace openr_host::render

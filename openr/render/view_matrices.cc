@@ -1,0 +1,51 @@
+#include "openr/render/view_matrices.h"
+
+#include <cmath>
+
+namespace openr_host::render {
+namespace {
+
+constexpr double kNearM = 0.02;
+constexpr double kFarM = 30;
+
+// Looking along -z from `eye`, x to the right, y up.
+Eigen::Matrix4d LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
+                       const Eigen::Vector3d& up) {
+  const Eigen::Vector3d z = (eye - target).normalized();
+  const Eigen::Vector3d x = up.cross(z).normalized();
+  const Eigen::Vector3d y = z.cross(x);
+  Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
+  result.block<1, 3>(0, 0) = x.transpose();
+  result.block<1, 3>(1, 0) = y.transpose();
+  result.block<1, 3>(2, 0) = z.transpose();
+  result.block<3, 1>(0, 3) = -result.block<3, 3>(0, 0) * eye;
+  return result;
+}
+
+}  // namespace
+
+Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect) {
+  const double f = 1 / std::tan(camera.fov_rad / 2);
+  Eigen::Matrix4d lens = Eigen::Matrix4d::Zero();
+  lens(0, 0) = f / aspect;
+  lens(1, 1) = f;
+  lens(2, 2) = (kFarM + kNearM) / (kNearM - kFarM);
+  lens(2, 3) = 2 * kFarM * kNearM / (kNearM - kFarM);
+  lens(3, 2) = -1;
+  return (lens * LookAt(camera.p_W, camera.target_W, camera.up)).cast<float>();
+}
+
+Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector3d& to_light,
+                            double half_m) {
+  const double distance = 4 * half_m;
+  const Eigen::Vector3d up =
+      std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
+  box(0, 0) = box(1, 1) = 1 / half_m;
+  // Depth -1 lies at the light, 1 as far behind the target.
+  box(2, 2) = -1 / distance;
+  box(2, 3) = -1;
+  return (box * LookAt(target_W + distance * to_light, target_W, up)).cast<float>();
+}
+
+}  // namespace openr_host::render

@@ -1,0 +1,28 @@
+// The report of a run: --report FILE and --json.  Field names, once released, stay.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "openr/standing.h"
+
+namespace openr_host {
+
+class Simulation;
+
+// What the report says besides the state of the simulation.
+struct RunFacts {
+  double wall_time_s = 0;
+  uint64_t seed = 1;
+  std::vector<StandingMonitor> standing;  // by robot
+};
+
+// Keys in the order of docs/cli.md.
+nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts);
+
+// "error: JointMover (message 12, t=0.096 s): text", one line each, for people.
+std::string DescribeFindings(Simulation* simulation);
+
+}  // namespace openr_host

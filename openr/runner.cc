@@ -1,0 +1,127 @@
+#include "openr/runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "openr/interrupt.h"
+#include "openr/pacing.h"
+#include "openr/simulation.h"
+
+namespace openr_host {
+namespace {
+
+// After a shutdown that the program asks for itself: DoStop and DoDestroy of all objects.
+constexpr int64_t kShutdownMaxUs = 60'000'000;
+
+}  // namespace
+
+Runner::Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts)
+    : simulation_(simulation),
+      plan_(std::move(plan)),
+      interrupts_(interrupts),
+      standing_(simulation->robots().size(), StandingMonitor(simulation->model())),
+      taken_(plan_.snapshots.size(), false),
+      announced_(simulation->robots().size(), false) {}
+
+void Runner::WatchActivity() {
+  if (!plan_.until_idle) return;
+  System& system = simulation_->system();
+  system.trace().set_sink([this, &system](const TraceRecord& record, const Message& message) {
+    const Object* const sender = system.object(message.sender);
+    const Object* const target = system.object(message.target);
+    const bool from_stick = sender != nullptr && !sender->is_system;
+    const bool ready_for_system =
+        message.kind == PayloadKind::kReady && target != nullptr && target->is_system;
+    if (from_stick && !ready_for_system) last_activity_us_ = record.time_us;
+  });
+}
+
+bool Runner::IsOver() const {
+  System& system = simulation_->system();
+  const int64_t now_us = system.now_us();
+  if (system.powered_off() || interrupts_->count() >= 2) return true;
+  if (paused_us_ >= 0) return now_us - paused_us_ >= kPauseUs + kShutdownMaxUs;
+  if (plan_.for_us && now_us >= *plan_.for_us) return true;
+  return plan_.until_idle && system.booted() && now_us - last_activity_us_ >= kIdleUs;
+}
+
+// The next frame boundary, or what comes before it.
+int64_t Runner::NextStop() const {
+  const int64_t now_us = simulation_->system().now_us();
+  int64_t stop_us = (now_us / kFrameUs + 1) * kFrameUs;
+  if (plan_.for_us && *plan_.for_us > now_us) stop_us = std::min(stop_us, *plan_.for_us);
+  return stop_us;
+}
+
+void Runner::PressPause() {
+  paused_us_ = simulation_->system().now_us();
+  plan_.say("pause button pressed; again to end at once");
+  for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
+}
+
+void Runner::TakeSnapshots(bool at_end) {
+  for (size_t i = 0; i < plan_.snapshots.size(); ++i) {
+    const SnapshotPlan& snapshot = plan_.snapshots[i];
+    const int64_t now_us = simulation_->system().now_us();
+    const bool due = snapshot.time_us >= 0 && now_us >= snapshot.time_us;
+    if (taken_[i] || !(due || at_end)) continue;
+    taken_[i] = true;
+    const int64_t begin_ns = WallClockNs();
+    const VirtualRobot& robot = *simulation_->robots().at(static_cast<size_t>(snapshot.robot));
+    const std::string problem = TakeSnapshot(snapshot, robot, simulation_->world());
+    good_ = good_ && problem.empty();
+    wall_time_ns_ -= WallClockNs() - begin_ns;
+    plan_.say(problem.empty() ? fmt::format("wrote {} (t={:.3f} s)", snapshot.file,
+                                            static_cast<double>(now_us) / 1e6)
+                              : problem);
+  }
+}
+
+void Runner::AnnouncePorts() {
+  for (size_t i = 0; i < announced_.size(); ++i) {
+    if (announced_[i]) continue;
+    const uint16_t port = simulation_->RcPort(static_cast<int>(i));
+    if (port == 0) continue;
+    announced_[i] = true;
+    plan_.say(announced_.size() == 1
+                  ? fmt::format("remote control: openr rc 127.0.0.1:{} info", port)
+                  : fmt::format("remote control of robot {}: openr rc 127.0.0.1:{} info", i, port));
+  }
+}
+
+void Runner::AfterFrame() {
+  System& system = simulation_->system();
+  for (size_t i = 0; i < standing_.size(); ++i) {
+    standing_[i].Sample(simulation_->robots()[i]->body().state(), system.now_us());
+  }
+  AnnouncePorts();
+  TakeSnapshots(false);
+  if (interrupts_->count() > 0 && paused_us_ < 0) PressPause();
+  if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
+    shutdown_posted_ = true;
+    plan_.say("no object handles the pause button; shutting down");
+    system.Shutdown();
+  }
+}
+
+bool Runner::Run() {
+  System& system = simulation_->system();
+  Pacer pacer(plan_.rate);
+  WatchActivity();
+  const int64_t begin_ns = WallClockNs();
+  system.Boot();
+  while (!IsOver()) {
+    const int64_t stop_us = NextStop();
+    if (paused_us_ < 0) pacer.WaitFor(stop_us);
+    system.RunUntil(stop_us);
+    AfterFrame();
+  }
+  system.trace().set_sink({});
+  TakeSnapshots(true);
+  wall_time_ns_ += WallClockNs() - begin_ns;
+  return good_;
+}
+
+}  // namespace openr_host

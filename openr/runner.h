@@ -1,0 +1,66 @@
+// Runs a simulation frame by frame: pacing, pictures, the pause button, the end.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "openr/report.h"
+#include "openr/snapshot.h"
+
+namespace openr_host {
+
+class InterruptCounter;
+class Simulation;
+
+struct RunPlan {
+  std::optional<int64_t> for_us;  // virtual; none: until the robot powers off
+  bool until_idle = false;        // or until objects have been quiet for kIdleUs
+  double rate = 1;                // virtual seconds per second; 0: as fast as possible
+  std::vector<SnapshotPlan> snapshots;
+  std::function<void(const std::string& line)> say;  // for people
+};
+
+// Quiet: nothing was delivered that an object of the stick had sent, but for its readiness for
+// the next vector of a system object.
+constexpr int64_t kIdleUs = 1'000'000;
+
+// An object that watches the pause button has this long to shut the robot down.
+constexpr int64_t kPauseUs = 1'000'000;
+
+class Runner {
+ public:
+  Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts);
+
+  // Boots the robots and runs to the end.  False when a picture could not be taken.
+  bool Run();
+
+  // Without the time pictures took.
+  double wall_time_s() const { return static_cast<double>(wall_time_ns_) / 1e9; }
+  const std::vector<StandingMonitor>& standing() const { return standing_; }
+
+ private:
+  void WatchActivity();
+  bool IsOver() const;
+  int64_t NextStop() const;
+  void AfterFrame();
+  void PressPause();
+  void TakeSnapshots(bool at_end);
+  void AnnouncePorts();
+
+  Simulation* const simulation_;
+  const RunPlan plan_;
+  const InterruptCounter* const interrupts_;
+  std::vector<StandingMonitor> standing_;
+  std::vector<bool> taken_;      // by snapshot
+  std::vector<bool> announced_;  // by robot: its port
+  int64_t last_activity_us_ = 0;
+  int64_t paused_us_ = -1;  // when the button was pressed
+  bool shutdown_posted_ = false;
+  bool good_ = true;
+  int64_t wall_time_ns_ = 0;
+};
+
+}  // namespace openr_host

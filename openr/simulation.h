@@ -1,0 +1,68 @@
+// A run put together: robots with bodies and sticks in one System.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/core/system.h"
+#include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/virtual_robot.h"
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+class IpStack;
+
+struct SimulationOptions {
+  std::string stick;             // folder that holds OPEN-R/; "": the default stick
+  std::string robot = "ers210";  // name of a model
+  std::string world;             // a world file; "": a flat floor
+  std::string body = "ode";      // "ode" or "ideal"
+  int robots = 1;                // each with a world of its own; several share the stick, read-only
+  uint64_t seed = 1;
+  bool strict = false;
+  uint32_t log_level = 3;    // see SystemOptions
+  bool host_network = true;  // false: a network without anybody else in it
+  // Port of the host for the first robot's remote control; 0: any free one, -1: the robot's own
+  // if it is free, else any.
+  int rc_port = -1;
+  std::function<void(std::string_view)> console;
+};
+
+class Simulation {
+ public:
+  // Builds everything up to Boot(), which is left to the caller.  What is wrong on the stick is
+  // a finding; `loaded()` is then false if the robot would not boot.  Throws std::runtime_error
+  // when model, world or stick cannot be used at all.
+  explicit Simulation(const SimulationOptions& options);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  System& system() { return *system_; }
+  bool loaded() const { return loaded_; }
+  const RobotModel& model() const { return model_; }
+  const World& world() const { return world_; }
+  const std::string& stick() const { return stick_; }
+  const std::vector<VirtualRobot*>& robots() const { return robots_; }
+
+  // Port of the host where the remote control of `robot` is found; 0 while nobody listens.
+  uint16_t RcPort(int robot) const;
+
+ private:
+  void AddRobot(const SimulationOptions& options, int index);
+
+  const RobotModel model_;
+  const World world_;
+  const std::string stick_;
+  std::unique_ptr<System> system_;
+  std::vector<VirtualRobot*> robots_;
+  std::vector<IpStack*> networks_;
+  bool loaded_ = true;
+};
+
+}  // namespace openr_host

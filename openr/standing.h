@@ -1,0 +1,40 @@
+// Whether the robot stands: the rule of docs/cli.md.
+#pragma once
+
+#include <cstdint>
+
+#include "virtualrobot/body.h"
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host {
+
+class StandingMonitor {
+ public:
+  static constexpr double kHeightToleranceM = 0.010;
+  static constexpr double kAttitudeToleranceRad = 3 * 3.14159265358979 / 180;
+  static constexpr double kSpeedMaxMs = 0.005;
+  static constexpr int64_t kCalmUs = 500'000;
+
+  // Compares with the posture "stand" of the model, resting on a flat floor; a model without
+  // one never stands.
+  explicit StandingMonitor(const RobotModel& model);
+
+  // Once per frame, at virtual time `now_us`.
+  void Sample(const BodyState& state, int64_t now_us);
+
+  // All paws touch, height and attitude are those of the posture, and the base has been slow
+  // for kCalmUs.
+  bool standing() const { return upright_ && calm_us_ >= kCalmUs; }
+
+ private:
+  bool IsUpright(const BodyState& state) const;
+
+  bool has_posture_ = false;
+  double height_m_ = 0;
+  double roll_rad_ = 0, pitch_rad_ = 0;
+  bool upright_ = false;
+  int64_t last_us_ = -1;
+  int64_t calm_us_ = 0;
+};
+
+}  // namespace openr_host

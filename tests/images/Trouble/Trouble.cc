@@ -1,0 +1,72 @@
+#include "Trouble.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+#include <OPENR/core_macro.h>
+#include <stdio.h>
+#include <string.h>
+
+static volatile int sink;
+
+// Uses up the stack.
+static int
+Recurse(int depth)
+{
+    volatile char frame[1024];
+    frame[0] = (char)depth;
+    sink = frame[0];
+    if (depth < 0) return 0;  // never; the compiler wants to see an end
+    return Recurse(depth + 1) + frame[0];
+}
+
+OStatus
+Trouble::DoInit(const OSystemEvent&)
+{
+    NEW_ALL_SUBJECT_AND_OBSERVER;
+    REGISTER_ALL_ENTRY;
+    SET_ALL_READY_AND_NOTIFY_ENTRY;
+    return oSUCCESS;
+}
+
+OStatus
+Trouble::DoStart(const OSystemEvent&)
+{
+    char word[32] = "";
+    FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", "r");
+    if (file != 0) {
+        if (fscanf(file, "%31s", word) != 1) word[0] = 0;
+        fclose(file);
+    }
+    if (strcmp(word, "hang") == 0) {
+        for (;;) sink = sink + 1;
+    } else if (strcmp(word, "crash") == 0) {
+        *(volatile int*)16 = 1;
+    } else if (strcmp(word, "divide") == 0) {
+        sink = 0;
+        sink = 1 / sink;
+    } else if (strcmp(word, "recurse") == 0) {
+        sink = Recurse(0);
+    } else if (strcmp(word, "print") == 0) {
+        printf("printed by an object\n");
+        fflush(stdout);
+        OSYSPRINT(("said by an object\n"));
+    } else if (strcmp(word, "shutdown") == 0) {
+        OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
+    }
+    OSYSPRINT(("Trouble is running\n"));
+    return oSUCCESS;
+}
+
+OStatus
+Trouble::DoStop(const OSystemEvent&)
+{
+    OSYSPRINT(("Trouble was stopped\n"));
+    return oSUCCESS;
+}
+
+OStatus
+Trouble::DoDestroy(const OSystemEvent&)
+{
+    DELETE_ALL_SUBJECT_AND_OBSERVER;
+    return oSUCCESS;
+}

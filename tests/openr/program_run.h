@@ -1,0 +1,156 @@
+// The built program, run by a test, with its two outputs kept apart.
+#pragma once
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace openr_host {
+
+struct ProgramResult {
+  int status = -1;  // exit status; 128 + n after signal n
+  std::string out;
+  std::string err;
+};
+
+class ProgramRun {
+ public:
+  explicit ProgramRun(const std::vector<std::string>& arguments,
+                      const std::string& program = OPENR_PROGRAM) {
+    int out[2], err[2];
+    if (pipe2(out, O_CLOEXEC) != 0 || pipe2(err, O_CLOEXEC) != 0) return;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, err[1], STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(program.c_str())};
+    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+    argv.push_back(nullptr);
+    if (posix_spawn(&child_, program.c_str(), &actions, nullptr, argv.data(), environ) != 0) {
+      child_ = -1;
+    }
+    posix_spawn_file_actions_destroy(&actions);
+    close(out[1]);
+    close(err[1]);
+    out_ = out[0];
+    err_ = err[0];
+  }
+  ~ProgramRun() {
+    if (child_ > 0) kill(child_, SIGKILL);
+    Finish();
+  }
+  ProgramRun(const ProgramRun&) = delete;
+  ProgramRun& operator=(const ProgramRun&) = delete;
+
+  // Waits until `text` has been said on standard error; false when the program ended without.
+  bool WaitFor(const std::string& text) {
+    while (result_.err.find(text) == std::string::npos) {
+      if (!ReadSome()) return false;
+    }
+    return true;
+  }
+
+  // What it has said on standard error so far.
+  const std::string& heard() const { return result_.err; }
+
+  void Signal(int signal) const {
+    if (child_ > 0) kill(child_, signal);
+  }
+
+  // Waits for the end.
+  const ProgramResult& Finish() {
+    while (ReadSome()) {
+    }
+    if (child_ > 0) {
+      int status = 0;
+      waitpid(child_, &status, 0);
+      result_.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      child_ = -1;
+    }
+    return result_;
+  }
+
+ private:
+  // False when both outputs have ended.
+  bool ReadSome() {
+    pollfd wanted[2] = {{out_, POLLIN, 0}, {err_, POLLIN, 0}};
+    if ((out_ < 0 && err_ < 0) || poll(wanted, 2, -1) < 0) return false;
+    ReadFrom(wanted[0], &out_, &result_.out);
+    ReadFrom(wanted[1], &err_, &result_.err);
+    return true;
+  }
+
+  static void ReadFrom(const pollfd& ready, int* descriptor, std::string* text) {
+    if (*descriptor < 0 || ready.revents == 0) return;
+    char buffer[4096];
+    const ssize_t n = read(*descriptor, buffer, sizeof buffer);
+    if (n > 0) {
+      text->append(buffer, static_cast<size_t>(n));
+    } else {
+      close(*descriptor);
+      *descriptor = -1;
+    }
+  }
+
+  pid_t child_ = -1;
+  int out_ = -1, err_ = -1;
+  ProgramResult result_;
+};
+
+inline ProgramResult RunProgram(const std::vector<std::string>& arguments) {
+  return ProgramRun(arguments).Finish();
+}
+
+// A folder of the test's own, gone afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "openr-test-XXXXXX").string();
+    if (mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string path() const { return path_.string(); }
+  std::string File(const std::string& name) const { return (path_ / name).string(); }
+
+  void Write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << text;
+  }
+  std::string Read(const std::string& name) const {
+    std::ifstream file(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  // Makes it a stick whose only object is tests/images/Trouble, told to do `word`.
+  void MakeTrouble(const std::string& word) const {
+    Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/TROUBLE.BIN\n");
+    Write("OPEN-R/MW/CONF/CONNECT.CFG", "");
+    Write("OPEN-R/MW/DATA/P/TROUBLE.TXT", word);
+    Write("OPEN-R/MW/OBJS/README.TXT", "");
+    std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/TROUBLE.BIN",
+                               path_ / "OPEN-R/MW/OBJS/TROUBLE.BIN");
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace openr_host

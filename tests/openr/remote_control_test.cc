@@ -1,0 +1,186 @@
+// openr rc against a robot that runs, and against servers that are none.
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <nlohmann/json.hpp>
+
+#include "openr/remote_client.h"
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using nlohmann::json;
+
+TEST(RemoteAddressTest, ThePortIsOptional) {
+  RemoteAddress address;
+  EXPECT_EQ(ParseRemoteAddress("dog", &address), "");
+  EXPECT_EQ(address.host, "dog");
+  EXPECT_EQ(address.port, RC_PORT);
+  EXPECT_EQ(ParseRemoteAddress("dog:99", &address), "");
+  EXPECT_EQ(address.port, 99);
+}
+
+TEST(RemoteAddressTest, NonsenseIsRefused) {
+  RemoteAddress address;
+  for (const char* text : {"", ":5", "dog:", "dog:0", "dog:65536", "dog:x", "dog:5x"}) {
+    EXPECT_NE(ParseRemoteAddress(text, &address), "") << text;
+  }
+}
+
+// A listening socket on a free port of loopback.
+class Listener {
+ public:
+  Listener() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    bind(socket_, reinterpret_cast<sockaddr*>(&address), size);
+    listen(socket_, 1);
+    getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size);
+    port_ = ntohs(address.sin_port);
+  }
+  ~Listener() { close(socket_); }
+  RemoteAddress address() const { return {"127.0.0.1", port_}; }
+
+  // Takes a connection, says `text` and, if asked to, ends it.
+  void Say(const std::string& text, bool end) {
+    const int peer = accept(socket_, nullptr, nullptr);
+    (void)!write(peer, text.data(), text.size());
+    if (end) shutdown(peer, SHUT_WR);
+    peers_.push_back(peer);
+  }
+
+ private:
+  int socket_;
+  uint16_t port_ = 0;
+  std::vector<int> peers_;
+};
+
+std::string ComplaintOf(RemoteClient* client) {
+  try {
+    client->Request(rcINFO);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RemoteClientTest, AServerThatSaysNothingTimesOut) {
+  const Listener listener;
+  RemoteClient client(listener.address(), 20);
+  EXPECT_NE(ComplaintOf(&client).find("no answer within 20 ms"), std::string::npos);
+}
+
+TEST(RemoteClientTest, AServerThatSpeaksSomethingElseIsRecognised) {
+  Listener listener;
+  RemoteClient client(listener.address(), 2000);
+  listener.Say("HTTP/1.0 400 Bad Request\r\n", false);
+  EXPECT_NE(ComplaintOf(&client).find("this is no remote control"), std::string::npos);
+}
+
+TEST(RemoteClientTest, AConnectionThatEndsIsExplained) {
+  Listener listener;
+  RemoteClient client(listener.address(), 2000);
+  listener.Say("RC", true);
+  EXPECT_NE(ComplaintOf(&client).find("has closed the connection"), std::string::npos);
+}
+
+// A robot with the ideal body, standing.
+class RemoteControlTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    robot_ =
+        new ProgramRun({"run", "--rate", "max", "--no-panel", "--rc-port", "0", "--body", "ideal"});
+    ready_ = robot_->WaitFor("state: accepting-commands") && robot_->WaitFor("openr rc 127.0.0.1:");
+  }
+  static void TearDownTestSuite() {
+    robot_->Signal(SIGINT);
+    delete robot_;
+  }
+  void SetUp() override { ASSERT_TRUE(ready_) << robot_->Finish().err; }
+
+  static std::string Address() {
+    const std::string& text = robot_->heard();
+    const size_t begin = text.find("127.0.0.1:");
+    return text.substr(begin, text.find(' ', begin) - begin);
+  }
+
+  static ProgramResult Rc(const std::vector<std::string>& words) {
+    std::vector<std::string> arguments{"rc", Address(), "--json"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    return RunProgram(arguments);
+  }
+
+  // The answer as JSON; an empty object after a failure.
+  static json Answer(const std::vector<std::string>& words) {
+    const ProgramResult result = Rc(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.status == 0 ? json::parse(result.out) : json::object();
+  }
+
+  // Sensor values once frame `frame` is over.
+  static json SensorsAfter(uint32_t frame) {
+    json sensors;
+    do {
+      sensors = Answer({"sensors"});
+    } while (sensors.contains("frame") && sensors["frame"] < frame);
+    return sensors;
+  }
+
+  static ProgramRun* robot_;
+  static bool ready_;
+};
+
+ProgramRun* RemoteControlTest::robot_ = nullptr;
+bool RemoteControlTest::ready_ = false;
+
+TEST_F(RemoteControlTest, InfoTellsRobotStateAndFrame) {
+  const json info = Answer({"info"});
+  EXPECT_EQ(info["design"], "ERS-210");
+  EXPECT_EQ(info["state"], "accepting-commands");
+  EXPECT_GT(info["frame"], 0);
+}
+
+TEST_F(RemoteControlTest, AJointGoesWhereItIsTold) {
+  const json answer = Answer({"move", "neck_pan", "30"});
+  EXPECT_EQ(answer["in_force"], 30.0);
+  const json sensors = SensorsAfter(answer["frame"].get<uint32_t>() + 375);
+  EXPECT_NEAR(sensors["joints_deg"]["neck_pan"].get<double>(), 30, 2);
+}
+
+TEST_F(RemoteControlTest, ACommandBeyondTheLimitEndsAtTheLimit) {
+  const json answer = Answer({"move", "neck_roll", "-80"});
+  EXPECT_EQ(answer["in_force"], -29.0);
+  EXPECT_EQ(answer["limited"], true);
+}
+
+TEST_F(RemoteControlTest, SpeedAndAccelerationAreLimitedAndTold) {
+  EXPECT_EQ(Answer({"speed", "neck_tilt", "50"})["in_force"], 50.0);
+  EXPECT_EQ(Answer({"accel", "neck_tilt", "100"})["in_force"], 100.0);
+  EXPECT_EQ(Answer({"get", "neck_tilt"})["speed_deg_s"], 50.0);
+}
+
+TEST_F(RemoteControlTest, LightsAndEarsAreSwitched) {
+  EXPECT_EQ(Answer({"led", "0", "on"})["on"], true);
+  EXPECT_EQ(Answer({"ear", "Left ear", "off"})["on"], false);
+}
+
+TEST_F(RemoteControlTest, AnUnknownJointListsTheOnesThereAre) {
+  const ProgramResult result = Rc({"move", "wing", "3"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("the robot has no 'wing'; there are"), std::string::npos);
+  EXPECT_NE(result.err.find("neck_pan"), std::string::npos);
+}
+
+TEST_F(RemoteControlTest, AMotionThatIsNotThereIsRefusedByTheRobot) {
+  const ProgramResult result = Rc({"mtn", "play", "NOWHERE.MTN"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("refused"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,103 @@
+#include "openr/robot_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "openr/install_paths.h"
+#include "openr/render/mesh.h"
+#include "virtualrobot/kinematics.h"
+
+namespace openr_host {
+namespace {
+
+class RobotSceneTest : public testing::Test {
+ protected:
+  RobotSceneTest() : model_(LoadRobotModel(ModelFile("ers210"))) {
+    const std::vector<double>& angles = model_.PostureAngles("stand");
+    look_.X_WB = PlaceOnFloor(model_, angles).X_WB;
+    for (const Eigen::Isometry3d& X_BL : LinkPoses(model_, angles)) {
+      look_.X_WL.push_back(look_.X_WB * X_BL);
+    }
+  }
+
+  int Glowing() const {
+    const render::Scene scene = MakeRobotScene(model_, look_, World(), View::kIso);
+    return static_cast<int>(std::count_if(scene.shapes.begin(), scene.shapes.end(),
+                                          [](const render::Shape& s) { return s.glows; }));
+  }
+
+  const RobotModel model_;
+  RobotLook look_;
+};
+
+TEST_F(RobotSceneTest, ALightThatIsOnGlows) {
+  EXPECT_EQ(Glowing(), 0);
+  look_.leds_on.assign(model_.leds.size(), true);
+  EXPECT_EQ(Glowing(), static_cast<int>(model_.leds.size()));
+}
+
+TEST_F(RobotSceneTest, NothingReachesBelowTheFloor) {
+  for (const render::Shape& shape : MakeRobotScene(model_, look_, World(), View::kSide).shapes) {
+    EXPECT_GT(shape.X_WS.translation().z(), 0);
+  }
+}
+
+TEST_F(RobotSceneTest, BoxesOfTheWorldAreShown) {
+  World world;
+  world.boxes.push_back({"box", {0.1, 0.2, 0.3}, {1, 0, 0.15}, 0});
+  EXPECT_EQ(MakeRobotScene(model_, look_, world, View::kTop).shapes.size(),
+            MakeRobotScene(model_, look_, World(), View::kTop).shapes.size() + 1);
+}
+
+TEST_F(RobotSceneTest, TheCameraLooksAtTheRobotWhereverItIs) {
+  for (const View view : {View::kSide, View::kFront, View::kTop, View::kIso, View::kFollow}) {
+    RobotLook moved = look_;
+    const Eigen::Isometry3d shift(Eigen::Translation3d(3, -2, 0));
+    moved.X_WB = shift * moved.X_WB;
+    for (Eigen::Isometry3d& X_WL : moved.X_WL) X_WL = shift * X_WL;
+    const render::Camera here = MakeRobotScene(model_, look_, World(), view).camera;
+    const render::Camera there = MakeRobotScene(model_, moved, World(), view).camera;
+    EXPECT_LT((there.p_W - here.p_W - shift.translation()).norm(), 1e-9);
+    EXPECT_LT((there.target_W - here.target_W - shift.translation()).norm(), 1e-9);
+  }
+}
+
+TEST(ViewTest, NamesAreExact) {
+  View view = View::kTop;
+  EXPECT_TRUE(ParseView("side", &view));
+  EXPECT_EQ(view, View::kSide);
+  EXPECT_FALSE(ParseView("Side", &view));
+  EXPECT_FALSE(ParseView("", &view));
+}
+
+TEST(MeshTest, ARoundedBoxFillsItsSizeAndHasUnitNormals) {
+  const Eigen::Vector3f size(0.1f, 0.2f, 0.04f);
+  const render::Mesh mesh = render::RoundedBox(size, 0.01f, 4);
+  Eigen::Vector3f high = Eigen::Vector3f::Zero();
+  for (const render::Vertex& vertex : mesh.vertices) {
+    EXPECT_NEAR(vertex.normal.norm(), 1, 1e-5);
+    high = high.cwiseMax(vertex.position.cwiseAbs());
+  }
+  EXPECT_LT((high - size / 2).norm(), 1e-6);
+}
+
+TEST(MeshTest, TrianglesFaceOutwards) {
+  const render::Mesh mesh = render::RoundedBox({0.1f, 0.1f, 0.1f}, 0.05f, 3);
+  for (size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const Eigen::Vector3f a = mesh.vertices[mesh.triangles[i]].position;
+    const Eigen::Vector3f b = mesh.vertices[mesh.triangles[i + 1]].position;
+    const Eigen::Vector3f c = mesh.vertices[mesh.triangles[i + 2]].position;
+    EXPECT_GE((b - a).cross(c - a).dot(a + b + c), -1e-9);
+  }
+}
+
+TEST(MeshTest, ARadiusThatDoesNotFitIsCut) {
+  const render::Mesh mesh = render::RoundedBox({0.1f, 0.1f, 0.02f}, 1.0f, 2);
+  for (const render::Vertex& vertex : mesh.vertices) {
+    EXPECT_LE(std::abs(vertex.position.z()), 0.0101f);
+  }
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,208 @@
+// openr run as a whole, on the default stick and on sticks that are up to no good.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> With(std::vector<std::string> arguments,
+                              const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+ProgramResult RunFor(const std::string& duration, const std::vector<std::string>& more = {}) {
+  return RunProgram(
+      With({"run", "--for", duration, "--rate", "max", "--no-panel", "--rc-port", "0"}, more));
+}
+
+TEST(RunTest, JsonIsOneObjectAndNothingElse) {
+  const ProgramResult result = RunFor("100ms", {"--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_DOUBLE_EQ(report["virtual_time_s"].get<double>(), 0.1);
+}
+
+TEST(RunTest, TheReportHasEveryFieldOfTheManual) {
+  const ScratchFolder folder;
+  const ProgramResult result = RunFor("1s", {"--report", folder.File("r.json")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  const json report = json::parse(folder.Read("r.json"));
+  for (const char* field :
+       {"virtual_time_s", "wall_time_s", "x_real_time", "frames", "messages", "seed", "state_hash",
+        "trace_hash", "rc_port", "robots", "objects", "findings"}) {
+    EXPECT_TRUE(report.contains(field)) << field;
+  }
+  const json& robot = report["robots"].at(0);
+  for (const char* field :
+       {"model", "standing", "base_position_m", "base_rpy_deg", "joints_deg", "sensors", "leds"}) {
+    EXPECT_TRUE(robot.contains(field)) << field;
+  }
+  for (const char* field :
+       {"robot", "name", "state", "messages", "dropped", "queue_max", "handler_us_max"}) {
+    EXPECT_TRUE(report["objects"].at(0).contains(field)) << field;
+  }
+  EXPECT_EQ(report["state_hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(robot["joints_deg"].size(), 18u);
+  EXPECT_EQ(robot["leds"].size(), 9u);
+}
+
+TEST(RunTest, FramesLastEightMilliseconds) {
+  const json report = json::parse(RunFor("2s", {"--json"}).out);
+  EXPECT_EQ(report["frames"], 250);
+}
+
+TEST(RunTest, TheSameSeedGivesTheSameHashes) {
+  const json first = json::parse(RunFor("2s", {"--json", "--seed", "7"}).out);
+  const json second = json::parse(RunFor("2s", {"--json", "--seed", "7"}).out);
+  EXPECT_EQ(first["state_hash"], second["state_hash"]);
+  EXPECT_EQ(first["trace_hash"], second["trace_hash"]);
+}
+
+TEST(RunTest, SeveralRobotsAreReportedEach) {
+  const json report =
+      json::parse(RunFor("200ms", {"--json", "--robots", "2", "--body", "ideal"}).out);
+  EXPECT_EQ(report["robots"].size(), 2u);
+  EXPECT_NE(report["robots"][0]["rc_port"], report["robots"][1]["rc_port"]);
+}
+
+TEST(RunTest, WhatObjectsPrintGoesToStandardError) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("print");
+  const ProgramResult result = RunFor("100ms", {"--stick", stick.path(), "--json"});
+  EXPECT_TRUE(json::accept(result.out)) << result.out;
+  EXPECT_NE(result.err.find("printed by an object"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("said by an object"), std::string::npos) << result.err;
+}
+
+TEST(RunTest, TheConsoleCanBeAFile) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("print");
+  const ProgramResult result =
+      RunFor("100ms", {"--stick", stick.path(), "--console", stick.File("console.txt")});
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.find("by an object"), std::string::npos) << result.err;
+  EXPECT_NE(stick.Read("console.txt").find("printed by an object"), std::string::npos);
+}
+
+TEST(RunTest, AnObjectThatShutsTheRobotDownEndsTheRun) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("shutdown");
+  const ProgramResult result =
+      RunProgram({"run", "--rate", "max", "--no-panel", "--rc-port", "0", "--stick", stick.path()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("Trouble was stopped"), std::string::npos) << result.err;
+}
+
+TEST(RunTest, WithoutAnythingToDoTheRunIsIdleAfterASecond) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  const ProgramResult result = RunProgram({"run", "--until-idle", "--rate", "max", "--no-panel",
+                                           "--rc-port", "0", "--json", "--stick", stick.path()});
+  const double time_s = json::parse(result.out)["virtual_time_s"].get<double>();
+  EXPECT_GE(time_s, 1.0);
+  EXPECT_LT(time_s, 1.1);
+}
+
+TEST(RunTest, ControlCIsThePauseButton) {
+  const ScratchFolder folder;
+  ProgramRun run(
+      {"run", "--rate", "max", "--no-panel", "--rc-port", "0", "--report", folder.File("r.json")});
+  ASSERT_TRUE(run.WaitFor("state: sleeping"));
+  run.Signal(SIGINT);
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("pause button pressed"), std::string::npos) << result.err;
+  EXPECT_TRUE(json::accept(folder.Read("r.json")));
+}
+
+TEST(RunTest, WithoutAnObjectForThePauseButtonTheRunEndsAllTheSame) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  ProgramRun run({"run", "--no-panel", "--rc-port", "0", "--stick", stick.path()});
+  ASSERT_TRUE(run.WaitFor("is running"));
+  run.Signal(SIGTERM);
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("no object handles the pause button"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("Trouble was stopped"), std::string::npos) << result.err;
+}
+
+TEST(RunTest, AHandlerThatDoesNotReturnIsNamed) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("hang");
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path(), "--handler-limit", "200ms"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("a handler does not return: Trouble, DoStart (selector 1), message "),
+            std::string::npos)
+      << result.err;
+}
+
+#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+std::string RecordOf(const std::string& word) {
+  const ScratchFolder stick;
+  stick.MakeTrouble(word);
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path()});
+  EXPECT_EQ(result.status, 1) << result.err;
+  const std::string record = stick.Read("OPEN-R/EMON.LOG");
+  EXPECT_NE(result.err.find(record), std::string::npos) << "standard error says the same";
+  return record;
+}
+
+TEST(CrashTest, ACrashLeavesARecordOnTheStick) {
+  const std::string record = RecordOf("crash");
+  EXPECT_NE(record.find("EXCEPTION SIGSEGV"), std::string::npos) << record;
+  EXPECT_NE(record.find("at address 0x10\n"), std::string::npos) << record;
+  EXPECT_NE(record.find("OBJECT Trouble, DoStart (selector 1), message "), std::string::npos)
+      << record;
+  EXPECT_EQ(record.find("STACK"), std::string::npos) << record;
+}
+
+TEST(CrashTest, AStackOverflowIsCalledByItsName) {
+  EXPECT_NE(RecordOf("recurse").find("STACK overflow"), std::string::npos);
+}
+
+TEST(CrashTest, ADivisionByZeroIsCalledByItsName) {
+  EXPECT_NE(RecordOf("divide").find("a division by zero"), std::string::npos);
+}
+#endif
+
+TEST(PictureTest, ASnapshotIsAPngOfTheSizeAskedFor) {
+  const ScratchFolder folder;
+  const ProgramResult result =
+      RunFor("80ms", {"--snapshot", "t=40ms,view=side,size=320x200", "-o", folder.File("a.png")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const std::string png = folder.Read("a.png");
+  ASSERT_GT(png.size(), 1000u);
+  EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\1\x40\0\0\0\xc8", 8));
+}
+
+TEST(PictureTest, APictureThatCannotBeWrittenFailsTheRun) {
+  const ProgramResult result = RunFor("80ms", {"--snapshot", "size=64x64", "-o", "/nowhere/a.png"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("/nowhere/a.png: cannot be written"), std::string::npos) << result.err;
+}
+
+TEST(GraphTest, EveryLineOfTheDefaultWiringIsConnected) {
+  const ProgramResult result = RunProgram({"graph", "--format", "json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json graph = json::parse(result.out);
+  EXPECT_EQ(graph["connections"].size(), 11u);
+  for (const json& wire : graph["connections"]) EXPECT_EQ(wire["connected"], true) << wire;
+}
+
+TEST(GraphTest, DotNamesEveryObject) {
+  const ProgramResult result = RunProgram({"graph"});
+  EXPECT_EQ(result.out.find("digraph"), 0u);
+  EXPECT_NE(result.out.find("OVirtualRobotComm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace openr_host
