@@ -21,7 +21,7 @@ std::shared_ptr<Simulation> Standing(const std::string& stick, const std::string
   auto simulation = std::make_shared<Simulation>(options);
   System& system = simulation->system();
   system.Boot();
-  const Object* const mover = system.FindObject(0, "jointMover");
+  const Object* const mover = system.FindObject(0, "JointMover");
   if (mover == nullptr ||
       !system.RunUntil([&] { return mover->state == "accepting-commands"; }, 20'000'000)) {
     throw std::runtime_error("bench: the dog does not stand up");

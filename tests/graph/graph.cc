@@ -43,7 +43,7 @@ std::vector<std::string> Graph::MoverStates() const {
 }
 
 bool Graph::RunToStanding() {
-  const Object* const mover = system().FindObject(0, "jointMover");
+  const Object* const mover = system().FindObject(0, "JointMover");
   if (mover == nullptr) return false;
   const auto accepts = [&] { return mover->state == "accepting-commands"; };
   if (!system().RunUntil(accepts, 20'000'000)) return false;

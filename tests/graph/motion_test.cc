@@ -68,6 +68,7 @@ TEST(MotionTest, OurWalkIsAtLeastFortyMillimetresASecond) {
     EXPECT_GE(way.x() / seconds, 0.040) << "in " << seconds << " s";
     EXPECT_LT(std::abs(way.y()), 0.1);
     Play(graph, "WALKEND.MTN");
+    graph.system().RunFor(1'000'000);
     EXPECT_TRUE(graph.Standing());
   });
 }
@@ -94,7 +95,7 @@ TEST(MotionTest, AMissingMotionIsRefusedAndTheDogGoesOn) {
   WhenStanding({.body = "ideal", .seed = 1}, [](Graph& graph) {
     graph.pilot().Play("NOTHERE.MTN");
     EXPECT_TRUE(graph.system().RunUntil([&] { return graph.pilot().MotionIsOver(); }, 1'000'000));
-    EXPECT_NE(graph.console().find("motion not played: NOTHERE.MTN"), std::string::npos);
+    EXPECT_NE(graph.console().find("motion not played"), std::string::npos) << graph.console();
     Play(graph, "SIT.MTN");
   });
 }

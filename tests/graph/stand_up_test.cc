@@ -8,7 +8,7 @@ namespace {
 
 TEST(StandUpTest, GoesThroughTheStatesOfTheReportAndStands) {
   Graph graph;
-  ASSERT_TRUE(graph.RunToStanding()) << graph.console();
+  ASSERT_TRUE(graph.RunToStanding()) << graph.console() << graph.Findings();
   const std::vector<std::string> expected = {"filling",  "gains",      "broadbase",
                                              "sleeping", "crouching", "standing", "accepting-commands"};
   const std::vector<std::string> states = graph.MoverStates();
@@ -42,7 +42,7 @@ TEST(StandUpTest, EveryJointEndsWhereThePostureWantsIt) {
 
 TEST(StandUpTest, TheIdealBodyStandsToo) {
   Graph graph({.body = "ideal", .seed = 1});
-  ASSERT_TRUE(graph.RunToStanding()) << graph.console();
+  ASSERT_TRUE(graph.RunToStanding()) << graph.console() << graph.Findings();
   EXPECT_NEAR(graph.PitchDeg(), 2.6, 0.2);
   EXPECT_FALSE(graph.system().findings().HasError()) << graph.Findings();
 }
