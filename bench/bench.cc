@@ -20,7 +20,8 @@ double WallSeconds() {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-void RunRows(const std::vector<Row>& rows, const std::string& filter, const std::string& json_path) {
+void RunRows(const std::vector<Row>& rows, const std::string& filter,
+             const std::string& json_path) {
   nlohmann::json json = nlohmann::json::array();
   std::printf("%-46s %-28s %12s %8s %8s\n", "row", "variant", "figure", "ratio", "target");
   for (const Row& row : rows) {
@@ -40,8 +41,10 @@ void RunRows(const std::vector<Row>& rows, const std::string& filter, const std:
       std::printf("%-46s %-28s %9.1f ns %7.2fx %8s\n", i == 0 ? row.name.c_str() : "",
                   row.variants[i].name.c_str(), ns, ratio,
                   has_target ? fmt::format("{:.2f}x", row.target).c_str() : "");
-      nlohmann::json entry = {{"row", row.name},    {"variant", row.variants[i].name},
-                              {"ns", ns},           {"unit", row.unit},
+      nlohmann::json entry = {{"row", row.name},
+                              {"variant", row.variants[i].name},
+                              {"ns", ns},
+                              {"unit", row.unit},
                               {"ratio_to_floor", ratio}};
       if (has_target) entry["target"] = row.target;
       json.push_back(entry);

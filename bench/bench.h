@@ -18,10 +18,10 @@ struct Variant {
 
 struct Row {
   std::string name;
-  std::string unit;    // of the figure: "ns a message"
-  int64_t count = 0;   // operations per round
+  std::string unit;               // of the figure: "ns a message"
+  int64_t count = 0;              // operations per round
   std::vector<Variant> variants;  // the first is the floor
-  double target = 0;   // ratio of the second to the floor that goals name; 0: none
+  double target = 0;              // ratio of the second to the floor that goals name; 0: none
 };
 
 // Runs the rows whose name contains `filter`; prints a table to standard output and

@@ -24,9 +24,7 @@ class Ring {
     virtual ~Actor() = default;
     virtual void Handle(Ring* ring, void* data) = 0;
   };
-  void Post(int target, void* data) {
-    items_[head_++ & kMask] = {target, data};
-  }
+  void Post(int target, void* data) { items_[head_++ & kMask] = {target, data}; }
   void Run(int64_t count) {
     for (; count > 0; --count) {
       const Item item = items_[tail_++ & kMask];

@@ -17,21 +17,34 @@ uint32_t FrameLength(const OCommandInfo& info, const OCommandData& data, int i) 
   const OCommandValue* const value = &data.value[i];
   uint32_t length = 1;
   switch (info.type) {
-    case odataJOINT_COMMAND3: length = kEarFrames; break;
-    case odataJOINT_COMMAND4: length = reinterpret_cast<const OJointCommandValue4*>(value)->period; break;
-    case odataLED_COMMAND2: length = reinterpret_cast<const OLEDCommandValue2*>(value)->period; break;
-    case odataLED_COMMAND3: length = reinterpret_cast<const OLEDCommandValue3*>(value)->period; break;
-    default: break;
+    case odataJOINT_COMMAND3:
+      length = kEarFrames;
+      break;
+    case odataJOINT_COMMAND4:
+      length = reinterpret_cast<const OJointCommandValue4*>(value)->period;
+      break;
+    case odataLED_COMMAND2:
+      length = reinterpret_cast<const OLEDCommandValue2*>(value)->period;
+      break;
+    case odataLED_COMMAND3:
+      length = reinterpret_cast<const OLEDCommandValue3*>(value)->period;
+      break;
+    default:
+      break;
   }
   return std::max<uint32_t>(length, 1);  // a period of 0 plays like 1
 }
 
 bool TypeFits(const Primitive& primitive, ODataType type) {
   switch (primitive.kind) {
-    case PrimitiveKind::kJoint: return type == odataJOINT_COMMAND2;
-    case PrimitiveKind::kPlunger: return type == odataJOINT_COMMAND3 || type == odataJOINT_COMMAND4;
-    case PrimitiveKind::kLed: return type == odataLED_COMMAND2 || type == odataLED_COMMAND3;
-    default: return false;
+    case PrimitiveKind::kJoint:
+      return type == odataJOINT_COMMAND2;
+    case PrimitiveKind::kPlunger:
+      return type == odataJOINT_COMMAND3 || type == odataJOINT_COMMAND4;
+    case PrimitiveKind::kLed:
+      return type == odataLED_COMMAND2 || type == odataLED_COMMAND3;
+    default:
+      return false;
   }
 }
 
@@ -67,17 +80,21 @@ void CommandQueue::Start(int64_t frame, PrimitiveTable* primitives,
     Element element;
     element.info = i;
     element.primitive = primitives->Find(info.primitiveID);
-    for (int f = 0; f < static_cast<int>(info.numFrames); ++f) element.length += FrameLength(info, data, f);
+    for (int f = 0; f < static_cast<int>(info.numFrames); ++f)
+      element.length += FrameLength(info, data, f);
     longest = std::max(longest, element.length);
     if (element.primitive == nullptr || !element.primitive->opened) {
-      problems->push_back(fmt::format(
-          "command vector: element {} of {} names primitive {:#x}, which {}; it is ignored (elements "
-          "declared with SetNumData() and never filled make joints jump on the robot)",
-          i, count, info.primitiveID,
-          element.primitive == nullptr ? "the robot does not have" : "nobody opened"));
+      problems->push_back(
+          fmt::format("command vector: element {} of {} names primitive {:#x}, which {}; it is "
+                      "ignored (elements "
+                      "declared with SetNumData() and never filled make joints jump on the robot)",
+                      i, count, info.primitiveID,
+                      element.primitive == nullptr ? "the robot does not have" : "nobody opened"));
     } else if (!TypeFits(*element.primitive, info.type)) {
-      problems->push_back(fmt::format("command vector: element {} has data type {}, which does not fit {}; it "
-                                      "is ignored", i, info.type, element.primitive->locator));
+      problems->push_back(
+          fmt::format("command vector: element {} has data type {}, which does not fit {}; it "
+                      "is ignored",
+                      i, info.type, element.primitive->locator));
     } else if (info.numFrames > 0) {
       element.ends = start_ + FrameLength(info, data, 0);
       elements_.push_back(element);
@@ -102,7 +119,8 @@ void CommandQueue::Apply(int64_t frame, PrimitiveTable* primitives, Devices* dev
   for (Element& element : elements_) {
     const OCommandInfo& info = *vector()->GetInfo(element.info);
     if (frame >= element.ends) {
-      if (element.command_frame + 1 >= static_cast<int>(info.numFrames)) continue;  // holds its last value
+      if (element.command_frame + 1 >= static_cast<int>(info.numFrames))
+        continue;  // holds its last value
       ++element.command_frame;
       element.ends += FrameLength(info, *vector()->GetData(element.info), element.command_frame);
     }
@@ -116,7 +134,8 @@ void CommandQueue::ApplyElement(const Element& element, Devices* devices) {
   const auto index = static_cast<size_t>(element.primitive->index);
   switch (info.type) {
     case odataJOINT_COMMAND2:
-      devices->joints[index].target_urad = reinterpret_cast<const OJointCommandValue2*>(value)->value;
+      devices->joints[index].target_urad =
+          reinterpret_cast<const OJointCommandValue2*>(value)->value;
       break;
     case odataJOINT_COMMAND3:
       devices->plungers[index].state = reinterpret_cast<const OJointCommandValue3*>(value)->value;

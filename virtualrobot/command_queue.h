@@ -54,10 +54,10 @@ class CommandQueue {
 
  private:
   struct Element {
-    int info = 0;            // index in the vector
-    int command_frame = 0;   // of the vector
+    int info = 0;           // index in the vector
+    int command_frame = 0;  // of the vector
     int64_t ends = 0;       // first robot frame after the current command frame
-    uint32_t length = 0;     // of the whole element, robot frames
+    uint32_t length = 0;    // of the whole element, robot frames
     Primitive* primitive = nullptr;
   };
 
@@ -71,8 +71,8 @@ class CommandQueue {
   std::deque<RCRegion*> waiting_;
   bool announced_ = false;  // the first waiting vector's sync key
   RCRegion* playing_ = nullptr;
-  int64_t start_ = 0;   // frame in which it begins
-  int64_t end_ = 0;     // first frame after it
+  int64_t start_ = 0;  // frame in which it begins
+  int64_t end_ = 0;    // first frame after it
   std::vector<Element> elements_;
 };
 

@@ -21,7 +21,7 @@ using GainWords = std::array<word, 6>;
 struct JointDevice {
   slongword target_urad = 0;  // set point; at boot unrelated to where the joint is
   bool gain_enabled = false;
-  GainWords gains{};          // all 0 while disabled
+  GainWords gains{};                    // all 0 while disabled
   std::optional<GainWords> registered;  // RegisterDefaultJointGain()
 };
 

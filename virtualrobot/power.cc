@@ -29,13 +29,14 @@ bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerSt
     return old_value != new_value && wanted != never && (wanted == every || wanted == new_value);
   };
   return becomes(filter.remainingCapacity, opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE,
-                 opsoREMAINING_CAPACITY_NOT_NOTIFY, before.remainingCapacity, now.remainingCapacity) ||
-         becomes(filter.temperature, opsoTEMPERATURE_NOTIFY_EVERY_CHANGE, opsoTEMPERATURE_NOT_NOTIFY,
-                 before.temperature, now.temperature) ||
+                 opsoREMAINING_CAPACITY_NOT_NOTIFY, before.remainingCapacity,
+                 now.remainingCapacity) ||
+         becomes(filter.temperature, opsoTEMPERATURE_NOTIFY_EVERY_CHANGE,
+                 opsoTEMPERATURE_NOT_NOTIFY, before.temperature, now.temperature) ||
          becomes(filter.timeDif, opsoTIME_DIF_NOTIFY_EVERY_CHANGE, opsoTIME_DIF_NOT_NOTIFY,
                  before.timeDif, now.timeDif) ||
-         becomes(filter.volume, opsoVOLUME_NOTIFY_EVERY_CHANGE, opsoVOLUME_NOT_NOTIFY, before.volume,
-                 now.volume);
+         becomes(filter.volume, opsoVOLUME_NOTIFY_EVERY_CHANGE, opsoVOLUME_NOT_NOTIFY,
+                 before.volume, now.volume);
 }
 
 }  // namespace
@@ -54,8 +55,8 @@ OPowerStatus Power::Status() const {
   if (pause_) robot |= orsbPAUSE;
   if (remaining < kLowCapacityPercent) robot |= orsbBATTERY_CAPACITY_LOW;
   const word battery = static_cast<word>(obsbINITIALIZED | obsbDISCHARGING);
-  return OPowerStatus(robot, battery, remaining, kTemperature, kFullCapacityMah, kVoltageMv, kCurrentMa,
-                      time_difference_, volume_);
+  return OPowerStatus(robot, battery, remaining, kTemperature, kFullCapacityMah, kVoltageMv,
+                      kCurrentMa, time_difference_, volume_);
 }
 
 void Power::SetMotorPower(bool on) {
@@ -76,7 +77,8 @@ void Power::Observe(const OPowerStatus& filter, const OServiceEntry& entry) {
 }
 
 bool Power::Unobserve(const OServiceEntry& entry) {
-  return std::erase_if(watchers_, [&](const Watcher& watcher) { return watcher.entry == entry; }) > 0;
+  return std::erase_if(watchers_, [&](const Watcher& watcher) { return watcher.entry == entry; }) >
+         0;
 }
 
 void Power::Update() {

@@ -14,8 +14,9 @@ namespace openr_host {
 namespace {
 
 constexpr double kMicro = 1e6;
-constexpr int kSignalMax = 1023;                  // 10-bit converter (Level 2 Reference Guide, 4.2.2)
-constexpr slongword kTemperatureMicroC = 30'000'000;  // of the thermo sensor; chosen, nothing is simulated
+constexpr int kSignalMax = 1023;  // 10-bit converter (Level 2 Reference Guide, 4.2.2)
+constexpr slongword kTemperatureMicroC =
+    30'000'000;  // of the thermo sensor; chosen, nothing is simulated
 constexpr double kRayMaxM = 2.0;
 
 // To whole units, halves away from zero; the same on every machine.
@@ -31,13 +32,20 @@ word SignalOf(double angle_rad, const Range& range) {
 
 ODataType TypeOf(SensorKind kind) {
   switch (kind) {
-    case SensorKind::kJoint: return odataJOINT_VALUE;
-    case SensorKind::kForce: return odataFORCE;
-    case SensorKind::kDistance: return odataLENGTH;
-    case SensorKind::kSwitch: return odataSWITCH;
-    case SensorKind::kTemperature: return odataTEMPERATURE;
-    case SensorKind::kAcceleration: return odataACCELERATION;
-    case SensorKind::kRaw: return odataNO_DIMENSION;
+    case SensorKind::kJoint:
+      return odataJOINT_VALUE;
+    case SensorKind::kForce:
+      return odataFORCE;
+    case SensorKind::kDistance:
+      return odataLENGTH;
+    case SensorKind::kSwitch:
+      return odataSWITCH;
+    case SensorKind::kTemperature:
+      return odataTEMPERATURE;
+    case SensorKind::kAcceleration:
+      return odataACCELERATION;
+    case SensorKind::kRaw:
+      return odataNO_DIMENSION;
   }
   return odataUNDEF;
 }
@@ -80,7 +88,8 @@ OSensorValue SensorSource::JointValueOf(int joint, const Body& body, const Devic
 slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
   const Eigen::Isometry3d X_WP = body.BodyPoses()[static_cast<size_t>(sensor.body)];
-  const double distance = body.RayDistance(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
+  const double distance =
+      body.RayDistance(X_WP * sensor.place_m, X_WP.linear() * sensor.direction, kRayMaxM);
   const auto& table = sensor.lookup;
   size_t i = 1;
   while (i + 1 < table.size() && distance > table[i].distance_m) ++i;
@@ -104,7 +113,8 @@ OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const
       sample.value = Clamped(sensor, DistanceOf(sensor, body));
       break;
     case SensorKind::kSwitch:
-      if (sensor.paw >= 0 && body.state().paws[static_cast<size_t>(sensor.paw)]) sample.value = oswitchON;
+      if (sensor.paw >= 0 && body.state().paws[static_cast<size_t>(sensor.paw)])
+        sample.value = oswitchON;
       break;
     case SensorKind::kAcceleration:
       sample.value = Clamped(sensor, ToMicro(body.state().gravity_B.dot(sensor.direction)));
@@ -119,7 +129,8 @@ OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const
 }
 
 void SensorSource::SampleNow(const Body& body, const Devices& devices) {
-  for (size_t i = 0; i < latest_.size(); ++i) latest_[i] = ValueOf(model_.sensors[i], body, devices);
+  for (size_t i = 0; i < latest_.size(); ++i)
+    latest_[i] = ValueOf(model_.sensors[i], body, devices);
 }
 
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {

@@ -31,7 +31,8 @@ bool SyncKeys::Cancel(OVRSyncKey key) {
 
 bool SyncKeys::Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) {
   Group* const group = Find(key);
-  if (group == nullptr || group->parts >= static_cast<int>(ovrsynckeyMAX_NUM_DIVISION)) return false;
+  if (group == nullptr || group->parts >= static_cast<int>(ovrsynckeyMAX_NUM_DIVISION))
+    return false;
   *key1 = key;
   *key2 = (key & ~longword{0xf}) | static_cast<longword>(group->parts);
   ++group->parts;

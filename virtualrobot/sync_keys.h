@@ -31,8 +31,8 @@ class SyncKeys {
  private:
   struct Group {
     bool alive = false;
-    longword serial = 0;   // tells the keys of this slot's successive groups apart
-    int parts = 0;         // handed out
+    longword serial = 0;  // tells the keys of this slot's successive groups apart
+    int parts = 0;        // handed out
     int arrived = 0;
   };
   // A key: serial << 8 | slot << 4 | part.

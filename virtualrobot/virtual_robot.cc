@@ -18,7 +18,8 @@ VirtualRobot::VirtualRobot(System* system, int robot, const RobotModel& model,
       primitives_(model),
       devices_(model),
       power_(system),
-      sensors_(model, primitives_, Rng(system->options().seed, fmt::format("robot{}/sensors", robot))) {}
+      sensors_(model, primitives_,
+               Rng(system->options().seed, fmt::format("robot{}/sensors", robot))) {}
 
 VirtualRobot::~VirtualRobot() = default;
 
@@ -56,7 +57,8 @@ template <typename Function>
 OStatus VirtualRobot::ForJoints(OPrimitiveID id, Function function) {
   if (id != oprimitiveID_UNDEF) {
     const Primitive* const primitive = primitives_.Find(id);
-    if (primitive == nullptr || primitive->kind != PrimitiveKind::kJoint) return oINVALID_PRIMITIVE_ID;
+    if (primitive == nullptr || primitive->kind != PrimitiveKind::kJoint)
+      return oINVALID_PRIMITIVE_ID;
     return function(primitive->index);
   }
   OStatus status = oSUCCESS;
@@ -122,7 +124,8 @@ OStatus VirtualRobot::GetDefaultJointGain(OPrimitiveID id, word gains[6]) {
 
 OStatus VirtualRobot::GetJointValue(OPrimitiveID id, OJointValue* value) {
   const Primitive* const primitive = primitives_.Find(id);
-  if (primitive == nullptr || primitive->kind != PrimitiveKind::kJoint) return oINVALID_PRIMITIVE_ID;
+  if (primitive == nullptr || primitive->kind != PrimitiveKind::kJoint)
+    return oINVALID_PRIMITIVE_ID;
   if (frame_ == 0) sensors_.SampleNow(*body_, devices_);  // asked before the first frame is over
   std::memcpy(static_cast<void*>(value), &sensors_.Latest(primitive->sensor), sizeof *value);
   return oSUCCESS;
@@ -228,7 +231,8 @@ VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model
   auto services = std::make_unique<VirtualRobot>(system, robot, model, std::move(body));
   VirtualRobot* const result = services.get();
   system->robot(robot).services = std::move(services);
-  OVirtualRobotComm* const comm = system->AddObject<OVirtualRobotComm>(robot, "OVirtualRobotComm", result);
+  OVirtualRobotComm* const comm =
+      system->AddObject<OVirtualRobotComm>(robot, "OVirtualRobotComm", result);
   comm->host().is_system = true;
   return result;
 }

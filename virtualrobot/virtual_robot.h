@@ -42,8 +42,8 @@ class VirtualRobot : public RobotServices {
   // ---- RobotServices
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
   OStatus ClosePrimitive(OPrimitiveID id) override;
-  OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size,
-                           void* result, size_t result_size) override;
+  OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
+                           size_t param_size, void* result, size_t result_size) override;
   OStatus EnableJointGain(OPrimitiveID id) override;
   OStatus DisableJointGain(OPrimitiveID id) override;
   OStatus SetJointGain(OPrimitiveID id, const word gains[6]) override;

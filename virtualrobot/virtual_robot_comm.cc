@@ -83,9 +83,11 @@ void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {
     region->AddReference();
     if (source->queue.Add(region)) continue;
     region->RemoveReference();
-    system().AddFinding(Severity::kWarning,
-                        fmt::format("Effector: more than {} command vectors of one subject wait; the newest is "
-                                    "dropped", CommandQueue::kMax));
+    system().AddFinding(
+        Severity::kWarning,
+        fmt::format("Effector: more than {} command vectors of one subject wait; the newest is "
+                    "dropped",
+                    CommandQueue::kMax));
   }
 }
 

@@ -32,8 +32,8 @@ public:
     }
 
 private:
-    // All joints moved by all clients between two messages to JointMover, and to spare.
-    static const int CAPACITY = 64;
+    // Every joint moved by six clients at once before JointMover is ready again, and to spare.
+    static const int CAPACITY = 128;
 
     MoverCommand command_[CAPACITY];
     int first_;

@@ -49,6 +49,7 @@ RCServer::DoStart(const OSystemEvent&)
     ipstack_ = antStackRef("IPStack");
     if (NewBuffers() != oSUCCESS) return oFAIL;
     for (int i = 0; i < NUM_CLIENTS; i++) Listen(i);
+    OSYSLOG1((osyslogINFO, "state: listening"));
     return oSUCCESS;
 }
 

@@ -2,4 +2,7 @@
 #include <antStackRef.h>
 
 // Find() leaves oid_ invalid when there is no object of that name.
-antStackRef::antStackRef(const char* name) : dispatcher_(0) { Find(name, &oid_); }
+antStackRef::antStackRef(const char* name) {
+  dispatcher_ = nullptr;
+  Find(name, &oid_);
+}

@@ -59,7 +59,8 @@ sError WhoAmI(OID* oid) {
 sError Find(const char* name, OID* oid) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || oid == nullptr) return sINVALIDARG;
-  const openr_host::Object* const found = t_current.system->FindObject(t_current.object->robot, name);
+  const openr_host::Object* const found =
+      t_current.system->FindObject(t_current.object->robot, name);
   if (found == nullptr) return sOBJNOTFOUND;
   *oid = OidOf(found->id);
   return sSUCCESS;

@@ -16,8 +16,9 @@ inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_
 inline OID OidOf(ObjectId id) { return OID(reinterpret_cast<void*>(OidValue(id))); }
 inline ObjectId ObjectIdOf(const OID& oid) {
   const auto value = reinterpret_cast<uintptr_t>(oid.GetAddress());
-  return value < kFirstOid || value > kFirstOid + 0xffffff ? kNoObject
-                                                           : static_cast<ObjectId>(value - kFirstOid);
+  return value < kFirstOid || value > kFirstOid + 0xffffff
+             ? kNoObject
+             : static_cast<ObjectId>(value - kFirstOid);
 }
 
 }  // namespace openr_host

@@ -40,7 +40,8 @@ void ReserveRange() {
   void* spans = mmap(nullptr, sizeof(Span) * kSpans, PROT_READ | PROT_WRITE,
                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   ASSERT(base != MAP_FAILED && spans != MAP_FAILED, "cannot reserve addresses for object heaps");
-  const uintptr_t aligned = (reinterpret_cast<uintptr_t>(base) + kSpanBytes - 1) & ~(kSpanBytes - 1);
+  const uintptr_t aligned =
+      (reinterpret_cast<uintptr_t>(base) + kSpanBytes - 1) & ~(kSpanBytes - 1);
   g_range.base = reinterpret_cast<char*>(aligned);
   g_range.spans = static_cast<Span*>(spans);
 }
@@ -143,7 +144,8 @@ void* Arena::AllocateLarge(size_t size) {
 }
 
 Arena* Arena::OwnerOf(const void* block) {
-  const uintptr_t offset = reinterpret_cast<uintptr_t>(block) - reinterpret_cast<uintptr_t>(g_range.base);
+  const uintptr_t offset =
+      reinterpret_cast<uintptr_t>(block) - reinterpret_cast<uintptr_t>(g_range.base);
   if (g_range.base == nullptr || offset >= kSpanBytes * kSpans) return nullptr;
   return g_range.spans[offset / kSpanBytes].owner;
 }

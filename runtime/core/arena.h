@@ -46,7 +46,7 @@ class Arena {
   void Account(size_t size);
 
   FreeBlock* free_[kClasses] = {};
-  char* bump_[kClasses] = {};      // next never-used block of the class
+  char* bump_[kClasses] = {};  // next never-used block of the class
   char* bump_end_[kClasses] = {};
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

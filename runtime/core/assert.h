@@ -15,12 +15,12 @@ namespace openr_host {
 
 }  // namespace openr_host
 
-#define ASSERT(condition, ...)                                                        \
-  do {                                                                                \
-    if (!(condition)) [[unlikely]] {                                                  \
-      ::openr_host::AssertFailed(__FILE__, __LINE__, #condition,                      \
-                                 ::openr_host::AssertDetails(__VA_ARGS__));           \
-    }                                                                                 \
+#define ASSERT(condition, ...)                                              \
+  do {                                                                      \
+    if (!(condition)) [[unlikely]] {                                        \
+      ::openr_host::AssertFailed(__FILE__, __LINE__, #condition,            \
+                                 ::openr_host::AssertDetails(__VA_ARGS__)); \
+    }                                                                       \
   } while (false)
 
 namespace openr_host {

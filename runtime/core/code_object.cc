@@ -68,10 +68,18 @@ bool CodeHost::Dispatch(uint32_t selector, void* payload) {
   auto& message = *static_cast<OReasonMessage*>(payload);
   const OSystemEvent event(message.reason, message.param, message.paramSize);
   switch (selector) {
-    case oentryINIT: code->Init(event); break;
-    case oentrySTART: code->Start(event); break;
-    case oentrySTOP: code->Stop(event); break;
-    default: code->Destroy(event); break;
+    case oentryINIT:
+      code->Init(event);
+      break;
+    case oentrySTART:
+      code->Start(event);
+      break;
+    case oentrySTOP:
+      code->Stop(event);
+      break;
+    default:
+      code->Destroy(event);
+      break;
   }
   return true;
 }

@@ -112,10 +112,11 @@ void Dispatcher::Deliver(Message* message) {
   --object->waiting;
   ++delivered_;
   if (++deliveries_at_instant_ == free_deliveries_) {
-    system_->AddFindingAbout(object, Severity::kWarning,
-                             fmt::format("{} messages without the clock moving: objects answer each "
-                                         "other without waiting; from here each message takes 1 us",
-                                         free_deliveries_));
+    system_->AddFindingAbout(
+        object, Severity::kWarning,
+        fmt::format("{} messages without the clock moving: objects answer each "
+                    "other without waiting; from here each message takes 1 us",
+                    free_deliveries_));
   }
   RunHandler(object, message);
 }
@@ -153,14 +154,17 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
     }
   } catch (const std::exception& e) {
     t_current.image_code = false;
-    system_->AddFinding(Severity::kError, fmt::format("uncaught exception in {}: {}; on the robot abort()",
-                                                      object->EntryName(message->selector), e.what()));
+    system_->AddFinding(Severity::kError,
+                        fmt::format("uncaught exception in {}: {}; on the robot abort()",
+                                    object->EntryName(message->selector), e.what()));
   } catch (...) {
     t_current.image_code = false;
-    system_->AddFinding(Severity::kError, fmt::format("uncaught exception in {}; on the robot abort()",
-                                                      object->EntryName(message->selector)));
+    system_->AddFinding(Severity::kError,
+                        fmt::format("uncaught exception in {}; on the robot abort()",
+                                    object->EntryName(message->selector)));
   }
-  if (clock != nullptr) object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
+  if (clock != nullptr)
+    object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
   FinishHandler(object);
 }
 

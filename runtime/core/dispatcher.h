@@ -20,8 +20,8 @@ class Dispatcher {
   ~Dispatcher();
 
   struct Limits {
-    int64_t time_us = INT64_MAX;        // deliver nothing due after it
-    uint64_t messages = UINT64_MAX;     // deliver no more than this
+    int64_t time_us = INT64_MAX;                   // deliver nothing due after it
+    uint64_t messages = UINT64_MAX;                // deliver no more than this
     const std::function<bool()>* until = nullptr;  // stop when it holds
   };
 
@@ -60,7 +60,7 @@ class Dispatcher {
   System* const system_;
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
-  std::vector<Fiber*> idle_;   // each stopped in Loop(), or prepared to enter it
+  std::vector<Fiber*> idle_;  // each stopped in Loop(), or prepared to enter it
   Fiber* running_ = nullptr;
   Fiber* abandoned_ = nullptr;  // to be prepared anew by whoever runs next
   Limits limits_;

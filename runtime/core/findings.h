@@ -18,7 +18,7 @@ struct Finding {
   uint64_t message = 0;  // number of the message being handled when it was first seen
   int64_t time_us = 0;   // virtual
   std::string text;
-  uint64_t count = 1;    // how often the same was seen
+  uint64_t count = 1;  // how often the same was seen
 };
 
 // Findings in order of first appearance.  The same text about the same object

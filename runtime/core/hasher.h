@@ -23,10 +23,8 @@ class Hasher {
   void AddBytes(const void* data, size_t size);
 
   template <typename T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void Add(T value) {
-    AddBytes(&value, sizeof value);
-  }
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Add(T value) { AddBytes(&value, sizeof value); }
 
   // Length first, so that ("ab", "c") and ("a", "bc") differ.
   void AddText(std::string_view text);

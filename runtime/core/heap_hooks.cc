@@ -30,7 +30,8 @@ void __libc_free(void*);
 namespace {
 
 Arena* CurrentArena() {
-  return t_current.image_code && t_current.object != nullptr ? t_current.object->arena.get() : nullptr;
+  return t_current.image_code && t_current.object != nullptr ? t_current.object->arena.get()
+                                                             : nullptr;
 }
 
 void* Aligned(size_t alignment, size_t size) {
@@ -44,7 +45,8 @@ extern "C" {
 
 void* malloc(size_t size) {
   Arena* const arena = CurrentArena();
-  if (arena == nullptr) [[likely]] return __libc_malloc(size);
+  if (arena == nullptr) [[likely]]
+    return __libc_malloc(size);
   void* const block = arena->Allocate(size);
   if (block == nullptr) errno = ENOMEM;
   return block;
@@ -61,7 +63,8 @@ void free(void* block) {
 
 void* calloc(size_t count, size_t size) {
   Arena* const arena = CurrentArena();
-  if (arena == nullptr) [[likely]] return __libc_calloc(count, size);
+  if (arena == nullptr) [[likely]]
+    return __libc_calloc(count, size);
   size_t bytes = 0;
   if (__builtin_mul_overflow(count, size, &bytes)) {
     errno = ENOMEM;
@@ -75,7 +78,8 @@ void* calloc(size_t count, size_t size) {
 void* realloc(void* block, size_t size) {
   if (block == nullptr) return malloc(size);
   const bool from_arena = Arena::OwnerOf(block) != nullptr;
-  if (!from_arena && CurrentArena() == nullptr) [[likely]] return __libc_realloc(block, size);
+  if (!from_arena && CurrentArena() == nullptr) [[likely]]
+    return __libc_realloc(block, size);
   if (size == 0) {
     free(block);
     return nullptr;

@@ -53,7 +53,8 @@ std::string CheckFormat(const std::string& file) {
     return "is gzip-compressed, as binaries for the robot are; build the object for the host "
            "(openr_add_object)";
   }
-  if (got < sizeof header || std::memcmp(bytes, ELFMAG, SELFMAG) != 0) return "is not an object image";
+  if (got < sizeof header || std::memcmp(bytes, ELFMAG, SELFMAG) != 0)
+    return "is not an object image";
   if (header.e_machine == EM_MIPS) {
     return "is a binary for the robot (MIPS); build the object for the host (openr_add_object)";
   }
@@ -86,7 +87,8 @@ std::string RunFolder::AddCopy(const std::string& file) {
   const fs::path copy = folder / source.filename();
   if (!fs::copy_file(source, copy, error)) return "";
   const fs::path debug = fs::path(source).replace_extension(".DBG");
-  if (fs::exists(debug, error)) fs::create_symlink(fs::absolute(debug), folder / debug.filename(), error);
+  if (fs::exists(debug, error))
+    fs::create_symlink(fs::absolute(debug), folder / debug.filename(), error);
   return copy;
 }
 
@@ -121,8 +123,9 @@ std::string ImageObject::ReadTables() {
                        table == nullptr ? "ObjectEntryTable" : "openr_image_info");
   }
   if (info->version != kImageVersion) {
-    return fmt::format("was built for version {} of the image format, this is version {}; build it again",
-                       info->version, kImageVersion);
+    return fmt::format(
+        "was built for version {} of the image format, this is version {}; build it again",
+        info->version, kImageVersion);
   }
   for (const ObjectEntry* entry = table; entry->selector != UNDEF; ++entry) {
     if (entry->selector >= kSelectorMax) {
@@ -142,8 +145,10 @@ std::string ImageObject::ReadTables() {
   int extra_count = 0;
   while (extras != nullptr && extras[extra_count] != nullptr) ++extra_count;
   // Extras come last in the table (SDK reference, section 1.3).
-  const auto first_extra = static_cast<uint32_t>(entries_.size()) - static_cast<uint32_t>(extra_count);
-  for (int i = 0; i < extra_count; ++i) entry_names[first_extra + static_cast<uint32_t>(i)] = extras[i];
+  const auto first_extra =
+      static_cast<uint32_t>(entries_.size()) - static_cast<uint32_t>(extra_count);
+  for (int i = 0; i < extra_count; ++i)
+    entry_names[first_extra + static_cast<uint32_t>(i)] = extras[i];
   return "";
 }
 

@@ -20,7 +20,7 @@ namespace openr_host {
 struct ImageInfo {
   uint32_t version;  // kImageVersion
   uint32_t reserved;
-  const char* ocf;   // text of the .ocf file
+  const char* ocf;  // text of the .ocf file
 };
 constexpr uint32_t kImageVersion = 1;
 

@@ -23,7 +23,8 @@ void System::AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostic
 
 Object* System::LoadImage(int robot_index, const std::string& path, const std::string& where) {
   const auto refuse = [&](const std::string& why) {
-    findings_.Add({Severity::kError, robot_index, "", 0, now_us_, fmt::format("{}: {} {}", where, path, why)});
+    findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
+                   fmt::format("{}: {} {}", where, path, why)});
   };
   MemoryStick* const stick = robot(robot_index).stick.get();
   if (stick == nullptr) {
@@ -32,11 +33,14 @@ Object* System::LoadImage(int robot_index, const std::string& path, const std::s
   }
   const MemoryStick::Location location = stick->Locate(path);
   if (location.error != 0 || !location.exists) {
-    refuse("does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : Load() error 90");
+    refuse(
+        "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : Load() "
+        "error 90");
     return nullptr;
   }
   if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
-  auto image = std::make_unique<ImageObject>(this, static_cast<ObjectId>(objects_.size()), robot_index);
+  auto image =
+      std::make_unique<ImageObject>(this, static_cast<ObjectId>(objects_.size()), robot_index);
   image->path = path;
   const std::string problem = image->Load(location.path, run_folder_.get());
   if (!problem.empty()) {
@@ -44,7 +48,8 @@ Object* System::LoadImage(int robot_index, const std::string& path, const std::s
     return nullptr;
   }
   if (FindObject(robot_index, image->name) != nullptr) {
-    refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ", image->name));
+    refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
+                       image->name));
     return nullptr;
   }
   return AdoptObject(std::move(image));
@@ -58,8 +63,9 @@ bool System::LoadStick(int robot_index) {
   };
   const auto object_text = read("OBJECT.CFG");
   if (!object_text) {
-    findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
-                   conf + "OBJECT.CFG: No such file on the stick; a stick is a folder that holds OPEN-R/"});
+    findings_.Add(
+        {Severity::kError, robot_index, "", 0, now_us_,
+         conf + "OBJECT.CFG: No such file on the stick; a stick is a folder that holds OPEN-R/"});
     return false;
   }
   const ObjectConfig object_config = ParseObjectConfig("OBJECT.CFG", *object_text, dog.design);
@@ -80,7 +86,8 @@ bool System::LoadStick(int robot_index) {
   if (const auto text = read("DESIGNDB.CFG")) {
     const DesignConfig config = ParseDesignConfig("DESIGNDB.CFG", *text, dog.design);
     AddDiagnostics(robot_index, config.diagnostics);
-    for (const DesignRecord& record : config.designs) dog.design_data.emplace(record.keyword, record.path);
+    for (const DesignRecord& record : config.designs)
+      dog.design_data.emplace(record.keyword, record.path);
   }
   return good;
 }

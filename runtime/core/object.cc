@@ -14,11 +14,16 @@ Object::~Object() = default;
 
 std::string Object::EntryName(uint32_t selector) const {
   switch (selector) {
-    case oentryINIT: return "DoInit";
-    case oentrySTART: return "DoStart";
-    case oentrySTOP: return "DoStop";
-    case oentryDESTROY: return "DoDestroy";
-    default: break;
+    case oentryINIT:
+      return "DoInit";
+    case oentrySTART:
+      return "DoStart";
+    case oentrySTOP:
+      return "DoStop";
+    case oentryDESTROY:
+      return "DoDestroy";
+    default:
+      break;
   }
   const auto found = entry_names.find(selector);
   return found == entry_names.end() ? fmt::format("selector {}", selector) : found->second;

@@ -22,7 +22,7 @@ struct SubjectState;
 
 // One line of an .ocf file, as far as the host uses it.
 struct ObjectLimits {
-  int priority = 128;       // 0..255; the upper four bits are the class
+  int priority = 128;        // 0..255; the upper four bits are the class
   uint32_t stack_bytes = 0;  // 0: unknown
   uint32_t heap_bytes = 0;
 };
@@ -52,33 +52,33 @@ class Object {
   System* const system;
   const ObjectId id;
   const int robot;
-  std::string name;  // OBJECT_NAME of the .ocf file, unique per robot
-  std::string path;  // /MS/... of an image; empty for objects built in code
+  std::string name;        // OBJECT_NAME of the .ocf file, unique per robot
+  std::string path;        // /MS/... of an image; empty for objects built in code
   bool is_image = false;   // loaded from a file; its code sees only the Memory Stick
   bool is_system = false;  // part of the robot, not of the application
   ObjectLimits limits;
   MessageClass post_class = MessageClass::kObject;  // of messages it posts
 
   // Statistics of the report.
-  std::string state;            // text after "state: " of its last OSYSLOG1 INFO line
-  uint64_t message_count = 0;   // delivered
-  uint64_t dropped_count = 0;   // data replaced before it was read, messages refused
-  int waiting = 0;              // messages in the queue now
+  std::string state;           // text after "state: " of its last OSYSLOG1 INFO line
+  uint64_t message_count = 0;  // delivered
+  uint64_t dropped_count = 0;  // data replaced before it was read, messages refused
+  int waiting = 0;             // messages in the queue now
   int waiting_max = 0;
-  int64_t handler_ns_max = 0;   // wall time, when the system was given a clock
+  int64_t handler_ns_max = 0;  // wall time, when the system was given a clock
 
   std::map<const void*, std::unique_ptr<char[]>> private_regions;  // NewRegion(); looked up only
 
-  uint32_t random_state = 1;  // of rand()
+  uint32_t random_state = 1;        // of rand()
   std::set<std::FILE*> open_files;  // looked up only
 
   // While a handler runs or waits.
   Message* running = nullptr;
-  uint64_t time_calls = 0;      // GetSystemTime() calls of this handler, 1 us each
-  Fiber* blocked = nullptr;     // the stack of a handler that waits
-  uint64_t blocked_box = 0;     // for this reply
-  std::string blocked_why;      // for messages to people
-  std::deque<Message*> held;    // came while it waited
+  uint64_t time_calls = 0;               // GetSystemTime() calls of this handler, 1 us each
+  Fiber* blocked = nullptr;              // the stack of a handler that waits
+  uint64_t blocked_box = 0;              // for this reply
+  std::string blocked_why;               // for messages to people
+  std::deque<Message*> held;             // came while it waited
   std::map<uint64_t, Message*> replies;  // arrived, not received yet
   // A nested call of one of its own entries (self connection) answers here.
   struct SelfReply {

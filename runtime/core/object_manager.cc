@@ -65,9 +65,10 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (error != sSUCCESS) {
     system().AddFindingAbout(
         object, Severity::kError,
-        fmt::format("{} did not return within {} s: OObjectRegistry::SendWithRBoxObjects() : Receive() "
-                    "oid {:x} selector {} error {}",
-                    kEntryWords[entry], kReplyTimeoutUs / 1'000'000, OidValue(object->id), entry, error));
+        fmt::format(
+            "{} did not return within {} s: OObjectRegistry::SendWithRBoxObjects() : Receive() "
+            "oid {:x} selector {} error {}",
+            kEntryWords[entry], kReplyTimeoutUs / 1'000'000, OidValue(object->id), entry, error));
   } else if (reply.status != oSUCCESS) {
     system().AddFindingAbout(object, Severity::kWarning,
                              fmt::format("{} returned status {}; the robot's answer to that is not "
@@ -78,12 +79,14 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
   std::vector<std::string> known;
-  for (const auto& [name, entry] : system().robot(connection.robot).directory) known.push_back(name);
+  for (const auto& [name, entry] : system().robot(connection.robot).directory)
+    known.push_back(name);
   system().findings_.Add(
       {Severity::kError, connection.robot, "", 0, system().now_us(),
-       fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: no object registered it in DoInit "
-                   "(REGISTER_ALL_ENTRY missing, or the object is not in OBJECT.CFG); the line is skipped",
-                   connection.where, service, DidYouMean(service, known))});
+       fmt::format(
+           "{}: OServiceManager::Connect() : {} NOT FOUND{}: no object registered it in DoInit "
+           "(REGISTER_ALL_ENTRY missing, or the object is not in OBJECT.CFG); the line is skipped",
+           connection.where, service, DidYouMean(service, known))});
 }
 
 void ObjectManager::Connect(const Connection& connection) {
@@ -105,10 +108,11 @@ void ObjectManager::Connect(const Connection& connection) {
   const sError error = system().Call(observer->second.first, observer->second.second, &message,
                                      sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
   if (error != sSUCCESS || reply.status != oSUCCESS) {
-    system().findings_.Add({Severity::kError, connection.robot, "", 0, system().now_us(),
-                            fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,
-                                        connection.subject, connection.observer,
-                                        error != sSUCCESS ? static_cast<longword>(error) : reply.status)});
+    system().findings_.Add(
+        {Severity::kError, connection.robot, "", 0, system().now_us(),
+         fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,
+                     connection.subject, connection.observer,
+                     error != sSUCCESS ? static_cast<longword>(error) : reply.status)});
   }
 }
 

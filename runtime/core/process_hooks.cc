@@ -59,8 +59,9 @@ void abort() noexcept {
     {
       const ApiScope scope;
       t_current.system->Print("abort() called\n");
-      t_current.system->AddFinding(Severity::kError, "abort() called: the method ends, the object goes on "
-                                                     "in whatever state it is");
+      t_current.system->AddFinding(Severity::kError,
+                                   "abort() called: the method ends, the object goes on "
+                                   "in whatever state it is");
     }
     EndMethod();
   }
@@ -109,8 +110,9 @@ int usleep(useconds_t us) {
   static const auto next = Next<int(useconds_t)>("usleep");
   if (!InObject()) return next(us);
   const ApiScope scope;
-  t_current.system->AddFinding(Severity::kWarning, "usleep() does nothing: the robot has no sleep; wait for "
-                                                   "an event instead");
+  t_current.system->AddFinding(Severity::kWarning,
+                               "usleep() does nothing: the robot has no sleep; wait for "
+                               "an event instead");
   return 0;
 }
 
@@ -118,8 +120,9 @@ unsigned sleep(unsigned seconds) {
   static const auto next = Next<unsigned(unsigned)>("sleep");
   if (!InObject()) return next(seconds);
   const ApiScope scope;
-  t_current.system->AddFinding(Severity::kWarning, "sleep() does nothing: the robot has no sleep; wait for "
-                                                   "an event instead");
+  t_current.system->AddFinding(Severity::kWarning,
+                               "sleep() does nothing: the robot has no sleep; wait for "
+                               "an event instead");
   return 0;
 }
 

@@ -86,8 +86,9 @@ CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> c
 }
 
 Object* System::object(ObjectId id) const {
-  return id < 0 || static_cast<size_t>(id) >= objects_.size() ? nullptr
-                                                              : objects_[static_cast<size_t>(id)].get();
+  return id < 0 || static_cast<size_t>(id) >= objects_.size()
+             ? nullptr
+             : objects_[static_cast<size_t>(id)].get();
 }
 
 Object* System::FindObject(int robot, std::string_view name) const {
@@ -139,10 +140,11 @@ int32_t System::Post(Message* message, int64_t delay_us) {
   }
   if (!message->is_reply) {
     if (target->waiting >= kQueueMax) {
-      AddFindingAbout(target, options_.strict ? Severity::kError : Severity::kWarning,
-                      fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
-                                  "sel={} ({}); the robot refuses the message, sError = 13",
-                                  kQueueMax, message->selector, target->EntryName(message->selector)));
+      AddFindingAbout(
+          target, options_.strict ? Severity::kError : Severity::kWarning,
+          fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
+                      "sel={} ({}); the robot refuses the message, sError = 13",
+                      kQueueMax, message->selector, target->EntryName(message->selector)));
       if (options_.strict) {
         ++target->dropped_count;
         queue_.Release(message);
@@ -195,8 +197,9 @@ int32_t System::Call(ObjectId target, uint32_t selector, const void* data, size_
   const Object* const callee = object(target);
   const int32_t error = SendWithReply(message, &box);
   if (error != sSUCCESS) return error;
-  return WaitForReply(box, reply, reply_size, nullptr, timeout_us,
-                      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector)));
+  return WaitForReply(
+      box, reply, reply_size, nullptr, timeout_us,
+      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector)));
 }
 
 System::ReplyTicket System::TakeReplyTicket() {
@@ -235,7 +238,8 @@ void System::AddFindingAbout(const Object* object, Severity severity, std::strin
   finding.severity = severity;
   finding.robot = object == nullptr ? 0 : object->robot;
   finding.object = object == nullptr ? "" : object->name;
-  finding.message = current == nullptr || current->running == nullptr ? 0 : current->running->number;
+  finding.message =
+      current == nullptr || current->running == nullptr ? 0 : current->running->number;
   finding.time_us = now_us_;
   finding.text = std::move(text);
   findings_.Add(std::move(finding));

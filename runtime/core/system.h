@@ -61,9 +61,9 @@ struct SystemOptions {
 // A wire of CONNECT.CFG, or one made in code.
 struct Connection {
   int robot = 0;
-  std::string subject;   // four-part service names
+  std::string subject;  // four-part service names
   std::string observer;
-  std::string where;     // "CONNECT.CFG:4" for messages
+  std::string where;  // "CONNECT.CFG:4" for messages
 };
 
 // A robot: its stick, its design, and the services of its objects.
@@ -114,7 +114,7 @@ class System {
   // Posts the shutdown: DoStop of all, then DoDestroy of all; powered_off() is
   // true afterwards.
   void Shutdown();
-  bool booted() const { return booted_; }        // the last DoStart has returned
+  bool booted() const { return booted_; }  // the last DoStart has returned
   bool powered_off() const { return powered_off_; }
   // The robot stops at once, as OPENR::Fatal does.
   void PowerOff() { powered_off_ = true; }

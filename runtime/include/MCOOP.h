@@ -34,9 +34,11 @@ sError FindSelector(const char* name, Selector* selector);
 sError Send(OID oid, Selector selector, void* msg, size_t size);
 sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbox);
 // Waits for the answer to a SendWithRBox(): blocks this object only.
-sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0, RelativeTime* timeout = 0);
+sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0,
+               RelativeTime* timeout = 0);
 // Sends and waits for the answer.
-sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0, size_t replySize = 0);
+sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0,
+            size_t replySize = 0);
 // Answers the Call or SendWithRBox being handled.
 sError Reply(void* msg = 0, size_t size = 0);
 sError Delegate(OID oid, Selector selector, void* msg, size_t size);
@@ -57,7 +59,8 @@ sError NewRegion(size_t size, void** base);
 sError DeleteRegion(void* base);
 
 // Memory that can be shared with other objects.
-sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id, void** base);
+sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
+                             void** base);
 sError DeleteSharedMemoryRegion(MemoryRegionID id);
 sError AllowToAttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, OID oid,
                                  bool givingOwnership);
@@ -80,10 +83,10 @@ sError Wait(longword nanosec);
 
 // Five arguments: with a reply box.
 inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
-    return SendWithRBox(oid, selector, msg, size, rbox);
+  return SendWithRBox(oid, selector, msg, size, rbox);
 }
 inline sError Receive(RID rbox, void* msg, size_t size, RelativeTime* timeout) {
-    return Receive(rbox, msg, size, 0, timeout);
+  return Receive(rbox, msg, size, 0, timeout);
 }
 inline sError Find(const char* name, Selector* selector) { return FindSelector(name, selector); }
 

@@ -6,8 +6,8 @@
 #include <Types.h>
 
 struct ObjectEntry {
-    Selector selector;
-    Entry    entry;
+  Selector selector;
+  Entry entry;
 };
 
 #define ENTRY_UNDEF 0

@@ -6,9 +6,9 @@
 
 // Defines ENTRYNAME, a function for ObjectEntryTable that calls the
 // extern "C" function FUNNAME with the address of the message.
-#define GEN_ENTRY(ENTRYNAME, FUNNAME)                                     \
-    extern "C" void ENTRYNAME(void* msg) __attribute__((used));           \
-    extern "C" void openr_call_##ENTRYNAME(void*) __asm__(#FUNNAME);      \
-    extern "C" void ENTRYNAME(void* msg) { openr_call_##ENTRYNAME(msg); }
+#define GEN_ENTRY(ENTRYNAME, FUNNAME)                              \
+  extern "C" void ENTRYNAME(void* msg) __attribute__((used));      \
+  extern "C" void openr_call_##ENTRYNAME(void*) __asm__(#FUNNAME); \
+  extern "C" void ENTRYNAME(void* msg) { openr_call_##ENTRYNAME(msg); }
 
 #endif  // OPENR_APSYS_H_INCLUDED

@@ -12,7 +12,8 @@
 using namespace openr_host;
 
 ostream& operator<<(ostream& out, const ObserverID& id) {
-  return out << fmt::format("(OID:{:#x} ,Sel:{})", reinterpret_cast<uintptr_t>(id.GetOID().GetAddress()),
+  return out << fmt::format("(OID:{:#x} ,Sel:{})",
+                            reinterpret_cast<uintptr_t>(id.GetOID().GetAddress()),
                             id.GetSelector());
 }
 
@@ -20,7 +21,9 @@ OObserver::OObserver() {
   const ApiScope scope;
   ASSERT(t_current.object != nullptr, "an OObserver is made by the code of an object");
   auto& observers = t_current.object->observers;
-  state_ = observers.emplace_back(std::make_unique<ObserverState>(t_current.system, t_current.object)).get();
+  state_ =
+      observers.emplace_back(std::make_unique<ObserverState>(t_current.system, t_current.object))
+          .get();
 }
 
 OObserver::~OObserver() = default;  // the state goes with its object
@@ -66,7 +69,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   const int count = ready.numOfData;
   const sError error = system->Post(message);
   if (error != sSUCCESS) {
-    system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n", service, error));
+    system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
+                              service, error));
     return oSEND_FAIL;
   }
   for (int i = 0; i < count; ++i) {
@@ -134,8 +138,9 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
     system->Call(target, entry.GetSelector(), control, sizeof *control, &reply, sizeof reply);
     return reply;
   }
-  control->command = control->command == objcommCMD_ADDOBSERVER_V22 ? objcommCMD_ADDOBSERVER_SELF
-                                                                    : objcommCMD_REMOVEOBSERVER_SELF;
+  control->command = control->command == objcommCMD_ADDOBSERVER_V22
+                         ? objcommCMD_ADDOBSERVER_SELF
+                         : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::Object::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->self_reply = &self;
   t_current.image_code = state->object->is_image;

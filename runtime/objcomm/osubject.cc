@@ -14,7 +14,8 @@ OSubject::OSubject() {
   const ApiScope scope;
   ASSERT(t_current.object != nullptr, "an OSubject is made by the code of an object");
   auto& subjects = t_current.object->subjects;
-  state_ = subjects.emplace_back(std::make_unique<SubjectState>(t_current.system, t_current.object)).get();
+  state_ = subjects.emplace_back(std::make_unique<SubjectState>(t_current.system, t_current.object))
+               .get();
 }
 
 OSubject::~OSubject() = default;  // the state goes with its object
@@ -37,8 +38,9 @@ size_t OSubject::GetBufferSize() const { return state_->buffer_size; }
 OStatus OSubject::SetNotifyUnitSize(size_t size) {
   const ApiScope scope;
   if (!state_->links.empty()) {
-    state_->system->AddFinding(Severity::kWarning, "SetNotifyUnitSize() after a connection is refused; "
-                                                   "call it in DoInit");
+    state_->system->AddFinding(Severity::kWarning,
+                               "SetNotifyUnitSize() after a connection is refused; "
+                               "call it in DoInit");
     return oFAIL;
   }
   state_->unit_size = size;

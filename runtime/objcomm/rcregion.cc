@@ -58,12 +58,22 @@ void RCRegion::operator delete(void* memory) {
 }
 
 RCRegion::RCRegion()
-    : base_(nullptr), size_(0), count_(0), id_(RegionTable::kNoRegion), offset_(0), type_(UNDEF),
+    : base_(nullptr),
+      size_(0),
+      count_(0),
+      id_(RegionTable::kNoRegion),
+      offset_(0),
+      type_(UNDEF),
       source_(nullptr) {}
 
 RCRegion::RCRegion(size_t size)
-    : base_(nullptr), size_(size), count_(1), id_(RegionTable::kNoRegion), offset_(0),
-      type_(SELF_ALLOCATED), source_(nullptr) {
+    : base_(nullptr),
+      size_(size),
+      count_(1),
+      id_(RegionTable::kNoRegion),
+      offset_(0),
+      type_(SELF_ALLOCATED),
+      source_(nullptr) {
   const ApiScope scope;
   RegionTable* const table = Table();
   ASSERT(table != nullptr, "new RCRegion outside of an object");
@@ -72,8 +82,13 @@ RCRegion::RCRegion(size_t size)
 }
 
 RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
-    : base_(static_cast<char*>(base)), size_(size), count_(1), id_(id), offset_(offset),
-      type_(REFERENCE_V20), source_(nullptr) {
+    : base_(static_cast<char*>(base)),
+      size_(size),
+      count_(1),
+      id_(id),
+      offset_(offset),
+      type_(REFERENCE_V20),
+      source_(nullptr) {
   RegionTable* const table = Table();
   if (table == nullptr) return;
   if (base_ == nullptr && table->BaseOf(id) != nullptr) base_ = table->BaseOf(id) + offset;
@@ -98,8 +113,9 @@ void RCRegion::RemoveReference() {
   // A received region belongs to its observer until the next ready, whatever its count.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
-    t_current.system->AddFinding(openr_host::Severity::kError,
-                                 "RemoveReference() on a region to which this object holds no reference");
+    t_current.system->AddFinding(
+        openr_host::Severity::kError,
+        "RemoveReference() on a region to which this object holds no reference");
     return;
   }
   delete this;

@@ -51,8 +51,7 @@ struct ObserverLink {
 };
 
 struct SubjectState {
-  SubjectState(System* the_system, Object* the_object)
-      : system(the_system), object(the_object) {}
+  SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   ObserverLink* Find(const ObserverID& id);
 
@@ -77,8 +76,7 @@ struct SubjectState {
 };
 
 struct ObserverState {
-  ObserverState(System* the_system, Object* the_object)
-      : system(the_system), object(the_object) {}
+  ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
 

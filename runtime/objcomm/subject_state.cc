@@ -69,8 +69,8 @@ void SubjectState::Flush(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  Message* const message = system->NewMessage(ObjectIdOf(link->observer.GetOID()),
-                                              link->observer.GetSelector());
+  Message* const message =
+      system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
   auto& notify = *new (message->payload) ONotifyMessage;
   notify.msgType = omsgNOTIFY_V22;
   notify.subjectID = id;

@@ -40,7 +40,8 @@ void WarnOfLongName(const std::string& path) {
   if (openr_host::IsShortName(name)) return;
   t_current.system->AddFinding(
       Severity::kWarning,
-      fmt::format("{}: '{}' is not an 8.3 name; the robot's file system cannot hold it", path, name));
+      fmt::format("{}: '{}' is not an 8.3 name; the robot's file system cannot hold it", path,
+                  name));
 }
 
 // Where `path` lies on the host; empty, with errno set, when the object may not
@@ -54,9 +55,11 @@ std::string HostPath(const char* path, bool writes, bool may_create) {
     return "";
   }
   if (std::strncmp(path, "/MS", 3) != 0 && std::strncmp(path, "/ms", 3) != 0) {
-    system->AddFinding(Severity::kWarning,
-                       fmt::format("'{}' cannot be opened: on the robot every path is absolute and begins "
-                                   "with /MS/", path));
+    system->AddFinding(
+        Severity::kWarning,
+        fmt::format("'{}' cannot be opened: on the robot every path is absolute and begins "
+                    "with /MS/",
+                    path));
     errno = ENOENT;
     return "";
   }
@@ -74,7 +77,9 @@ std::string HostPath(const char* path, bool writes, bool may_create) {
   return location.path;
 }
 
-bool OpensForWriting(int flags) { return (flags & O_ACCMODE) != O_RDONLY || (flags & O_CREAT) != 0; }
+bool OpensForWriting(int flags) {
+  return (flags & O_ACCMODE) != O_RDONLY || (flags & O_CREAT) != 0;
+}
 bool OpensForWriting(const char* mode) { return std::strpbrk(mode, "wa+") != nullptr; }
 
 int OpenAt(const char* path, int flags, mode_t mode) {
@@ -89,7 +94,8 @@ int OpenAt(const char* path, int flags, mode_t mode) {
 FILE* OpenFile(const char* path, const char* mode) {
   static const auto next = OPENR_NEXT(fopen);
   if (!InObject()) return next(path, mode);
-  const std::string host = HostPath(path, OpensForWriting(mode), std::strpbrk(mode, "wa") != nullptr);
+  const std::string host =
+      HostPath(path, OpensForWriting(mode), std::strpbrk(mode, "wa") != nullptr);
   if (host.empty()) return nullptr;
   const ApiScope scope;
   FILE* const file = next(host.c_str(), mode);
@@ -139,7 +145,9 @@ int open64(const char* path, int flags, ...) {
   return OpenAt(path, flags, mode);
 }
 
-int creat(const char* path, mode_t mode) { return OpenAt(path, O_CREAT | O_WRONLY | O_TRUNC, mode); }
+int creat(const char* path, mode_t mode) {
+  return OpenAt(path, O_CREAT | O_WRONLY | O_TRUNC, mode);
+}
 
 FILE* fopen(const char* path, const char* mode) { return OpenFile(path, mode); }
 FILE* fopen64(const char* path, const char* mode) { return OpenFile(path, mode); }

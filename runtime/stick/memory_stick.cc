@@ -63,8 +63,8 @@ bool IsBelow(const std::string& path, const std::string& folder) {
   const auto real_path = std::filesystem::canonical(path, error);
   if (error) return true;  // a dangling link: opening it says so
   const auto real_folder = std::filesystem::canonical(folder, error);
-  const auto [end, rest] = std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(),
-                                         real_path.end());
+  const auto [end, rest] =
+      std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
   return end == real_folder.end();
 }
 
@@ -94,7 +94,8 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   std::string path = root_;
   for (size_t i = 0; i < parts->size(); ++i) {
     const std::string& part = (*parts)[i];
-    if (part == "." || part == ".." || part.find('\0') != std::string::npos) return {"", false, EINVAL};
+    if (part == "." || part == ".." || part.find('\0') != std::string::npos)
+      return {"", false, EINVAL};
     const std::string entry = FindEntry(path, part);
     const bool is_last = i + 1 == parts->size();
     if (entry.empty() && !is_last) return {"", false, ENOENT};

@@ -39,7 +39,8 @@ TEST(GraphDeterminismTest, TwentySeedsOnTheIdealBodyRepeatThemselves) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(fmt::format("seed={}", seed));
     const GraphOptions ideal{.body = "ideal", .seed = seed};
-    EXPECT_EQ(HashesAfter(kStandUpUs, kStandUpUs, ideal), HashesAfter(kStandUpUs, kStandUpUs, ideal));
+    EXPECT_EQ(HashesAfter(kStandUpUs, kStandUpUs, ideal),
+              HashesAfter(kStandUpUs, kStandUpUs, ideal));
   }
 }
 

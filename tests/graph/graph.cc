@@ -78,7 +78,8 @@ bool Graph::Standing() {
 std::string Graph::Findings() {
   std::string text;
   for (const Finding& finding : system().findings().all()) {
-    text += std::string(SeverityName(finding.severity)) + ": " + finding.object + ": " + finding.text + "\n";
+    text += std::string(SeverityName(finding.severity)) + ": " + finding.object + ": " +
+            finding.text + "\n";
   }
   return text;
 }
@@ -100,7 +101,8 @@ void WhenStanding(const GraphOptions& options, const std::function<void(Graph&)>
   }
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "failed in its copy of the process; see above";
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0)
+      << "failed in its copy of the process; see above";
 }
 
 }  // namespace openr_host

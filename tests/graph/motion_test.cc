@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 // Plays a motion of the stick to its end.
 void Play(Graph& graph, const std::string& file, int loops = 1) {
   graph.pilot().Play(file, loops);
-  ASSERT_TRUE(graph.system().RunUntil([&] { return graph.pilot().MotionIsOver(); }, 60'000'000)) << file;
+  ASSERT_TRUE(graph.system().RunUntil([&] { return graph.pilot().MotionIsOver(); }, 60'000'000))
+      << file;
   EXPECT_FALSE(graph.system().findings().HasError()) << graph.Findings();
 }
 
@@ -81,11 +82,13 @@ TEST(MotionTest, TheLastCommandedFrameIsTheLastKeyFrame) {
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
     MtnFile motion;
-    ASSERT_TRUE(motion.Read(reinterpret_cast<const Uint8*>(bytes.data()), bytes.size())) << motion.Error();
+    ASSERT_TRUE(motion.Read(reinterpret_cast<const Uint8*>(bytes.data()), bytes.size()))
+        << motion.Error();
     ASSERT_TRUE(motion.MapTo(FindRobot("ERS-210"))) << motion.Error();
     for (int j = 0; j < motion.NumJoints(); ++j) {
       const auto joint = static_cast<size_t>(motion.RobotJoint(j));
-      EXPECT_EQ(graph.dog().devices().joints[joint].target_urad, motion.Angle(motion.NumKeyFrames() - 1, j))
+      EXPECT_EQ(graph.dog().devices().joints[joint].target_urad,
+                motion.Angle(motion.NumKeyFrames() - 1, j))
           << motion.Locator(j);
     }
   });

@@ -27,7 +27,8 @@ class Pilot : public CodeObject {
     system->Connect({0, "Pilot.Mover.MoverCommand.S", "JointMover.Mover.MoverCommand.O", "test"});
     system->Connect({0, "Pilot.BatchMover.BatchMoverCommand.S",
                      "JointMover.BatchMover.BatchMoverCommand.O", "test"});
-    system->Connect({0, "JointMover.SetValue.SetValueMessage.S", "Pilot.SetValue.SetValueMessage.O", "test"});
+    system->Connect(
+        {0, "JointMover.SetValue.SetValueMessage.S", "Pilot.SetValue.SetValueMessage.O", "test"});
   }
   OStatus DoStart(const OSystemEvent&) override {
     set_value_->AssertReady();

@@ -9,8 +9,8 @@ namespace {
 TEST(StandUpTest, GoesThroughTheStatesOfTheReportAndStands) {
   Graph graph;
   ASSERT_TRUE(graph.RunToStanding()) << graph.console() << graph.Findings();
-  const std::vector<std::string> expected = {"filling",  "gains",      "broadbase",
-                                             "sleeping", "crouching", "standing", "accepting-commands"};
+  const std::vector<std::string> expected = {
+      "filling", "gains", "broadbase", "sleeping", "crouching", "standing", "accepting-commands"};
   const std::vector<std::string> states = graph.MoverStates();
   std::vector<std::string> mover_states;
   for (const std::string& state : states) {

@@ -10,7 +10,8 @@ namespace openr_host {
 
 class FollowBody : public Body {
  public:
-  explicit FollowBody(const RobotModel& model) : poses_(model.bodies.size(), Eigen::Isometry3d::Identity()) {
+  explicit FollowBody(const RobotModel& model)
+      : poses_(model.bodies.size(), Eigen::Isometry3d::Identity()) {
     state_.joints.resize(model.joints.size());
     state_.paws.resize(model.paws.size());
   }

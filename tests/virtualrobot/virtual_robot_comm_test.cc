@@ -40,9 +40,11 @@ class Mover : public CodeObject {
   static OCommandVectorData* Data(RCRegion* region) {
     return reinterpret_cast<OCommandVectorData*>(region->Base());
   }
-  static void FillJoint(RCRegion* region, int element, OPrimitiveID id, const std::vector<int>& values) {
+  static void FillJoint(RCRegion* region, int element, OPrimitiveID id,
+                        const std::vector<int>& values) {
     Data(region)->GetInfo(element)->Set(odataJOINT_COMMAND2, id, values.size());
-    auto* const value = reinterpret_cast<OJointCommandValue2*>(Data(region)->GetData(element)->value);
+    auto* const value =
+        reinterpret_cast<OJointCommandValue2*>(Data(region)->GetData(element)->value);
     for (size_t i = 0; i < values.size(); ++i) value[i].value = values[i];
   }
   static void FillLed(RCRegion* region, int element, OPrimitiveID id, OLEDValue led, word period) {
@@ -69,13 +71,14 @@ class Mover : public CodeObject {
 class Watcher : public CodeObject {
  public:
   Watcher() {
-    sensor = AddObserver("Watcher.Sensor.OSensorFrameVectorData.O", [this](const ONotifyEvent& event) {
-      const auto* const vector = static_cast<const OSensorFrameVectorData*>(event.Data(0));
-      frames.push_back(const_cast<OSensorFrameVectorData*>(vector)->GetInfo(0)->frameNumber);
-      times.push_back(system().now_us());
-      if (on_vector) on_vector(event);
-      if (assert_ready) sensor->AssertReady();
-    });
+    sensor =
+        AddObserver("Watcher.Sensor.OSensorFrameVectorData.O", [this](const ONotifyEvent& event) {
+          const auto* const vector = static_cast<const OSensorFrameVectorData*>(event.Data(0));
+          frames.push_back(const_cast<OSensorFrameVectorData*>(vector)->GetInfo(0)->frameNumber);
+          times.push_back(system().now_us());
+          if (on_vector) on_vector(event);
+          if (assert_ready) sensor->AssertReady();
+        });
   }
   OStatus DoStart(const OSystemEvent&) override {
     sensor->AssertReady();
@@ -97,7 +100,8 @@ class VirtualRobotCommTest : public testing::Test {
     robot = AddVirtualRobot(&system, dog, model, std::move(made));
     mover = system.AddObject<Mover>(dog, "mover");
     watcher = system.AddObject<Watcher>(dog, "watcher");
-    system.Connect({dog, "Mover.Move.OCommandVectorData.S", "OVirtualRobotComm.Effector.OCommandVectorData.O", "test"});
+    system.Connect({dog, "Mover.Move.OCommandVectorData.S",
+                    "OVirtualRobotComm.Effector.OCommandVectorData.O", "test"});
     system.Connect({dog, "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S",
                     "Watcher.Sensor.OSensorFrameVectorData.O", "test"});
   }
@@ -153,7 +157,9 @@ TEST_F(VirtualRobotCommTest, TwoVectorsInOneNotificationPlayInOrderAndEachGetsIt
   RCRegion* a = nullptr;
   RCRegion* b = nullptr;
   std::vector<std::pair<int, int>> references;
-  mover->on_ready = [&] { references.emplace_back(a->NumberOfReference(), b->NumberOfReference()); };
+  mover->on_ready = [&] {
+    references.emplace_back(a->NumberOfReference(), b->NumberOfReference());
+  };
   As([&] {
     const OPrimitiveID pan = mover->Open(kPan);
     a = mover->NewVector(1);
@@ -201,7 +207,8 @@ TEST_F(VirtualRobotCommTest, ADoubleBufferedStreamHasASteadyRhythm) {
 
 TEST_F(VirtualRobotCommTest, SubjectsOfTheEffectorAreIndependent) {
   Mover* lights = system.AddObject<Mover>(dog, "lights", "Lights");
-  system.Connect({dog, "Lights.Move.OCommandVectorData.S", "OVirtualRobotComm.Effector.OCommandVectorData.O", "test"});
+  system.Connect({dog, "Lights.Move.OCommandVectorData.S",
+                  "OVirtualRobotComm.Effector.OCommandVectorData.O", "test"});
   Boot();
   mover->readies.clear();
   lights->readies.clear();
@@ -227,7 +234,8 @@ TEST_F(VirtualRobotCommTest, AnEarFrameLasts128Milliseconds) {
   As([&] {
     RCRegion* region = mover->NewVector(1);
     Mover::Data(region)->GetInfo(0)->Set(odataJOINT_COMMAND3, mover->Open(kEar), 1);
-    auto* const value = reinterpret_cast<OJointCommandValue3*>(Mover::Data(region)->GetData(0)->value);
+    auto* const value =
+        reinterpret_cast<OJointCommandValue3*>(Mover::Data(region)->GetData(0)->value);
     value->value = ojoint3_STATE1;
     mover->Send({region});
   });
@@ -286,7 +294,8 @@ TEST_F(VirtualRobotCommTest, ElementsThatWereNeverFilledAreReportedAndIgnored) {
   RunToFrame(3);
   EXPECT_EQ(Pan(), 7);
   ASSERT_EQ(system.findings().all().size(), 1u);
-  EXPECT_NE(system.findings().all()[0].text.find("element 1 of 2 names primitive 0xffffffff"), std::string::npos);
+  EXPECT_NE(system.findings().all()[0].text.find("element 1 of 2 names primitive 0xffffffff"),
+            std::string::npos);
 }
 
 TEST_F(VirtualRobotCommTest, TheQueueOfOneSubjectIsBounded) {
@@ -300,20 +309,22 @@ TEST_F(VirtualRobotCommTest, TheQueueOfOneSubjectIsBounded) {
         Mover::FillJoint(regions.back(), 0, pan, std::vector<int>(16, 1));
       }
       mover->Send(regions);
-      mover->move->ReadyHandler(OReadyMessage{omsgREADY_V22, objcommCMD_ASSERT_READY,
-                                              mover->move->begin()->GetObserverID(), 0, {}});
+      mover->move->ReadyHandler(OReadyMessage{
+          omsgREADY_V22, objcommCMD_ASSERT_READY, mover->move->begin()->GetObserverID(), 0, {}});
     }
   });
   system.RunFor(1);
   ASSERT_FALSE(system.findings().all().empty());
-  EXPECT_NE(system.findings().all()[0].text.find("more than 32 command vectors"), std::string::npos);
+  EXPECT_NE(system.findings().all()[0].text.find("more than 32 command vectors"),
+            std::string::npos);
 }
 
 // ---- synchronisation keys
 
 TEST_F(VirtualRobotCommTest, VectorsWithPartsOfOneKeyStartTogether) {
   Mover* lights = system.AddObject<Mover>(dog, "lights", "Lights");
-  system.Connect({dog, "Lights.Move.OCommandVectorData.S", "OVirtualRobotComm.Effector.OCommandVectorData.O", "test"});
+  system.Connect({dog, "Lights.Move.OCommandVectorData.S",
+                  "OVirtualRobotComm.Effector.OCommandVectorData.O", "test"});
   Boot();
   OVRSyncKey first = ovrsynckeyUNDEF;
   OVRSyncKey second = ovrsynckeyUNDEF;
@@ -488,7 +499,8 @@ TEST_F(VirtualRobotCommTest, ServosAreDrivenOnlyWithGainAndMotorPower) {
 }
 
 TEST_F(VirtualRobotCommTest, JointValuesAreThereBeforeTheFirstFrame) {
-  body->mutable_state().joints[static_cast<size_t>(model.FindJointByLocator(kPan))].angle_rad = 0.25;
+  body->mutable_state().joints[static_cast<size_t>(model.FindJointByLocator(kPan))].angle_rad =
+      0.25;
   Boot();
   As([&] {
     OJointValue value;

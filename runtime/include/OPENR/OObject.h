@@ -10,31 +10,31 @@
 #include <OPENR/ObjcommEvent.h>
 
 class OObject {
-public:
-    OObject();  // takes the OID the system gave to the object being loaded
-    virtual ~OObject();
+ public:
+  OObject();  // takes the OID the system gave to the object being loaded
+  virtual ~OObject();
 
-    // Called by the stub for selectors 0 to 3; each calls its DoXxx and reports
-    // the status to the object manager.
-    void Init(const OSystemEvent& event);
-    void Start(const OSystemEvent& event);
-    void Stop(const OSystemEvent& event);
-    void Destroy(const OSystemEvent& event);
+  // Called by the stub for selectors 0 to 3; each calls its DoXxx and reports
+  // the status to the object manager.
+  void Init(const OSystemEvent& event);
+  void Start(const OSystemEvent& event);
+  void Stop(const OSystemEvent& event);
+  void Destroy(const OSystemEvent& event);
 
-    virtual OStatus DoInit(const OSystemEvent& event);
-    virtual OStatus DoStart(const OSystemEvent& event);
-    virtual OStatus DoStop(const OSystemEvent& event);
-    virtual OStatus DoDestroy(const OSystemEvent& event);
+  virtual OStatus DoInit(const OSystemEvent& event);
+  virtual OStatus DoStart(const OSystemEvent& event);
+  virtual OStatus DoStop(const OSystemEvent& event);
+  virtual OStatus DoDestroy(const OSystemEvent& event);
 
-protected:
-    // Makes `name` known to the service manager.  oALREADY_EXIST when it is.
-    OStatus RegisterServiceEntry(const OServiceEntry& entry, const char* name);
+ protected:
+  // Makes `name` known to the service manager.  oALREADY_EXIST when it is.
+  OStatus RegisterServiceEntry(const OServiceEntry& entry, const char* name);
 
-    OID myOID_;
+  OID myOID_;
 
-private:
-    OObject(const OObject&);
-    OObject& operator=(const OObject&);
+ private:
+  OObject(const OObject&);
+  OObject& operator=(const OObject&);
 };
 
 #endif  // OPENR_OOBJECT_H_INCLUDED

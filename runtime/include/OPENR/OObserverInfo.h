@@ -5,14 +5,14 @@
 #include <OPENR/ObjcommTypes.h>
 
 class OObserverInfo {
-public:
-    OObserverInfo() {}
-    explicit OObserverInfo(const ObserverID& id) : id_(id) {}
+ public:
+  OObserverInfo() {}
+  explicit OObserverInfo(const ObserverID& id) : id_(id) {}
 
-    const ObserverID& GetObserverID() const { return id_; }
+  const ObserverID& GetObserverID() const { return id_; }
 
-private:
-    ObserverID id_;
+ private:
+  ObserverID id_;
 };
 
 typedef OObserverInfo ObserverInfo;

@@ -5,15 +5,15 @@
 #include <OPENR/ObjcommTypes.h>
 
 class OSubjectInfo : public SubjectID {
-public:
-    OSubjectInfo() : version_(objcommVERSION_UNDEF) {}
-    OSubjectInfo(const SubjectID& id, ObjcommVersion version) : SubjectID(id), version_(version) {}
+ public:
+  OSubjectInfo() : version_(objcommVERSION_UNDEF) {}
+  OSubjectInfo(const SubjectID& id, ObjcommVersion version) : SubjectID(id), version_(version) {}
 
-    const SubjectID& GetSubjectID() const { return *this; }
-    ObjcommVersion   GetVersion() const { return version_; }
+  const SubjectID& GetSubjectID() const { return *this; }
+  ObjcommVersion GetVersion() const { return version_; }
 
-private:
-    ObjcommVersion version_;
+ private:
+  ObjcommVersion version_;
 };
 
 typedef OSubjectInfo SubjectInfo;

@@ -11,10 +11,10 @@
 #include <stddef.h>
 
 typedef longword OSyslogPriority;
-const OSyslogPriority osyslogERROR            = 1;
-const OSyslogPriority osyslogWARNING          = 2;
-const OSyslogPriority osyslogINFO             = 3;
-const OSyslogPriority osyslogDEBUG            = 0xffffffff;
+const OSyslogPriority osyslogERROR = 1;
+const OSyslogPriority osyslogWARNING = 2;
+const OSyslogPriority osyslogINFO = 3;
+const OSyslogPriority osyslogDEBUG = 0xffffffff;
 const OSyslogPriority osyslogDEBUG_NO_NEWLINE = 0xfffffffe;
 
 const size_t osyslogMAX_SIZE = 243;

@@ -12,101 +12,100 @@
 
 // An observer asks to be added to (or removed from) subject SbjIndex().
 class OControlEvent {
-public:
-    OControlEvent(int index, char* subName, ObjcommCommand command)
-        : index_(index), subName_(subName), command_(command) {}
-    OControlEvent(int index, ObserverID id, char* subName, ObjcommCommand command)
-        : index_(index), id_(id), subName_(subName), command_(command) {}
+ public:
+  OControlEvent(int index, char* subName, ObjcommCommand command)
+      : index_(index), subName_(subName), command_(command) {}
+  OControlEvent(int index, ObserverID id, char* subName, ObjcommCommand command)
+      : index_(index), id_(id), subName_(subName), command_(command) {}
 
-    int               SbjIndex() const { return index_; }
-    const char*       SubName() const { return subName_; }  // full service name of the peer
-    const ObserverID& SenderID() const { return id_; }
-    bool IsAddObserver() const {
-        return command_ == objcommCMD_ADDOBSERVER || command_ == objcommCMD_ADDOBSERVER_SELF ||
-               command_ == objcommCMD_ADDOBSERVER_V22;
-    }
-    bool IsRemoveObserver() const {
-        return command_ == objcommCMD_REMOVEOBSERVER ||
-               command_ == objcommCMD_REMOVEOBSERVER_SELF ||
-               command_ == objcommCMD_REMOVEOBSERVER_V22;
-    }
+  int SbjIndex() const { return index_; }
+  const char* SubName() const { return subName_; }  // full service name of the peer
+  const ObserverID& SenderID() const { return id_; }
+  bool IsAddObserver() const {
+    return command_ == objcommCMD_ADDOBSERVER || command_ == objcommCMD_ADDOBSERVER_SELF ||
+           command_ == objcommCMD_ADDOBSERVER_V22;
+  }
+  bool IsRemoveObserver() const {
+    return command_ == objcommCMD_REMOVEOBSERVER || command_ == objcommCMD_REMOVEOBSERVER_SELF ||
+           command_ == objcommCMD_REMOVEOBSERVER_V22;
+  }
 
-private:
-    int            index_;
-    ObserverID     id_;
-    char*          subName_;
-    ObjcommCommand command_;
+ private:
+  int index_;
+  ObserverID id_;
+  char* subName_;
+  ObjcommCommand command_;
 };
 
 // Observer ObsIndex() is being connected to a subject.
 class OConnectEvent {
-public:
-    OConnectEvent(int index, char* subName, OConnectCmd command)
-        : index_(index), subName_(subName), command_(command) {}
+ public:
+  OConnectEvent(int index, char* subName, OConnectCmd command)
+      : index_(index), subName_(subName), command_(command) {}
 
-    int         ObsIndex() const { return index_; }
-    const char* SubName() const { return subName_; }
-    bool        IsConnect() const { return command_ == oconnectcmdCONNECT; }
-    bool        IsDisconnect() const {
-        return command_ == oconnectcmdDISCONNECT || command_ == oconnectcmdDISCONNECTALL;
-    }
+  int ObsIndex() const { return index_; }
+  const char* SubName() const { return subName_; }
+  bool IsConnect() const { return command_ == oconnectcmdCONNECT; }
+  bool IsDisconnect() const {
+    return command_ == oconnectcmdDISCONNECT || command_ == oconnectcmdDISCONNECTALL;
+  }
 
-private:
-    int         index_;
-    char*       subName_;
-    OConnectCmd command_;
+ private:
+  int index_;
+  char* subName_;
+  OConnectCmd command_;
 };
 
 // One observer of subject SbjIndex() said that it is ready, or not.
 class OReadyEvent {
-public:
-    OReadyEvent(int index, ObserverID id, ObjcommCommand command)
-        : index_(index), id_(id), command_(command) {}
+ public:
+  OReadyEvent(int index, ObserverID id, ObjcommCommand command)
+      : index_(index), id_(id), command_(command) {}
 
-    int               SbjIndex() const { return index_; }
-    const ObserverID& SenderID() const { return id_; }
-    bool              IsAssert() const { return command_ == objcommCMD_ASSERT_READY; }
-    bool              IsDeassert() const { return command_ == objcommCMD_DEASSERT_READY; }
+  int SbjIndex() const { return index_; }
+  const ObserverID& SenderID() const { return id_; }
+  bool IsAssert() const { return command_ == objcommCMD_ASSERT_READY; }
+  bool IsDeassert() const { return command_ == objcommCMD_DEASSERT_READY; }
 
-private:
-    int            index_;
-    ObserverID     id_;
-    ObjcommCommand command_;
+ private:
+  int index_;
+  ObserverID id_;
+  ObjcommCommand command_;
 };
 
 // Data from one subject.  Data(i) and RCData(i) stay valid until ready is
 // asserted or deasserted to that subject, or longer for a region to which
 // AddReference() was called.
 class ONotifyEvent {
-public:
-    ONotifyEvent() : index_(-1), numOfData_(0), numOfNotify_(0) {}
+ public:
+  ONotifyEvent() : index_(-1), numOfData_(0), numOfNotify_(0) {}
 
-    int                 ObsIndex() const { return index_; }
-    const OSubjectInfo& SenderID() const { return sender_; }
-    int                 NumOfData() const { return numOfData_; }
-    int                 NumOfNotify() const { return numOfNotify_; }
+  int ObsIndex() const { return index_; }
+  const OSubjectInfo& SenderID() const { return sender_; }
+  int NumOfData() const { return numOfData_; }
+  int NumOfNotify() const { return numOfNotify_; }
 
-    // 0 <= i < NumOfData().  Data() returns the addresses of all elements.
-    const void*  Data(int i) const { return rcr_[i]->Base(); }
-    const void** Data() const {
-        for (int i = 0; i < numOfData_; ++i) data_[i] = rcr_[i]->Base();
-        return data_;
-    }
-    RCRegion* RCData(int i) const { return rcr_[i]; }
+  // 0 <= i < NumOfData().  Data() returns the addresses of all elements.
+  const void* Data(int i) const { return rcr_[i]->Base(); }
+  const void** Data() const {
+    for (int i = 0; i < numOfData_; ++i) data_[i] = rcr_[i]->Base();
+    return data_;
+  }
+  RCRegion* RCData(int i) const { return rcr_[i]; }
 
-    void SetIndex(int index) { index_ = index; }
-    void SetSubjectInfo(const OSubjectInfo& info) { sender_ = info; }
-    void SetNumOfData(int n) { numOfData_ = n; }
-    void SetNumOfNotify(int n) { numOfNotify_ = n; }
-    void SetData(int i, RCRegion* region) { rcr_[i] = region; }
+  void SetIndex(int index) { index_ = index; }
+  void SetSubjectInfo(const OSubjectInfo& info) { sender_ = info; }
+  void SetNumOfData(int n) { numOfData_ = n; }
+  void SetNumOfNotify(int n) { numOfNotify_ = n; }
+  void SetData(int i, RCRegion* region) { rcr_[i] = region; }
 
-private:
-    int                 index_;
-    OSubjectInfo        sender_;
-    int                 numOfData_;
-    int                 numOfNotify_;
-    RCRegion*           rcr_[MAX_NUM_DATA];
-    mutable const void* data_[MAX_NUM_DATA];
+ private:
+  int index_;
+  OSubjectInfo sender_;
+  int numOfData_;
+  int numOfNotify_;
+  RCRegion* rcr_[MAX_NUM_DATA];
+  mutable const void* data_[MAX_NUM_DATA];
 };
 
 #endif  // OPENR_OBJCOMMEVENT_H_INCLUDED

@@ -10,22 +10,22 @@
 extern char myname[];
 
 #undef REGISTER_ALL_ENTRY
-#define REGISTER_ALL_ENTRY                                                                \
-    {                                                                                     \
-        OStatus result = oSUCCESS;                                                        \
-        for (int i = 0; i < numOfSubject; i++) {                                          \
-            std::string name(subjectService[i]);                                          \
-            name.replace(0, name.find('.'), myname);                                      \
-            OStatus s = RegisterServiceEntry(OServiceEntry(myOID_, Entry_Control[i]), name.c_str()); \
-            if (s != oSUCCESS) result = s;                                                \
-        }                                                                                 \
-        for (int i = 0; i < numOfObserver; i++) {                                         \
-            std::string name(observerService[i]);                                         \
-            name.replace(0, name.find('.'), myname);                                      \
-            OStatus s = RegisterServiceEntry(OServiceEntry(myOID_, Entry_Connect[i]), name.c_str()); \
-            if (s != oSUCCESS) result = s;                                                \
-        }                                                                                 \
-        (void)result;                                                                     \
-    }
+#define REGISTER_ALL_ENTRY                                                                     \
+  {                                                                                            \
+    OStatus result = oSUCCESS;                                                                 \
+    for (int i = 0; i < numOfSubject; i++) {                                                   \
+      std::string name(subjectService[i]);                                                     \
+      name.replace(0, name.find('.'), myname);                                                 \
+      OStatus s = RegisterServiceEntry(OServiceEntry(myOID_, Entry_Control[i]), name.c_str()); \
+      if (s != oSUCCESS) result = s;                                                           \
+    }                                                                                          \
+    for (int i = 0; i < numOfObserver; i++) {                                                  \
+      std::string name(observerService[i]);                                                    \
+      name.replace(0, name.find('.'), myname);                                                 \
+      OStatus s = RegisterServiceEntry(OServiceEntry(myOID_, Entry_Connect[i]), name.c_str()); \
+      if (s != oSUCCESS) result = s;                                                           \
+    }                                                                                          \
+    (void)result;                                                                              \
+  }
 
 #endif  // OPENR_CORE_MACRO2_H_INCLUDED

@@ -19,69 +19,63 @@ typedef void (*_Ready)(OReadyMessage*);
 typedef void (*_Connect)(OConnectMessage*);
 typedef void (*_Notify)(ONotifyMessage*);
 
-#define _Hook(n)    _##n
+#define _Hook(n) _##n
 #define _Control(n) _Control##n
-#define _Ready(n)   _Ready##n
+#define _Ready(n) _Ready##n
 #define _Connect(n) _Connect##n
-#define _Notify(n)  _Notify##n
+#define _Notify(n) _Notify##n
 
 #define StubFuncDeclare_Basic(n) void _Hook(n)(OReasonMessage * msg);
-#define StubFuncDeclare_Subject(i)           \
-    void _Control(i)(OControlMessage * msg); \
-    void _Ready(i)(OReadyMessage * msg);
-#define StubFuncDeclare_Observer(i)          \
-    void _Connect(i)(OConnectMessage * msg); \
-    void _Notify(i)(ONotifyMessage * msg);
+#define StubFuncDeclare_Subject(i)         \
+  void _Control(i)(OControlMessage * msg); \
+  void _Ready(i)(OReadyMessage * msg);
+#define StubFuncDeclare_Observer(i)        \
+  void _Connect(i)(OConnectMessage * msg); \
+  void _Notify(i)(ONotifyMessage * msg);
 
-#define StubFuncDefine_Basic(n)                                                \
-    extern "C" void _Hook(n)(OReasonMessage * msg) {                           \
-        Self.n(OSystemEvent(msg->reason, msg->param, msg->paramSize));         \
-    }
+#define StubFuncDefine_Basic(n)                                    \
+  extern "C" void _Hook(n)(OReasonMessage * msg) {                 \
+    Self.n(OSystemEvent(msg->reason, msg->param, msg->paramSize)); \
+  }
 
-#define StubFuncDefine_Control(i, f)                                                         \
-    extern "C" void _Control(i)(OControlMessage * msg) {                                     \
-        OStatus status = Self.f(OControlEvent(i, msg->observerID, msg->subName, msg->command)); \
-        Self.subject[i]->ControlHandler(*msg, status);                                       \
-    }
-#define StubFuncDefine_Control_nofunc(i)                 \
-    extern "C" void _Control(i)(OControlMessage * msg) { \
-        Self.subject[i]->ControlHandler(*msg);           \
-    }
+#define StubFuncDefine_Control(i, f)                                                        \
+  extern "C" void _Control(i)(OControlMessage * msg) {                                      \
+    OStatus status = Self.f(OControlEvent(i, msg->observerID, msg->subName, msg->command)); \
+    Self.subject[i]->ControlHandler(*msg, status);                                          \
+  }
+#define StubFuncDefine_Control_nofunc(i) \
+  extern "C" void _Control(i)(OControlMessage * msg) { Self.subject[i]->ControlHandler(*msg); }
 
 // The subject deals with the message first: what waited is sent before the
 // user hears of the ready.
-#define StubFuncDefine_Ready(i, f)                                   \
-    extern "C" void _Ready(i)(OReadyMessage * msg) {                 \
-        Self.subject[i]->ReadyHandler(*msg);                         \
-        Self.f(OReadyEvent(i, msg->observerID, msg->command));       \
-    }
-#define StubFuncDefine_Ready_nofunc(i)               \
-    extern "C" void _Ready(i)(OReadyMessage * msg) { \
-        Self.subject[i]->ReadyHandler(*msg);         \
-    }
+#define StubFuncDefine_Ready(i, f)                         \
+  extern "C" void _Ready(i)(OReadyMessage * msg) {         \
+    Self.subject[i]->ReadyHandler(*msg);                   \
+    Self.f(OReadyEvent(i, msg->observerID, msg->command)); \
+  }
+#define StubFuncDefine_Ready_nofunc(i) \
+  extern "C" void _Ready(i)(OReadyMessage * msg) { Self.subject[i]->ReadyHandler(*msg); }
 
-#define StubFuncDefine_Connect(i, f)                                             \
-    extern "C" void _Connect(i)(OConnectMessage * msg) {                         \
-        OStatus status = Self.f(OConnectEvent(i, msg->subName, msg->command));   \
-        Self.observer[i]->ConnectHandler(*msg, status);                          \
-    }
-#define StubFuncDefine_Connect_nofunc(i)                 \
-    extern "C" void _Connect(i)(OConnectMessage * msg) { \
-        Self.observer[i]->ConnectHandler(*msg);          \
-    }
+#define StubFuncDefine_Connect(i, f)                                       \
+  extern "C" void _Connect(i)(OConnectMessage * msg) {                     \
+    OStatus status = Self.f(OConnectEvent(i, msg->subName, msg->command)); \
+    Self.observer[i]->ConnectHandler(*msg, status);                        \
+  }
+#define StubFuncDefine_Connect_nofunc(i) \
+  extern "C" void _Connect(i)(OConnectMessage * msg) { Self.observer[i]->ConnectHandler(*msg); }
 
-#define StubFuncDefine_Notify(i, f)                    \
-    extern "C" void _Notify(i)(ONotifyMessage * msg) { \
-        ONotifyEvent event;                            \
-        event.SetIndex(i);                             \
-        Self.observer[i]->NotifyHandler(*msg, &event); \
-        Self.f(event);                                 \
-    }
-#define StubFuncDefine_Notify_nofunc(i)                \
-    extern "C" void _Notify(i)(ONotifyMessage * msg) { \
-        ONotifyEvent event;                            \
-        event.SetIndex(i);                             \
-        Self.observer[i]->NotifyHandler(*msg, &event); \
-    }
+#define StubFuncDefine_Notify(i, f)                  \
+  extern "C" void _Notify(i)(ONotifyMessage * msg) { \
+    ONotifyEvent event;                              \
+    event.SetIndex(i);                               \
+    Self.observer[i]->NotifyHandler(*msg, &event);   \
+    Self.f(event);                                   \
+  }
+#define StubFuncDefine_Notify_nofunc(i)              \
+  extern "C" void _Notify(i)(ONotifyMessage * msg) { \
+    ONotifyEvent event;                              \
+    event.SetIndex(i);                               \
+    Self.observer[i]->NotifyHandler(*msg, &event);   \
+  }
 
 #endif  // OPENR_STUB_MACRO_H_INCLUDED

@@ -15,7 +15,8 @@ class Recorder : public CodeObject {
  public:
   explicit Recorder(Log* log) {
     entry = AddExtra("Entry", [this, log](void* message) {
-      log->push_back(fmt::format("{}:{}@{}", host().name, *static_cast<int*>(message), system().now_us()));
+      log->push_back(
+          fmt::format("{}:{}@{}", host().name, *static_cast<int*>(message), system().now_us()));
       if (on_message) on_message(*static_cast<int*>(message));
     });
   }
@@ -134,7 +135,9 @@ TEST_F(DispatcherTest, CallsMayBeNestedOverSeveralObjects) {
     system.Call(whom->host().id, whom->entry, &value, sizeof value, &answer, sizeof answer);
     return answer;
   };
-  const auto reply = [&](int value) { system.Reply(system.TakeReplyTicket(), &value, sizeof value); };
+  const auto reply = [&](int value) {
+    system.Reply(system.TakeReplyTicket(), &value, sizeof value);
+  };
   int result = 0;
   c->on_message = [&](int value) { reply(value * 10); };
   b->on_message = [&](int value) { reply(ask(c, value + 1) + 1); };
@@ -203,7 +206,8 @@ TEST_F(DispatcherTest, ObjectsThatAnswerEachOtherWithoutWaitingDoNotStopTheClock
   system.RunFor(1000);
   EXPECT_EQ(system.now_us(), 1000);
   ASSERT_EQ(system.findings().all().size(), 1u);
-  EXPECT_NE(system.findings().all()[0].text.find("from here each message takes 1 us"), std::string::npos);
+  EXPECT_NE(system.findings().all()[0].text.find("from here each message takes 1 us"),
+            std::string::npos);
 }
 
 TEST_F(DispatcherTest, TheThirtyThirdWaitingMessageIsReportedAndRefusedWhenStrict) {
@@ -228,7 +232,8 @@ TEST_F(DispatcherTest, ASelectorWithoutEntryIsAFinding) {
   system.Post(system.NewMessage(a->host().id, 60));
   system.RunFor(1);
   ASSERT_EQ(system.findings().all().size(), 1u);
-  EXPECT_NE(system.findings().all()[0].text.find("selector is out of range: sel=60"), std::string::npos);
+  EXPECT_NE(system.findings().all()[0].text.find("selector is out of range: sel=60"),
+            std::string::npos);
 }
 
 TEST_F(DispatcherTest, HowARunIsSlicedDoesNotShowInItsHashes) {

@@ -1,11 +1,12 @@
 // Objects loaded from images: statics, heaps, files and ends of methods of their own.
+#include "runtime/core/image.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "runtime/core/image.h"
 #include "runtime/stick/memory_stick.h"
 #include "tests/runtime/objcomm/probe.h"
 
@@ -64,7 +65,8 @@ class ImageTest : public testing::Test {
     std::ofstream(root / name, std::ios::binary) << text;
   }
   void Start() {
-    system = std::make_unique<System>(SystemOptions{.console = [this](std::string_view text) { printed += text; }});
+    system = std::make_unique<System>(
+        SystemOptions{.console = [this](std::string_view text) { printed += text; }});
     system->AddRobot("ERS-210", stick);
     talker = system->AddObject<Talker>(0, "talker", 0);
     EXPECT_TRUE(system->LoadStick(0));
@@ -178,7 +180,8 @@ TEST_F(ImageTest, AbortIsReportedAndEndsTheMethodOnly) {
 TEST_F(ImageTest, AnUncaughtExceptionIsReportedWithItsText) {
   Start();
   SendExtra("DoThrow");
-  EXPECT_NE(Findings().find("uncaught exception in DoThrow: thrown by the probe"), std::string::npos);
+  EXPECT_NE(Findings().find("uncaught exception in DoThrow: thrown by the probe"),
+            std::string::npos);
   EXPECT_EQ(talker->Ask("count"), "1");
 }
 
@@ -213,7 +216,9 @@ TEST_F(ImageTest, AMissingImageIsNamedWithFileAndLine) {
   broken.AddRobot("ERS-210", stick);
   EXPECT_FALSE(broken.LoadStick(0));
   ASSERT_FALSE(broken.findings().all().empty());
-  EXPECT_EQ(broken.findings().all()[0].text.find("OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/NOTHERE.BIN does not exist"), 0u);
+  EXPECT_EQ(broken.findings().all()[0].text.find(
+                "OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/NOTHERE.BIN does not exist"),
+            0u);
 }
 
 TEST_F(ImageTest, ABinaryForTheRobotIsToldApartFromGarbage) {
@@ -222,8 +227,9 @@ TEST_F(ImageTest, ABinaryForTheRobotIsToldApartFromGarbage) {
   System broken;
   broken.AddRobot("ERS-210", stick);
   EXPECT_FALSE(broken.LoadStick(0));
-  EXPECT_NE(broken.findings().all()[0].text.find("is gzip-compressed, as binaries for the robot are"),
-            std::string::npos);
+  EXPECT_NE(
+      broken.findings().all()[0].text.find("is gzip-compressed, as binaries for the robot are"),
+      std::string::npos);
   Write("OPEN-R/MW/OBJS/PROBE.BIN", "text");
   System again;
   again.AddRobot("ERS-210", stick);

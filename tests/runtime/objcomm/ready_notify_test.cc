@@ -202,7 +202,9 @@ TEST_F(ReadyNotifyTest, WithMinThreeNothingIsSentBeforeThreeAreCollected) {
 
 TEST_F(ReadyNotifyTest, WithSkipOneEverySecondNotifyIsDropped) {
   RunAs(receiver, [&] { receiver->in->SetSkip(1); });
-  receiver->on_notify = [&](const ONotifyEvent& event) { receiver->in->AssertReady(event.SenderID()); };
+  receiver->on_notify = [&](const ONotifyEvent& event) {
+    receiver->in->AssertReady(event.SenderID());
+  };
   Boot();
   AssertReady();
   for (int value = 1; value <= 5; ++value) Send(value);
@@ -341,7 +343,9 @@ TEST_F(ReadyNotifyTest, AnUnknownServiceIsReportedWithTheNearestNameAndTheOtherL
 TEST_F(ReadyNotifyTest, ManySubjectsMayFeedOneObserverWithReadinessOfTheirOwn) {
   SubjectProbe* other = system.AddObject<SubjectProbe>(0, "other", "Other.Out.Number.S");
   Wire("Other.Out.Number.S", "Receiver.In.Number.O");
-  receiver->on_notify = [&](const ONotifyEvent& event) { receiver->in->AssertReady(event.SenderID()); };
+  receiver->on_notify = [&](const ONotifyEvent& event) {
+    receiver->in->AssertReady(event.SenderID());
+  };
   Boot();
   AssertReady();
   Send(1);

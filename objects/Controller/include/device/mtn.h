@@ -1,8 +1,8 @@
 /*
  * Motion files (Hohl 2004, section 5.3.7).
  *
- * Motions lie in /MS/OPEN-R/MW/DATA/P and are named without it: mtn_new("WALK.MTN").  A null pointer
- * is allowed everywhere and stands for a motion of no length that is over.
+ * Motions lie in /MS/OPEN-R/MW/DATA/P and are named without it: mtn_new("WALK.MTN").  A null
+ * pointer is allowed everywhere and stands for a motion of no length that is over.
  */
 
 #ifndef DEVICE_MTN_H
@@ -26,7 +26,7 @@ void mtn_delete(MTN *mtn);
 /* Plays it once. */
 void mtn_play(MTN *mtn);
 
-/* Milliseconds: of the whole motion, and of its position in it; the whole one when it does not play. */
+/* Milliseconds: of the whole motion, and of the position in it (the end when it does not play). */
 int mtn_get_length(MTN *mtn);
 int mtn_get_time(MTN *mtn);
 
