@@ -22,12 +22,12 @@ Hashes HashesAfter(int64_t duration_us, int64_t slice_us, const GraphOptions& op
 constexpr int64_t kStandUpUs = 15'000'000;
 
 TEST(GraphDeterminismTest, TwoRunsAreEqual) {
-  const GraphOptions ode{.body = "ode", .seed = 1};
+  const GraphOptions ode;
   EXPECT_EQ(HashesAfter(kStandUpUs, kStandUpUs, ode), HashesAfter(kStandUpUs, kStandUpUs, ode));
 }
 
 TEST(GraphDeterminismTest, HowARunIsSlicedDoesNotShow) {
-  const GraphOptions ode{.body = "ode", .seed = 1};
+  const GraphOptions ode;
   const Hashes whole = HashesAfter(3'000'000, 3'000'000, ode);
   for (const int64_t slice_ms : {1, 8, 11, 1000}) {
     SCOPED_TRACE(fmt::format("slice_ms={}", slice_ms));
@@ -38,7 +38,8 @@ TEST(GraphDeterminismTest, HowARunIsSlicedDoesNotShow) {
 TEST(GraphDeterminismTest, TwentySeedsOnTheIdealBodyRepeatThemselves) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(fmt::format("seed={}", seed));
-    const GraphOptions ideal{.body = "ideal", .seed = seed};
+    GraphOptions ideal = kIdeal;
+    ideal.seed = seed;
     EXPECT_EQ(HashesAfter(kStandUpUs, kStandUpUs, ideal),
               HashesAfter(kStandUpUs, kStandUpUs, ideal));
   }
@@ -46,7 +47,7 @@ TEST(GraphDeterminismTest, TwentySeedsOnTheIdealBodyRepeatThemselves) {
 
 // Two dogs in one process do not see each other: ODE's generator is process-wide.
 TEST(GraphDeterminismTest, AnotherWorldInTheProcessDoesNotShow) {
-  const GraphOptions ode{.body = "ode", .seed = 1};
+  const GraphOptions ode;
   const Hashes alone = HashesAfter(2'000'000, 2'000'000, ode);
   Graph a(ode);
   Graph b(ode);

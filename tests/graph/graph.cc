@@ -15,7 +15,7 @@ constexpr double kDegree = 57.29577951308232;
 
 SimulationOptions OptionsOf(const GraphOptions& graph, std::string* console) {
   SimulationOptions options;
-  options.stick = OPENR_STICK;
+  options.stick = graph.stick;
   options.body = graph.body;
   options.seed = graph.seed;
   options.host_network = false;

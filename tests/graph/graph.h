@@ -23,7 +23,16 @@ namespace openr_host {
 struct GraphOptions {
   std::string body = "ode";
   uint64_t seed = 1;
+  std::string stick = OPENR_STICK;
 };
+
+inline const GraphOptions kIdeal{.body = "ideal", .seed = 1, .stick = OPENR_STICK};
+
+inline GraphOptions OnStick(const std::string& stick) {
+  GraphOptions options;
+  options.stick = stick;
+  return options;
+}
 
 class Graph {
  public:

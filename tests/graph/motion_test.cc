@@ -75,7 +75,7 @@ TEST(MotionTest, OurWalkIsAtLeastFortyMillimetresASecond) {
 }
 
 TEST(MotionTest, TheLastCommandedFrameIsTheLastKeyFrame) {
-  WhenStanding({.body = "ideal", .seed = 1}, [](Graph& graph) {
+  WhenStanding(kIdeal, [](Graph& graph) {
     Play(graph, "SIT.MTN");
     graph.system().RunFor(100'000);
     const fs::path path = fs::path(OPENR_STICK) / "OPEN-R/MW/DATA/P/SIT.MTN";
@@ -95,7 +95,7 @@ TEST(MotionTest, TheLastCommandedFrameIsTheLastKeyFrame) {
 }
 
 TEST(MotionTest, AMissingMotionIsRefusedAndTheDogGoesOn) {
-  WhenStanding({.body = "ideal", .seed = 1}, [](Graph& graph) {
+  WhenStanding(kIdeal, [](Graph& graph) {
     graph.pilot().Play("NOTHERE.MTN");
     EXPECT_TRUE(graph.system().RunUntil([&] { return graph.pilot().MotionIsOver(); }, 1'000'000));
     EXPECT_NE(graph.console().find("motion not played"), std::string::npos) << graph.console();

@@ -41,7 +41,7 @@ TEST(StandUpTest, EveryJointEndsWhereThePostureWantsIt) {
 }
 
 TEST(StandUpTest, TheIdealBodyStandsToo) {
-  Graph graph({.body = "ideal", .seed = 1});
+  Graph graph(kIdeal);
   ASSERT_TRUE(graph.RunToStanding()) << graph.console() << graph.Findings();
   EXPECT_NEAR(graph.PitchDeg(), 2.6, 0.2);
   EXPECT_FALSE(graph.system().findings().HasError()) << graph.Findings();
@@ -66,7 +66,7 @@ TEST(StandUpTest, TheDefaultControllerLightsEyesAndWagsTheTail) {
 }
 
 TEST(StandUpTest, ThePauseButtonEndsInStopAndDestroyThroughPowerMonitor) {
-  WhenStanding({.body = "ideal", .seed = 1}, [](Graph& graph) {
+  WhenStanding(kIdeal, [](Graph& graph) {
     graph.dog().PressPause();
     graph.system().RunFor(1'000'000);
     EXPECT_TRUE(graph.system().powered_off());

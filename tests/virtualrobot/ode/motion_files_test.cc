@@ -1,5 +1,5 @@
 // The vendor's own ERS-210 motions on the body.  They may not be part of this project, so
-// these tests run only where OPENR_MTN_DIR names a folder that has them.
+// these tests run only where OPENR_MTN_REFERENCE names a folder that has them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -50,8 +50,8 @@ Motion ReadMotion(const std::string& path) {
 class MotionFilesTest : public testing::Test {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("OPENR_MTN_DIR");
-    if (folder == nullptr) GTEST_SKIP() << "OPENR_MTN_DIR names no folder of motion files";
+    const char* folder = std::getenv("OPENR_MTN_REFERENCE");
+    if (folder == nullptr) GTEST_SKIP() << "OPENR_MTN_REFERENCE names no folder";
     folder_ = folder;
     harness_.Hold(0.1);
   }

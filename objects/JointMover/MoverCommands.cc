@@ -1,0 +1,131 @@
+//
+// The commands MoverCore takes: single joints, a controller's buffer, motions.
+//
+
+#include "MoverCore.h"
+
+#include <string.h>
+
+void
+MoverCore::SetPosition(int joint, Sint32 urad, bool wake)
+{
+    if (!wake && joints_.IsOff(joint)) return;
+    if (InMotion() && inMotion_[joint]) {
+        deferred_[joint] = true;
+        deferredWake_[joint] = wake;
+        deferredGoal_[joint] = urad;
+    } else if (wake) {
+        joints_.Wake(joint, urad);
+    } else {
+        joints_.SetGoal(joint, urad);
+    }
+}
+
+void
+MoverCore::MoveJoint(const MoverCommand& command)
+{
+    if (state_ < moverACCEPTING_COMMANDS) return;
+    if (command.joint < 0 || command.joint >= robot_->numJoints) return;
+    if (command.kind == moverkindPOSITION) SetPosition(command.joint, command.value, false);
+    if (command.kind == moverkindSPEED) joints_.SetSpeed(command.joint, command.value);
+    if (command.kind == moverkindACCELERATION)
+        joints_.SetAcceleration(command.joint, command.value);
+}
+
+void
+MoverCore::Batch(const BatchMoverCommand& command)
+{
+    if (state_ < moverACCEPTING_COMMANDS) return;
+    for (int j = 0; j < robot_->numJoints; j++) {
+        const BatchJoint& old = batch_[j];
+        const BatchJoint& now = command.joint[j];
+        const bool isOff = (now.flags & batchMOTOR_OFF) != 0;
+        const bool wasOff = (old.flags & batchMOTOR_OFF) != 0;
+        const bool isGiven = (now.flags & batchPOSITION_GIVEN) != 0;
+        const bool wasGiven = (old.flags & batchPOSITION_GIVEN) != 0;
+        if (now.speed != old.speed) joints_.SetSpeed(j, now.speed);
+        if (now.acceleration != old.acceleration) joints_.SetAcceleration(j, now.acceleration);
+        if (isOff && !wasOff) {
+            joints_.TurnOff(j);
+            deferred_[j] = false;
+        }
+        const bool isNew = !wasGiven || now.position != old.position || wasOff;
+        if (isGiven && isNew && !isOff) SetPosition(j, now.position, true);
+        batch_[j] = now;
+    }
+}
+
+bool
+MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, std::string* error)
+{
+    if (!AcceptsMotion()) {
+        *error = std::string("JointMover is in state ") + MoverStateName(state_);
+        return false;
+    }
+    if (!motion_.Read(bytes, size) || !motion_.MapTo(robot_)) {
+        *error = motion_.Error();
+        return false;
+    }
+    memcpy(file_, command.file, sizeof(file_));
+    file_[sizeof(file_) - 1] = '\0';
+    loops_ = command.loops < 1 ? 1 : command.loops;
+    keyFramesPerVector_ =
+        command.keyFramesPerVector > 0 ? command.keyFramesPerVector : DEFAULT_KEYFRAMES_PER_VECTOR;
+    memset(inMotion_, 0, sizeof(inMotion_));
+    for (int j = 0; j < motion_.NumJoints(); j++) inMotion_[motion_.RobotJoint(j)] = true;
+    if (!NeedsPreparation()) {
+        BeginMotion();
+        return true;
+    }
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
+    }
+    Enter(moverPREPARE_MTN);
+    if (HasArrived()) BeginMotion();
+    return true;
+}
+
+// A motion of one key frame is nothing but the way to it.
+bool
+MoverCore::NeedsPreparation() const
+{
+    if (motion_.NumKeyFrames() == 1) return true;
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        const Sint32 difference = joints_.Position(motion_.RobotJoint(j)) - motion_.Angle(0, j);
+        if (difference >= PREPARE_LIMIT_URAD || -difference >= PREPARE_LIMIT_URAD) return true;
+    }
+    return false;
+}
+
+void
+MoverCore::BeginMotion()
+{
+    player_.Start(&motion_, loops_, keyFramesPerVector_);
+    Enter(moverMTN);
+    Report(0, 0);
+    if (!player_.IsPlaying()) EndMotion();
+}
+
+void
+MoverCore::Stop()
+{
+    if (!InMotion()) return;
+    player_.Stop();
+    for (int j = 0; j < robot_->numJoints; j++) {
+        if (inMotion_[j]) joints_.Halt(j);
+    }
+    EndMotion();
+}
+
+void
+MoverCore::EndMotion()
+{
+    Enter(moverACCEPTING_COMMANDS);
+    memset(file_, 0, sizeof(file_));
+    memset(inMotion_, 0, sizeof(inMotion_));
+    for (int j = 0; j < robot_->numJoints; j++) {
+        if (!deferred_[j]) continue;
+        deferred_[j] = false;
+        SetPosition(j, deferredGoal_[j], deferredWake_[j]);
+    }
+}
