@@ -9,7 +9,7 @@
 #include "StickFile.h"
 
 JointMover::JointMover()
-    : robot_(0), numUnderWay_(0), numReports_(0), isStopped_(false), core_(this)
+    : robot_(0), numUnderWay_(0), numReports_(0), isStopped_(false), isUp_(false), core_(this)
 {
     for (int j = 0; j < MAX_JOINTS; j++) joint_[j] = oprimitiveID_UNDEF;
     for (int i = 0; i < NUM_REGIONS; i++) region_[i] = 0;
@@ -161,6 +161,22 @@ JointMover::FillRegion(RCRegion* region)
     }
 }
 
+// A controller that is put in place of another while the robot stands may begin at once.  On
+// a robot just started its ready comes before the posture is reached.
+void
+JointMover::ReadyMainExecution(const OReadyEvent& event)
+{
+    if (event.IsAssert() && isUp_ && subject[sbjMainExecution]->IsReady()) TellMainExecution();
+}
+
+void
+JointMover::TellMainExecution()
+{
+    MainExecutionMessage message = { moverACCEPTING_COMMANDS };
+    subject[sbjMainExecution]->SetData(&message, sizeof(message));
+    subject[sbjMainExecution]->NotifyObservers();
+}
+
 // ---- Commands ------------------------------------------------------------------------
 
 void
@@ -270,9 +286,8 @@ JointMover::SendReports()
 void
 JointMover::InitialPostureReached()
 {
-    MainExecutionMessage message = { moverACCEPTING_COMMANDS };
-    subject[sbjMainExecution]->SetData(&message, sizeof(message));
-    subject[sbjMainExecution]->NotifyObservers();
+    isUp_ = true;
+    TellMainExecution();
     observer[obsMover]->AssertReady();
     observer[obsBatchMover]->AssertReady();
 }

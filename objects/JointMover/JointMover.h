@@ -37,6 +37,7 @@ public:
     virtual OStatus DoDestroy(const OSystemEvent& event);
 
     void ReadyMove(const OReadyEvent& event);
+    void ReadyMainExecution(const OReadyEvent& event);
     void NotifyMover(const ONotifyEvent& event);
     void NotifyBatchMover(const ONotifyEvent& event);
 
@@ -59,6 +60,7 @@ private:
     void FillRegion(RCRegion* region);
     void SendVectors();
     void SendReports();
+    void TellMainExecution();
     void Play(const MoverCommand& command);
 
     const RobotConstants* robot_;
@@ -67,6 +69,7 @@ private:
     int numUnderWay_;  // regions the effector has not given back when last looked
     int numReports_;   // set on SetValue and not yet sent
     bool isStopped_;
+    bool isUp_;  // the initial posture has been reached
     MoverCore core_;
     VectorPlan plan_;  // a member, not a local: 1300 bytes are much of an OPEN-R stack
 };

@@ -31,7 +31,8 @@ struct RunFlags {
   std::string report_file;
   bool json = false;
   bool no_panel = false;
-  std::string panel;
+  const CLI::Option* panel = nullptr;  // with an address or without
+  std::string panel_address;
   std::string log = "info";
   std::string console_file;
   std::string handler_limit = "10s";
@@ -58,7 +59,9 @@ void Describe(CLI::App* command, RunFlags* flags) {
                    "Port of the remote control; 0: any free one")
       ->check(CLI::Range(0, 65535));
   command->add_flag("--no-panel", flags->no_panel, "No web panel");
-  command->add_option("--panel", flags->panel, "Web panel (not in this version)")->expected(0, 1);
+  flags->panel =
+      command->add_option("--panel", flags->panel_address, "Web panel (not in this version)")
+          ->expected(0, 1);
   command->add_flag("--strict", flags->simulation.strict,
                     "Enforce the limits of the robot; refuse wrong wiring");
   command
@@ -151,7 +154,7 @@ std::string Summary(const nlohmann::ordered_json& report) {
 }
 
 int Run(RunFlags flags) {
-  if (!flags.panel.empty()) {
+  if (flags.panel->count() > 0) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }
   const RunPlan plan = PlanOf(flags);

@@ -21,38 +21,41 @@ void System::AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostic
   }
 }
 
-Object* System::LoadImage(int robot_index, const std::string& path, const std::string& where) {
+std::unique_ptr<ImageObject> System::OpenImage(int robot_index, ObjectId id,
+                                               const std::string& path, const std::string& where) {
   const auto refuse = [&](const std::string& why) {
     findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
                    fmt::format("{}: {} {}", where, path, why)});
+    return nullptr;
   };
   MemoryStick* const stick = robot(robot_index).stick.get();
-  if (stick == nullptr) {
-    refuse("cannot be read: there is no Memory Stick");
-    return nullptr;
-  }
+  if (stick == nullptr) return refuse("cannot be read: there is no Memory Stick");
   const MemoryStick::Location location = stick->Locate(path);
   if (location.error != 0 || !location.exists) {
-    refuse(
-        "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : Load() "
-        "error 90");
-    return nullptr;
+    return refuse(
+        "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : "
+        "Load() error 90");
   }
   if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
-  auto image =
-      std::make_unique<ImageObject>(this, static_cast<ObjectId>(objects_.size()), robot_index);
+  auto image = std::make_unique<ImageObject>(this, id, robot_index);
   image->path = path;
   const std::string problem = image->Load(location.path, run_folder_.get());
-  if (!problem.empty()) {
-    refuse(problem);
-    return nullptr;
+  if (!problem.empty()) return refuse(problem);
+  const Object* const namesake = FindObject(robot_index, image->name);
+  if (namesake != nullptr && namesake->id != id) {
+    return refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
+                              image->name));
   }
-  if (FindObject(robot_index, image->name) != nullptr) {
-    refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
-                       image->name));
-    return nullptr;
-  }
-  return AdoptObject(std::move(image));
+  return image;
+}
+
+Object* System::LoadImage(int robot_index, const std::string& path, const std::string& where) {
+  auto image = OpenImage(robot_index, static_cast<ObjectId>(objects_.size()), path, where);
+  return image == nullptr ? nullptr : AdoptObject(std::move(image));
+}
+
+std::unique_ptr<Object> System::LoadAgain(const Object& object) {
+  return OpenImage(object.robot, object.id, object.path, "reload");
 }
 
 bool System::LoadStick(int robot_index) {

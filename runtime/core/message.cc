@@ -110,6 +110,36 @@ void MessageQueue::Advance(int64_t time_us) {
   }
 }
 
+void MessageQueue::RemoveIf(const std::function<bool(const Message&)>& matches,
+                            const std::function<void(const Message&)>& dispose) {
+  const auto drop = [&](Message* message) {
+    dispose(*message);
+    Release(message);
+  };
+  for (int level = 0; level < kLevels; ++level) {
+    List old = levels_[level];
+    if (old.head == nullptr) continue;
+    levels_[level] = {};
+    occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
+    for (Message* message = old.head; message != nullptr;) {
+      Message* const next = message->next;
+      --due_count_;
+      if (matches(*message)) {
+        drop(message);
+      } else {
+        Append(message, level);
+      }
+      message = next;
+    }
+  }
+  std::erase_if(later_, [&](const Later& entry) {
+    if (!matches(*entry.message)) return false;
+    drop(entry.message);
+    return true;
+  });
+  std::make_heap(later_.begin(), later_.end());
+}
+
 void MessageQueue::ForEach(const std::function<void(const Message&)>& visit) const {
   for (const List& list : levels_) {
     for (const Message* m = list.head; m != nullptr; m = m->next) visit(*m);

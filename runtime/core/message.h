@@ -83,6 +83,11 @@ class MessageQueue {
 
   size_t size() const { return due_count_ + later_.size(); }
 
+  // Takes out every waiting message that `matches`; `dispose` sees each before it is
+  // released.
+  void RemoveIf(const std::function<bool(const Message&)>& matches,
+                const std::function<void(const Message&)>& dispose);
+
   // Calls `visit` for every waiting message in order of delivery.
   void ForEach(const std::function<void(const Message&)>& visit) const;
 

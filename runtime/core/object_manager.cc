@@ -18,6 +18,7 @@ const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 ObjectManager::ObjectManager() {
   boot_ = AddExtra("Boot", [this](void*) { RunBoot(); });
   shutdown_ = AddExtra("Shutdown", [this](void*) { RunShutdown(); });
+  reload_ = AddExtra("Reload", [this](void* id) { RunReload(*static_cast<ObjectId*>(id)); });
 }
 
 void ObjectManager::PostBoot() { system().Post(system().NewMessage(host().id, boot_)); }
@@ -26,6 +27,13 @@ void ObjectManager::PostShutdown() {
   if (shutting_down_) return;
   shutting_down_ = true;
   system().Post(system().NewMessage(host().id, shutdown_));
+}
+
+void ObjectManager::PostReload(ObjectId id) {
+  Message* const message = system().NewMessage(host().id, reload_);
+  std::memcpy(message->payload, &id, sizeof id);
+  message->size = sizeof id;
+  system().Post(message);
 }
 
 void ObjectManager::RunBoot() {
@@ -43,6 +51,29 @@ void ObjectManager::RunShutdown() {
   SendToAll(oentryDESTROY, oreasonSHUTDOWN, false);
   SendToAll(oentryDESTROY, oreasonSHUTDOWN, true);
   system().powered_off_ = true;
+}
+
+// The new image is loaded before the old one is touched: one that cannot be loaded
+// changes nothing.
+void ObjectManager::RunReload(ObjectId id) {
+  Object* const old = system().object(id);
+  std::unique_ptr<Object> fresh = system().LoadAgain(*old);
+  if (fresh == nullptr) return;
+  Send(old, oentrySTOP, oreasonSHUTDOWN);
+  Send(old, oentryDESTROY, oreasonSHUTDOWN);
+  system().Replace(id, std::move(fresh));
+  Object* const object = system().object(id);
+  Send(object, oentryINIT, oreasonBOOT);
+  const auto& directory = system().robot(object->robot).directory;
+  const auto is_its = [&](const std::string& service) {
+    const auto found = directory.find(service);
+    return found != directory.end() && found->second.first == id;
+  };
+  for (const Connection& connection : system().connections()) {
+    if (connection.robot != object->robot) continue;
+    if (is_its(connection.subject) || is_its(connection.observer)) Connect(connection);
+  }
+  Send(object, oentrySTART, oreasonBOOT);
 }
 
 void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects) {

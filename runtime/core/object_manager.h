@@ -16,6 +16,7 @@ class ObjectManager : public CodeObject {
 
   void PostBoot();
   void PostShutdown();
+  void PostReload(ObjectId id);
 
   // How long a DoXxx may wait before it is reported (the robot's value is not
   // known; virtual time).
@@ -24,6 +25,7 @@ class ObjectManager : public CodeObject {
  private:
   void RunBoot();
   void RunShutdown();
+  void RunReload(ObjectId id);
   void Send(Object* object, Selector entry, OReason reason);
   void SendToAll(Selector entry, OReason reason, bool system_objects);
   void Connect(const struct Connection& connection);
@@ -31,6 +33,7 @@ class ObjectManager : public CodeObject {
 
   Selector boot_;
   Selector shutdown_;
+  Selector reload_;
   bool shutting_down_ = false;
 };
 

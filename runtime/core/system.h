@@ -34,6 +34,7 @@ namespace openr_host {
 class CodeObject;
 class Dispatcher;
 class Hasher;
+class ImageObject;
 class MemoryStick;
 class ObjectManager;
 class RobotServices;
@@ -110,6 +111,18 @@ class System {
 
   // Posts the boot: DoInit of all objects, connections, DoStart of all.
   void Boot();
+
+  // Posts the replacement of an image by a fresh load of its file: DoStop and DoDestroy
+  // of the old one, DoInit, its connections and DoStart of the new one, which begins
+  // with fresh statics and an empty heap under the same OID.  Messages to the old one
+  // are lost; what it was lent goes back.  An image that cannot be loaded is an error
+  // finding and changes nothing.  REQUIRES: booted() and `id` names an image.
+  void Reload(ObjectId id);
+
+  // `listener` hears of every object that is taken out by a reload.
+  void OnUnload(std::function<void(ObjectId)> listener) {
+    unload_listeners_.push_back(std::move(listener));
+  }
 
   // Posts the shutdown: DoStop of all, then DoDestroy of all; powered_off() is
   // true afterwards.
@@ -201,6 +214,10 @@ class System {
   friend class ObjectManager;
 
   void AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics);
+  std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
+                                         const std::string& where);
+  std::unique_ptr<Object> LoadAgain(const Object& object);
+  void Replace(ObjectId id, std::unique_ptr<Object> fresh);
   Object* AdoptObject(std::unique_ptr<Object> object);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
@@ -221,6 +238,7 @@ class System {
   std::vector<std::unique_ptr<Object>> objects_;
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
+  std::vector<std::function<void(ObjectId)>> unload_listeners_;
   ObjectManager* manager_ = nullptr;
 };
 

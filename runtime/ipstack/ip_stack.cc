@@ -299,7 +299,13 @@ void IpStack::HashState(Hasher* hasher) const {
 
 IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
                     IpStackOptions options) {
-  return system->AddObject<IpStack>(robot, IpStack::kName, std::move(network), std::move(options));
+  IpStack* const stack =
+      system->AddObject<IpStack>(robot, IpStack::kName, std::move(network), std::move(options));
+  system->OnUnload([stack](ObjectId id) {
+    const CurrentScope scope(&stack->system(), &stack->host());
+    stack->ForgetObject(id);
+  });
+  return stack;
 }
 
 }  // namespace openr_host

@@ -86,7 +86,11 @@ class ProgramRun {
   // False when both outputs have ended.
   bool ReadSome() {
     pollfd wanted[2] = {{out_, POLLIN, 0}, {err_, POLLIN, 0}};
-    if ((out_ < 0 && err_ < 0) || poll(wanted, 2, -1) < 0) return false;
+    if (out_ < 0 && err_ < 0) return false;
+    if (poll(wanted, 2, kPatienceMs) <= 0) {
+      Signal(SIGKILL);
+      return false;
+    }
     ReadFrom(wanted[0], &out_, &result_.out);
     ReadFrom(wanted[1], &err_, &result_.err);
     return true;
@@ -103,6 +107,9 @@ class ProgramRun {
       *descriptor = -1;
     }
   }
+
+  // A program that says nothing for this long hangs, and is ended: status 137.
+  static constexpr int kPatienceMs = 120'000;
 
   pid_t child_ = -1;
   int out_ = -1, err_ = -1;

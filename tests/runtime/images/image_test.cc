@@ -199,6 +199,48 @@ TEST_F(ImageTest, StopAndDestroyRunAtShutdown) {
   EXPECT_LT(printed.find("stopped"), printed.find("destroyed"));
 }
 
+TEST_F(ImageTest, AReloadedImageStartsFreshUnderItsOidAndIsConnectedAgain) {
+  Start();
+  EXPECT_EQ(talker->Ask("count"), "1");
+  EXPECT_EQ(talker->Ask("count"), "2");
+  const ObjectId id = system->FindObject(0, "probe")->id;
+  system->Reload(id);
+  system->RunFor(1000);
+  EXPECT_EQ(Findings(), "");
+  EXPECT_EQ(system->FindObject(0, "probe")->id, id);
+  EXPECT_LT(printed.find("stopped"), printed.find("destroyed"));
+  EXPECT_EQ(talker->Ask("count"), "1");
+  EXPECT_EQ(talker->Ask("count"), "2");
+}
+
+TEST_F(ImageTest, WhatAReloadedImageWasLentGoesBack) {
+  Start();
+  RCRegion* region = nullptr;
+  RunAs(talker, [&] {
+    region = new RCRegion(16);
+    std::strcpy(region->Base(), "count");
+    talker->out->SetData(region);
+    talker->out->NotifyObservers();  // on its way when the reload begins
+    EXPECT_EQ(region->NumberOfReference(), 2);
+  });
+  system->Reload(system->FindObject(0, "probe")->id);
+  system->RunFor(1000);
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  EXPECT_EQ(talker->Ask("count"), "1");
+}
+
+TEST_F(ImageTest, AReloadThatCannotBeLoadedChangesNothing) {
+  Start();
+  EXPECT_EQ(talker->Ask("count"), "1");
+  Write("OPEN-R/MW/OBJS/PROBE.BIN", "not an image");
+  system->Reload(system->FindObject(0, "probe")->id);
+  system->RunFor(1000);
+  EXPECT_NE(Findings().find("reload: /MS/OPEN-R/MW/OBJS/PROBE.BIN is not an object image"),
+            std::string::npos)
+      << Findings();
+  EXPECT_EQ(talker->Ask("count"), "2");
+}
+
 #if !defined(__SANITIZE_ADDRESS__)
 TEST_F(ImageTest, ItsHeapIsItsOwnAndCounted) {
   Start();
