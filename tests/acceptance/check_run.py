@@ -35,13 +35,13 @@ class Checks:
 
 
 class Robot:
-    """openr run in the background, as fast as possible, until it is told to stop."""
+    """openr run in the background until it is told to stop."""
 
-    def __init__(self, openr, *arguments):
+    def __init__(self, openr, *arguments, rate="max"):
         self.openr = openr
         self.report = tempfile.NamedTemporaryFile(suffix=".json", delete=False).name
         self.process = subprocess.Popen(
-            [openr, "run", "--rate", "max", "--no-panel", "--rc-port", "0", "--report", self.report,
+            [openr, "run", "--rate", rate, "--no-panel", "--rc-port", "0", "--report", self.report,
              *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE, text=True)
         self.address = None
@@ -120,7 +120,8 @@ def check_standing(checks, openr):
 
 
 def check_remote(checks, openr):
-    robot = Robot(openr)
+    # Twice real time: a question takes some ms of wall time, which must not be many frames.
+    robot = Robot(openr, rate="2")
     answer = robot.rc("move", "neck_pan", 30)
     limit = answer["frame"] + 375  # 3 s
     sensors = robot.sensors_when(lambda s: s["frame"] >= limit - 8)
