@@ -20,6 +20,9 @@
 #define OPENR_ASAN 1
 #endif
 #endif
+#ifndef OPENR_ASAN
+#define OPENR_ASAN 0
+#endif
 
 namespace openr_host {
 namespace {
@@ -96,21 +99,20 @@ CrashLog::CrashLog(const std::vector<std::string>& sticks) {
   for (const std::string& stick : sticks) {
     g_files->push_back(stick.empty() ? "" : stick + "/OPEN-R/EMON.LOG");
   }
-#ifndef OPENR_ASAN
+  if constexpr (OPENR_ASAN) return;
   UseAlternateStack(true);
   struct sigaction action {};
   action.sa_sigaction = &Crashed;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (const int signal : kSignals) sigaction(signal, &action, nullptr);
-#endif
 }
 
 CrashLog::~CrashLog() {
-#ifndef OPENR_ASAN
-  for (const int signal : kSignals) ::signal(signal, SIG_DFL);
-  UseAlternateStack(false);
-#endif
+  if constexpr (!OPENR_ASAN) {
+    for (const int signal : kSignals) ::signal(signal, SIG_DFL);
+    UseAlternateStack(false);
+  }
   delete g_files;
   g_files = nullptr;
 }

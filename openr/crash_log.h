@@ -12,8 +12,8 @@
 namespace openr_host {
 
 // While it lives, SIGSEGV, SIGBUS, SIGFPE and SIGILL of an object end the run with a record.
-// Those of the program itself end it the way the system does.  Under AddressSanitizer only the
-// alternate stack is set up: its own report says more.
+// Those of the program itself end it the way the system does.  Under AddressSanitizer nothing is
+// done: its own report says more.
 class CrashLog {
  public:
   // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.

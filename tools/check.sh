@@ -35,7 +35,7 @@ grep_in() {
 }
 
 if command -v clang-format >/dev/null; then
-  files 'cc|h' openr runtime virtualrobot tools tests bench |
+  files 'cc|h' openr runtime virtualrobot tools tests bench | grep -v '^tests/images/' |
     xargs -r clang-format --dry-run 2>&1 | grep -E 'warning|error' | head -40 |
     rule 'clang-format (./.clang-format) would change'
 else

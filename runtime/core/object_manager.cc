@@ -61,7 +61,7 @@ void ObjectManager::RunReload(ObjectId id) {
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);
   Send(old, oentryDESTROY, oreasonSHUTDOWN);
-  system().Replace(id, std::move(fresh));
+  const auto readies = system().Replace(id, std::move(fresh));
   Object* const object = system().object(id);
   Send(object, oentryINIT, oreasonBOOT);
   const auto& directory = system().robot(object->robot).directory;
@@ -73,6 +73,7 @@ void ObjectManager::RunReload(ObjectId id) {
     if (connection.robot != object->robot) continue;
     if (is_its(connection.subject) || is_its(connection.observer)) Connect(connection);
   }
+  system().AssertAgain(id, readies);
   Send(object, oentrySTART, oreasonBOOT);
 }
 

@@ -58,23 +58,36 @@ void System::Reload(ObjectId id) {
   manager_->PostReload(id);
 }
 
-void System::Replace(ObjectId id, std::unique_ptr<Object> fresh) {
+std::vector<System::StandingReady> System::Replace(ObjectId id, std::unique_ptr<Object> fresh) {
   Object* const old = object(id);
+  std::vector<StandingReady> readies;
+  const auto remember = [&](uint32_t ready_selector, const ObserverID& observer) {
+    readies.push_back({ready_selector, ObjectIdOf(observer.GetOID()), observer.GetSelector()});
+  };
   {
     const CurrentScope scope(this, old);
+    for (const auto& subject : old->subjects) {
+      for (const auto& link : subject->links) {
+        if (link->ready > 0) remember(subject->id.GetSelector(), link->observer);
+      }
+    }
     for (const auto& observer : old->observers) {
       ReleaseHeld(
           observer.get(), [](const SubjectID&) { return true; }, true);
     }
-    queue_.RemoveIf([&](const Message& message) { return message.target == id; },
-                    [&](const Message& message) {
-                      if (message.kind != PayloadKind::kNotify) return;
-                      const auto& notify =
-                          *reinterpret_cast<const ONotifyMessage*>(message.payload);
-                      for (int i = 0; i < notify.numOfData; ++i) {
-                        notify.data[i].srcRCR->RemoveReference();
-                      }
-                    });
+    queue_.RemoveIf(
+        [&](const Message& message) { return message.target == id; },
+        [&](const Message& message) {
+          if (message.kind == PayloadKind::kReady) {
+            const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+            if (ready.command == objcommCMD_ASSERT_READY) {
+              remember(message.selector, ready.observerID);
+            }
+          }
+          if (message.kind != PayloadKind::kNotify) return;
+          const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+          for (int i = 0; i < notify.numOfData; ++i) notify.data[i].srcRCR->RemoveReference();
+        });
   }
   for (const auto& other : objects_) {
     if (other.get() != old) Disconnect(other.get(), id);
@@ -85,6 +98,23 @@ void System::Replace(ObjectId id, std::unique_ptr<Object> fresh) {
   regions_.DeleteAllOf(id);
   fresh->message_count = old->message_count;
   objects_[static_cast<size_t>(id)] = std::move(fresh);
+  return readies;
+}
+
+void System::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies) {
+  for (const StandingReady& standing : readies) {
+    if (standing.observer == id) continue;  // its own; it asserts in DoStart
+    const CurrentScope scope(this, object(standing.observer));
+    Message* const message = NewMessage(id, standing.ready_selector);
+    auto& ready = *new (message->payload) OReadyMessage;
+    ready.msgType = omsgREADY_V22;
+    ready.command = objcommCMD_ASSERT_READY;
+    ready.observerID = OServiceEntry(OidOf(standing.observer), standing.notify_selector);
+    ready.numOfData = 0;
+    message->size = sizeof ready;
+    message->kind = PayloadKind::kReady;
+    Post(message);
+  }
 }
 
 }  // namespace openr_host

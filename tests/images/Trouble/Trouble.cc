@@ -43,7 +43,7 @@ Trouble::DoStart(const OSystemEvent&)
         *(volatile int*)16 = 1;
     } else if (strcmp(word, "divide") == 0) {
         sink = 0;
-        sink = 1 / sink;
+        sink = 100 / sink;
     } else if (strcmp(word, "recurse") == 0) {
         sink = Recurse(0);
     } else if (strcmp(word, "print") == 0) {
