@@ -22,6 +22,7 @@ LIMIT_S = 900  # for one program
 def environment():
     env = dict(os.environ)
     env.setdefault("ASAN_OPTIONS", "detect_leaks=0:detect_stack_use_after_return=0")
+    env.setdefault("LSAN_OPTIONS", "print_suppressions=0")
     env.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")
     return env
 

@@ -18,6 +18,7 @@
 #endif
 #endif
 #ifdef OPENR_ASAN
+#include <sanitizer/asan_interface.h>
 #include <sanitizer/common_interface_defs.h>
 #endif
 #if __has_include(<valgrind/valgrind.h>)
@@ -35,6 +36,14 @@ constexpr size_t kGuardBytes = 4096;
 // Who is being left, for the one being entered.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
+
+// Frames that were left and not returned from have marked their surroundings in
+// AddressSanitizer's shadow; whoever gets these addresses next must not inherit that.
+void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
+#ifdef OPENR_ASAN
+  __asan_unpoison_memory_region(bottom, bytes);
+#endif
+}
 
 }  // namespace
 
@@ -58,6 +67,7 @@ Fiber::~Fiber() {
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
 #endif
+  ForgetFrames(stack_bottom_, stack_bytes_);
   munmap(mapping_, kGuardBytes + kStackBytes);
 }
 
@@ -67,6 +77,7 @@ bool Fiber::GuardContains(const void* address) const {
 }
 
 void Fiber::Prepare(Main main, void* argument) {
+  ForgetFrames(stack_bottom_, stack_bytes_);
   main_ = main;
   argument_ = argument;
   exceptions_[0] = exceptions_[1] = nullptr;
