@@ -50,6 +50,22 @@ void RemoveStaleFolders(const fs::path& parent) {
   }
 }
 
+// Whether everything the loader maps is there; it dies of a file that was cut off.
+bool IsWhole(std::ifstream* stream, const Elf64_Ehdr& header) {
+  stream->clear();
+  stream->seekg(0, std::ios::end);
+  const auto size = static_cast<uint64_t>(stream->tellg());
+  for (int i = 0; i < header.e_phnum; ++i) {
+    Elf64_Phdr segment{};
+    stream->seekg(
+        static_cast<std::streamoff>(header.e_phoff + static_cast<uint64_t>(i) * sizeof segment));
+    if (!stream->read(reinterpret_cast<char*>(&segment), sizeof segment)) return false;
+    if (segment.p_type != PT_LOAD) continue;
+    if (segment.p_offset > size || segment.p_filesz > size - segment.p_offset) return false;
+  }
+  return true;
+}
+
 // What kind of file this is, if it is not an image for this machine.
 std::string CheckFormat(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -67,7 +83,7 @@ std::string CheckFormat(const std::string& file) {
     return "is a binary for the robot (MIPS); build the object for the host (openr_add_object)";
   }
   if (header.e_type != ET_DYN) return "is not a shared object";
-  return "";
+  return IsWhole(&stream, header) ? "" : "ends too early: the file was cut off; copy it again";
 }
 
 }  // namespace

@@ -229,6 +229,15 @@ TEST_F(ImageTest, WhatAReloadedImageWasLentGoesBack) {
   EXPECT_EQ(talker->Ask("count"), "1");
 }
 
+TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
+  const fs::path image = root / "OPEN-R/MW/OBJS/PROBE.BIN";
+  fs::resize_file(image, fs::file_size(image) / 3);
+  System broken;
+  broken.AddRobot("ERS-210", stick);
+  EXPECT_FALSE(broken.LoadStick(0));
+  EXPECT_NE(broken.findings().all()[0].text.find("ends too early"), std::string::npos);
+}
+
 TEST_F(ImageTest, AReloadThatCannotBeLoadedChangesNothing) {
   Start();
   EXPECT_EQ(talker->Ask("count"), "1");
