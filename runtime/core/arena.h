@@ -3,8 +3,8 @@
 // Memory comes in spans of 1 MiB out of one reserved range of addresses, so that
 // any address tells in O(1) whose it is; free() works from anywhere.  Small
 // blocks live in size classes with free lists, large ones get spans of their own.
-// The robot gives an object no such limit as this range; the limit of
-// set_limit_bytes() is what --strict enforces.
+// The range is the only limit unless set_limit_bytes() sets one; the program does not
+// do so yet, not even with --strict (the .ocf heap size is a step of growth, no limit).
 #pragma once
 
 #include <cstddef>

@@ -3,25 +3,21 @@
 // exit() and abort() end the method that runs, not the process (Programmer's Guide,
 // appendix A).  The robot has no working clock but GetSystemTime(); what asks for
 // one anyway gets virtual time.  Only code of an image is treated so.
-#include <dlfcn.h>
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
+#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
 
 using openr_host::ApiScope;
+using openr_host::NextSymbol;
 using openr_host::Severity;
 using openr_host::t_current;
 
 namespace {
-
-template <typename Function>
-Function* Next(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-}
 
 bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 bool InHandler() { return InObject() && t_current.object->running != nullptr; }
@@ -49,7 +45,7 @@ extern "C" {
 
 void exit(int status) noexcept {
   if (InHandler()) EndMethod();
-  static const auto next = Next<void(int)>("exit");
+  static const auto next = NextSymbol<void(int)>("exit");
   next(status);
   __builtin_unreachable();
 }
@@ -65,20 +61,20 @@ void abort() noexcept {
     }
     EndMethod();
   }
-  static const auto next = Next<void()>("abort");
+  static const auto next = NextSymbol<void()>("abort");
   next();
   __builtin_unreachable();
 }
 
 // The C library's list of destructors outlives every object: not from its heap.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
-  static const auto next = Next<int(void (*)(void*), void*, void*)>("__cxa_atexit");
+  static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
   const ApiScope scope;
   return next(function, argument, module);
 }
 
 time_t time(time_t* result) noexcept {
-  static const auto next = Next<time_t(time_t*)>("time");
+  static const auto next = NextSymbol<time_t(time_t*)>("time");
   if (!InObject()) return next(result);
   const time_t now = kRobotEpochS + VirtualUs() / 1'000'000;
   if (result != nullptr) *result = now;
@@ -86,7 +82,7 @@ time_t time(time_t* result) noexcept {
 }
 
 int gettimeofday(struct timeval* tv, void* zone) noexcept {
-  static const auto next = Next<int(struct timeval*, void*)>("gettimeofday");
+  static const auto next = NextSymbol<int(struct timeval*, void*)>("gettimeofday");
   if (!InObject()) return next(tv, zone);
   tv->tv_sec = kRobotEpochS + VirtualUs() / 1'000'000;
   tv->tv_usec = VirtualUs() % 1'000'000;
@@ -94,7 +90,7 @@ int gettimeofday(struct timeval* tv, void* zone) noexcept {
 }
 
 int clock_gettime(clockid_t id, struct timespec* ts) noexcept {
-  static const auto next = Next<int(clockid_t, struct timespec*)>("clock_gettime");
+  static const auto next = NextSymbol<int(clockid_t, struct timespec*)>("clock_gettime");
   if (!InObject()) return next(id, ts);
   ts->tv_sec = (id == CLOCK_REALTIME ? kRobotEpochS : 0) + VirtualUs() / 1'000'000;
   ts->tv_nsec = VirtualUs() % 1'000'000 * 1000;
@@ -102,12 +98,12 @@ int clock_gettime(clockid_t id, struct timespec* ts) noexcept {
 }
 
 clock_t clock() noexcept {
-  static const auto next = Next<clock_t()>("clock");
+  static const auto next = NextSymbol<clock_t()>("clock");
   return InObject() ? static_cast<clock_t>(VirtualUs()) : next();
 }
 
 int usleep(useconds_t us) {
-  static const auto next = Next<int(useconds_t)>("usleep");
+  static const auto next = NextSymbol<int(useconds_t)>("usleep");
   if (!InObject()) return next(us);
   const ApiScope scope;
   t_current.system->AddFinding(Severity::kWarning,
@@ -117,7 +113,7 @@ int usleep(useconds_t us) {
 }
 
 unsigned sleep(unsigned seconds) {
-  static const auto next = Next<unsigned(unsigned)>("sleep");
+  static const auto next = NextSymbol<unsigned(unsigned)>("sleep");
   if (!InObject()) return next(seconds);
   const ApiScope scope;
   t_current.system->AddFinding(Severity::kWarning,
@@ -127,12 +123,12 @@ unsigned sleep(unsigned seconds) {
 }
 
 int rand() noexcept {
-  static const auto next = Next<int()>("rand");
+  static const auto next = NextSymbol<int()>("rand");
   return InObject() ? ObjectRandom() : next();
 }
 
 void srand(unsigned seed) noexcept {
-  static const auto next = Next<void(unsigned)>("srand");
+  static const auto next = NextSymbol<void(unsigned)>("srand");
   if (InObject()) {
     t_current.object->random_state = seed;
   } else {
@@ -141,12 +137,12 @@ void srand(unsigned seed) noexcept {
 }
 
 long random() noexcept {
-  static const auto next = Next<long()>("random");
+  static const auto next = NextSymbol<long()>("random");
   return InObject() ? ObjectRandom() : next();
 }
 
 void srandom(unsigned seed) noexcept {
-  static const auto next = Next<void(unsigned)>("srandom");
+  static const auto next = NextSymbol<void(unsigned)>("srandom");
   if (InObject()) {
     t_current.object->random_state = seed;
   } else {

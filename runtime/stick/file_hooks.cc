@@ -4,7 +4,6 @@
 // These definitions are found before the C library's by every caller in the
 // process (std::ifstream included); they act only while code of an image runs.
 #include <dirent.h>
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>
@@ -16,22 +15,19 @@
 #include <cstring>
 #include <string>
 
+#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
 using openr_host::ApiScope;
 using openr_host::MemoryStick;
+using openr_host::NextSymbol;
 using openr_host::Severity;
 using openr_host::t_current;
 
 namespace {
 
-// The C library's own function of that name.
-template <typename Function>
-Function* Next(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-}
-#define OPENR_NEXT(name) (static_cast<decltype(&name)>(Next<decltype(name)>(#name)))
+#define OPENR_NEXT(name) (static_cast<decltype(&name)>(NextSymbol<decltype(name)>(#name)))
 
 bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
