@@ -218,6 +218,7 @@ OStatus VirtualRobot::GetVolumeSwitch(OVolumeSwitch* volume) {
 }
 
 void VirtualRobot::HashState(Hasher* hasher) const {
+  hasher->Add(model_.content_hash);
   hasher->Add(frame_);
   body_->HashState(hasher);
   devices_.HashState(hasher);

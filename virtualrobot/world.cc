@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/core/hasher.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
 
@@ -82,5 +83,14 @@ World ParseWorld(const std::string& text, const std::string& name) {
 }
 
 World LoadWorld(const std::string& path) { return ParseWorld(ReadTextFile(path), path); }
+
+void HashWorld(const World& world, Hasher* hasher) {
+  hasher->Add(world.floor_friction);
+  for (const WorldBox& box : world.boxes) {
+    hasher->AddBytes(box.size_m.data(), 3 * sizeof(double));
+    hasher->AddBytes(box.centre_m.data(), 3 * sizeof(double));
+    hasher->Add(box.yaw_rad);
+  }
+}
 
 }  // namespace openr_host

@@ -7,6 +7,8 @@
 
 namespace openr_host {
 
+class Hasher;
+
 // A static box in the world W; W has z up and its floor at z = 0.
 struct WorldBox {
   std::string name;                   // appears in messages about this box
@@ -26,6 +28,8 @@ World LoadWorld(const std::string& path);
 
 // The same from text; `name` stands for the file in messages.
 World ParseWorld(const std::string& text, const std::string& name);
+
+void HashWorld(const World& world, Hasher* hasher);
 
 // Distance in metres from `p_W` along the unit vector `direction_W` to the floor or
 // the first box; `max_m` when nothing is nearer.  0 from inside a box or below the floor.

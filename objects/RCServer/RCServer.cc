@@ -18,6 +18,7 @@ RCServer::RCServer() : handler_(this), retryFrame_(0), isStopped_(false)
         client_[i].receiveData = 0;
         client_[i].sendData = 0;
         client_[i].isLast = false;
+        client_[i].lastFrame = 0;
     }
 }
 
@@ -82,6 +83,7 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     handler_.SetSensors(sensors_);
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
     RetryListening(sensors_.frame);
+    CloseIdle(sensors_.frame);
 }
 
 void

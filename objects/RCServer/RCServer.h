@@ -48,7 +48,8 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    // At once; a ninth client waits in the stack until one goes.
+    // At once; when another comes, the one that has been silent longest must go
+    // (CloseIdle).
     static const int NUM_CLIENTS = 8;
 
     enum ClientState {
@@ -66,7 +67,8 @@ private:
         byte* receiveData;
         byte* sendData;
         RcFramer framer;
-        bool isLast;  // close when what is being sent has been sent
+        bool isLast;       // close when what is being sent has been sent
+        Uint32 lastFrame;  // when it was heard of last
     };
 
     // RequestPort
@@ -82,6 +84,7 @@ private:
     void Send(int index, int size);
     void Close(int index);
     void RetryListening(Uint32 frame);
+    void CloseIdle(Uint32 frame);
     void SendMover();
     void SendLedEar();
 

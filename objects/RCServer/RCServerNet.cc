@@ -25,6 +25,9 @@ static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 // One second of 8 ms frames between two tries to listen.
 static const Uint32 RETRY_FRAMES = 125;
 
+// A client that said nothing for ten seconds gives way when nobody else can connect.
+static const Uint32 IDLE_FRAMES = 1250;
+
 // The continuation of a message carries the index of its client.
 static void*
 Continuation(int index)
@@ -88,6 +91,23 @@ RCServer::RetryListening(Uint32 frame)
     }
 }
 
+// Clients that connect and say nothing must not lock the others out.
+void
+RCServer::CloseIdle(Uint32 frame)
+{
+    if (isStopped_) return;
+    int idle = -1;
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        if (client_[i].state == clientLISTENING) return;
+        if (client_[i].state != clientRECEIVING) continue;
+        if (idle < 0 || frame - client_[i].lastFrame > frame - client_[idle].lastFrame) idle = i;
+    }
+    if (idle < 0 || frame - client_[idle].lastFrame < IDLE_FRAMES) return;
+    OSYSLOG1((osyslogWARNING, "RCServer: client %d was silent for %u s and gives way to others",
+              idle, (frame - client_[idle].lastFrame) / RETRY_FRAMES));
+    Close(idle);
+}
+
 void
 RCServer::ListenCont(ANTENVMSG msg)
 {
@@ -100,6 +120,7 @@ RCServer::ListenCont(ANTENVMSG msg)
         client_[index].state = clientCLOSED;
         return;
     }
+    client_[index].lastFrame = sensors_.frame;
     Receive(index);
 }
 
@@ -123,6 +144,7 @@ RCServer::ReceiveCont(ANTENVMSG msg)
         Close(index);  // most often the client has gone
         return;
     }
+    client_[index].lastFrame = sensors_.frame;
     client_[index].framer.Take(client_[index].receiveData, receive->sizeMin);
     AnswerRequests(index);
 }

@@ -70,6 +70,7 @@ MtnFile::Clear()
     majorVersion_ = minorVersion_ = 0;
     name_ = creator_ = designLabel_ = "";
     locators_.clear();
+    locatorAt_.clear();
     angles_.clear();
     attitudes_.clear();
     interpolations_.clear();
@@ -216,6 +217,7 @@ MtnFile::ReadJoints(Cursor* cursor)
     }
     for (int j = 0; j < numJoints; j++) {
         std::string locator;
+        locatorAt_.push_back(cursor->At());
         if (!cursor->String(&locator))
             return Refuse(*cursor, TextFormat("the file ends inside the locator of joint %d", j));
         for (size_t i = 0; i < locators_.size(); i++) {
@@ -296,7 +298,8 @@ MtnFile::MapTo(const RobotConstants* robot)
     for (int j = 0; j < NumJoints(); j++) {
         const int joint = FindJoint(robot, locators_[j].c_str());
         if (joint < 0) {
-            error_ = TextFormat("section 2, joint %d: the %s has no joint '", j, robot->design) +
+            error_ = TextFormat("section 2, offset %lu: joint %d: the %s has no joint '",
+                                (unsigned long)locatorAt_[j], j, robot->design) +
                      locators_[j].substr(0, 80) + "'";
             robotJoint_.clear();
             return false;

@@ -104,6 +104,7 @@ private:
     int majorVersion_, minorVersion_;
     std::string name_, creator_, designLabel_;
     std::vector<std::string> locators_;
+    std::vector<size_t> locatorAt_;       // offset of each in the file
     std::vector<Sint32> angles_;          // [key frame][joint]
     std::vector<Sint32> attitudes_;       // [key frame][roll, pitch, yaw]
     std::vector<Sint32> interpolations_;  // [gap]

@@ -217,7 +217,7 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  if (status == oSUCCESS || status == oNOT_SUPPORTED) t_current.system->Shutdown();
+  if (status == oSUCCESS || status == oNOT_SUPPORTED) t_current.system->Shutdown(t_current.object->robot);
   return oSUCCESS;
 }
 
@@ -247,7 +247,7 @@ OStatus Fatal(OFatal fatal) {
       Severity::kError,
       fmt::format("OPENR::Fatal({}): the robot powers off at once, without DoStop",
                   static_cast<int>(fatal)));
-  t_current.system->PowerOff();
+  t_current.system->PowerOff(t_current.object->robot);
   return oSUCCESS;
 }
 

@@ -94,24 +94,32 @@ size_t IndexOf(const void* block) {
 
 }  // namespace
 
-Arena::Arena() = default;
+Arena::Arena(MemoryBudget* budget) : budget_(budget == nullptr ? &own_budget_ : budget) {}
 
 Arena::~Arena() {
+  budget_->used_bytes -= in_use_;
   for (size_t i = 0; i < g_range.spans_used; ++i) {
     const Span span = g_range.spans[i];
     if (span.owner == this && span.size_class != kInside) GiveSpans(i, span.span_count);
   }
 }
 
+bool Arena::MayTake(size_t size) {
+  if (budget_->allocations_until_failure > 0 && --budget_->allocations_until_failure == 0)
+    return false;
+  return size <= budget_->limit_bytes && budget_->used_bytes <= budget_->limit_bytes - size;
+}
+
 void Arena::Account(size_t size) {
   in_use_ += size;
+  budget_->used_bytes += size;
   in_use_max_ = std::max(in_use_max_, in_use_);
 }
 
 void* Arena::Allocate(size_t size, size_t alignment) {
   // Blocks of a power-of-two size class are aligned to their size within a span.
   if (alignment > 16) size = std::bit_ceil(std::max(size, alignment));
-  if (size > limit_ || in_use_ > limit_ - size) return nullptr;
+  if (!MayTake(size)) return nullptr;
   if (alignment > kSpanBytes) return nullptr;
   return size <= kLargest ? AllocateSmall(ClassOfSize(size)) : AllocateLarge(size);
 }
@@ -161,7 +169,9 @@ void Arena::FreeFrom(void* block) {
   const size_t index = IndexOf(block);
   const Span span = g_range.spans[index];
   ASSERT(span.size_class != kInside, "free of an address inside a large block");
-  in_use_ -= UsableSize(block);
+  const size_t size = UsableSize(block);
+  in_use_ -= size;
+  budget_->used_bytes -= size;
   if (span.size_class == kLarge) {
     GiveSpans(index, span.span_count);
     return;

@@ -3,8 +3,8 @@
 // Memory comes in spans of 1 MiB out of one reserved range of addresses, so that
 // any address tells in O(1) whose it is; free() works from anywhere.  Small
 // blocks live in size classes with free lists, large ones get spans of their own.
-// The range is the only limit unless set_limit_bytes() sets one; the program does not
-// do so yet, not even with --strict (the .ocf heap size is a step of growth, no limit).
+// What an object may take is bounded by the memory of its robot, which all its objects
+// share (the .ocf heap size is a step of growth, no limit).
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,27 @@
 
 namespace openr_host {
 
+// The memory of one robot.
+struct MemoryBudget {
+  size_t limit_bytes = SIZE_MAX;
+  size_t used_bytes = 0;
+  int allocations_until_failure = -1;  // for tests: 1 fails the next; < 0: never
+};
+
 class Arena {
  public:
-  Arena();
+  // A null `budget` is without limit; otherwise it must outlive the arena.
+  explicit Arena(MemoryBudget* budget = nullptr);
   ~Arena();  // every block is gone afterwards
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  // Null when the limit or the range is exhausted.  Alignment is 16, or
+  // Null when the budget or the range is exhausted.  Alignment is 16, or
   // `alignment` if that is larger; REQUIRES: a power of two.
   void* Allocate(size_t size, size_t alignment = 16);
 
   size_t bytes_in_use() const { return in_use_; }
   size_t bytes_in_use_max() const { return in_use_max_; }
-  void set_limit_bytes(size_t limit) { limit_ = limit; }
 
   // The arena that `block` came from; null when it is not an arena's.
   static Arena* OwnerOf(const void* block);
@@ -43,6 +50,7 @@ class Arena {
   void* AllocateSmall(int size_class);
   void* AllocateLarge(size_t size);
   void FreeFrom(void* block);
+  bool MayTake(size_t size);
   void Account(size_t size);
 
   FreeBlock* free_[kClasses] = {};
@@ -50,7 +58,8 @@ class Arena {
   char* bump_end_[kClasses] = {};
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;
-  size_t limit_ = SIZE_MAX;
+  MemoryBudget own_budget_;
+  MemoryBudget* const budget_;
 };
 
 }  // namespace openr_host

@@ -97,7 +97,7 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
 
 void Dispatcher::Deliver(Message* message) {
   Object* const object = system_->object(message->target);
-  if (object == nullptr) {
+  if (object == nullptr || object->is_off) {
     system_->queue_.Release(message);
     return;
   }
@@ -141,6 +141,9 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   ++object->message_count;
   object->running = message;
   object->time_calls = 0;
+  char* const base = static_cast<char*>(__builtin_frame_address(0));
+  const bool measures_stack = object->is_image && system_->options_.measure_stacks;
+  if (measures_stack) running_->Paint(base);
   t_current = {system_, object, object->is_image};
   const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
@@ -165,6 +168,7 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   }
   if (clock != nullptr)
     object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
+  if (measures_stack) object->stack_max = std::max(object->stack_max, running_->UsedBelow(base));
   FinishHandler(object);
 }
 

@@ -6,6 +6,7 @@
 // the host's heap.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(OPENR_NO_HEAP_HOOKS)
 
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <cerrno>
@@ -15,6 +16,7 @@
 #include "runtime/core/arena.h"
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
+#include "runtime/core/system.h"
 
 using openr_host::Arena;
 using openr_host::t_current;
@@ -34,9 +36,32 @@ Arena* CurrentArena() {
                                                              : nullptr;
 }
 
+// Where an object would go on with a null pointer, the reader learns why.
+void ReportNoMemory(size_t size) {
+  openr_host::Current& current = t_current;
+  current.image_code = false;  // what follows is the host's
+  const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;
+  current.system->AddFinding(
+      openr_host::Severity::kError,
+      fmt::format("no memory for {} bytes: this object holds {}, all objects {} of the {} the "
+                  "robot has; free what is not needed, or run without --strict",
+                  size, current.object->arena->bytes_in_use(), memory.used_bytes,
+                  memory.limit_bytes));
+  current.image_code = true;
+}
+
+void* FromArena(Arena* arena, size_t size, size_t alignment = 16) {
+  void* const block = arena->Allocate(size, alignment);
+  if (block == nullptr) {
+    ReportNoMemory(size);
+    errno = ENOMEM;
+  }
+  return block;
+}
+
 void* Aligned(size_t alignment, size_t size) {
   Arena* const arena = CurrentArena();
-  return arena == nullptr ? __libc_memalign(alignment, size) : arena->Allocate(size, alignment);
+  return arena == nullptr ? __libc_memalign(alignment, size) : FromArena(arena, size, alignment);
 }
 
 }  // namespace
@@ -47,9 +72,7 @@ void* malloc(size_t size) {
   Arena* const arena = CurrentArena();
   if (arena == nullptr) [[likely]]
     return __libc_malloc(size);
-  void* const block = arena->Allocate(size);
-  if (block == nullptr) errno = ENOMEM;
-  return block;
+  return FromArena(arena, size);
 }
 
 void free(void* block) {

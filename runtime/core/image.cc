@@ -129,7 +129,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   const std::string copy = folder->AddCopy(file);
   if (copy.empty()) return "cannot be copied into the run folder (disk full?)";
 #if !defined(__SANITIZE_ADDRESS__)
-  arena = std::make_unique<Arena>();
+  arena = std::make_unique<Arena>(&system->robot(robot).memory);
 #endif
   {
     const CurrentScope scope(system, this);

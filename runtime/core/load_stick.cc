@@ -58,35 +58,56 @@ std::unique_ptr<Object> System::LoadAgain(const Object& object) {
   return OpenImage(object.robot, object.id, object.path, "reload");
 }
 
-bool System::LoadStick(int robot_index) {
-  Robot& dog = robot(robot_index);
-  const std::string conf = kConfFolder;
-  const auto read = [&](const char* name) {
-    return dog.stick == nullptr ? std::nullopt : dog.stick->ReadFile(conf + name);
-  };
-  const auto object_text = read("OBJECT.CFG");
-  if (!object_text) {
-    findings_.Add(
-        {Severity::kError, robot_index, "", 0, now_us_,
-         conf + "OBJECT.CFG: No such file on the stick; a stick is a folder that holds OPEN-R/"});
+std::optional<std::string> System::ReadConfig(int robot_index, const char* name) {
+  MemoryStick* const stick = robot(robot_index).stick.get();
+  return stick == nullptr ? std::nullopt : stick->ReadFile(kConfFolder + std::string(name));
+}
+
+bool System::LoadObjects(int robot_index) {
+  const auto text = ReadConfig(robot_index, "OBJECT.CFG");
+  if (!text) {
+    findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
+                   fmt::format("{}OBJECT.CFG: No such file on the stick; a stick is a folder "
+                               "that holds OPEN-R/",
+                               kConfFolder)});
     return false;
   }
-  const ObjectConfig object_config = ParseObjectConfig("OBJECT.CFG", *object_text, dog.design);
-  AddDiagnostics(robot_index, object_config.diagnostics);
+  const ObjectConfig config = ParseObjectConfig("OBJECT.CFG", *text, robot(robot_index).design);
+  AddDiagnostics(robot_index, config.diagnostics);
+  if (config.objects.empty()) {
+    findings_.Add({Severity::kWarning, robot_index, "", 0, now_us_,
+                   "OBJECT.CFG: names no object for this robot; nothing of the application runs"});
+  }
   bool good = true;
-  for (const ObjectRecord& record : object_config.objects) {
+  for (const ObjectRecord& record : config.objects) {
     const std::string where = fmt::format("{}:{}", record.place.file, record.place.line);
     if (LoadImage(robot_index, record.path, where) == nullptr) good = false;
   }
-  if (const auto text = read("CONNECT.CFG")) {
-    const ConnectConfig config = ParseConnectConfig("CONNECT.CFG", *text, dog.design);
-    AddDiagnostics(robot_index, config.diagnostics);
-    for (const ConnectRecord& record : config.connections) {
-      Connect({robot_index, Compose(record.subject), Compose(record.observer),
-               fmt::format("{}:{}", record.subject_place.file, record.subject_place.line)});
-    }
+  return good;
+}
+
+void System::LoadConnections(int robot_index) {
+  const auto text = ReadConfig(robot_index, "CONNECT.CFG");
+  if (!text) {
+    findings_.Add({Severity::kWarning, robot_index, "", 0, now_us_,
+                   fmt::format("{}CONNECT.CFG: No such file on the stick; no object is connected",
+                               kConfFolder)});
+    return;
   }
-  if (const auto text = read("DESIGNDB.CFG")) {
+  const ConnectConfig config = ParseConnectConfig("CONNECT.CFG", *text, robot(robot_index).design);
+  AddDiagnostics(robot_index, config.diagnostics);
+  for (const ConnectRecord& record : config.connections) {
+    Connect({robot_index, Compose(record.subject), Compose(record.observer),
+             fmt::format("{}:{}", record.subject_place.file, record.subject_place.line)});
+  }
+}
+
+bool System::LoadStick(int robot_index) {
+  Robot& dog = robot(robot_index);
+  if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();
+  const bool good = LoadObjects(robot_index);
+  LoadConnections(robot_index);
+  if (const auto text = ReadConfig(robot_index, "DESIGNDB.CFG")) {
     const DesignConfig config = ParseDesignConfig("DESIGNDB.CFG", *text, dog.design);
     AddDiagnostics(robot_index, config.diagnostics);
     for (const DesignRecord& record : config.designs)

@@ -56,6 +56,7 @@ class Object {
   std::string path;        // /MS/... of an image; empty for objects built in code
   bool is_image = false;   // loaded from a file; its code sees only the Memory Stick
   bool is_system = false;  // part of the robot, not of the application
+  bool is_off = false;     // its robot is: what is sent to it is dropped
   ObjectLimits limits;
   MessageClass post_class = MessageClass::kObject;  // of messages it posts
 
@@ -66,6 +67,7 @@ class Object {
   int waiting = 0;             // messages in the queue now
   int waiting_max = 0;
   int64_t handler_ns_max = 0;  // wall time, when the system was given a clock
+  size_t stack_max = 0;        // bytes; SystemOptions::measure_stacks
 
   std::map<const void*, std::unique_ptr<char[]>> private_regions;  // NewRegion(); looked up only
 

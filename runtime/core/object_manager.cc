@@ -17,22 +17,24 @@ const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
 ObjectManager::ObjectManager() {
   boot_ = AddExtra("Boot", [this](void*) { RunBoot(); });
-  shutdown_ = AddExtra("Shutdown", [this](void*) { RunShutdown(); });
+  shutdown_ = AddExtra("Shutdown", [this](void* robot) { RunShutdown(*static_cast<int*>(robot)); });
   reload_ = AddExtra("Reload", [this](void* id) { RunReload(*static_cast<ObjectId*>(id)); });
 }
 
 void ObjectManager::PostBoot() { system().Post(system().NewMessage(host().id, boot_)); }
 
-void ObjectManager::PostShutdown() {
-  if (shutting_down_) return;
-  shutting_down_ = true;
-  system().Post(system().NewMessage(host().id, shutdown_));
+void ObjectManager::PostShutdown(int robot) {
+  if (!shutting_down_.insert(robot).second) return;
+  PostWith(shutdown_, robot);
 }
 
-void ObjectManager::PostReload(ObjectId id) {
-  Message* const message = system().NewMessage(host().id, reload_);
-  std::memcpy(message->payload, &id, sizeof id);
-  message->size = sizeof id;
+void ObjectManager::PostReload(ObjectId id) { PostWith(reload_, id); }
+
+template <typename T>
+void ObjectManager::PostWith(Selector selector, T value) {
+  Message* const message = system().NewMessage(host().id, selector);
+  std::memcpy(message->payload, &value, sizeof value);
+  message->size = sizeof value;
   system().Post(message);
 }
 
@@ -45,12 +47,12 @@ void ObjectManager::RunBoot() {
   system().booted_ = true;
 }
 
-void ObjectManager::RunShutdown() {
-  SendToAll(oentrySTOP, oreasonSHUTDOWN, false);
-  SendToAll(oentrySTOP, oreasonSHUTDOWN, true);
-  SendToAll(oentryDESTROY, oreasonSHUTDOWN, false);
-  SendToAll(oentryDESTROY, oreasonSHUTDOWN, true);
-  system().powered_off_ = true;
+void ObjectManager::RunShutdown(int robot) {
+  SendToAll(oentrySTOP, oreasonSHUTDOWN, false, robot);
+  SendToAll(oentrySTOP, oreasonSHUTDOWN, true, robot);
+  SendToAll(oentryDESTROY, oreasonSHUTDOWN, false, robot);
+  SendToAll(oentryDESTROY, oreasonSHUTDOWN, true, robot);
+  system().PowerOff(robot);
 }
 
 // The new image is loaded before the old one is touched: one that cannot be loaded
@@ -77,10 +79,11 @@ void ObjectManager::RunReload(ObjectId id) {
   Send(object, oentrySTART, oreasonBOOT);
 }
 
-void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects) {
+void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects, int robot) {
   for (size_t i = 0; i < system().objects().size(); ++i) {
     Object* const object = system().objects()[i].get();
     if (object == nullptr || object == &host() || object->is_system != system_objects) continue;
+    if (robot != kAllRobots && object->robot != robot) continue;
     Send(object, entry, reason);
   }
 }

@@ -6,6 +6,8 @@
 // of the application (architecture.md, "Settled" 5).
 #pragma once
 
+#include <set>
+
 #include "runtime/core/code_object.h"
 
 namespace openr_host {
@@ -15,7 +17,7 @@ class ObjectManager : public CodeObject {
   ObjectManager();
 
   void PostBoot();
-  void PostShutdown();
+  void PostShutdown(int robot);
   void PostReload(ObjectId id);
 
   // How long a DoXxx may wait before it is reported (the robot's value is not
@@ -23,18 +25,23 @@ class ObjectManager : public CodeObject {
   static constexpr int64_t kReplyTimeoutUs = 10'000'000;
 
  private:
+  template <typename T>
+  void PostWith(Selector selector, T value);
   void RunBoot();
-  void RunShutdown();
+  void RunShutdown(int robot);
   void RunReload(ObjectId id);
   void Send(Object* object, Selector entry, OReason reason);
-  void SendToAll(Selector entry, OReason reason, bool system_objects);
+  // To the objects of `robot`, or of all.
+  void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
   void ReportUnknown(const Connection& connection, const std::string& service);
+
+  static constexpr int kAllRobots = -1;
 
   Selector boot_;
   Selector shutdown_;
   Selector reload_;
-  bool shutting_down_ = false;
+  std::set<int> shutting_down_;  // robots
 };
 
 }  // namespace openr_host

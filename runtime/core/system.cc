@@ -62,6 +62,7 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
   robot->index = robot_count();
   robot->design = design;
   robot->stick = std::move(stick);
+  if (options_.strict) robot->memory.limit_bytes = kRobotMemoryBytes;
   robot->services = std::make_unique<RobotServices>();
   robots_.push_back(std::move(robot));
   return robot_count() - 1;
@@ -99,7 +100,21 @@ Object* System::FindObject(int robot, std::string_view name) const {
 }
 
 void System::Boot() { manager_->PostBoot(); }
-void System::Shutdown() { manager_->PostShutdown(); }
+void System::Shutdown(int robot) { manager_->PostShutdown(robot); }
+
+void System::Shutdown() {
+  for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i);
+}
+
+void System::PowerOff(int index) {
+  if (index < robot_count()) robot(index).powered_off = true;
+  for (const auto& object : objects_) {
+    if (object != nullptr && object->robot == index && object.get() != &manager_->host())
+      object->is_off = true;
+  }
+  powered_off_ =
+      std::all_of(robots_.begin(), robots_.end(), [](const auto& dog) { return dog->powered_off; });
+}
 
 bool System::Step() {
   const uint64_t before = trace_.count();
@@ -288,6 +303,8 @@ uint64_t System::state_hash() {
   }
   regions_.HashState(&hasher);
   for (const auto& robot : robots_) {
+    hasher.Add(robot->powered_off);
+    hasher.Add(robot->stick_hash);
     robot->services->HashState(&hasher);
     if (robot->stick) robot->stick->HashState(&hasher);
   }

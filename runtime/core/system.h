@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,6 +44,9 @@ class RunFolder;
 // 8 ms: the unit of everything the robot does.
 constexpr int64_t kFrameUs = 8000;
 
+// RAM of the robot, for the system and all objects (field-notes.md, section on memory).
+constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
+
 struct SystemOptions {
   uint64_t seed = 1;
   // Turns findings that stop a robot into the robot's behaviour.
@@ -57,6 +61,8 @@ struct SystemOptions {
   // Wall clock in nanoseconds for handler_ns_max; null: not measured.  Nothing
   // else may depend on it.
   int64_t (*wall_clock_ns)() = nullptr;
+  // Whether Object::stack_max is measured, for images; costs about 1 us a handler.
+  bool measure_stacks = false;
 };
 
 // A wire of CONNECT.CFG, or one made in code.
@@ -75,6 +81,9 @@ struct Robot {
   std::unique_ptr<RobotServices> services;
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;  // service name -> entry
   std::map<std::string, std::string> design_data;                  // keyword -> /MS/ path
+  MemoryBudget memory;                                             // limited with --strict
+  uint64_t stick_hash = 0;  // of the stick as LoadStick() found it
+  bool powered_off = false;
 };
 
 class System {
@@ -124,13 +133,14 @@ class System {
     unload_listeners_.push_back(std::move(listener));
   }
 
-  // Posts the shutdown: DoStop of all, then DoDestroy of all; powered_off() is
-  // true afterwards.
-  void Shutdown();
-  bool booted() const { return booted_; }  // the last DoStart has returned
-  bool powered_off() const { return powered_off_; }
+  // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy; messages to
+  // them are dropped from then on.
+  void Shutdown(int robot);
+  void Shutdown();                                   // of all
+  bool booted() const { return booted_; }            // the last DoStart has returned
+  bool powered_off() const { return powered_off_; }  // all robots are off; nothing runs
   // The robot stops at once, as OPENR::Fatal does.
-  void PowerOff() { powered_off_ = true; }
+  void PowerOff(int robot);
 
   // ---- Running ----
 
@@ -214,6 +224,10 @@ class System {
   friend class ObjectManager;
 
   void AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics);
+  // LoadStick()'s parts; a text of /MS/OPEN-R/MW/CONF.
+  std::optional<std::string> ReadConfig(int robot, const char* name);
+  bool LoadObjects(int robot);
+  void LoadConnections(int robot);
   std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
                                          const std::string& where);
   std::unique_ptr<Object> LoadAgain(const Object& object);

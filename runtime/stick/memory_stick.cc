@@ -106,8 +106,31 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   return {path, true, 0};
 }
 
+uint64_t FolderStick::ContentHash() {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<std::string> names;
+  for (fs::recursive_directory_iterator it(root_, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string extension = UpperCase(it->path().extension().string());
+    if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG")
+      names.push_back(it->path().lexically_relative(root_).string());
+  }
+  if (names.empty()) return 0;
+  std::sort(names.begin(), names.end());
+  Hasher hasher;
+  for (const std::string& name : names) {
+    hasher.AddText(name);
+    hasher.AddText(ReadFile("/MS/" + name).value_or("(unreadable)"));
+  }
+  return hasher.Digest();
+}
+
 MemoryStick::Location FailingStick::Locate(std::string_view name) {
-  if (left_ > 0 && --left_ == 0) return {"", false, error_};
+  if (left_ > 0 && --left_ == 0) {
+    failed_name_ = name;
+    return {"", false, error_};
+  }
   return inner_->Locate(name);
 }
 

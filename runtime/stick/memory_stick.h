@@ -4,6 +4,7 @@
 // robot's FAT file system.  No name leaves the stick.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
@@ -32,6 +33,10 @@ class MemoryStick {
   // For the boot and for design data; nullopt when the file cannot be read.
   std::optional<std::string> ReadFile(std::string_view name);
 
+  // Names (below /MS) and contents of all files but images, which differ from build to
+  // build; what they do is in the trace.  0 without files.
+  virtual uint64_t ContentHash() = 0;
+
   // Called when an object opens `name` for writing: from then on its content is part
   // of the state.
   void NoteWritten(std::string_view name) { written_.insert(std::string(name)); }
@@ -52,6 +57,7 @@ class FolderStick : public MemoryStick {
  public:
   explicit FolderStick(std::string root) : root_(std::move(root)) {}
   Location Locate(std::string_view name) override;
+  uint64_t ContentHash() override;
   const std::string& root() const { return root_; }
 
  private:
@@ -64,10 +70,14 @@ class FailingStick : public MemoryStick {
   FailingStick(std::shared_ptr<MemoryStick> inner, int nth, int error)
       : inner_(std::move(inner)), left_(nth), error_(error) {}
   Location Locate(std::string_view name) override;
+  uint64_t ContentHash() override { return inner_->ContentHash(); }
+  bool has_failed() const { return left_ == 0; }
+  const std::string& failed_name() const { return failed_name_; }
 
  private:
   const std::shared_ptr<MemoryStick> inner_;
   int left_;
+  std::string failed_name_;
   const int error_;
 };
 

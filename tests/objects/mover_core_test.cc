@@ -289,7 +289,7 @@ TEST(MoverCoreTest, ABrokenMotionIsRefusedAndNothingMoves) {
 TEST(MoverCoreTest, AMotionForAnotherRobotIsRefused) {
   StandingDog dog;
   EXPECT_EQ(dog.Start(MtnBytes::OneJoint("PRM:/r1/c1-Joint2:11", {0, 10})),
-            "section 2, joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
+            "section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
 }
 
 TEST(MoverCoreTest, AMotionDuringAMotionIsRefused) {

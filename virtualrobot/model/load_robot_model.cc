@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "runtime/core/hasher.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
 #include "virtualrobot/model/robot_model.h"
@@ -276,6 +277,7 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   model.speaker_locator = root.At("audio").At("speaker").Text();
   model.microphone_locator = root.At("audio").At("microphone").Text();
   ReadPostures(root, &model);
+  model.content_hash = HashBytes(text.data(), text.size());
   return model;
 }
 

@@ -141,6 +141,7 @@ struct RobotModel {
   std::string speaker_locator;
   std::string microphone_locator;
   std::vector<Posture> postures;
+  uint64_t content_hash = 0;  // of the text it was read from
 
   // Index by name or locator; -1 when there is none.
   int FindBody(std::string_view body_name) const;

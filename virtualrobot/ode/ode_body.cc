@@ -243,6 +243,7 @@ double OdeBody::Impl::HingeError() const {
 }
 
 void OdeBody::Impl::HashState(Hasher* hasher) const {
+  HashWorld(world, hasher);
   std::vector<double> values;
   values.reserve(13 * bodies_.size() + 3);
   for (const dBodyID body : bodies_) {

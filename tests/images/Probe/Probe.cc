@@ -89,6 +89,31 @@ ListFolder(const char* path)
     return count > 2 ? "listed" : "empty";
 }
 
+// As many MiB as it gets, up to `most`; given back before it returns.
+static std::string
+Hoard(int most)
+{
+    std::vector<void*> pieces;
+    while ((int)pieces.size() < most) {
+        void* const piece = malloc(1 << 20);
+        if (piece == 0) break;
+        pieces.push_back(piece);
+    }
+    std::ostringstream out;
+    if ((int)pieces.size() < most) out << "refused after ";
+    out << pieces.size() << " MiB";
+    for (size_t i = 0; i < pieces.size(); i++) free(pieces[i]);
+    return out.str();
+}
+
+static int __attribute__((noinline))
+Deep(const char* text)
+{
+    volatile char frame[12000];
+    frame[0] = text[0];
+    return frame[0];
+}
+
 std::string
 Probe::Answer(const std::string& command)
 {
@@ -112,6 +137,8 @@ Probe::Answer(const std::string& command)
         heard.push_back(many.back());
         out << many.back().size();
     }
+    if (command == "hoard") out << Hoard(64);
+    if (command == "deep") out << Deep(command.c_str());
     if (command == "keep") {
         heard.push_back(std::string(100000, 'k'));
         out << heard.size();

@@ -44,12 +44,26 @@ TEST(ArenaTest, FreedBlocksAreUsedAgain) {
   EXPECT_EQ(arena.bytes_in_use(), Arena::UsableSize(first));
 }
 
-TEST(ArenaTest, ALimitRefusesAndLeavesTheRestUsable) {
-  Arena arena;
-  arena.set_limit_bytes(1000);
-  EXPECT_NE(arena.Allocate(600), nullptr);
+TEST(ArenaTest, ABudgetRefusesAndLeavesTheRestUsable) {
+  MemoryBudget budget{.limit_bytes = 1000};
+  Arena arena(&budget);
+  void* const first = arena.Allocate(600);
+  EXPECT_NE(first, nullptr);
   EXPECT_EQ(arena.Allocate(600), nullptr);
   EXPECT_NE(arena.Allocate(100), nullptr);
+  Arena::Free(first);
+  EXPECT_NE(arena.Allocate(600), nullptr);
+}
+
+TEST(ArenaTest, ArenasShareABudgetAndGiveItBack) {
+  MemoryBudget budget{.limit_bytes = 1000};
+  Arena stays(&budget);
+  {
+    Arena goes(&budget);
+    EXPECT_NE(goes.Allocate(600), nullptr);
+    EXPECT_EQ(stays.Allocate(600), nullptr);
+  }
+  EXPECT_NE(stays.Allocate(600), nullptr);
 }
 
 TEST(ArenaTest, AllMemoryGoesWithTheArena) {

@@ -1,100 +1,12 @@
 // Objects loaded from images: statics, heaps, files and ends of methods of their own.
 #include "runtime/core/image.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "runtime/stick/memory_stick.h"
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/images/image_fixture.h"
 
 namespace openr_host {
 namespace {
-
-namespace fs = std::filesystem;
-
-// Talks to the probe: sends a text, keeps the answers.
-class Talker : public CodeObject {
- public:
-  explicit Talker(int number) {
-    out = AddSubject(fmt::format("Talker{}.Out.Text.S", number));
-    in = AddObserver(fmt::format("Talker{}.In.Text.O", number), [this](const ONotifyEvent& event) {
-      answer = static_cast<const char*>(event.Data(0));
-      in->AssertReady();
-    });
-  }
-  OStatus DoStart(const OSystemEvent&) override {
-    in->AssertReady();
-    return oSUCCESS;
-  }
-  std::string Ask(const std::string& text) {
-    answer = "(no answer)";
-    RunAs(this, [&] {
-      out->SetData(text.c_str(), text.size() + 1);
-      out->NotifyObservers();
-    });
-    system().RunFor(1000);
-    return answer;
-  }
-
-  OSubject* out;
-  OObserver* in;
-  std::string answer;
-};
-
-class ImageTest : public testing::Test {
- protected:
-  ImageTest() {
-    root = fs::temp_directory_path() / fmt::format("openr-image-test-{}", getpid());
-    fs::remove_all(root);
-    for (const char* folder : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"}) {
-      fs::create_directories(root / folder);
-    }
-    fs::copy_file(fs::path(OPENR_IMAGES) / "PROBE.BIN", root / "OPEN-R/MW/OBJS/PROBE.BIN");
-    Write("OPEN-R/MW/DATA/P/HELLO.TXT", "hello stick");
-    Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/PROBE.BIN\r\n");
-    Write("OPEN-R/MW/CONF/CONNECT.CFG",
-          "Talker0.Out.Text.S Probe.In.Text.O\nProbe.Out.Text.S Talker0.In.Text.O\n");
-    stick = std::make_shared<FolderStick>(root);
-  }
-  ~ImageTest() override { fs::remove_all(root); }
-
-  void Write(const std::string& name, const std::string& text) {
-    std::ofstream(root / name, std::ios::binary) << text;
-  }
-  void Start() {
-    system = std::make_unique<System>(
-        SystemOptions{.console = [this](std::string_view text) { printed += text; }});
-    system->AddRobot("ERS-210", stick);
-    talker = system->AddObject<Talker>(0, "talker", 0);
-    EXPECT_TRUE(system->LoadStick(0));
-    system->Boot();
-    system->RunFor(1000);
-  }
-  void SendExtra(const char* name) {
-    Object* const probe = system->FindObject(0, "probe");
-    for (const auto& [selector, entry] : probe->entry_names) {
-      if (entry != name) continue;
-      system->Post(system->NewMessage(probe->id, selector));
-      system->RunFor(1000);
-      return;
-    }
-    FAIL() << "no entry " << name;
-  }
-  std::string Findings() {
-    std::string text;
-    for (const Finding& finding : system->findings().all()) text += finding.text + "\n";
-    return text;
-  }
-
-  fs::path root;
-  std::shared_ptr<FolderStick> stick;
-  std::string printed;
-  std::unique_ptr<System> system;
-  Talker* talker = nullptr;
-};
 
 TEST_F(ImageTest, BootsSaysItsStateAndAnswers) {
   Start();
