@@ -102,13 +102,20 @@ void AddConnection(const RecordLine& line, ConnectConfig* config) {
       {*subject, *observer, line.section, line.At(line.words[0]), line.At(line.words[1])});
 }
 
+void SayConsequence(Diagnostic* diagnostic) {
+  if (diagnostic->severity == Severity::kError) diagnostic->message += " (the line is skipped)";
+}
+
 }  // namespace
 
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
                                  std::string_view design) {
   ConnectConfig config;
   for (const RecordLine& line : ReadRecords(file, text, design, &config.diagnostics)) {
+    const size_t known = config.diagnostics.size();
     AddConnection(line, &config);
+    for (size_t i = known; i < config.diagnostics.size(); ++i)
+      SayConsequence(&config.diagnostics[i]);
   }
   return config;
 }

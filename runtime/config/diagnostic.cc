@@ -31,6 +31,14 @@ std::string Indent(const std::string& text, int column) {
   return indent;
 }
 
+std::string RenderAs(const Diagnostic& d, const char* kind) {
+  if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, d.message);
+  std::string result =
+      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, d.message, Printable(d.text));
+  if (d.column > 0) result += fmt::format("\n{}^", Indent(d.text, d.column));
+  return result;
+}
+
 Diagnostic At(const Place& place, Severity severity, std::string message) {
   return Diagnostic{severity, place.file, place.line, place.column, std::move(message), place.text};
 }
@@ -56,13 +64,10 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::string Render(const Diagnostic& d) {
-  const char* kind = d.severity == Severity::kWarning ? "warning: " : "";
-  if (d.line == 0) return fmt::format("{}: {}{}", d.file, kind, d.message);
-  std::string result =
-      fmt::format("{}:{}: {}{}\n{}", d.file, d.line, kind, d.message, Printable(d.text));
-  if (d.column > 0) result += fmt::format("\n{}^", Indent(d.text, d.column));
-  return result;
+  return RenderAs(d, d.severity == Severity::kWarning ? "warning: " : "");
 }
+
+std::string RenderWithoutKind(const Diagnostic& d) { return RenderAs(d, ""); }
 
 std::string Render(const std::vector<Diagnostic>& diagnostics) {
   std::string result;

@@ -43,6 +43,9 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 // character, control bytes are shown as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
+// The same without "warning: ", for findings, which have a severity of their own.
+std::string RenderWithoutKind(const Diagnostic& diagnostic);
+
 // One after the other, each followed by a newline.
 std::string Render(const std::vector<Diagnostic>& diagnostics);
 

@@ -75,13 +75,14 @@ void Dispatcher::Loop() {
       continue;
     }
     MessageQueue& queue = system_->queue_;
-    if (Message* const message = queue.Pop()) {
+    if (Message* const message = queue.Pop(system_->schedule_)) {
       Deliver(message);
       continue;
     }
-    const int64_t next_us = queue.NextTime();
+    const int64_t next_us = std::min(queue.NextTime(), system_->NextCpuEnd());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);
+      system_->EndHandlersDue();
       continue;
     }
     if (limits_.time_us != INT64_MAX) AdvanceTo(limits_.time_us);
@@ -101,14 +102,16 @@ void Dispatcher::Deliver(Message* message) {
     system_->queue_.Release(message);
     return;
   }
+  if (!message->is_reply && (object->blocked != nullptr || object->is_busy)) {
+    object->held.push_back(message);
+    return;
+  }
+  if (system_->gate_ != nullptr && !system_->gate_->Admit(message)) return;
   if (message->is_reply) {
     DeliverReply(object, message);
     return;
   }
-  if (object->blocked != nullptr) {
-    object->held.push_back(message);
-    return;
-  }
+  if (!system_->cpus_.empty() && !MayRun(object, message)) return;
   --object->waiting;
   ++delivered_;
   if (++deliveries_at_instant_ == free_deliveries_) {
@@ -119,6 +122,19 @@ void Dispatcher::Deliver(Message* message) {
                     free_deliveries_));
   }
   RunHandler(object, message);
+}
+
+// Gives `object` the processor for `message`, or keeps the message until it is free.
+bool Dispatcher::MayRun(Object* object, Message* message) {
+  if (object->is_system) return true;
+  Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
+  if (!cpu->IsFreeFor(*object)) {
+    cpu->Wait(message);
+    return false;
+  }
+  const int64_t cost_us = system_->options_.cost->CostUs(*object, message->selector);
+  if (cost_us > 0) cpu->Begin(object, cost_us, system_->now_us_);
+  return true;
 }
 
 void Dispatcher::DeliverReply(Object* object, Message* message) {
@@ -176,11 +192,7 @@ void Dispatcher::FinishHandler(Object* object) {
   t_current = {system_, nullptr, false};
   system_->queue_.Release(object->running);
   object->running = nullptr;
-  // What came while the handler waited is older than anything due now.
-  while (!object->held.empty()) {
-    system_->queue_.PushFront(object->held.back(), object->limits.priority);
-    object->held.pop_back();
-  }
+  if (!object->is_busy) system_->ReturnHeld(object);
 }
 
 Message* Dispatcher::WaitFor(uint64_t box) {

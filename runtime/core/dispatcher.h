@@ -50,6 +50,7 @@ class Dispatcher {
   void ToCaller();
   void AdvanceTo(int64_t time_us);
   void Deliver(Message* message);
+  bool MayRun(Object* object, Message* message);
   void DeliverReply(Object* object, Message* message);
   void RunHandler(Object* object, Message* message);
   void FinishHandler(Object* object);

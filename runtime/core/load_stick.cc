@@ -1,9 +1,13 @@
 // From a Memory Stick to objects and wires.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/object_config.h"
+#include "runtime/config/spelling.h"
 #include "runtime/core/image.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
@@ -13,11 +17,24 @@ namespace {
 
 constexpr char kConfFolder[] = "/MS/OPEN-R/MW/CONF/";
 
+// "; did you mean 'JOINTMOV.BIN'?" after the files that lie where `path`, a file of the host, does
+// not.
+std::string NearestName(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path(), none)) {
+    names.push_back(entry.path().filename());
+  }
+  std::sort(names.begin(), names.end());
+  return DidYouMean(fs::path(path).filename().string(), names);
+}
+
 }  // namespace
 
 void System::AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) {
-    findings_.Add({diagnostic.severity, robot, "", 0, now_us_, Render(diagnostic)});
+    findings_.Add({diagnostic.severity, robot, "", 0, now_us_, RenderWithoutKind(diagnostic)});
   }
 }
 
@@ -34,7 +51,8 @@ std::unique_ptr<ImageObject> System::OpenImage(int robot_index, ObjectId id,
   if (location.error != 0 || !location.exists) {
     return refuse(
         "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : "
-        "Load() error 90");
+        "Load() error 90" +
+        NearestName(location.path));
   }
   if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
   auto image = std::make_unique<ImageObject>(this, id, robot_index);

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "runtime/core/assert.h"
+#include "runtime/core/schedule.h"
 
 namespace openr_host {
 namespace {
@@ -83,10 +84,38 @@ int MessageQueue::FirstLevel() const {
   return -1;
 }
 
-Message* MessageQueue::Pop() {
+ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
+  candidates_.clear();
+  for (const Message* m = list.head; m != nullptr; m = m->next) {
+    if (std::find(candidates_.begin(), candidates_.end(), m->target) == candidates_.end())
+      candidates_.push_back(m->target);
+  }
+  const size_t count = candidates_.size();
+  if (count == 1) return candidates_[0];
+  const size_t chosen = schedule->Choose(Schedule::Question::kNext, candidates_);
+  ASSERT(chosen < count, "a schedule chose {} of {} candidates", chosen, count);
+  return candidates_[chosen];
+}
+
+// The first message for `target` in the list of `level`, which has one.
+Message* MessageQueue::TakeFirst(int level, ObjectId target) {
+  List& list = levels_[level];
+  Message* before = nullptr;
+  Message* message = list.head;
+  for (; message->target != target; message = message->next) before = message;
+  (before == nullptr ? list.head : before->next) = message->next;
+  if (list.tail == message) list.tail = before;
+  if (list.head == nullptr) occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
+  --due_count_;
+  return message;
+}
+
+Message* MessageQueue::Pop(Schedule* schedule) {
   if (due_count_ == 0) return nullptr;
   const int level = FirstLevel();
   List& list = levels_[level];
+  if (schedule != nullptr && list.head != list.tail)
+    return TakeFirst(level, ChooseTarget(list, schedule));
   Message* const message = list.head;
   list.head = message->next;
   if (list.head == nullptr) {

@@ -11,6 +11,8 @@
 
 namespace openr_host {
 
+class Schedule;
+
 // Index of an object in its System; -1 is the system itself.
 using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
@@ -71,8 +73,9 @@ class MessageQueue {
   // Puts back messages taken earlier at this instant's head, keeping their order.
   void PushFront(Message* message, int priority);
 
-  // The first message due now; null when there is none.
-  Message* Pop();
+  // The first message due now; null when there is none.  With a schedule: the first one
+  // of the receiver it chooses among those that are as urgent as the first.
+  Message* Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
 
   // When the next message that is not due yet is due; INT64_MAX when there is none.
@@ -112,6 +115,8 @@ class MessageQueue {
   }
   void Append(Message* message, int level);
   int FirstLevel() const;
+  Message* TakeFirst(int level, ObjectId target);
+  ObjectId ChooseTarget(const List& list, Schedule* schedule);
 
   int64_t now_us_ = 0;
   size_t due_count_ = 0;
@@ -120,6 +125,7 @@ class MessageQueue {
   std::vector<Later> later_;  // heap
   std::vector<Message*> free_;
   std::vector<Message*> chunks_;
+  std::vector<ObjectId> candidates_;  // of ChooseTarget()
 };
 
 }  // namespace openr_host

@@ -90,6 +90,14 @@ class Object {
   };
   SelfReply* self_reply = nullptr;
 
+  // While its handler has the robot's processor (cpu.h).
+  bool is_busy = false;
+  struct Outgoing {
+    Message* message;
+    int64_t delay_us;
+  };
+  std::vector<Outgoing> outbox;  // posted before the handler's time was over
+
   std::unique_ptr<Arena> arena;  // images only
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;

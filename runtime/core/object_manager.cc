@@ -42,9 +42,18 @@ void ObjectManager::RunBoot() {
   SendToAll(oentryINIT, oreasonBOOT, true);
   SendToAll(oentryINIT, oreasonBOOT, false);
   for (const Connection& connection : system().connections()) Connect(connection);
+  if (system().options().strict && system().findings().HasError()) {
+    RefuseToStart();
+    return;
+  }
   SendToAll(oentrySTART, oreasonBOOT, true);
   SendToAll(oentrySTART, oreasonBOOT, false);
   system().booted_ = true;
+}
+
+// Which services there are is known only now; on the robot a wrong line is skipped.
+void ObjectManager::RefuseToStart() {
+  for (int robot = 0; robot < system().robot_count(); ++robot) system().PowerOff(robot);
 }
 
 void ObjectManager::RunShutdown(int robot) {
@@ -80,11 +89,19 @@ void ObjectManager::RunReload(ObjectId id) {
 }
 
 void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects, int robot) {
-  for (size_t i = 0; i < system().objects().size(); ++i) {
-    Object* const object = system().objects()[i].get();
-    if (object == nullptr || object == &host() || object->is_system != system_objects) continue;
-    if (robot != kAllRobots && object->robot != robot) continue;
-    Send(object, entry, reason);
+  std::vector<ObjectId> left;
+  for (const auto& object : system().objects()) {
+    if (object == nullptr || object.get() == &host() || object->is_system != system_objects)
+      continue;
+    if (robot == kAllRobots || object->robot == robot) left.push_back(object->id);
+  }
+  Schedule* const schedule = entry == oentrySTART ? system().schedule_ : nullptr;
+  while (!left.empty()) {
+    const size_t next = schedule == nullptr || left.size() == 1
+                            ? 0
+                            : schedule->Choose(Schedule::Question::kStart, left);
+    Send(system().object(left[next]), entry, reason);
+    left.erase(left.begin() + static_cast<ptrdiff_t>(next));
   }
 }
 

@@ -28,6 +28,7 @@ class ObjectManager : public CodeObject {
   template <typename T>
   void PostWith(Selector selector, T value);
   void RunBoot();
+  void RefuseToStart();
   void RunShutdown(int robot);
   void RunReload(ObjectId id);
   void Send(Object* object, Selector entry, OReason reason);

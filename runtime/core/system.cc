@@ -50,6 +50,10 @@ System::System(SystemOptions options)
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;
+  if (options_.seed != SystemOptions().seed) {
+    seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
+    schedule_ = seed_schedule_.get();
+  }
 }
 
 System::~System() {
@@ -65,6 +69,7 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
   if (options_.strict) robot->memory.limit_bytes = kRobotMemoryBytes;
   robot->services = std::make_unique<RobotServices>();
   robots_.push_back(std::move(robot));
+  if (options_.cost) cpus_.push_back(std::make_unique<Cpu>(this));
   return robot_count() - 1;
 }
 
@@ -153,7 +158,16 @@ int32_t System::Post(Message* message, int64_t delay_us) {
     queue_.Release(message);
     return sINVALIDOID;
   }
+  if (Object* const self = t_current.object; self != nullptr && self->is_busy) {
+    self->outbox.push_back({message, delay_us});
+    return sSUCCESS;
+  }
   if (!message->is_reply) {
+    if (schedule_ != nullptr && schedule_->Refuses(*message)) {
+      ++target->dropped_count;
+      queue_.Release(message);
+      return sFULLMSGQENTRY;
+    }
     if (target->waiting >= kQueueMax) {
       AddFindingAbout(
           target, options_.strict ? Severity::kError : Severity::kWarning,
@@ -170,8 +184,30 @@ int32_t System::Post(Message* message, int64_t delay_us) {
   }
   message->number = ++last_number_;
   message->due_us = now_us_ + delay_us + dispatcher_->creep_us();
+  if (schedule_ != nullptr) message->due_us += schedule_->ExtraDelayUs(*message, now_us_, delay_us);
   queue_.Push(message, target->limits.priority);
   return sSUCCESS;
+}
+
+void System::Readmit(Message* message) {
+  message->due_us = now_us_;
+  queue_.PushFront(message, objects_[static_cast<size_t>(message->target)]->limits.priority);
+}
+
+void System::ReturnHeld(Object* object) {
+  for (; !object->held.empty(); object->held.pop_back()) Readmit(object->held.back());
+}
+
+int64_t System::NextCpuEnd() const {
+  int64_t end_us = INT64_MAX;
+  for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
+  return end_us;
+}
+
+void System::EndHandlersDue() {
+  for (const auto& cpu : cpus_) {
+    if (cpu->EndUs() == now_us_) cpu->End(now_us_);
+  }
 }
 
 int32_t System::SendWithReply(Message* message, uint64_t* box) {
@@ -300,7 +336,10 @@ uint64_t System::state_hash() {
     hasher.Add(object->waiting);
     for (const auto& subject : object->subjects) subject->HashState(&hasher);
     object->HashState(&hasher);
+    for (const Message* message : object->held) hasher.Add(message->number);
+    for (const Object::Outgoing& outgoing : object->outbox) hasher.Add(outgoing.message->cause);
   }
+  for (const auto& cpu : cpus_) cpu->HashState(&hasher);
   regions_.HashState(&hasher);
   for (const auto& robot : robots_) {
     hasher.Add(robot->powered_off);

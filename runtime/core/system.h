@@ -22,12 +22,14 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/cpu.h"
 #include "runtime/core/current.h"
 #include "runtime/core/findings.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/rng.h"
+#include "runtime/core/schedule.h"
 #include "runtime/core/trace.h"
 
 namespace openr_host {
@@ -48,6 +50,8 @@ constexpr int64_t kFrameUs = 8000;
 constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {
+  // 1 is the canonical order; any other one draws an order the robot allows, and all
+  // that is random.
   uint64_t seed = 1;
   // Turns findings that stop a robot into the robot's behaviour.
   bool strict = false;
@@ -61,6 +65,8 @@ struct SystemOptions {
   // Wall clock in nanoseconds for handler_ns_max; null: not measured.  Nothing
   // else may depend on it.
   int64_t (*wall_clock_ns)() = nullptr;
+  // What handlers cost; null: nothing.
+  std::shared_ptr<CostModel> cost = {};
   // Whether Object::stack_max is measured, for images; costs about 1 us a handler.
   bool measure_stacks = false;
 };
@@ -193,6 +199,15 @@ class System {
   // Ends the handler that runs, without returning to it.
   [[noreturn]] void AbandonHandler();
 
+  // ---- Orders and doors, for tests and explorers; null: none.  They must outlive
+  //      their use here.
+
+  // Instead of the seed's.  REQUIRES: before Boot().
+  void set_schedule(Schedule* schedule) { schedule_ = schedule; }
+  void set_gate(Gate* gate) { gate_ = gate; }
+  // A message that a gate or the processor kept goes first at this instant.
+  void Readmit(Message* message);
+
   // ---- Looking ----
 
   Object* object(ObjectId id) const;
@@ -243,6 +258,13 @@ class System {
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
+  // Of all processors.
+  int64_t NextCpuEnd() const;
+  void EndHandlersDue();
+  friend class Cpu;
+  // What came while `object` could not hear it is older than anything due now.
+  void ReturnHeld(Object* object);
+
   const SystemOptions options_;
   int64_t now_us_ = 0;
   uint64_t last_number_ = 0;
@@ -259,6 +281,10 @@ class System {
   std::vector<std::unique_ptr<Object>> objects_;
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
+  std::vector<std::unique_ptr<Cpu>> cpus_;  // by robot; none without a cost model
+  std::unique_ptr<SeedSchedule> seed_schedule_;
+  Schedule* schedule_ = nullptr;
+  Gate* gate_ = nullptr;
   std::vector<std::function<void(ObjectId)>> unload_listeners_;
   ObjectManager* manager_ = nullptr;
 };

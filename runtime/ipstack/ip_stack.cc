@@ -54,7 +54,7 @@ IpStack::IpStack(std::unique_ptr<Network> network, IpStackOptions options)
   host().is_system = true;
   host().post_class = MessageClass::kInput;
   for (const Diagnostic& diagnostic : parameters_.diagnostics()) {
-    system().AddFindingAbout(&host(), diagnostic.severity, Render(diagnostic));
+    system().AddFindingAbout(&host(), diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   const WlanConfig& wlan = parameters_.wlan();
   address_ = IpFromText(wlan.ether_ip);

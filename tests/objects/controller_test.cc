@@ -381,8 +381,9 @@ TEST_F(ControllerTest, AMotionThatCannotBeLoadedIsNullWithAReason) {
   EXPECT_EQ(mtn_new("NONE.MTN"), nullptr);
   EXPECT_STREQ(mtn_get_error(), "/MS/OPEN-R/MW/DATA/P/NONE.MTN: no such file on the Memory Stick");
   EXPECT_EQ(mtn_new("SEVEN.MTN"), nullptr);
-  EXPECT_STREQ(mtn_get_error(),
-               "SEVEN.MTN: section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
+  EXPECT_STREQ(
+      mtn_get_error(),
+      "SEVEN.MTN: section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
   EXPECT_EQ(mtn_new("/MS/OPEN-R/MW/DATA/P/GOOD.MTN"), nullptr);
   EXPECT_EQ(mtn_new(nullptr), nullptr);
   MTN* good = mtn_new("GOOD.MTN");

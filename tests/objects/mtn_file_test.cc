@@ -244,7 +244,8 @@ TEST(MtnFileTest, AnUnknownLocatorIsRefusedWhateverTheDesignLabelSays) {
   MtnFile file;
   ASSERT_TRUE(Read(&file, MtnBytes::OneJoint("PRM:/r1/c1-Joint2:11", {0, 1}).Bytes()));
   EXPECT_FALSE(file.MapTo(Ers210()));
-  EXPECT_EQ(file.Error(), "section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
+  EXPECT_EQ(file.Error(),
+            "section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
   EXPECT_TRUE(file.MapTo(FindRobot("ERS-7")));
 }
 

@@ -308,8 +308,9 @@ TEST(RequestHandlerTest, PlayRefusesWhatCannotBePlayed) {
   EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest(std::string("A\0B.MTN", 7))),
             rcerrorNO_SUCH_FILE);
   EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("SEVEN.MTN")), rcerrorBAD_FILE);
-  EXPECT_EQ(robot.error,
-            "SEVEN.MTN: section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
+  EXPECT_EQ(
+      robot.error,
+      "SEVEN.MTN: section 2, offset 86: joint 0: the ERS-210 has no joint 'PRM:/r1/c1-Joint2:11'");
   EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("TEXT.MTN")), rcerrorBAD_FILE);
   EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("EMPTY.MTN")), rcerrorBAD_FILE);
   EXPECT_EQ(robot.Ask(rcMTN_PLAY, Robot::PlayRequest("SEVEN.MTN", 0)), rcerrorBAD_VALUE);

@@ -49,7 +49,8 @@ TEST(ConnectConfigTest, OnlySectionsOfTheRobotHold) {
 
 TEST(ConnectConfigTest, DataTypesOfSubjectAndObserverMustAgree) {
   EXPECT_EQ(ErrorIn("RCServer.Move.MoveCommand.S JointMover.Move.SensorFrame.O\n"),
-            "CONNECT.CFG:1: subject sends 'MoveCommand', observer expects 'SensorFrame'\n"
+            "CONNECT.CFG:1: subject sends 'MoveCommand', observer expects 'SensorFrame' "
+            "(the line is skipped)\n"
             "RCServer.Move.MoveCommand.S JointMover.Move.SensorFrame.O\n"
             "                            ^");
 }
@@ -64,21 +65,24 @@ TEST(ConnectConfigTest, LinesAroundABadOneHold) {
 
 TEST(ConnectConfigTest, SwappedNamesAreRecognised) {
   EXPECT_EQ(ErrorIn("B.y.T.O A.x.T.S\n"),
-            "CONNECT.CFG:1: observer first, subject second; swap the two, the subject comes first\n"
+            "CONNECT.CFG:1: observer first, subject second; swap the two, the subject comes first "
+            "(the line is skipped)\n"
             "B.y.T.O A.x.T.S\n"
             "^");
 }
 
 TEST(ConnectConfigTest, TwoObserversAreRefused) {
   EXPECT_EQ(ErrorIn("B.y.T.O A.x.T.O\n"),
-            "CONNECT.CFG:1: 'B.y.T.O' is an observer; the first service of a line is a subject\n"
+            "CONNECT.CFG:1: 'B.y.T.O' is an observer; the first service of a line is a subject "
+            "(the line is skipped)\n"
             "B.y.T.O A.x.T.O\n"
             "^");
 }
 
 TEST(ConnectConfigTest, TwoSubjectsAreRefused) {
   EXPECT_EQ(ErrorIn("A.x.T.S B.y.T.S\n"),
-            "CONNECT.CFG:1: 'B.y.T.S' is a subject; the second service of a line is an observer\n"
+            "CONNECT.CFG:1: 'B.y.T.S' is a subject; the second service of a line is an observer "
+            "(the line is skipped)\n"
             "A.x.T.S B.y.T.S\n"
             "        ^");
 }
@@ -86,7 +90,7 @@ TEST(ConnectConfigTest, TwoSubjectsAreRefused) {
 TEST(ConnectConfigTest, LoneNameIsRefused) {
   EXPECT_EQ(ErrorIn("A.x.T.S\n"),
             "CONNECT.CFG:1: 'A.x.T.S' stands alone; write a subject and an observer, separated by "
-            "a blank\n"
+            "a blank (the line is skipped)\n"
             "A.x.T.S\n"
             "^");
 }
@@ -94,7 +98,7 @@ TEST(ConnectConfigTest, LoneNameIsRefused) {
 TEST(ConnectConfigTest, CommentAfterTheNamesIsRefused) {
   EXPECT_EQ(ErrorIn("A.x.T.S B.y.T.O # arm\n"),
             "CONNECT.CFG:1: '#' after the two services; a line holds one subject, one observer and "
-            "no comment\n"
+            "no comment (the line is skipped)\n"
             "A.x.T.S B.y.T.O # arm\n"
             "                ^");
 }
@@ -102,7 +106,7 @@ TEST(ConnectConfigTest, CommentAfterTheNamesIsRefused) {
 TEST(ConnectConfigTest, CaretStandsUnderTheFaultyPartOfAName) {
   EXPECT_EQ(ErrorIn("A.x.T.S B.y.T.o\n"),
             "CONNECT.CFG:1: 'B.y.T.o' ends in '.o'; a subject ends in '.S', an observer in '.O'; "
-            "did you mean '.O'?\n"
+            "did you mean '.O'? (the line is skipped)\n"
             "A.x.T.S B.y.T.o\n"
             "              ^");
 }
@@ -118,8 +122,10 @@ TEST(ConnectConfigTest, NameOfTheGreatestLengthHolds) {
 
 TEST(ConnectConfigTest, OverlongNameIsRefused) {
   const std::string line = std::string(122, 'A') + ".x.T.S B.y.T.O";
-  EXPECT_EQ(ErrorIn(line),
-            "CONNECT.CFG:1: service name of 128 characters, the limit is 127\n" + line + "\n^");
+  EXPECT_EQ(
+      ErrorIn(line),
+      "CONNECT.CFG:1: service name of 128 characters, the limit is 127 (the line is skipped)\n" +
+          line + "\n^");
 }
 
 TEST(ConnectConfigTest, SamePairTwiceIsConnectedOnce) {

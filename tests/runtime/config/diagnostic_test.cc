@@ -19,6 +19,13 @@ TEST(DiagnosticTest, WarningSaysThatItIsOne) {
             "^");
 }
 
+TEST(DiagnosticTest, AFindingHasASeverityOfItsOwn) {
+  EXPECT_EQ(RenderWithoutKind(WarningAt(Place{"A.CFG", 3, 1, "one"}, "odd")),
+            "A.CFG:3: odd\n"
+            "one\n"
+            "^");
+}
+
 TEST(DiagnosticTest, CaretCanStandBehindTheEndOfTheLine) {
   EXPECT_EQ(Render(ErrorAt(Place{"A.CFG", 1, 6, "one"}, "more is missing")),
             "A.CFG:1: more is missing\n"

@@ -3,26 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/runtime/objcomm/probe.h"
+#include "tests/runtime/core/recorder.h"
 
 namespace openr_host {
 namespace {
-
-using Log = std::vector<std::string>;
-
-// Entries that write their name and the time into a common log.
-class Recorder : public CodeObject {
- public:
-  explicit Recorder(Log* log) {
-    entry = AddExtra("Entry", [this, log](void* message) {
-      log->push_back(
-          fmt::format("{}:{}@{}", host().name, *static_cast<int*>(message), system().now_us()));
-      if (on_message) on_message(*static_cast<int*>(message));
-    });
-  }
-  Selector entry;
-  std::function<void(int)> on_message;
-};
 
 class DispatcherTest : public testing::Test {
  protected:
@@ -35,11 +19,7 @@ class DispatcherTest : public testing::Test {
   }
   int32_t Post(Recorder* target, int value, int64_t delay_us = 0,
                MessageClass message_class = MessageClass::kObject) {
-    Message* const message = system.NewMessage(target->host().id, target->entry);
-    std::memcpy(message->payload, &value, sizeof value);
-    message->size = sizeof value;
-    message->message_class = message_class;
-    return system.Post(message, delay_us);
+    return PostTo(target, value, delay_us, message_class);
   }
 
   Log log;

@@ -1,0 +1,52 @@
+#include "runtime/core/cpu.h"
+
+#include <utility>
+
+#include "runtime/core/assert.h"
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+bool Cpu::IsFreeFor(const Object& object) const {
+  return jobs_.empty() || object.limits.priority > jobs_.back().object->limits.priority;
+}
+
+void Cpu::Begin(Object* object, int64_t cost_us, int64_t now_us) {
+  if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
+  jobs_.push_back({object, cost_us, now_us});
+  object->is_busy = true;
+}
+
+int64_t Cpu::EndUs() const {
+  return jobs_.empty() ? INT64_MAX : jobs_.back().since_us + jobs_.back().left_us;
+}
+
+void Cpu::End(int64_t now_us) {
+  ASSERT(EndUs() == now_us);
+  Object* const object = jobs_.back().object;
+  jobs_.pop_back();
+  if (!jobs_.empty()) jobs_.back().since_us = now_us;
+  object->is_busy = false;
+  const CurrentScope nobody(system_, nullptr);
+  for (const Object::Outgoing& outgoing : std::exchange(object->outbox, {})) {
+    system_->Post(outgoing.message, outgoing.delay_us);
+  }
+  // What waits is older than what is due now, so it goes in front, the oldest first.
+  system_->ReturnHeld(object);
+  while (!waiting_.empty()) {
+    system_->Readmit(waiting_.back());
+    waiting_.pop_back();
+  }
+}
+
+void Cpu::HashState(Hasher* hasher) const {
+  for (const Job& job : jobs_) {
+    hasher->Add(job.object->id);
+    hasher->Add(job.left_us);
+    hasher->Add(job.since_us);
+  }
+  for (const Message* message : waiting_) hasher->Add(message->number);
+}
+
+}  // namespace openr_host

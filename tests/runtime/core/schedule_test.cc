@@ -1,0 +1,240 @@
+// Orders the robot leaves open, doors in front of handlers, handlers that take time.
+#include "runtime/core/schedule.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <set>
+
+#include "runtime/core/cpu.h"
+#include "tests/runtime/core/recorder.h"
+
+namespace openr_host {
+namespace {
+
+// Always the last candidate; refuses and delays what it is told to.
+class LastFirst : public Schedule {
+ public:
+  size_t Choose(Question, const std::vector<ObjectId>& candidates) override {
+    ++choices;
+    return candidates.size() - 1;
+  }
+  int64_t ExtraDelayUs(const Message&, int64_t, int64_t) override { return delay_us; }
+  bool Refuses(const Message&) override { return refuse; }
+
+  int choices = 0;
+  int64_t delay_us = 0;
+  bool refuse = false;
+};
+
+class ScheduleTest : public testing::Test {
+ protected:
+  ScheduleTest() { Restart({}); }
+
+  void Restart(SystemOptions options) {
+    log.clear();
+    objects.clear();
+    system = std::make_unique<System>(std::move(options));
+    system->AddRobot("ERS-210", nullptr);
+    for (const char* name : {"a", "b", "c"})
+      objects[name] = system->AddObject<Recorder>(0, name, &log);
+  }
+
+  // Two messages for each, posted in the order a b c a b c.
+  Log RunTies() {
+    for (int value = 1; value <= 2; ++value) {
+      for (const auto& [name, object] : objects) PostTo(object, value);
+    }
+    system->RunFor(1000);
+    return log;
+  }
+
+  Log log;
+  std::unique_ptr<System> system;
+  std::map<std::string, Recorder*> objects;
+};
+
+TEST_F(ScheduleTest, WithoutOneMessagesGoByNumber) {
+  EXPECT_EQ(RunTies(), (Log{"a:1@0", "b:1@0", "c:1@0", "a:2@0", "b:2@0", "c:2@0"}));
+}
+
+TEST_F(ScheduleTest, ItChoosesTheReceiverAndKeepsTheOrderOfEach) {
+  LastFirst schedule;
+  system->set_schedule(&schedule);
+  EXPECT_EQ(RunTies(), (Log{"c:1@0", "c:2@0", "b:1@0", "b:2@0", "a:1@0", "a:2@0"}));
+  EXPECT_EQ(schedule.choices, 4);  // with one receiver left nothing is to be chosen
+}
+
+TEST_F(ScheduleTest, PrioritiesHold) {
+  LastFirst schedule;
+  system->set_schedule(&schedule);
+  objects["a"]->host().limits.priority = 144;
+  EXPECT_EQ(RunTies(), (Log{"a:1@0", "a:2@0", "c:1@0", "c:2@0", "b:1@0", "b:2@0"}));
+}
+
+TEST_F(ScheduleTest, SeedOneIsTheCanonicalOrder) {
+  const Log canonical = RunTies();
+  Restart({.seed = 1});
+  EXPECT_EQ(RunTies(), canonical);
+}
+
+TEST_F(ScheduleTest, SeedsDrawOrdersOfTheirOwnAndRepeatThem) {
+  std::set<Log> orders;
+  std::set<uint64_t> hashes;
+  for (uint64_t seed = 2; seed < 12; ++seed) {
+    Restart({.seed = seed});
+    const Log order = RunTies();
+    const uint64_t hash = system->trace_hash();
+    orders.insert(order);
+    hashes.insert(hash);
+    Restart({.seed = seed});
+    EXPECT_EQ(RunTies(), order) << seed;
+    EXPECT_EQ(system->trace_hash(), hash) << seed;
+  }
+  EXPECT_GT(orders.size(), 5u);
+  EXPECT_EQ(hashes.size(), orders.size());
+}
+
+TEST_F(ScheduleTest, ItDelaysAndRefuses) {
+  LastFirst schedule;
+  system->set_schedule(&schedule);
+  schedule.delay_us = 250;
+  EXPECT_EQ(PostTo(objects["a"], 1, 100), sSUCCESS);
+  schedule.refuse = true;
+  EXPECT_EQ(PostTo(objects["a"], 2), sFULLMSGQENTRY);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@350"}));
+}
+
+class StartProbe : public CodeObject {
+ public:
+  explicit StartProbe(Log* log) : log_(log) {}
+  OStatus DoInit(const OSystemEvent&) override { return Note("init"); }
+  OStatus DoStart(const OSystemEvent&) override { return Note("start"); }
+
+ private:
+  OStatus Note(const char* what) {
+    log_->push_back(host().name + " " + what);
+    return oSUCCESS;
+  }
+  Log* const log_;
+};
+
+TEST_F(ScheduleTest, StartsMayComeInAnyOrderInitsMayNot) {
+  LastFirst schedule;
+  System boot;
+  boot.AddRobot("ERS-210", nullptr);
+  for (const char* name : {"x", "y", "z"}) boot.AddObject<StartProbe>(0, name, &log);
+  boot.set_schedule(&schedule);
+  boot.Boot();
+  boot.RunFor(1000);
+  EXPECT_EQ(log, (Log{"x init", "y init", "z init", "z start", "y start", "x start"}));
+}
+
+class KeepFor : public Gate {
+ public:
+  bool Admit(Message* message) override {
+    if (message->target != kept_for) return true;
+    kept.push_back(message);
+    return false;
+  }
+  ObjectId kept_for = kNoObject;
+  std::vector<Message*> kept;
+};
+
+TEST_F(ScheduleTest, AGateKeepsMessagesUntilTheyAreReadmitted) {
+  KeepFor gate;
+  gate.kept_for = objects["a"]->host().id;
+  system->set_gate(&gate);
+  EXPECT_EQ(RunTies(), (Log{"b:1@0", "c:1@0", "b:2@0", "c:2@0"}));
+  ASSERT_EQ(gate.kept.size(), 2u);
+  gate.kept_for = kNoObject;
+  log.clear();
+  for (size_t i = 2; i > 0; --i) system->Readmit(gate.kept[i - 1]);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@1000", "a:2@1000"}));
+}
+
+// The same for every handler.
+class FixedCost : public CostModel {
+ public:
+  explicit FixedCost(int64_t cost_us) : cost_us_(cost_us) {}
+  int64_t CostUs(const Object&, uint32_t) override { return cost_us_; }
+
+ private:
+  const int64_t cost_us_;
+};
+
+class CpuTest : public ScheduleTest {
+ protected:
+  CpuTest() { Restart({.cost = std::make_shared<FixedCost>(100)}); }
+};
+
+TEST_F(CpuTest, OneHandlerAtATimeHasTheProcessor) {
+  EXPECT_EQ(RunTies(), (Log{"a:1@0", "b:1@100", "c:1@200", "a:2@300", "b:2@400", "c:2@500"}));
+}
+
+TEST_F(CpuTest, WhatAHandlerPostsLeavesAtItsEnd) {
+  objects["a"]->on_message = [&](int) { PostTo(objects["b"], 7); };
+  PostTo(objects["a"], 1);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@0", "b:7@100"}));
+}
+
+TEST_F(CpuTest, HigherPriorityTakesTheProcessorAndLengthensTheOther) {
+  objects["c"]->host().limits.priority = 144;
+  objects["a"]->on_message = [&](int) { PostTo(objects["b"], 7); };
+  PostTo(objects["a"], 1);
+  PostTo(objects["c"], 2, 30);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@0", "c:2@30", "b:7@200"}));
+}
+
+TEST_F(CpuTest, EqualPriorityWaits) {
+  PostTo(objects["a"], 1);
+  PostTo(objects["c"], 2, 30);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@0", "c:2@100"}));
+}
+
+TEST_F(CpuTest, ASecondMessageWaitsForItsObject) {
+  objects["c"]->host().limits.priority = 144;
+  PostTo(objects["c"], 1);
+  PostTo(objects["c"], 2, 10);
+  PostTo(objects["a"], 3, 20);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"c:1@0", "c:2@100", "a:3@200"}));
+}
+
+TEST_F(CpuTest, SystemObjectsAreNotBoundToIt) {
+  objects["c"]->host().is_system = true;
+  PostTo(objects["a"], 1);
+  PostTo(objects["c"], 2, 30);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@0", "c:2@30"}));
+}
+
+TEST_F(CpuTest, RobotsHaveProcessorsOfTheirOwn) {
+  const int second = system->AddRobot("ERS-210", nullptr);
+  Recorder* const other = system->AddObject<Recorder>(second, "d", &log);
+  PostTo(objects["a"], 1);
+  PostTo(other, 2, 10);
+  system->RunFor(1000);
+  EXPECT_EQ(log, (Log{"a:1@0", "d:2@10"}));
+}
+
+TEST_F(CpuTest, SlicingChangesNothing) {
+  const Log whole = RunTies();
+  const uint64_t hash = system->trace_hash();
+  Restart({.cost = std::make_shared<FixedCost>(100)});
+  for (int value = 1; value <= 2; ++value) {
+    for (const auto& [name, object] : objects) PostTo(object, value);
+  }
+  for (int slice = 0; slice < 100; ++slice) system->RunFor(10);
+  EXPECT_EQ(log, whole);
+  EXPECT_EQ(system->trace_hash(), hash);
+}
+
+}  // namespace
+}  // namespace openr_host
