@@ -22,6 +22,7 @@ class Console {
 
   // To the standard output the program was started with.
   void Answer(std::string_view text);
+  int answer_descriptor() const { return saved_; }
 
  private:
   int saved_ = -1;  // the former descriptor 1

@@ -32,6 +32,7 @@ constexpr size_t kAlternateStackBytes = 64 << 10;
 
 // Paths of the files, by robot; fixed before the run.
 std::vector<std::string>* g_files = nullptr;
+int g_answer = -1;
 char g_stack[kAlternateStackBytes];
 
 const char* NameOf(int signal) {
@@ -81,6 +82,7 @@ void Crashed(int signal, siginfo_t* info, void*) {
   const int robot = t_current.object->robot;
   t_current = {};
   WriteRecord(text, robot);
+  text.WriteAsJsonTo(g_answer);
   _exit(kExitWrong);
 }
 
@@ -94,7 +96,8 @@ void UseAlternateStack(bool on) {
 
 }  // namespace
 
-CrashLog::CrashLog(const std::vector<std::string>& sticks) {
+CrashLog::CrashLog(const std::vector<std::string>& sticks, int answer) {
+  g_answer = answer;
   g_files = new std::vector<std::string>;
   for (const std::string& stick : sticks) {
     g_files->push_back(stick.empty() ? "" : stick + "/OPEN-R/EMON.LOG");

@@ -4,33 +4,64 @@
 // `openr run` puts a Simulation together (simulation.h), a Runner runs it frame by frame
 // (runner.h), and what happened becomes a report (report.h).
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
 
+#include "openr/commands/command_line.h"
 #include "openr/commands/commands.h"
 #include "openr/exit_code.h"
 
-int main(int argc, char** argv) {
-  using namespace openr_host;
+namespace openr_host {
+namespace {
+
+void AddCommands(CLI::App* app, int* exit_code) {
+  app->name("openr");
+  app->require_subcommand(1);
+  app->set_help_all_flag("--help-all", "Help of all commands");
+  AddRunCommand(app, exit_code);
+  AddRcCommand(app, exit_code);
+  AddGraphCommand(app, exit_code);
+  AddMtnCommand(app, exit_code);
+  AddTraceCommand(app, exit_code);
+  AddReplayCommand(app, exit_code);
+  AddStubgenCommand(app, exit_code);
+  AddHelpCommand(app, exit_code);
+  AddVersionCommand(app, exit_code);
+}
+
+// For people on standard error, and as the answer where one was asked for.
+void TellFailure(const std::string& why, bool as_json) {
+  std::fprintf(stderr, "openr: %s\n", why.c_str());
+  if (!as_json) return;
+  const auto replace = nlohmann::json::error_handler_t::replace;  // what is not UTF-8
+  std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
+}
+
+int Main(int argc, char** argv) {
   CLI::App app{"Runs OPEN-R objects of Sony's AIBO on a PC, with a simulated body."};
-  app.name("openr");
-  app.require_subcommand(1);
-  app.set_help_all_flag("--help-all", "Help of all commands");
   int exit_code = kExitGood;
-  AddRunCommand(&app, &exit_code);
-  AddRcCommand(&app, &exit_code);
-  AddGraphCommand(&app, &exit_code);
-  AddMtnCommand(&app, &exit_code);
-  AddStubgenCommand(&app, &exit_code);
-  AddVersionCommand(&app, &exit_code);
+  AddCommands(&app, &exit_code);
+  const bool as_json = std::any_of(argv, argv + argc,
+                                   [](const char* word) { return word == std::string("--json"); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cout, std::cerr) == 0 ? kExitGood : kExitCommandLine;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help was asked for, or the version
+    TellFailure(ExplainCommandLine(app, error), as_json);
+    std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
+    return kExitCommandLine;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "openr: %s\n", error.what());
+    TellFailure(error.what(), as_json);
     return kExitWrong;
   }
   return exit_code;
 }
+
+}  // namespace
+}  // namespace openr_host
+
+int main(int argc, char** argv) { return openr_host::Main(argc, argv); }

@@ -10,15 +10,13 @@
 
 namespace openr_host {
 
-IpStack* AddHostNetwork(System* system, int robot, int rc_port) {
+std::unique_ptr<Network> MakeHostNetwork(int rc_port) {
   HostNetworkOptions options;
   if (rc_port >= 0) options.tcp_ports[RC_PORT] = static_cast<uint16_t>(rc_port);
-  return AddIpStack(system, robot, std::make_unique<HostNetwork>(std::move(options)));
+  return std::make_unique<HostNetwork>(std::move(options));
 }
 
-IpStack* AddLonelyNetwork(System* system, int robot) {
-  return AddIpStack(system, robot, std::make_unique<LoopbackNetwork>());
-}
+std::unique_ptr<Network> MakeLonelyNetwork() { return std::make_unique<LoopbackNetwork>(); }
 
 uint16_t HostPortOfRemoteControl(const IpStack& network) {
   return network.HostPort(NetProtocol::kTcp, RC_PORT);

@@ -2,18 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 namespace openr_host {
 
 class IpStack;
-class System;
+class Network;
 
-// Gives `robot` an IPStack on loopback sockets.  `rc_port`: the port of the host for the
-// remote control; 0: any free one, -1: the robot's own if it is free, else any.
-IpStack* AddHostNetwork(System* system, int robot, int rc_port);
+// Sockets on the loopback interface.  `rc_port`: the port of the host for the remote control; 0:
+// any free one, -1: the robot's own if it is free, else any.
+std::unique_ptr<Network> MakeHostNetwork(int rc_port);
 
-// The same without sockets and without anybody else in it.
-IpStack* AddLonelyNetwork(System* system, int robot);
+// Without sockets and without anybody else in it.
+std::unique_ptr<Network> MakeLonelyNetwork();
 
 // 0 while nobody listens.
 uint16_t HostPortOfRemoteControl(const IpStack& network);

@@ -17,6 +17,12 @@ namespace openr_host {
 
 std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address) {
   const size_t colon = text.rfind(':');
+  if (colon != text.find(':')) {
+    return fmt::format(
+        "'{}' has more than one colon; the network of a robot is IPv4, so there are no IPv6 "
+        "addresses: write 127.0.0.1:54000",
+        text);
+  }
   address->host = text.substr(0, colon);
   if (address->host.empty()) return fmt::format("'{}' names no host; write 127.0.0.1:54000", text);
   if (colon == std::string::npos) return "";
@@ -57,39 +63,60 @@ void RemoteClient::Connect() {
   const int problem =
       getaddrinfo(address_.host.c_str(), std::to_string(address_.port).c_str(), &hints, &found);
   if (problem != 0) {
-    throw std::runtime_error(fmt::format("{}: {}", address_.host, gai_strerror(problem)));
+    Throw(fmt::format("no address of '{}' is known ({}); this machine is 127.0.0.1", address_.host,
+                      gai_strerror(problem)));
   }
   socket_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const int result = connect(socket_, found->ai_addr, found->ai_addrlen);
-  freeaddrinfo(found);
   int error = result == 0 ? 0 : errno;
-  if (error == EINPROGRESS) {
-    if (!WaitFor(POLLOUT)) ThrowSilent();
-    socklen_t size = sizeof error;
-    getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
-  }
+  freeaddrinfo(found);
+  if (error == EINPROGRESS) error = WaitForConnection();
   if (error == ECONNREFUSED) {
-    throw std::runtime_error(fmt::format(
-        "{}:{}: nobody listens there; is 'openr run' running, and is this the port it printed?",
-        address_.host, address_.port));
+    Throw("nobody listens there; is 'openr run' running, and is this the port it printed?");
+  }
+  if (error == ETIMEDOUT) {
+    Throw(fmt::format("no connection within {} ms; {}", timeout_ms_,
+                      "the address is not that of the robot, or too many clients wait for it"));
   }
   if (error != 0) {
-    throw std::runtime_error(
-        fmt::format("{}:{}: {}", address_.host, address_.port, std::strerror(error)));
+    Throw(fmt::format("cannot be reached: {}; are host and port those of the robot?",
+                      std::strerror(error)));
   }
   const int on = 1;
   setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
 
+int RemoteClient::WaitForConnection() const {
+  if (!WaitFor(POLLOUT)) return ETIMEDOUT;
+  int error = 0;
+  socklen_t size = sizeof error;
+  getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+  return error;
+}
+
+void RemoteClient::Throw(const std::string& why) const {
+  throw std::runtime_error(fmt::format("{}: {}", address_.Text(), why));
+}
+
 void RemoteClient::ThrowSilent() const {
-  throw std::runtime_error(fmt::format("{}:{}: no answer within {} ms; is the robot still booting?",
-                                       address_.host, address_.port, timeout_ms_));
+  Throw(
+      fmt::format("connected, but no answer within {} ms; the robot is still booting, or serves as "
+                  "many clients as it can (8): wait (--timeout), or end another client",
+                  timeout_ms_));
+}
+
+void RemoteClient::ThrowLost(int error) const {
+  Throw(
+      fmt::format("the connection was lost ({}); has 'openr run' ended? Its output says why; "
+                  "start it again if so",
+                  error == 0 ? "the robot closed it" : std::strerror(error)));
 }
 
 void RemoteClient::ThrowMalformed() const {
-  throw std::runtime_error(
-      fmt::format("{}:{}: the answer is not as version {} of the protocol has it", address_.host,
-                  address_.port, RC_VERSION));
+  Throw(
+      fmt::format("the answer is not as version {} of the protocol has it; is the client of the "
+                  "robot's version?",
+                  RC_VERSION));
 }
 
 void RemoteClient::Send(const std::vector<uint8_t>& bytes) {
@@ -100,8 +127,7 @@ void RemoteClient::Send(const std::vector<uint8_t>& bytes) {
     } else if (errno == EAGAIN) {
       if (!WaitFor(POLLOUT)) ThrowSilent();
     } else if (errno != EINTR) {
-      throw std::runtime_error(
-          fmt::format("{}:{}: {}", address_.host, address_.port, std::strerror(errno)));
+      ThrowLost(errno);
     }
   }
 }
@@ -111,8 +137,8 @@ void RemoteClient::ReceivePacket() {
     const RcFramer::Result result = framer_.Next();
     if (result == RcFramer::PACKET) return;
     if (result == RcFramer::BROKEN) {
-      throw std::runtime_error(fmt::format("{}:{}: this is no remote control: {}", address_.host,
-                                           address_.port, framer_.Error()));
+      Throw(fmt::format("this is no remote control: {}; is the port the one 'openr run' printed?",
+                        framer_.Error()));
     }
     uint8_t bytes[RC_MAX_PACKET];
     if (!WaitFor(POLLIN)) ThrowSilent();
@@ -120,8 +146,7 @@ void RemoteClient::ReceivePacket() {
     if (n > 0) {
       framer_.Take(bytes, static_cast<int>(n));
     } else if (n == 0 || (errno != EINTR && errno != EAGAIN)) {
-      throw std::runtime_error(
-          fmt::format("{}:{}: the robot has closed the connection", address_.host, address_.port));
+      ThrowLost(n == 0 ? 0 : errno);
     }
   }
 }

@@ -14,9 +14,11 @@ namespace openr_host {
 struct RemoteAddress {
   std::string host;
   uint16_t port = RC_PORT;
+
+  std::string Text() const { return host + ":" + std::to_string(port); }
 };
 
-// Returns "" or what is wrong.
+// Returns "" or what is wrong.  The network of a robot is IPv4: addresses of IPv6 are refused.
 std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address);
 
 // The robot refused a request.
@@ -70,6 +72,7 @@ class RemoteClient {
 
  private:
   void Connect();
+  int WaitForConnection() const;  // an errno
   uint16_t SendRequest(int command, const std::vector<uint8_t>& payload);
   RemoteAnswer ReceiveAnswer(uint16_t tag);
   void Send(const std::vector<uint8_t>& bytes);
@@ -77,6 +80,8 @@ class RemoteClient {
   bool WaitFor(short events) const;
   [[noreturn]] void ThrowMalformed() const;
   [[noreturn]] void ThrowSilent() const;
+  [[noreturn]] void ThrowLost(int error) const;  // an errno; 0: closed by the other end
+  [[noreturn]] void Throw(const std::string& why) const;
 
   const RemoteAddress address_;
   const int timeout_ms_;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "openr/simulation.h"
+#include "runtime/core/api.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {
@@ -57,6 +58,9 @@ Json ObjectReport(const Object& object) {
           {"messages", object.message_count},
           {"dropped", object.dropped_count},
           {"queue_max", object.waiting_max},
+          {"heap_bytes_max", object.arena == nullptr ? 0 : object.arena->bytes_in_use_max()},
+          {"stack_bytes_max", object.stack_max},
+          {"stack_bytes_ocf", object.limits.stack_bytes},
           {"handler_us_max", object.handler_ns_max / 1000}};
 }
 
@@ -98,6 +102,18 @@ Json MakeReport(Simulation* simulation, const RunFacts& facts) {
     report["findings"].push_back(FindingReport(finding));
   }
   return report;
+}
+
+std::string DescribeObjects(Simulation* simulation) {
+  const System& system = simulation->system();
+  std::string text;
+  for (const auto& object : system.objects()) {
+    const std::string path = object->path.empty() ? "" : object->path + " ";
+    const std::string dog =
+        system.robot_count() > 1 ? fmt::format(", robot {}", object->robot) : "";
+    text += fmt::format("[oid:{:#010x}] {}{}{}\n", OidValue(object->id), path, object->name, dog);
+  }
+  return text;
 }
 
 std::string DescribeFindings(Simulation* simulation) {

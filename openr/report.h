@@ -22,6 +22,10 @@ struct RunFacts {
 // Keys in the order of docs/cli.md.
 nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts);
 
+// Who is who among the lines of OSYSLOG, which carry the OID only: "[oid:0x80000045]
+// /MS/OPEN-R/MW/OBJS/RCSERVER.BIN RCServer", one line each, for the console.
+std::string DescribeObjects(Simulation* simulation);
+
 // "error: JointMover (message 12, t=0.096 s): text", one line each, for people.
 std::string DescribeFindings(Simulation* simulation);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "openr/duration.h"
+#include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
 #include "openr/pacing.h"
 #include "openr/simulation.h"
@@ -59,24 +61,36 @@ void Runner::PressPause() {
   paused_us_ = simulation_->system().now_us();
   plan_.say("pause button pressed; again to end at once");
   for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
+  if (plan_.recorder != nullptr) plan_.recorder->NotePause(paused_us_);
 }
 
 void Runner::TakeSnapshots(bool at_end) {
+  System& system = simulation_->system();
   for (size_t i = 0; i < plan_.snapshots.size(); ++i) {
     const SnapshotPlan& snapshot = plan_.snapshots[i];
-    const int64_t now_us = simulation_->system().now_us();
-    const bool due = snapshot.time_us >= 0 && now_us >= snapshot.time_us;
-    if (taken_[i] || !(due || at_end)) continue;
-    taken_[i] = true;
-    const int64_t begin_ns = WallClockNs();
-    const VirtualRobot& robot = *simulation_->robots().at(static_cast<size_t>(snapshot.robot));
-    const std::string problem = TakeSnapshot(snapshot, robot, simulation_->world());
-    good_ = good_ && problem.empty();
-    wall_time_ns_ -= WallClockNs() - begin_ns;
-    plan_.say(problem.empty() ? fmt::format("wrote {} (t={:.3f} s)", snapshot.file,
-                                            static_cast<double>(now_us) / 1e6)
-                              : problem);
+    if (taken_[i]) continue;
+    const bool wants_end = snapshot.time_us < 0;
+    if (wants_end ? at_end : system.now_us() >= snapshot.time_us) {
+      taken_[i] = true;
+      Take(snapshot);
+    } else if (at_end) {
+      system.AddFindingAbout(
+          nullptr, Severity::kError,
+          fmt::format("no picture {}: the run was over before t={}; t=end is its end",
+                      snapshot.file, FormatDuration(snapshot.time_us)));
+    }
   }
+}
+
+void Runner::Take(const SnapshotPlan& snapshot) {
+  const int64_t begin_ns = WallClockNs();
+  const VirtualRobot& robot = *simulation_->robots().at(static_cast<size_t>(snapshot.robot));
+  const std::string problem = TakeSnapshot(snapshot, robot, simulation_->world());
+  good_ = good_ && problem.empty();
+  wall_time_ns_ -= WallClockNs() - begin_ns;
+  const double time_s = static_cast<double>(simulation_->system().now_us()) / 1e6;
+  plan_.say(problem.empty() ? fmt::format("wrote {} (t={:.3f} s)", snapshot.file, time_s)
+                            : problem);
 }
 
 void Runner::AnnouncePorts() {
@@ -103,6 +117,7 @@ void Runner::AfterFrame() {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");
     system.Shutdown();
+    if (plan_.recorder != nullptr) plan_.recorder->NoteShutdown(system.now_us());
   }
 }
 

@@ -13,6 +13,7 @@
 namespace openr_host {
 
 class InterruptCounter;
+class Recorder;
 class Simulation;
 
 struct RunPlan {
@@ -21,6 +22,7 @@ struct RunPlan {
   double rate = 1;                // virtual seconds per second; 0: as fast as possible
   std::vector<SnapshotPlan> snapshots;
   std::function<void(const std::string& line)> say;  // for people
+  Recorder* recorder = nullptr;                      // hears of input; may be null
 };
 
 // Quiet: nothing was delivered that an object of the stick had sent, but for its readiness for
@@ -34,7 +36,8 @@ class Runner {
  public:
   Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts);
 
-  // Boots the robots and runs to the end.  False when a picture could not be taken.
+  // Boots the robots and runs to the end.  False when a picture could not be taken; one whose time
+  // did not come is an error finding.
   bool Run();
 
   // Without the time pictures took.
@@ -48,6 +51,7 @@ class Runner {
   void AfterFrame();
   void PressPause();
   void TakeSnapshots(bool at_end);
+  void Take(const SnapshotPlan& snapshot);
   void AnnouncePorts();
 
   Simulation* const simulation_;

@@ -49,6 +49,24 @@ void SignalText::WriteTo(int descriptor) const {
   }
 }
 
+void SignalText::WriteAsJsonTo(int descriptor) const {
+  if (descriptor < 0) return;
+  SignalText json;
+  json.Add("{\"error\":\"");
+  size_t end = size_;
+  while (end > 0 && text_[end - 1] == '\n') --end;
+  constexpr size_t kTail = sizeof "\\n\"}\n";  // the longest character and what closes the object
+  for (size_t i = 0; i < end && json.size_ + kTail <= sizeof json.text_; ++i) {
+    const char c[] = {text_[i], 0};
+    if (*c == '\n') {
+      json.Add("\\n");
+    } else if (static_cast<unsigned char>(*c) >= 0x20) {
+      json.Add(*c == '"' || *c == '\\' ? "\\" : "").Add(c);
+    }
+  }
+  json.Add("\"}\n").WriteTo(descriptor);
+}
+
 bool AddCurrentHandler(SignalText* text) {
   const System* const system = t_current.system;
   const Object* const object = t_current.object;

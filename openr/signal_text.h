@@ -14,6 +14,10 @@ class SignalText {
   // Writes it to `descriptor`.
   void WriteTo(int descriptor) const;
 
+  // The same as the answer of a run with --json: {"error": text}.  Nothing when `descriptor` is
+  // negative.
+  void WriteAsJsonTo(int descriptor) const;
+
  private:
   char text_[1024];
   size_t size_ = 0;

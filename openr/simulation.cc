@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "openr/input_file.h"
 #include "openr/install_paths.h"
 #include "openr/network_setup.h"
 #include "openr/pacing.h"
+#include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/body.h"
 
@@ -25,6 +27,15 @@ std::string StickFolder(const std::string& wanted) {
                   wanted));
 }
 
+World WorldOf(const std::string& file) {
+  if (file.empty()) return {};
+  const std::string problem = WhyNoFile(file, "world file (docs/worlds.md)", ".json");
+  if (!problem.empty()) {
+    throw std::runtime_error(fmt::format("{}: {}", file, problem));
+  }
+  return LoadWorld(file);
+}
+
 std::unique_ptr<System> MakeSystem(const SimulationOptions& options) {
   SystemOptions system_options;
   system_options.seed = options.seed;
@@ -32,6 +43,7 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options) {
   system_options.console = options.console;
   system_options.log_level = options.log_level;
   system_options.wall_clock_ns = &WallClockNs;
+  system_options.measure_stacks = true;
   return std::make_unique<System>(std::move(system_options));
 }
 
@@ -46,7 +58,7 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
 
 Simulation::Simulation(const SimulationOptions& options)
     : model_(LoadRobotModel(ModelFile(options.robot))),
-      world_(options.world.empty() ? World() : LoadWorld(options.world)),
+      world_(WorldOf(options.world)),
       stick_(StickFolder(options.stick)),
       system_(MakeSystem(options)) {
   for (int i = 0; i < options.robots; ++i) AddRobot(options, i);
@@ -60,9 +72,10 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   const int robot = system_->AddRobot(model_.design, std::move(stick));
   robots_.push_back(
       AddVirtualRobot(system_.get(), robot, model_, MakeBody(options.body, model_, world_)));
-  networks_.push_back(options.host_network
-                          ? AddHostNetwork(system_.get(), robot, index == 0 ? options.rc_port : -1)
-                          : AddLonelyNetwork(system_.get(), robot));
+  auto network = options.host_network ? MakeHostNetwork(index == 0 ? options.rc_port : -1)
+                                      : MakeLonelyNetwork();
+  if (options.network_filter) network = options.network_filter(robot, std::move(network));
+  networks_.push_back(AddIpStack(system_.get(), robot, std::move(network)));
   if (!system_->LoadStick(robot)) loaded_ = false;
 }
 

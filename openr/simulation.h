@@ -16,6 +16,7 @@
 namespace openr_host {
 
 class IpStack;
+class Network;
 
 struct SimulationOptions {
   std::string stick;             // folder that holds OPEN-R/; "": the default stick
@@ -31,6 +32,8 @@ struct SimulationOptions {
   // if it is free, else any.
   int rc_port = -1;
   std::function<void(std::string_view)> console;
+  // Puts something between a robot's IPStack and its network.
+  std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
 
 class Simulation {

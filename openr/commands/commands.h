@@ -10,7 +10,10 @@ void AddRunCommand(CLI::App* app, int* exit_code);
 void AddRcCommand(CLI::App* app, int* exit_code);
 void AddGraphCommand(CLI::App* app, int* exit_code);
 void AddMtnCommand(CLI::App* app, int* exit_code);
+void AddTraceCommand(CLI::App* app, int* exit_code);
+void AddReplayCommand(CLI::App* app, int* exit_code);
 void AddStubgenCommand(CLI::App* app, int* exit_code);
+void AddHelpCommand(CLI::App* app, int* exit_code);
 void AddVersionCommand(CLI::App* app, int* exit_code);
 
 }  // namespace openr_host

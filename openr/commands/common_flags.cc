@@ -1,5 +1,8 @@
 #include "openr/commands/common_flags.h"
 
+#include "openr/duration.h"
+#include "openr/output_file.h"
+
 namespace openr_host {
 
 void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
@@ -11,5 +14,26 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
   command->add_option("--world", options->world, "World file (default: a flat floor)");
   command->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
 }
+
+CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
+                             const std::function<void(int64_t us)>& take,
+                             const std::string& description) {
+  const auto read = [name, take](const std::string& text) {
+    int64_t us = 0;
+    const std::string problem = ParseDuration(text, &us);
+    if (!problem.empty()) throw CLI::ValidationError(name, problem);
+    take(us);
+  };
+  return command->add_option_function<std::string>(name, read, description)->type_name("DURATION");
+}
+
+CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
+                             const std::string& description) {
+  return AddDurationFlag(
+             command, name, [us](int64_t given_us) { *us = given_us; }, description)
+      ->default_str(FormatDuration(*us));
+}
+
+CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 }  // namespace openr_host

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <string>
 
 #include "openr/simulation.h"
 
@@ -9,5 +12,18 @@ namespace openr_host {
 
 // --stick, --robot, --world, --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
+
+// A flag that takes a duration as people write it.  `take` gets microseconds, and only when the
+// flag is given.
+CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
+                             const std::function<void(int64_t us)>& take,
+                             const std::string& description);
+
+// The same for a variable, whose value is the default.
+CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
+                             const std::string& description);
+
+// Refuses files that cannot be written, before the command begins.
+CLI::Validator IsWritable();
 
 }  // namespace openr_host

@@ -1,7 +1,6 @@
 // openr graph: objects, services and connections of a stick.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,10 +10,10 @@
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/console.h"
-#include "openr/duration.h"
 #include "openr/exit_code.h"
 #include "openr/filter_process.h"
 #include "openr/graph_view.h"
+#include "openr/output_file.h"
 #include "openr/report.h"
 
 namespace openr_host {
@@ -26,7 +25,7 @@ struct GraphFlags {
   SimulationOptions simulation;
   std::string format = "dot";
   std::string file;
-  std::string for_text = "0s";
+  int64_t for_us = 0;
 };
 
 std::string Rendered(const GraphView& graph, const std::string& format) {
@@ -42,16 +41,11 @@ void Write(const std::string& text, const std::string& name, Console* console) {
     console->Answer(text);
     return;
   }
-  std::ofstream file(name, std::ios::trunc | std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(name + ": cannot be written");
+  const std::string problem = WriteFile(name, text);
+  if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 int Graph(GraphFlags flags) {
-  int64_t for_us = 0;
-  const std::string problem = ParseDuration(flags.for_text, &for_us);
-  if (!problem.empty()) throw CLI::ValidationError("--for", problem);
   Console console("");
   flags.simulation.console = [](std::string_view) {};  // only the wiring is asked for
   flags.simulation.host_network = false;
@@ -61,7 +55,7 @@ int Graph(GraphFlags flags) {
   if (simulation.loaded()) {
     system.Boot();
     booted = system.RunUntil([&system] { return system.booted(); }, kBootMaxUs);
-    if (booted && for_us > system.now_us()) system.RunUntil(for_us);
+    if (booted && flags.for_us > system.now_us()) system.RunUntil(flags.for_us);
   }
   if (!booted) {
     fmt::print(stderr, "{}openr graph: the robot does not boot\n", DescribeFindings(&simulation));
@@ -82,11 +76,10 @@ void AddGraphCommand(CLI::App* app, int* exit_code) {
   command->add_option("--format", flags->format, "dot, json or svg")
       ->check(CLI::IsMember({"dot", "json", "svg"}))
       ->capture_default_str();
-  command
-      ->add_option("--for", flags->for_text,
-                   "Run for this virtual time first: shows states and counts of events")
-      ->capture_default_str();
-  command->add_option("-o,--output", flags->file, "File to write (default: standard output)");
+  AddDurationFlag(command, "--for", &flags->for_us,
+                  "Run for this virtual time first: shows states and counts of events");
+  command->add_option("-o,--output", flags->file, "File to write (default: standard output)")
+      ->check(IsWritable());
   command->callback([flags, exit_code] { *exit_code = Graph(*flags); });
 }
 

@@ -13,6 +13,7 @@
 #include "RobotDescription.h"
 #include "openr/commands/commands.h"
 #include "openr/exit_code.h"
+#include "openr/input_file.h"
 
 namespace openr_host {
 namespace {
@@ -29,6 +30,8 @@ struct MtnFlags {
 
 // False after a complaint in `problem`.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
+  *problem = WhyNoFile(name, "motion file", ".MTN");
+  if (!problem->empty()) return false;
   std::ifstream stream(name, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream || stream.bad()) {
@@ -81,6 +84,7 @@ bool Info(const std::string& name, const MtnFlags& flags) {
   std::string problem;
   if (!Load(name, &motion, &problem)) {
     fmt::print(stderr, "{}: {}\n", name, problem);
+    if (flags.json) fmt::print("{}\n", Json{{"file", name}, {"error", problem}}.dump());
     return false;
   }
   if (flags.json) {

@@ -44,10 +44,6 @@ Json Values(const std::vector<RcDescription>& names, const std::vector<Sint32>& 
   return json;
 }
 
-std::string StateName(int state) {
-  return state == 0xff ? "starting" : MoverStateName(state);  // 0xff: nothing heard of it yet
-}
-
 }  // namespace
 
 std::string FrameText(uint32_t frame) {
@@ -55,6 +51,10 @@ std::string FrameText(uint32_t frame) {
 }
 
 Json FrameJson(uint32_t frame) { return frame == kNoFrame ? Json() : Json(frame); }
+
+std::string StateName(int state) {
+  return state == 0xff ? "starting" : MoverStateName(state);  // 0xff: nothing heard of it yet
+}
 
 SensorFormat::SensorFormat(RemoteClient* client)
     : joints_(RemoteDevices(client, rcdeviceJOINT).all()),

@@ -17,6 +17,9 @@ std::string FrameText(uint32_t frame);
 // The number, or null.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
+// What the robot does: the name of a MoverState; "starting" while RCServer has not heard of one.
+std::string StateName(int state);
+
 // Sensor values with the names and units the robot gives them.
 class SensorFormat {
  public:

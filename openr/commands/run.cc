@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +14,9 @@
 #include "openr/crash_log.h"
 #include "openr/duration.h"
 #include "openr/exit_code.h"
+#include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
+#include "openr/output_file.h"
 #include "openr/report.h"
 #include "openr/runner.h"
 #include "openr/simulation.h"
@@ -25,26 +27,32 @@ namespace {
 
 struct RunFlags {
   SimulationOptions simulation;
-  std::string for_text;
+  std::optional<int64_t> for_us;
   bool until_idle = false;
   std::string rate = "1";
   std::string report_file;
+  std::string record_file;
+  bool no_payloads = false;
   bool json = false;
   bool no_panel = false;
   const CLI::Option* panel = nullptr;  // with an address or without
   std::string panel_address;
   std::string log = "info";
   std::string console_file;
-  std::string handler_limit = "10s";
+  int64_t handler_limit_us = 10'000'000;
   std::vector<std::string> snapshots;
   std::vector<std::string> snapshot_files;
 };
 
-void Describe(CLI::App* command, RunFlags* flags) {
+void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddCommonFlags(command, &flags->simulation);
-  command->add_option("--for", flags->for_text, "How long to run, in virtual time: 20s, 250ms");
+  AddDurationFlag(
+      command, "--for", [flags](int64_t us) { flags->for_us = us; },
+      "How long to run, in virtual time: 20s, 250ms");
   command->add_flag("--until-idle", flags->until_idle,
-                    "Run until the objects have sent nothing for 1 s of virtual time");
+                    "Run until no object has sent anything for 1 s of virtual time; sensor values "
+                    "and asking for more of them do not count. The default stick never rests: its "
+                    "controller moves lights and tail, so give --for as well");
   command->add_option("--rate", flags->rate, "Virtual seconds per second, or max")
       ->capture_default_str();
   command
@@ -52,8 +60,40 @@ void Describe(CLI::App* command, RunFlags* flags) {
                    "Number of robots, each in a world of its own, on one read-only stick")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--report", flags->report_file, "Write the report to this file");
+  command
+      ->add_option("--body", flags->simulation.body, "ode: physics; ideal: joints follow exactly")
+      ->check(CLI::IsMember({"ode", "ideal"}))
+      ->capture_default_str();
+  command->add_flag("--strict", flags->simulation.strict,
+                    "Enforce the limits of the robot; refuse wrong wiring");
+  AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
+                  "End the run when a handler uses more processor time; 0s: never");
+}
+
+void DescribeOutput(CLI::App* command, RunFlags* flags) {
+  command->add_option("--report", flags->report_file, "Write the report to this file")
+      ->check(IsWritable());
   command->add_flag("--json", flags->json, "Print the report, and nothing else, as JSON");
+  command
+      ->add_option("--record", flags->record_file,
+                   "Write inputs and messages to this file, for openr replay and openr trace")
+      ->check(IsWritable());
+  command->add_flag("--no-payloads", flags->no_payloads,
+                    "Record hashes of messages instead of their bytes");
+  command->add_option("--log", flags->log, "Lines of objects to print")
+      ->check(CLI::IsMember({"error", "warning", "info"}))
+      ->capture_default_str();
+  command
+      ->add_option("--console", flags->console_file,
+                   "File for what objects print (default: standard error)")
+      ->check(IsWritable());
+  command
+      ->add_option("--snapshot", flags->snapshots,
+                   "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")
+      ->take_all();
+  command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")
+      ->take_all()
+      ->check(IsWritable());
   command
       ->add_option("--rc-port", flags->simulation.rc_port,
                    "Port of the remote control; 0: any free one")
@@ -62,27 +102,16 @@ void Describe(CLI::App* command, RunFlags* flags) {
   flags->panel =
       command->add_option("--panel", flags->panel_address, "Web panel (not in this version)")
           ->expected(0, 1);
-  command->add_flag("--strict", flags->simulation.strict,
-                    "Enforce the limits of the robot; refuse wrong wiring");
-  command
-      ->add_option("--body", flags->simulation.body, "ode: physics; ideal: joints follow exactly")
-      ->check(CLI::IsMember({"ode", "ideal"}))
-      ->capture_default_str();
-  command->add_option("--log", flags->log, "Lines of objects to print")
-      ->check(CLI::IsMember({"error", "warning", "info"}))
-      ->capture_default_str();
-  command->add_option("--console", flags->console_file,
-                      "File for what objects print (default: standard error)");
-  command
-      ->add_option("--handler-limit", flags->handler_limit,
-                   "End the run when a handler uses more processor time; 0s: never")
-      ->capture_default_str();
-  command
-      ->add_option("--snapshot", flags->snapshots,
-                   "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")
-      ->take_all();
-  command->add_option("-o", flags->snapshot_files, "PNG file of the --snapshot before it")
-      ->take_all();
+}
+
+// "" or why the picture cannot be taken in a run like this.
+std::string Misfit(const SnapshotPlan& plan, const RunFlags& flags) {
+  if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
+  if (flags.for_us && plan.time_us > *flags.for_us) {
+    return fmt::format("t={} is after the end of the run (--for {}); t=end is its end",
+                       FormatDuration(plan.time_us), FormatDuration(*flags.for_us));
+  }
+  return "";
 }
 
 std::vector<SnapshotPlan> SnapshotPlans(const RunFlags& flags) {
@@ -95,21 +124,12 @@ std::vector<SnapshotPlan> SnapshotPlans(const RunFlags& flags) {
   for (size_t i = 0; i < flags.snapshots.size(); ++i) {
     SnapshotPlan plan;
     plan.file = flags.snapshot_files[i];
-    const std::string problem = ParseSnapshot(flags.snapshots[i], &plan);
+    std::string problem = ParseSnapshot(flags.snapshots[i], &plan);
+    if (problem.empty()) problem = Misfit(plan, flags);
     if (!problem.empty()) throw CLI::ValidationError("--snapshot", problem);
-    if (plan.robot >= flags.simulation.robots) {
-      throw CLI::ValidationError("--snapshot", fmt::format("there is no robot {}", plan.robot));
-    }
     plans.push_back(std::move(plan));
   }
   return plans;
-}
-
-int64_t DurationOf(const char* flag, const std::string& text) {
-  int64_t us = 0;
-  const std::string problem = ParseDuration(text, &us);
-  if (!problem.empty()) throw CLI::ValidationError(flag, problem);
-  return us;
 }
 
 double RateOf(const std::string& text) {
@@ -123,7 +143,7 @@ double RateOf(const std::string& text) {
 
 RunPlan PlanOf(const RunFlags& flags) {
   RunPlan plan;
-  if (!flags.for_text.empty()) plan.for_us = DurationOf("--for", flags.for_text);
+  plan.for_us = flags.for_us;
   plan.until_idle = flags.until_idle;
   plan.rate = RateOf(flags.rate);
   plan.snapshots = SnapshotPlans(flags);
@@ -131,13 +151,13 @@ RunPlan PlanOf(const RunFlags& flags) {
   return plan;
 }
 
-void WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags, Console* console) {
+// False after a complaint.
+bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags, Console* console) {
   if (flags.json) console->Answer(report.dump() + "\n");
-  if (flags.report_file.empty()) return;
-  std::ofstream file(flags.report_file, std::ios::trunc);
-  file << report.dump(2) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error(flags.report_file + ": the report cannot be written");
+  if (flags.report_file.empty()) return true;
+  const std::string problem = WriteFile(flags.report_file, report.dump(2) + "\n");
+  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
+  return problem.empty();
 }
 
 std::string Summary(const nlohmann::ordered_json& report) {
@@ -153,37 +173,57 @@ std::string Summary(const nlohmann::ordered_json& report) {
   return text;
 }
 
+// False after a complaint.
+bool FinishRecording(Recorder* recorder, Simulation* simulation) {
+  const std::string problem = recorder->Finish(&simulation->system());
+  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
+  return problem.empty();
+}
+
 int Run(RunFlags flags) {
   if (flags.panel->count() > 0) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }
-  const RunPlan plan = PlanOf(flags);
-  const int64_t handler_limit_us = DurationOf("--handler-limit", flags.handler_limit);
+  RunPlan plan = PlanOf(flags);
   flags.simulation.log_level = flags.log == "error" ? 1 : flags.log == "warning" ? 2 : 3;
 
   Console console(flags.console_file);
   flags.simulation.console = [&console](std::string_view text) { console.Print(text); };
   const InterruptCounter interrupts;
+  Recorder recorder(flags.record_file, !flags.no_payloads);
+  const bool records = !flags.record_file.empty();
+  if (records) recorder.Listen(&flags.simulation);
   Simulation simulation(flags.simulation);
-  bool good = simulation.loaded();
+  console.Print(DescribeObjects(&simulation));
+  const System& system = simulation.system();
+  bool good = simulation.loaded() && !(flags.simulation.strict && system.findings().HasError());
+  bool boots = good;
   RunFacts facts;
   facts.seed = flags.simulation.seed;
-  if (good && !(flags.simulation.strict && simulation.system().findings().HasError())) {
+  if (good) {
+    const int answer = flags.json ? console.answer_descriptor() : -1;
     const CrashLog crash_log(
-        std::vector<std::string>(static_cast<size_t>(flags.simulation.robots), simulation.stick()));
-    const Watchdog watchdog(handler_limit_us);
+        std::vector<std::string>(static_cast<size_t>(flags.simulation.robots), simulation.stick()),
+        answer);
+    const Watchdog watchdog(flags.handler_limit_us, answer);
+    if (records) {
+      recorder.Begin(&simulation, flags.simulation);
+      plan.recorder = &recorder;
+    }
     Runner runner(&simulation, plan, &interrupts);
     good = runner.Run();
+    if (records) good = FinishRecording(&recorder, &simulation) && good;
     facts.wall_time_s = runner.wall_time_s();
     facts.standing = runner.standing();
+    boots = system.booted() || !system.powered_off();
   } else {
     facts.standing.assign(simulation.robots().size(), StandingMonitor(simulation.model()));
-    fmt::print(stderr, "openr: the robot does not boot\n");
   }
+  if (!boots) fmt::print(stderr, "openr: the robot does not boot\n");
   const nlohmann::ordered_json report = MakeReport(&simulation, facts);
   fmt::print(stderr, "{}{}", DescribeFindings(&simulation), Summary(report));
-  WriteReport(report, flags, &console);
-  return good && !simulation.system().findings().HasError() ? kExitGood : kExitWrong;
+  good = WriteReport(report, flags, &console) && good;
+  return good && !system.findings().HasError() ? kExitGood : kExitWrong;
 }
 
 }  // namespace
@@ -192,7 +232,8 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
   CLI::App* const command =
       app->add_subcommand("run", "Runs the objects of a stick; Ctrl-C is the pause button");
   auto flags = std::make_shared<RunFlags>();
-  Describe(command, flags.get());
+  DescribeRun(command, flags.get());
+  DescribeOutput(command, flags.get());
   command->callback([flags, exit_code] { *exit_code = Run(*flags); });
 }
 

@@ -7,14 +7,16 @@
 namespace openr_host {
 
 void AddVersionCommand(CLI::App* app, int* exit_code) {
+  const char* const text = "openr-host " OPENR_VERSION;
+  app->set_version_flag("--version", text, "Says which version this is");
   CLI::App* const command = app->add_subcommand("version", "Says which version this is");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "One JSON object");
-  command->callback([json, exit_code] {
+  command->callback([json, text, exit_code] {
     if (*json) {
       std::printf("%s\n", nlohmann::json{{"version", OPENR_VERSION}}.dump().c_str());
     } else {
-      std::printf("openr-host %s\n", OPENR_VERSION);
+      std::printf("%s\n", text);
     }
     *exit_code = kExitGood;
   });

@@ -22,11 +22,16 @@ std::string Object::EntryName(uint32_t selector) const {
       return "DoStop";
     case oentryDESTROY:
       return "DoDestroy";
+    case UNDEF:
+      return "(reply)";
     default:
       break;
   }
-  const auto found = entry_names.find(selector);
-  return found == entry_names.end() ? fmt::format("selector {}", selector) : found->second;
+  if (const auto found = entry_names.find(selector); found != entry_names.end())
+    return found->second;
+  if (const auto found = services.find(selector); found != services.end())
+    return found->second + (found->second.ends_with(".S") ? " (Control)" : " (Connect)");
+  return fmt::format("selector {}", selector);
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {

@@ -127,6 +127,8 @@ bool System::Step() {
   return trace_.count() != before;
 }
 
+void System::RunOne(int64_t time_us) { dispatcher_->Run({.time_us = time_us, .messages = 1}); }
+
 void System::RunMessages(uint64_t count) { dispatcher_->Run({.messages = count}); }
 
 void System::RunUntil(int64_t time_us) {
@@ -220,8 +222,9 @@ int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_
                              int64_t timeout_us, std::string_view why) {
   Object* const self = t_current.object;
   self->blocked_why = why;
-  if (timeout_us >= 0) {  // an empty answer from ourselves, should nothing else come
-    Message* const wake = NewMessage(self->id, 0);
+  Message* wake = nullptr;  // an empty answer from ourselves, should nothing else come
+  if (timeout_us >= 0) {
+    wake = NewMessage(self->id, 0);
     wake->is_reply = true;
     wake->reply_box = box;
     wake->payload_hash = 1;
@@ -235,6 +238,8 @@ int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_
   if (reply != nullptr) std::memcpy(reply, message->payload, size);
   if (got != nullptr) *got = size;
   queue_.Release(message);
+  if (wake != nullptr && !timed_out)
+    queue_.RemoveIf([wake](const Message& m) { return &m == wake; }, [](const Message&) {});
   return timed_out ? sTIMEOUT : sSUCCESS;
 }
 

@@ -155,6 +155,9 @@ class System {
   // Delivers the next message, moving the clock if need be.  False when there is none.
   bool Step();
 
+  // Delivers the next message if it is due by `time_us`; else leaves the clock there.
+  void RunOne(int64_t time_us);
+
   // Delivers `count` messages, or all there are.
   void RunMessages(uint64_t count);
 

@@ -43,18 +43,35 @@ uint64_t PayloadHash(const Message& message, uint32_t* size) {
   return HashBytes(message.payload, message.size);
 }
 
+std::string PayloadBytes(const Message& message) {
+  std::string bytes;
+  if (message.kind == PayloadKind::kNotify) {
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (int i = 0; i < notify.numOfData; ++i)
+      bytes.append(notify.data[i].srcRCR->Base(), notify.data[i].size);
+  } else if (message.kind == PayloadKind::kReady) {
+    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+    const int32_t words[2] = {ready.command, ready.numOfData};
+    bytes.assign(reinterpret_cast<const char*>(words), sizeof words);
+  } else if (message.kind == PayloadKind::kBytes) {
+    bytes.assign(reinterpret_cast<const char*>(message.payload), message.size);
+  }
+  return bytes;
+}
+
 void Trace::Deliver(const Message& message, int64_t now_us) {
   ++count_;
-  if (!hashing_ && !sink_) return;
+  if (!hashing_ && !sink_ && more_sinks_.empty()) return;
   TraceRecord& record = buffer_[buffered_];
   record.number = message.number;
   record.cause = message.cause;
   record.time_us = now_us;
   record.sender = message.sender;
   record.target = message.target;
-  record.selector = message.selector;
+  record.selector = message.is_reply ? UNDEF : message.selector;
   record.payload_hash = PayloadHash(message, &record.size);
   if (sink_) sink_(record, message);
+  for (const Sink& sink : more_sinks_) sink(record, message);
   if (++buffered_ == kBuffered) {
     hasher_.AddBytes(buffer_, sizeof buffer_);
     buffered_ = 0;

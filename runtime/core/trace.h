@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "runtime/core/hasher.h"
 #include "runtime/core/message.h"
@@ -16,8 +19,8 @@ struct TraceRecord {
   int64_t time_us;
   int32_t sender;
   int32_t target;
-  uint32_t selector;
-  uint32_t size;  // bytes of content, see PayloadHash()
+  uint32_t selector;  // UNDEF: the answer to a request
+  uint32_t size;      // bytes of content, see PayloadHash()
   uint64_t payload_hash;
 };
 static_assert(sizeof(TraceRecord) == 48);
@@ -30,6 +33,8 @@ class Trace {
   void Deliver(const Message& message, int64_t now_us);
 
   void set_sink(Sink sink) { sink_ = std::move(sink); }
+  // One more, for good.
+  void AddSink(Sink sink) { more_sinks_.push_back(std::move(sink)); }
 
   // Off: messages are counted only and the hash stands still; for benchmarks that
   // ask what it costs.
@@ -41,6 +46,7 @@ class Trace {
   static constexpr int kBuffered = 64;
 
   Sink sink_;
+  std::vector<Sink> more_sinks_;
   uint64_t count_ = 0;
   bool hashing_ = true;
   mutable Hasher hasher_;
@@ -52,5 +58,8 @@ class Trace {
 // notification, command and counts for a ready, its bytes otherwise.  `size`
 // becomes the number of bytes that is.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
+
+// The bytes that PayloadHash() speaks of; "" for a message that holds addresses.
+std::string PayloadBytes(const Message& message);
 
 }  // namespace openr_host

@@ -16,6 +16,7 @@ import pathlib
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -37,7 +38,7 @@ class Checks:
 class Robot:
     """openr run in the background until it is told to stop."""
 
-    def __init__(self, openr, *arguments, rate="max"):
+    def __init__(self, openr, *arguments, rate="max", wait_for="state: accepting-commands"):
         self.openr = openr
         self.report = tempfile.NamedTemporaryFile(suffix=".json", delete=False).name
         self.process = subprocess.Popen(
@@ -49,7 +50,7 @@ class Robot:
             found = re.search(r"openr rc (\S+) info", line)
             if found:
                 self.address = found.group(1)
-            if "state: accepting-commands" in line:
+            if wait_for in line:
                 break
 
     def rc(self, *words):
@@ -136,6 +137,42 @@ def check_remote(checks, openr):
     robot.stop()
 
 
+def check_recording(checks, openr):
+    """A run in real time with three clients and the pause button, recorded and replayed."""
+    with tempfile.TemporaryDirectory(prefix="openr-record-") as scratch:
+        file = str(pathlib.Path(scratch) / "live.rec")
+        robot = Robot(openr, "--record", file, rate="1", wait_for="remote control")
+        clients = [subprocess.Popen([openr, "rc", robot.address, "sensors", "--watch"],
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                   for _ in range(2)]
+        for _ in range(20):
+            robot.rc("get", "neck_pan")
+        for client in clients:
+            client.kill()
+            client.wait()
+        report = robot.stop()
+        replay = json.loads(subprocess.run([openr, "replay", "--json", file], capture_output=True,
+                                           text=True, timeout=PATIENCE_S).stdout)
+        checks.expect("a live run with three clients replays without difference",
+                      replay["equal"] and replay["at_end"], replay)
+        checks.expect("and message by message", replay["messages"] == report["messages"],
+                      (replay, report["messages"]))
+
+
+def check_idle_clients(checks, openr):
+    robot = Robot(openr, rate="max", wait_for="remote control")
+    host, port = robot.address.rsplit(":", 1)
+    silent = [socket.create_connection((host, int(port))) for _ in range(8)]
+    try:
+        info = robot.rc("info")
+        checks.expect("eight silent clients give way to another", "frame" in info, info)
+    except RuntimeError as refusal:
+        checks.expect("eight silent clients give way to another", False, refusal)
+    for client in silent:
+        client.close()
+    robot.stop()
+
+
 def key_frames(openr, file):
     """Locators, and the angles of the first and the last key frame, in degrees."""
     dump = subprocess.run([openr, "mtn", "dump", str(file)], capture_output=True, text=True,
@@ -216,6 +253,8 @@ def main():
     checks = Checks()
     check_standing(checks, openr)
     check_remote(checks, openr)
+    check_recording(checks, openr)
+    check_idle_clients(checks, openr)
     if arguments.motions and arguments.motions.is_dir():
         check_motions(checks, openr, build, arguments.motions)
     else:

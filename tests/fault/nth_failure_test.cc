@@ -10,6 +10,7 @@
 #include "openr/install_paths.h"
 #include "openr/network_setup.h"
 #include "runtime/core/system.h"
+#include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/virtual_robot.h"
@@ -27,7 +28,7 @@ class GraphRun {
         system_({.console = [this](std::string_view text) { console_ += text; }}) {
     system_.AddRobot(model_.design, std::move(stick));
     AddVirtualRobot(&system_, 0, model_, MakeIdealBody(model_, World()));
-    AddLonelyNetwork(&system_, 0);
+    AddIpStack(&system_, 0, MakeLonelyNetwork());
   }
 
   MemoryBudget& memory() { return system_.robot(0).memory; }

@@ -16,7 +16,89 @@ void ExpectRefusal(const std::vector<std::string>& arguments, int status, const 
   EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
 }
 
-TEST(CommandLineTest, WithoutACommandItSaysSo) { ExpectRefusal({}, 2, "subcommand is required"); }
+// The same with --json: `text` is on standard error and in the answer's field "error".
+void ExpectJsonRefusal(std::vector<std::string> arguments, int status, const std::string& text) {
+  arguments.push_back("--json");
+  const ProgramResult result = RunProgram(arguments);
+  EXPECT_EQ(result.status, status) << result.err;
+  EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+  ASSERT_TRUE(nlohmann::json::accept(result.out)) << result.out;
+  const auto error = nlohmann::json::parse(result.out)["error"].get<std::string>();
+  EXPECT_NE(error.find(text), std::string::npos) << error;
+}
+
+TEST(CommandLineTest, WithoutACommandItListsThem) {
+  ExpectRefusal({}, 2, "a command is missing; there are run, rc, ");
+  ExpectRefusal({"mtn"}, 2, "a command is missing after 'mtn'; there are info, check, dump");
+}
+
+TEST(CommandLineTest, AnUnknownCommandIsNamedAndTheNearestOneSuggested) {
+  ExpectRefusal({"rnu"}, 2, "'rnu' is no command; there are run, rc, ");
+  ExpectRefusal({"rnu"}, 2, "did you mean 'run'?");
+  ExpectRefusal({"rc", "127.0.0.1:1", "mvoe", "0", "3"}, 2, "'rc mvoe' is no command");
+  ExpectRefusal({"mtn", "chekc", "a.mtn"}, 2, "did you mean 'check'?");
+}
+
+TEST(CommandLineTest, TheVersionCanBeAskedForAsAFlag) {
+  const ProgramResult result = RunProgram({"--version"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out, RunProgram({"version"}).out);
+}
+
+TEST(CommandLineTest, HelpTellsOfTheProgramAndOfItsCommands) {
+  const ProgramResult program = RunProgram({"help"});
+  EXPECT_EQ(program.status, 0);
+  EXPECT_EQ(program.out, RunProgram({"--help"}).out);
+  const ProgramResult play = RunProgram({"help", "rc", "mtn", "play"});
+  EXPECT_EQ(play.status, 0);
+  EXPECT_NE(play.out.find("openr rc mtn play"), std::string::npos) << play.out;
+  EXPECT_NE(play.out.find("--loops"), std::string::npos) << play.out;
+}
+
+TEST(CommandLineTest, HelpAboutAnUnknownCommandIsRefused) {
+  ExpectRefusal({"help", "rc", "sped"}, 2, "did you mean 'speed'?");
+}
+
+TEST(CommandLineTest, WrongFlagsGetASuggestion) {
+  ExpectRefusal({"run", "--until_idle"}, 2,
+                "there is no flag --until_idle; did you mean "
+                "'--until-idle'?");
+}
+
+TEST(CommandLineTest, WhoAsksForJsonGetsErrorsAsJson) {
+  ExpectJsonRefusal({"rnu"}, 2, "'rnu' is no command");
+  ExpectJsonRefusal({"run", "--for", "20"}, 2, "'20' has no unit");
+  ExpectJsonRefusal({"run", "--world", "nowhere.json"}, 1, "nowhere.json");
+  ExpectJsonRefusal({"mtn", "info", "nowhere.mtn"}, 1, "cannot be read");
+  ExpectJsonRefusal({"mtn", "check", "nowhere.mtn"}, 1, "cannot be read");
+  ExpectJsonRefusal({"rc", "127.0.0.1:1", "info"}, 1, "127.0.0.1:1: nobody listens there");
+}
+
+TEST(CommandLineTest, AFolderIsNoWorldAndNoMotion) {
+  const ScratchFolder folder;
+  folder.Write("KICK.MTN", "");
+  const std::string text = folder.path() + ": is a folder; give a ";
+  ExpectRefusal({"run", "--world", folder.path()}, 1, text + "world file (docs/worlds.md)");
+  for (const char* command : {"info", "check", "dump"}) {
+    ExpectRefusal({"mtn", command, folder.path()}, 1,
+                  text + "motion file, such as " + folder.File("KICK.MTN"));
+  }
+}
+
+TEST(CommandLineTest, FilesThatCannotBeWrittenAreRefusedBeforeTheRun) {
+  const std::string text = "/nowhere/a: cannot be written: there is no such folder";
+  ExpectRefusal({"run", "--report", "/nowhere/a"}, 2, "--report: " + text);
+  ExpectRefusal({"run", "--console", "/nowhere/a"}, 2, "--console: " + text);
+  ExpectRefusal({"run", "--snapshot", "t=end", "-o", "/nowhere/a"}, 2, text);
+  ExpectRefusal({"graph", "-o", "/nowhere/a"}, 2, text);
+}
+
+TEST(CommandLineTest, APictureAfterTheEndOfTheRunIsRefused) {
+  const ScratchFolder folder;
+  ExpectRefusal({"run", "--for", "1s", "--snapshot", "t=2s", "-o", folder.File("a.png")}, 2,
+                "t=2s is after the end of the run (--for 1s); t=end is its end");
+  EXPECT_EQ(folder.Read("a.png"), "");
+}
 
 TEST(CommandLineTest, UnknownFlagsAreRefused) {
   ExpectRefusal({"run", "--nonsense"}, 2, "--nonsense");
@@ -99,6 +181,28 @@ TEST(CommandLineTest, NobodyAtThePortIsExplained) {
 
 TEST(CommandLineTest, APortThatIsNoNumberIsRefused) {
   ExpectRefusal({"rc", "127.0.0.1:door", "info"}, 2, "has no port from 1 to 65535");
+}
+
+TEST(CommandLineTest, AnAddressOfIPv6IsRefused) {
+  for (const char* address : {"::1", "[::1]", "[::1]:54000"}) {
+    ExpectRefusal({"rc", address, "info"}, 2, "there are no IPv6 addresses: write 127.0.0.1:54000");
+  }
+}
+
+TEST(CommandLineTest, LimitsOfSpeedAndAccelerationArePositive) {
+  for (const char* command : {"speed", "accel"}) {
+    for (const char* value : {"0", "-5"}) {
+      ExpectRefusal({"rc", "127.0.0.1:1", command, "0", value}, 2, "it must be greater than 0");
+    }
+  }
+  ExpectRefusal({"rc", "127.0.0.1:1", "move", "0", "nan"}, 2, "'nan' is no number of degrees");
+}
+
+TEST(CommandLineTest, KeyFramesPerVectorAreThoseTheRobotCanTake) {
+  for (const char* number : {"3", "10", "-2"}) {
+    ExpectRefusal({"rc", "127.0.0.1:1", "mtn", "play", "A.MTN", "--keyframes", number}, 2,
+                  "say 2, 4, 6 or 8, or 0 for the robot's own choice");
+  }
 }
 
 TEST(CommandLineTest, LightsAreOnOrOff) {

@@ -25,7 +25,8 @@ TEST(RemoteAddressTest, ThePortIsOptional) {
 
 TEST(RemoteAddressTest, NonsenseIsRefused) {
   RemoteAddress address;
-  for (const char* text : {"", ":5", "dog:", "dog:0", "dog:65536", "dog:x", "dog:5x"}) {
+  for (const char* text :
+       {"", ":5", "dog:", "dog:0", "dog:65536", "dog:x", "dog:5x", "::1", "[::1]:5"}) {
     EXPECT_NE(ParseRemoteAddress(text, &address), "") << text;
   }
 }
@@ -72,7 +73,11 @@ std::string ComplaintOf(RemoteClient* client) {
 TEST(RemoteClientTest, AServerThatSaysNothingTimesOut) {
   const Listener listener;
   RemoteClient client(listener.address(), 20);
-  EXPECT_NE(ComplaintOf(&client).find("no answer within 20 ms"), std::string::npos);
+  const std::string complaint = ComplaintOf(&client);
+  EXPECT_EQ(complaint.find(listener.address().Text() + ": connected, but no answer within 20 ms"),
+            0u)
+      << complaint;
+  EXPECT_NE(complaint.find("as many clients as it can (8)"), std::string::npos) << complaint;
 }
 
 TEST(RemoteClientTest, AServerThatSpeaksSomethingElseIsRecognised) {
@@ -86,7 +91,12 @@ TEST(RemoteClientTest, AConnectionThatEndsIsExplained) {
   Listener listener;
   RemoteClient client(listener.address(), 2000);
   listener.Say("RC", true);
-  EXPECT_NE(ComplaintOf(&client).find("has closed the connection"), std::string::npos);
+  const std::string complaint = ComplaintOf(&client);
+  EXPECT_EQ(
+      complaint.find(listener.address().Text() + ": the connection was lost (the robot closed "
+                                                 "it); has 'openr run' ended?"),
+      0u)
+      << complaint;
 }
 
 // A robot with the ideal body, standing.
@@ -122,13 +132,17 @@ class RemoteControlTest : public testing::Test {
     return result.status == 0 ? json::parse(result.out) : json::object();
   }
 
-  // Sensor values once frame `frame` is over.
-  static json SensorsAfter(uint32_t frame) {
+  // The first sensor values for which `condition` holds.
+  template <typename Condition>
+  static json SensorsWhen(const Condition& condition) {
     json sensors;
     do {
       sensors = Answer({"sensors"});
-    } while (sensors.contains("frame") && sensors["frame"] < frame);
+    } while (sensors.contains("frame") && !condition(sensors));
     return sensors;
+  }
+  static json SensorsAfter(uint32_t frame) {
+    return SensorsWhen([frame](const json& sensors) { return sensors["frame"] >= frame; });
   }
 
   static ProgramRun* robot_;
@@ -174,6 +188,33 @@ TEST_F(RemoteControlTest, AnUnknownJointListsTheOnesThereAre) {
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("the robot has no 'wing'; there are"), std::string::npos);
   EXPECT_NE(result.err.find("neck_pan"), std::string::npos);
+}
+
+TEST_F(RemoteControlTest, StoppingNothingIsNoError) {
+  SensorsWhen([](const json& s) { return s["state"] == "accepting-commands"; });
+  EXPECT_EQ(Answer({"mtn", "stop"})["stopped"], false);
+  const ProgramResult result = RunProgram({"rc", Address(), "mtn", "stop"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("no motion plays (accepting-commands)"), std::string::npos)
+      << result.out;
+}
+
+TEST_F(RemoteControlTest, AMotionPlaysAsToldAndStops) {
+  const json play = Answer({"mtn", "play", "WALK.MTN", "--loops", "60000", "--keyframes", "4"});
+  EXPECT_EQ(play["loops"], 60000);
+  EXPECT_EQ(play["key_frames_per_vector"], 4);
+  EXPECT_EQ(Answer({"mtn", "stop"})["stopped"], true);
+  EXPECT_EQ(Answer({"mtn", "stop"})["stopped"], false);
+}
+
+TEST_F(RemoteControlTest, ARefusalIsAJsonAnswerWithFrameAndStatus) {
+  const ProgramResult result = Rc({"mtn", "play", "NOWHERE.MTN"});
+  EXPECT_EQ(result.status, 1);
+  ASSERT_TRUE(json::accept(result.out)) << result.out;
+  const json answer = json::parse(result.out);
+  EXPECT_EQ(answer["status"], rcerrorNO_SUCH_FILE);
+  EXPECT_GT(answer["frame"], 0);
+  EXPECT_NE(answer["error"].get<std::string>().find("NOWHERE.MTN"), std::string::npos) << answer;
 }
 
 TEST_F(RemoteControlTest, AMotionThatIsNotThereIsRefusedByTheRobot) {

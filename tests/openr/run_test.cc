@@ -91,6 +91,16 @@ TEST(RunTest, TheConsoleCanBeAFile) {
   EXPECT_NE(stick.Read("console.txt").find("printed by an object"), std::string::npos);
 }
 
+TEST(RunTest, TheConsoleBeginsWithTheNamesOfTheObjects) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  RunFor("100ms", {"--stick", stick.path(), "--console", stick.File("console.txt")});
+  const std::string console = stick.Read("console.txt");
+  EXPECT_NE(console.find("] /MS/OPEN-R/MW/OBJS/TROUBLE.BIN Trouble\n"), std::string::npos)
+      << console;
+  EXPECT_EQ(console.find("[oid:0x80000042] "), 0u) << console;
+}
+
 TEST(RunTest, AnObjectThatShutsTheRobotDownEndsTheRun) {
   const ScratchFolder stick;
   stick.MakeTrouble("shutdown");
@@ -137,8 +147,10 @@ TEST(RunTest, WithoutAnObjectForThePauseButtonTheRunEndsAllTheSame) {
 TEST(RunTest, AHandlerThatDoesNotReturnIsNamed) {
   const ScratchFolder stick;
   stick.MakeTrouble("hang");
-  const ProgramResult result = RunFor("1s", {"--stick", stick.path(), "--handler-limit", "200ms"});
+  const ProgramResult result =
+      RunFor("1s", {"--stick", stick.path(), "--handler-limit", "200ms", "--json"});
   EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(json::parse(result.out).contains("error")) << result.out;
   EXPECT_NE(result.err.find("a handler does not return: Trouble, DoStart (selector 1), message "),
             std::string::npos)
       << result.err;
@@ -164,6 +176,15 @@ TEST(CrashTest, ACrashLeavesARecordOnTheStick) {
   EXPECT_EQ(record.find("STACK"), std::string::npos) << record;
 }
 
+TEST(CrashTest, TheJsonAnswerSaysWhatHappened) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path(), "--json"});
+  ASSERT_TRUE(json::accept(result.out)) << result.out;
+  EXPECT_EQ(json::parse(result.out)["error"].get<std::string>() + "\n",
+            stick.Read("OPEN-R/EMON.LOG"));
+}
+
 TEST(CrashTest, AStackOverflowIsCalledByItsName) {
   EXPECT_NE(RecordOf("recurse").find("STACK overflow"), std::string::npos);
 }
@@ -184,10 +205,18 @@ TEST(PictureTest, ASnapshotIsAPngOfTheSizeAskedFor) {
   EXPECT_EQ(png.substr(16, 8), std::string("\0\0\1\x40\0\0\0\xc8", 8));
 }
 
-TEST(PictureTest, APictureThatCannotBeWrittenFailsTheRun) {
-  const ProgramResult result = RunFor("80ms", {"--snapshot", "size=64x64", "-o", "/nowhere/a.png"});
+TEST(PictureTest, APictureWhoseTimeDoesNotComeIsAnError) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  const ProgramResult result =
+      RunProgram({"run", "--until-idle", "--rate", "max", "--rc-port", "0", "--stick", stick.path(),
+                  "--json", "--snapshot", "t=30s", "-o", stick.File("a.png")});
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.err.find("/nowhere/a.png: cannot be written"), std::string::npos) << result.err;
+  EXPECT_EQ(stick.Read("a.png"), "");
+  const json finding = json::parse(result.out)["findings"].at(0);
+  EXPECT_EQ(finding["severity"], "error");
+  EXPECT_EQ(finding["text"], "no picture " + stick.File("a.png") +
+                                 ": the run was over before t=30s; t=end is its end");
 }
 
 TEST(GraphTest, EveryLineOfTheDefaultWiringIsConnected) {

@@ -33,15 +33,15 @@ void RefuseUnlessPhysical(const RobotModel& model) {
   for (const BodyPart& body : model.bodies) {
     if (!body.has_box || !(body.mass_kg > 0)) {
       throw std::runtime_error(
-          fmt::format("{}: no ODE body: part '{}' has no {} in the model file; use the ideal body",
+          fmt::format("{}: no ODE body: part '{}' has no {} in the model file; use --body ideal",
                       model.name, body.name, body.has_box ? "mass" : "box"));
     }
   }
   for (const JointModel& joint : model.joints) {
     if (!(joint.stall_torque_nm > 0)) {
       throw std::runtime_error(
-          fmt::format("{}: no ODE body: joint '{}' has no torque in the model file; use the "
-                      "ideal body",
+          fmt::format("{}: no ODE body: joint '{}' has no torque in the model file; use "
+                      "--body ideal",
                       model.name, joint.name));
     }
   }

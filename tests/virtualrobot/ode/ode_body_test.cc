@@ -82,14 +82,14 @@ TEST(OdeBodyTest, PosesOfPartsBelongToTheMeasuredAngles) {
 TEST(OdeBodyTest, ModelWithoutBoxesIsRefusedByName) {
   const RobotModel ers7 = ModelNamed("ers7.json");
   EXPECT_EQ(ErrorOf([&] { OdeBody(ers7, World{}); }),
-            "ERS-7: no ODE body: part 'body' has no box in the model file; use the ideal body");
+            "ERS-7: no ODE body: part 'body' has no box in the model file; use --body ideal");
 }
 
 TEST(OdeBodyTest, PartWithoutMassIsRefusedByName) {
   RobotModel model = Ers210();
   model.bodies[4].mass_kg = 0;
   EXPECT_EQ(ErrorOf([&] { OdeBody(model, World{}); }),
-            "ERS-210: no ODE body: part 'mouth' has no mass in the model file; use the ideal body");
+            "ERS-210: no ODE body: part 'mouth' has no mass in the model file; use --body ideal");
 }
 
 TEST(OdeBodyTest, JointWithoutTorqueIsRefusedByName) {
@@ -97,7 +97,7 @@ TEST(OdeBodyTest, JointWithoutTorqueIsRefusedByName) {
   model.joints[16].stall_torque_nm = 0;
   EXPECT_EQ(
       ErrorOf([&] { OdeBody(model, World{}); }),
-      "ERS-210: no ODE body: joint 'tail_pan' has no torque in the model file; use the ideal body");
+      "ERS-210: no ODE body: joint 'tail_pan' has no torque in the model file; use --body ideal");
 }
 
 TEST(OdeBodyTest, Ers220StandsUp) {

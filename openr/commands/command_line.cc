@@ -1,0 +1,125 @@
+#include "openr/commands/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "openr/commands/commands.h"
+#include "openr/exit_code.h"
+#include "runtime/config/spelling.h"
+
+namespace openr_host {
+namespace {
+
+// "rc mtn"; "" for the program itself.
+std::string PathOf(const CLI::App& command) {
+  if (command.get_parent() == nullptr) return "";
+  const std::string parent = PathOf(*command.get_parent());
+  return parent.empty() ? command.get_name() : parent + " " + command.get_name();
+}
+
+// The command the words led to so far.
+const CLI::App& Chosen(const CLI::App& app) {
+  const std::vector<CLI::App*> next = app.get_subcommands();
+  return next.empty() ? app : Chosen(*next.back());
+}
+
+const CLI::App* FindCommand(const CLI::App& parent, const std::string& word) {
+  for (const CLI::App* const command : parent.get_subcommands({})) {
+    if (command->get_name() == word) return command;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> CommandNames(const CLI::App& parent) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : parent.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+// `word` stands where a command of `parent` should; "": nothing does.
+std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
+  const std::vector<std::string> names = CommandNames(parent);
+  const std::string path = PathOf(parent);
+  std::string wrong = "a command is missing";
+  if (word.empty() && !path.empty()) wrong += fmt::format(" after '{}'", path);
+  if (!word.empty())
+    wrong = fmt::format("'{}{}' is no command", path.empty() ? "" : path + " ", word);
+  return fmt::format("{}; there are {}{}", wrong, fmt::join(names, ", "), DidYouMean(word, names));
+}
+
+bool IsFlag(const std::string& word) { return word.starts_with('-'); }
+
+// Whether `command`, the last one chosen, is nothing without another one.
+bool NeedsCommand(const CLI::App& command) {
+  const auto is_missing = [](const CLI::Option* o) { return o->get_required() && o->count() == 0; };
+  const auto options = command.get_options();
+  return command.get_require_subcommand_min() > 0 &&
+         std::none_of(options.begin(), options.end(), is_missing);
+}
+
+// A word that no command and no flag takes.
+std::string NotExpected(const CLI::App& command, const std::string& word) {
+  std::vector<std::string> flags;
+  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
+    for (const CLI::Option* const option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+    }
+  }
+  if (!IsFlag(word)) return fmt::format("'{}' is one word too many", word);
+  return fmt::format("there is no flag {}{}", word, DidYouMean(word, flags));
+}
+
+void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* about = &app;
+  for (const std::string& word : words) {
+    const CLI::App* const next = FindCommand(*about, word);
+    if (next == nullptr) throw CLI::ValidationError(NoSuchCommand(*about, word));
+    about = next;
+  }
+  const std::string path = PathOf(*about);
+  const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
+  // Not help(): that would tell of the command that was chosen, which is `help`.
+  std::cout << app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal);
+}
+
+}  // namespace
+
+std::string HelpWords(const CLI::App& app) {
+  const std::string path = PathOf(Chosen(app));
+  return app.get_name() + (path.empty() || path == "help" ? " help" : " help " + path);
+}
+
+std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = Chosen(app);
+  const std::vector<std::string> rest = app.remaining(true);
+  const auto is = [&error](CLI::ExitCodes kind) {
+    return error.get_exit_code() == static_cast<int>(kind);
+  };
+  // Commands are missed before words are found to be left over: a wrong one is both.
+  if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
+    const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
+    if (word != rest.end()) return NoSuchCommand(command, *word);
+    return rest.empty() ? NoSuchCommand(command, "") : NotExpected(command, rest[0]);
+  }
+  if (is(CLI::ExitCodes::ExtrasError) && !rest.empty()) return NotExpected(command, rest[0]);
+  return error.what();
+}
+
+void AddHelpCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand("help", "Tells of the program or of a command");
+  auto words = std::make_shared<std::vector<std::string>>();
+  command->add_option("COMMAND", *words, "The command: run; rc mtn play");
+  command->callback([app, words, exit_code] {
+    PrintHelp(*app, *words);
+    *exit_code = kExitGood;
+  });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,44 @@
+// What the commands of `openr rc` ask of the robot, and what they print.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "RemoteProtocol.h"
+
+namespace openr_host {
+
+class RemoteClient;
+
+struct RcFlags {
+  std::string address;
+  int64_t timeout_us = 3'000'000;
+  bool json = false;
+  std::string device;  // name, title, locator or number
+  double value = 0;
+  std::string state;  // "on" or "off"
+  bool watch = false;
+  int64_t every_us = 500'000;
+  std::string file;
+  int loops = 1;
+  int key_frames = 0;
+};
+
+// Each prints one answer, or many, to standard output; what goes wrong is thrown as by
+// RemoteClient.
+using RcAction = std::function<void(RemoteClient* client, const RcFlags& flags)>;
+
+void RcInfoAction(RemoteClient* client, const RcFlags& flags);
+void RcGetAction(RemoteClient* client, const RcFlags& flags);
+void RcSensorsAction(RemoteClient* client, const RcFlags& flags);
+void RcPlayAction(RemoteClient* client, const RcFlags& flags);
+void RcStopAction(RemoteClient* client, const RcFlags& flags);
+
+// rcMOVE, rcSPEED or rcACCEL, with a value in `unit`.
+RcAction RcJointAction(RcCommand command, const std::string& unit);
+
+// rcLED or rcEAR.
+RcAction RcLightAction(RcCommand command);
+
+}  // namespace openr_host

@@ -1,0 +1,81 @@
+// openr replay: runs a recorded run again and compares it.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/exit_code.h"
+#include "openr/inspect/replayer.h"
+#include "openr/inspect/stepper.h"
+
+namespace openr_host {
+namespace {
+
+struct ReplayFlags {
+  ReplayOptions replay;
+  std::optional<int64_t> until_us;
+  bool step = false;
+  bool json = false;
+  bool console = false;
+};
+
+int Finish(Replayer* replayer, const ReplayFlags& flags) {
+  for (const std::string& problem : replayer->problems())
+    fmt::print(stderr, "openr: {}\n", problem);
+  const bool equal = replayer->difference().empty();
+  const double time_s = static_cast<double>(replayer->system().now_us()) / 1e6;
+  if (!equal) fmt::print(stderr, "openr: difference: {}\n", replayer->difference());
+  fmt::print(stderr, "openr: {} messages equal, {:.3f} s of virtual time{}\n", replayer->count(),
+             time_s, equal && replayer->at_end() ? ", to the end of the recording" : "");
+  if (flags.json) {
+    const nlohmann::ordered_json answer = {{"equal", equal && replayer->problems().empty()},
+                                           {"messages", replayer->count()},
+                                           {"virtual_time_s", time_s},
+                                           {"at_end", replayer->at_end()},
+                                           {"difference", replayer->difference()},
+                                           {"problems", replayer->problems()}};
+    fmt::print("{}\n", answer.dump());
+  }
+  return equal && replayer->problems().empty() ? kExitGood : kExitWrong;
+}
+
+int Replay(ReplayFlags flags) {
+  if (!flags.console) flags.replay.console = [](std::string_view) {};
+  if (flags.console) {
+    flags.replay.console = [](std::string_view text) {
+      std::fwrite(text.data(), 1, text.size(), stderr);
+    };
+  }
+  if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
+  Replayer replayer(flags.replay);
+  replayer.RunUntil(flags.until_us.value_or(INT64_MAX));
+  return Finish(&replayer, flags);
+}
+
+}  // namespace
+
+void AddReplayCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand(
+      "replay",
+      "Runs a recorded run again, compares it message by message and stops at the first "
+      "difference");
+  auto flags = std::make_shared<ReplayFlags>();
+  command->add_option("FILE", flags->replay.file, "What openr run --record wrote")->required();
+  command->add_option("--stick", flags->replay.stick,
+                      "The stick as it was then (default: the folder that was recorded)");
+  AddDurationFlag(
+      command, "--until", [flags](int64_t us) { flags->until_us = us; },
+      "Stop at this virtual time");
+  command->add_flag("--step", flags->step,
+                    "A prompt that steps forward and back, breaks and shows queues");
+  command->add_flag("--console", flags->console, "Print what objects print");
+  command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON");
+  command->callback([flags, exit_code] { *exit_code = Replay(*flags); });
+}
+
+}  // namespace openr_host

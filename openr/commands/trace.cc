@@ -1,0 +1,56 @@
+// openr trace: shows a recorded run.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/exit_code.h"
+#include "openr/inspect/trace_text.h"
+
+namespace openr_host {
+namespace {
+
+struct TraceFlags {
+  std::string file;
+  std::string format = "text";
+  TraceFilter filter;
+};
+
+int ShowTrace(const TraceFlags& flags) {
+  TraceReader reader(flags.file);
+  const TextSink out = [](std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  };
+  if (flags.format == "text") WriteTraceText(&reader, flags.filter, out);
+  if (flags.format == "csv") WriteTraceCsv(&reader, flags.filter, out);
+  if (flags.format == "perfetto") WriteTracePerfetto(&reader, flags.filter, out);
+  for (const std::string& problem : reader.problems()) fmt::print(stderr, "openr: {}\n", problem);
+  return reader.problems().empty() ? kExitGood : kExitWrong;
+}
+
+}  // namespace
+
+void AddTraceCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("trace", "Shows a run that openr run --record wrote down");
+  auto flags = std::make_shared<TraceFlags>();
+  command->add_option("FILE", flags->file, "The recording")->required();
+  command
+      ->add_option("--format", flags->format,
+                   "text; csv: a table; perfetto: for the viewer at ui.perfetto.dev")
+      ->check(CLI::IsMember({"text", "csv", "perfetto"}))
+      ->capture_default_str();
+  command->add_option("--object", flags->filter.object, "Only messages from or to this object");
+  command->add_option("--service", flags->filter.service,
+                      "Only messages to entries with this in their name");
+  AddDurationFlag(command, "--from", &flags->filter.from_us, "Only from this virtual time on");
+  AddDurationFlag(
+      command, "--until", [flags](int64_t us) { flags->filter.until_us = us; },
+      "Only up to this virtual time");
+  command->callback([flags, exit_code] { *exit_code = ShowTrace(*flags); });
+}
+
+}  // namespace openr_host

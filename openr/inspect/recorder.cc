@@ -1,0 +1,37 @@
+#include "openr/inspect/recorder.h"
+
+#include <utility>
+
+#include "openr/inspect/recorded_network.h"
+
+namespace openr_host {
+
+void Recorder::Listen(SimulationOptions* options) {
+  options->network_filter = [this](int robot, std::unique_ptr<Network> inner) {
+    return std::make_unique<RecordingNetwork>(
+        std::move(inner), [this, robot](const std::vector<NetworkEvent>& events) {
+          if (writer_ != nullptr) writer_->AddNetwork(robot, events);
+        });
+  };
+}
+
+void Recorder::Begin(Simulation* simulation, const SimulationOptions& options) {
+  System& system = simulation->system();
+  TraceHeader header;
+  header.program = OPENR_VERSION;
+  header.stick = simulation->stick();
+  header.stick_hash = system.robot(0).stick_hash;
+  header.robot = options.robot;
+  header.body = options.body;
+  header.world = options.world;
+  header.robots = options.robots;
+  header.seed = options.seed;
+  header.strict = options.strict;
+  header.payloads = payloads_;
+  writer_ = std::make_unique<TraceWriter>(file_, header);
+  system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
+    writer_->AddMessage(system, record, message);
+  });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,35 @@
+// Writes a run down while it runs.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "openr/inspect/trace_file.h"
+#include "openr/simulation.h"
+
+namespace openr_host {
+
+class Recorder {
+ public:
+  // Throws std::runtime_error when the file cannot be made.
+  Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
+
+  // Makes the networks of a simulation that is still to be made report here.
+  void Listen(SimulationOptions* options);
+
+  // Begins the file.  REQUIRES: before Boot(); `options` are those of `simulation`.
+  void Begin(Simulation* simulation, const SimulationOptions& options);
+
+  void NotePause(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kPause, time_us); }
+  void NoteShutdown(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kShutdown, time_us); }
+
+  // Returns what went wrong with the file, or "".
+  std::string Finish(System* system) { return writer_->Finish(system); }
+
+ private:
+  const std::string file_;
+  const bool payloads_;
+  std::unique_ptr<TraceWriter> writer_;
+};
+
+}  // namespace openr_host

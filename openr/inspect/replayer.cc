@@ -1,0 +1,210 @@
+#include "openr/inspect/replayer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "openr/inspect/recorded_network.h"
+
+namespace openr_host {
+namespace {
+
+using Kind = TraceEntry::Kind;
+
+double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
+
+}  // namespace
+
+SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOptions& replay) {
+  SimulationOptions options;
+  options.stick = replay.stick.empty() ? header.stick : replay.stick;
+  options.robot = header.robot;
+  options.body = header.body;
+  options.world = header.world;
+  options.robots = header.robots;
+  options.seed = header.seed;
+  options.strict = header.strict;
+  options.host_network = false;
+  options.console = replay.console;
+  return options;
+}
+
+Replayer::Replayer(const ReplayOptions& replay) : reader_(replay.file) {
+  SimulationOptions options = OptionsOf(reader_.header(), replay);
+  options.network_filter = [this](int robot, std::unique_ptr<Network>) {
+    return std::make_unique<ReplayedNetwork>([this, robot] { return SayNetwork(robot); });
+  };
+  simulation_ = std::make_unique<Simulation>(options);
+  if (system().robot(0).stick_hash != reader_.header().stick_hash) {
+    throw std::runtime_error(
+        fmt::format("{}: was recorded with other files on the stick than {} has now; give the "
+                    "stick of then with --stick",
+                    replay.file, simulation_->stick()));
+  }
+  system().trace().AddSink(
+      [this](const TraceRecord& record, const Message& message) { Compare(record, message); });
+  system().Boot();
+}
+
+Replayer::~Replayer() = default;
+
+void Replayer::SkipNames() {
+  for (const TraceEntry* next = reader_.Peek();
+       next != nullptr && (next->kind == Kind::kObject || next->kind == Kind::kEntry);
+       next = reader_.Peek()) {
+    reader_.Take();
+  }
+}
+
+std::vector<NetworkEvent> Replayer::SayNetwork(int robot) {
+  const TraceEntry* const next = reader_.Peek();
+  if (next == nullptr || next->kind != Kind::kNetwork || next->robot != robot) return {};
+  return reader_.Take().events;
+}
+
+void Replayer::Differ(const TraceEntry& recorded, const std::string& what) {
+  const TraceRecord& r = recorded.record;
+  difference_ =
+      fmt::format("message {} (t={:.6f} s, {} -> {} \"{}\"): {}", r.number, Seconds(r.time_us),
+                  reader_.ObjectName(r.sender), reader_.ObjectName(r.target),
+                  reader_.EntryName(r.target, r.selector), what);
+}
+
+void Replayer::CompareFields(const TraceEntry& recorded, const TraceRecord& now) {
+  const TraceRecord& then = recorded.record;
+  const auto name = [&](ObjectId id) {
+    const Object* const object = system().object(id);
+    return object == nullptr ? std::string("(system)") : object->name;
+  };
+  if (now.number != then.number) {
+    Differ(recorded,
+           fmt::format("now it is message {} to {} \"{}\" that comes here", now.number,
+                       name(now.target), system().object(now.target)->EntryName(now.selector)));
+  } else if (now.time_us != then.time_us) {
+    Differ(recorded, fmt::format("is delivered at t={:.6f} s now", Seconds(now.time_us)));
+  } else if (now.target != then.target || now.selector != then.selector) {
+    Differ(recorded, fmt::format("goes to {} \"{}\" now", name(now.target),
+                                 system().object(now.target)->EntryName(now.selector)));
+  } else if (now.sender != then.sender) {
+    Differ(recorded, fmt::format("comes from {} now", name(now.sender)));
+  } else if (now.cause != then.cause) {
+    Differ(recorded,
+           fmt::format("is caused by message {} now, by {} when recorded", now.cause, then.cause));
+  } else if (now.size != then.size) {
+    Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size, then.size));
+  }
+}
+
+void Replayer::ComparePayload(const TraceEntry& recorded, const Message& message) {
+  if (!reader_.header().payloads) return;
+  const std::string now = PayloadBytes(message);
+  const std::string& then = recorded.payload;
+  const size_t common = std::min(now.size(), then.size());
+  const size_t at = static_cast<size_t>(
+      std::mismatch(now.begin(), now.begin() + static_cast<ptrdiff_t>(common), then.begin()).first -
+      now.begin());
+  if (at < common) {
+    Differ(recorded,
+           fmt::format("byte {} of {} is 0x{:02x} now, 0x{:02x} when recorded", at, now.size(),
+                       static_cast<uint8_t>(now[at]), static_cast<uint8_t>(then[at])));
+  } else if (now.size() != then.size()) {
+    Differ(recorded, fmt::format("has {} bytes now, {} when recorded", now.size(), then.size()));
+  }
+}
+
+void Replayer::Compare(const TraceRecord& record, const Message& message) {
+  if (!difference_.empty() || at_end_) return;
+  SkipNames();
+  const TraceEntry* const next = reader_.Peek();
+  if (next == nullptr || next->kind == Kind::kEnd) {
+    at_end_ = true;  // the recording was cut off, or ended inside this instant
+    return;
+  }
+  if (next->kind != Kind::kMessage) {
+    difference_ = fmt::format(
+        "after message {}: the recording has input here, the run has "
+        "message {} now",
+        last_.record.number, record.number);
+    return;
+  }
+  last_ = reader_.Take();
+  CompareFields(last_, record);
+  if (difference_.empty()) ComparePayload(last_, message);
+  if (difference_.empty() && record.payload_hash != last_.record.payload_hash)
+    Differ(last_, "its bytes have another hash now");
+  if (difference_.empty()) ++count_;
+}
+
+void Replayer::CompareEnd(const TraceEntry& end) {
+  at_end_ = true;
+  if (system().now_us() < end.time_us) system().RunUntil(end.time_us);
+  if (!difference_.empty()) return;
+  if (system().trace_hash() != end.trace_hash) {
+    difference_ = fmt::format("at the end: trace hash {:016x} now, {:016x} when recorded",
+                              system().trace_hash(), end.trace_hash);
+  } else if (system().state_hash() != end.state_hash) {
+    difference_ = fmt::format("at the end: state hash {:016x} now, {:016x} when recorded",
+                              system().state_hash(), end.state_hash);
+  }
+}
+
+// Input of this instant that is no message; true when there was some.
+bool Replayer::ApplyInput() {
+  SkipNames();
+  const TraceEntry* const next = reader_.Peek();
+  if (next == nullptr) {
+    at_end_ = true;
+    return false;
+  }
+  if (next->kind == Kind::kEnd) {
+    if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
+    return false;
+  }
+  if (next->kind != Kind::kPause && next->kind != Kind::kShutdown) return false;
+  if (next->time_us > system().now_us()) return false;
+  const TraceEntry input = reader_.Take();
+  if (input.kind == Kind::kShutdown) {
+    system().Shutdown();
+  } else {
+    for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
+  }
+  return true;
+}
+
+int64_t Replayer::NextTimeUs() {
+  SkipNames();
+  const TraceEntry* const next = reader_.Peek();
+  if (next == nullptr) return INT64_MAX;
+  if (next->kind == Kind::kMessage) return next->record.time_us;
+  return next->kind == Kind::kNetwork ? system().now_us() : next->time_us;
+}
+
+bool Replayer::Step() {
+  while (ApplyInput()) {
+  }
+  if (at_end_ || !difference_.empty()) return false;
+  const int64_t next_us = NextTimeUs();
+  if (next_us == INT64_MAX) {
+    at_end_ = true;
+    return false;
+  }
+  const uint64_t before = count_;
+  system().RunOne(std::max(next_us, system().now_us()));
+  if (!difference_.empty()) return false;
+  if (count_ != before || at_end_) return true;
+  // Nothing came by the time of the next entry: right if that is input, which is then due.
+  const TraceEntry* const next = reader_.Peek();
+  if (next == nullptr || next->kind != Kind::kMessage) return true;
+  const TraceEntry missing = *next;
+  Differ(missing, "does not come now");
+  return false;
+}
+
+void Replayer::RunUntil(int64_t time_us) {
+  while (NextTimeUs() <= time_us && Step()) {
+  }
+}
+
+}  // namespace openr_host

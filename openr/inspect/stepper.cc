@@ -1,0 +1,297 @@
+#include "openr/inspect/stepper.h"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <sstream>
+
+#include "openr/duration.h"
+#include "openr/inspect/breakpoints.h"
+#include "openr/inspect/trace_text.h"
+
+namespace openr_host {
+namespace {
+
+constexpr uint64_t kSnapshotMessages = 1000;  // between two snapshots
+constexpr size_t kBreaksBytes = 16 << 10;
+
+constexpr char kHelp[] =
+    "step [N]             N messages forward (s)\n"
+    "back [N]             N messages back (b)\n"
+    "goto N | goto TIME   to a message by its count, or to a time: goto 1.25s (g)\n"
+    "run                  to the next break, difference or the end (r)\n"
+    "break object NAME | break service TEXT | break state OBJECT TEXT | break finding\n"
+    "breaks, delete N     shows breaks, removes one\n"
+    "print queue | waiting | objects | joints | findings | hash (p)\n"
+    "quit (q)\n";
+
+// What all copies of the process share.
+struct Shared {
+  bool went_back;    // the copy ended to go back
+  uint64_t target;   // to this count of messages
+  int64_t until_us;  // and then forward to this time; 0: stay
+  bool ends;         // the prompt is over
+  bool differs;
+  char breaks[kBreaksBytes];
+};
+
+// A line of descriptor 0, read byte by byte: copies of the process share its position, but would
+// not share a buffer.
+bool ReadLine(std::string* line) {
+  line->clear();
+  for (char c = 0; read(0, &c, 1) == 1;) {
+    if (c == '\n') return true;
+    line->push_back(c);
+  }
+  return !line->empty();
+}
+
+class Stepper {
+ public:
+  Stepper(Replayer* replayer, Shared* shared) : replayer_(replayer), shared_(shared) {
+    breaks_.Load(shared_->breaks);
+  }
+
+  // Returns in the process that made the first call, when the prompt is over.
+  void Run() {
+    if (!Snapshot()) return;
+    Show();
+    for (std::string line; Prompt(&line);) {
+      if (!Obey(line)) break;
+    }
+    Leave();
+  }
+
+ private:
+  // Forks.  True in the copy, which goes on; false in the original when all is over.
+  bool Snapshot() {
+    const uint64_t here = replayer_->count();
+    for (;;) {
+      std::fflush(nullptr);
+      const pid_t copy = fork();
+      if (copy == 0) {
+        is_copy_ = true;
+        last_snapshot_ = here;
+        breaks_.Load(shared_->breaks);
+        went_back_ = shared_->went_back;
+        shared_->went_back = false;
+        if (went_back_) CatchUp(here);
+        return true;
+      }
+      int status = 0;
+      if (copy < 0 || waitpid(copy, &status, 0) != copy) return false;
+      if (!WIFEXITED(status)) {
+        fmt::print("the replay died of signal {} after message {}\n", WTERMSIG(status), here);
+        shared_->ends = true;
+      }
+      if (shared_->ends) return false;
+      if (shared_->target < here && is_copy_) _exit(0);  // the one before goes back further
+    }
+  }
+
+  // From the snapshot at `here` to where going back should end.
+  void CatchUp(uint64_t here) {
+    went_back_ = false;  // snapshots on the way are new ones
+    if (shared_->target > here) Forward(shared_->target - here);
+    if (shared_->until_us > 0) ForwardTo(shared_->until_us);
+    went_back_ = true;
+  }
+
+  [[noreturn]] void Leave() {
+    shared_->ends = true;
+    shared_->differs = !replayer_->difference().empty();
+    std::fflush(nullptr);
+    _exit(0);
+  }
+
+  bool Prompt(std::string* line) {
+    fmt::print("(replay {}) ", replayer_->count());
+    std::fflush(stdout);
+    return ReadLine(line);
+  }
+
+  // Forward by `count` messages, with snapshots on the way.  False where it ends early.
+  bool Forward(uint64_t count) {
+    for (; count > 0; --count) {
+      const uint64_t before = replayer_->count();
+      while (replayer_->count() == before) {
+        if (!replayer_->Step()) return false;
+      }
+      if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
+        if (!Snapshot()) _exit(0);
+        if (went_back_) return false;  // what was being done is undone
+      }
+    }
+    return true;
+  }
+
+  void ForwardTo(int64_t time_us) {
+    while (replayer_->NextTimeUs() <= time_us && Forward(1)) {
+    }
+  }
+
+  [[noreturn]] void Back(uint64_t target, int64_t until_us = 0) {
+    shared_->target = target;
+    shared_->until_us = until_us;
+    shared_->went_back = true;
+    std::fflush(nullptr);
+    _exit(0);
+  }
+
+  void Goto(const std::string& where) {
+    int64_t time_us = 0;
+    char* end = nullptr;
+    const uint64_t number = std::strtoull(where.c_str(), &end, 10);
+    if (!where.empty() && *end == 0) {
+      if (number < replayer_->count()) Back(number);
+      Forward(number - replayer_->count());
+      Show();
+    } else if (ParseDuration(where, &time_us).empty()) {
+      if (time_us < replayer_->system().now_us()) Back(0, time_us);
+      ForwardTo(time_us);
+      Show();
+    } else {
+      fmt::print("'{}' is neither a count of messages nor a time like 1.25s\n", where);
+    }
+  }
+
+  void RunOn() {
+    while (Forward(1)) {
+      if (const size_t hit = breaks_.Hit(replayer_); hit > 0) {
+        fmt::print("break {}: {}\n", hit, breaks_.all()[hit - 1]);
+        break;
+      }
+    }
+    Show();
+  }
+
+  void Show() {
+    if (replayer_->count() == 0) {
+      fmt::print("at the start; 'help' tells the commands\n");
+    } else {
+      fmt::print("{}\n", DescribeMessage(replayer_->reader(), replayer_->last().record));
+    }
+    if (!replayer_->difference().empty()) fmt::print("difference: {}\n", replayer_->difference());
+    if (replayer_->at_end()) fmt::print("at the end of the recording\n");
+  }
+
+  void SaveBreaks() {
+    const std::string text = breaks_.Save();
+    std::memset(shared_->breaks, 0, kBreaksBytes);
+    std::memcpy(shared_->breaks, text.data(), std::min(text.size(), kBreaksBytes - 1));
+  }
+
+  void Break(const std::string& text) {
+    const std::string problem = breaks_.Add(text);
+    if (!problem.empty()) fmt::print("{}\n", problem);
+    SaveBreaks();
+  }
+
+  void Print(const std::string& what);
+  void PrintQueue();
+
+  // False for "quit".
+  bool Obey(const std::string& line) {
+    went_back_ = false;
+    std::istringstream words(line);
+    std::string verb, rest;
+    words >> verb;
+    std::getline(words >> std::ws, rest);
+    const uint64_t count = rest.empty() ? 1 : std::strtoull(rest.c_str(), nullptr, 10);
+    if (verb == "step" || verb == "s") {
+      Forward(count);
+      Show();
+    } else if (verb == "back" || verb == "b") {
+      Back(replayer_->count() - std::min(count, replayer_->count()));
+    } else if (verb == "goto" || verb == "g") {
+      Goto(rest);
+    } else if (verb == "run" || verb == "r") {
+      RunOn();
+    } else if (verb == "break") {
+      Break(rest);
+    } else if (verb == "breaks") {
+      for (size_t i = 0; i < breaks_.all().size(); ++i)
+        fmt::print("{}: {}\n", i + 1, breaks_.all()[i]);
+    } else if (verb == "delete") {
+      if (!breaks_.Remove(count)) fmt::print("there is no break {}\n", rest);
+      SaveBreaks();
+    } else if (verb == "print" || verb == "p") {
+      Print(rest);
+    } else if (verb == "quit" || verb == "q") {
+      return false;
+    } else if (!verb.empty()) {
+      fmt::print("{}", kHelp);
+    }
+    return true;
+  }
+
+  Replayer* const replayer_;
+  Shared* const shared_;
+  Breakpoints breaks_;
+  bool is_copy_ = false;
+  bool went_back_ = false;
+  uint64_t last_snapshot_ = 0;
+};
+
+void Stepper::PrintQueue() {
+  System& system = replayer_->system();
+  system.queue().ForEach([&](const Message& message) {
+    const Object* const target = system.object(message.target);
+    fmt::print("{:>7} due t={:.6f} to {} \"{}\"\n", message.number,
+               static_cast<double>(message.due_us) / 1e6, target->name,
+               target->EntryName(message.is_reply ? UNDEF : message.selector));
+  });
+}
+
+void Stepper::Print(const std::string& what) {
+  System& system = replayer_->system();
+  if (what == "queue") {
+    PrintQueue();
+  } else if (what == "waiting") {
+    for (const std::string& line : system.WhoWaits()) fmt::print("{}\n", line);
+  } else if (what == "objects") {
+    for (const auto& object : system.objects()) {
+      if (object != nullptr)
+        fmt::print("{:<20} {} messages, {} waiting, {} dropped{}\n", object->name,
+                   object->message_count, object->waiting, object->dropped_count,
+                   object->state.empty() ? "" : ", state: " + object->state);
+    }
+  } else if (what == "joints") {
+    for (const VirtualRobot* const robot : replayer_->simulation().robots()) {
+      const auto& joints = robot->model().joints;
+      for (size_t j = 0; j < joints.size(); ++j)
+        fmt::print("{:<14} {:9.3f} deg\n", joints[j].name,
+                   robot->body().state().joints[j].angle_rad * 57.29577951308232);
+    }
+  } else if (what == "findings") {
+    for (const Finding& finding : system.findings().all())
+      fmt::print("{}: {}\n", finding.object, finding.text);
+  } else if (what == "hash") {
+    fmt::print("trace {:016x} state {:016x}\n", system.trace_hash(), system.state_hash());
+  } else {
+    fmt::print("print queue, waiting, objects, joints, findings or hash\n");
+  }
+}
+
+}  // namespace
+
+bool StepThrough(const ReplayOptions& options) {
+  void* const memory =
+      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  Shared* const shared = new (memory) Shared{};
+  Replayer replayer(options);
+  Stepper(&replayer, shared).Run();
+  const bool good = !shared->differs;
+  munmap(memory, sizeof(Shared));
+  return good;
+}
+
+}  // namespace openr_host

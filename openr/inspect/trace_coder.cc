@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include "openr/inspect/trace_file.h"
+
+namespace openr_host {
+namespace {
+
+// Regions of this size do not fit the robot.
+constexpr uint64_t kPayloadMax = 64 << 20;
+
+void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
+  out->U8(static_cast<uint8_t>(event.kind));
+  out->Varint(event.handle);
+  out->U8(static_cast<uint8_t>(event.error));
+  out->U32(event.remote.ip);
+  out->Varint(event.remote.port);
+  out->Varint(event.count);
+  out->Text(event.bytes);
+  out->Text(event.host.name);
+  out->Varint(event.host.aliases.size());
+  for (const std::string& alias : event.host.aliases) out->Text(alias);
+  out->Varint(event.host.addresses.size());
+  for (const uint32_t address : event.host.addresses) out->U32(address);
+}
+
+template <typename E>
+E ReadEnum(ByteReader* in, E last) {
+  const uint8_t value = in->U8();
+  if (value > static_cast<uint8_t>(last))
+    throw std::runtime_error(fmt::format("{} is no kind of anything", value));
+  return static_cast<E>(value);
+}
+
+NetworkEvent ReadEvent(ByteReader* in) {
+  NetworkEvent event;
+  event.kind = ReadEnum(in, NetworkEvent::Kind::kNote);
+  event.handle = static_cast<NetHandle>(in->Varint());
+  event.error = ReadEnum(in, NetError::kTooLong);
+  event.remote.ip = in->U32();
+  event.remote.port = static_cast<uint16_t>(in->Varint());
+  event.count = in->Varint();
+  event.bytes = in->Text();
+  event.host.name = in->Text();
+  for (uint64_t i = in->Varint(); i > 0; --i) event.host.aliases.emplace_back(in->Text());
+  for (uint64_t i = in->Varint(); i > 0; --i) event.host.addresses.push_back(in->U32());
+  return event;
+}
+
+}  // namespace
+
+void TraceCoder::WritePayload(const TraceEntry& entry, ByteWriter* out) {
+  const std::string& now = entry.payload;
+  out->Varint(now.size());
+  std::string& last = last_[{entry.record.sender, now.size()}];
+  last.resize(now.size());
+  for (size_t at = 0; at < now.size();) {
+    size_t equal = at;
+    while (equal < now.size() && now[equal] == last[equal]) ++equal;
+    size_t other = equal;  // a short equal stretch is not worth a new piece
+    for (size_t run = 0; other < now.size() && run < 4; ++other)
+      run = now[other] == last[other] ? run + 1 : 0;
+    out->Varint(equal - at);
+    out->Text(std::string_view(now).substr(equal, other - equal));
+    at = other;
+  }
+  last = now;
+}
+
+void TraceCoder::ReadPayload(ByteReader* in, TraceEntry* entry) {
+  const uint64_t size = in->Varint();
+  if (size > kPayloadMax) throw std::runtime_error(fmt::format("a message of {} bytes", size));
+  std::string& last = last_[{entry->record.sender, size}];
+  last.resize(size);
+  for (size_t at = 0; at < size;) {
+    const uint64_t equal = in->Varint();
+    const std::string_view other = in->Text();
+    if (equal > size - at || other.size() > size - at - equal || equal + other.size() == 0)
+      throw std::runtime_error("pieces of a message are longer than it");
+    last.replace(at + equal, other.size(), other);
+    at += equal + other.size();
+  }
+  entry->payload = last;
+}
+
+void TraceCoder::WriteMessage(const TraceEntry& entry, ByteWriter* out) {
+  const TraceRecord& record = entry.record;
+  out->Zigzag(static_cast<int64_t>(record.number - number_));
+  out->Zigzag(static_cast<int64_t>(record.number - record.cause));
+  out->Zigzag(record.time_us - time_us_);
+  out->Zigzag(record.sender);
+  out->Zigzag(record.target);
+  out->Varint(record.selector);
+  out->Varint(record.size);
+  out->U64(record.payload_hash);
+  if (payloads_) WritePayload(entry, out);
+  number_ = record.number;
+  time_us_ = record.time_us;
+}
+
+void TraceCoder::ReadMessage(ByteReader* in, TraceEntry* entry) {
+  TraceRecord& record = entry->record;
+  record.number = number_ + static_cast<uint64_t>(in->Zigzag());
+  record.cause = record.number - static_cast<uint64_t>(in->Zigzag());
+  record.time_us = time_us_ + in->Zigzag();
+  record.sender = static_cast<int32_t>(in->Zigzag());
+  record.target = static_cast<int32_t>(in->Zigzag());
+  record.selector = static_cast<uint32_t>(in->Varint());
+  record.size = static_cast<uint32_t>(in->Varint());
+  record.payload_hash = in->U64();
+  if (payloads_) ReadPayload(in, entry);
+  number_ = record.number;
+  time_us_ = record.time_us;
+}
+
+void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
+  out->U8(static_cast<uint8_t>(entry.kind));
+  switch (entry.kind) {
+    case TraceEntry::Kind::kObject:
+      out->Zigzag(entry.id);
+      out->Varint(static_cast<uint64_t>(entry.robot));
+      out->Text(entry.name);
+      return;
+    case TraceEntry::Kind::kEntry:
+      out->Zigzag(entry.id);
+      out->Varint(entry.selector);
+      out->Text(entry.name);
+      return;
+    case TraceEntry::Kind::kMessage:
+      WriteMessage(entry, out);
+      return;
+    case TraceEntry::Kind::kNetwork:
+      out->Varint(static_cast<uint64_t>(entry.robot));
+      out->Varint(entry.events.size());
+      for (const NetworkEvent& event : entry.events) WriteEvent(event, out);
+      return;
+    case TraceEntry::Kind::kPause:
+    case TraceEntry::Kind::kShutdown:
+      out->Zigzag(entry.time_us);
+      return;
+    case TraceEntry::Kind::kEnd:
+      out->Zigzag(entry.time_us);
+      out->U64(entry.trace_hash);
+      out->U64(entry.state_hash);
+      return;
+  }
+}
+
+TraceEntry TraceCoder::Read(ByteReader* in) {
+  TraceEntry entry;
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kEnd);
+  switch (entry.kind) {
+    case TraceEntry::Kind::kObject:
+      entry.id = static_cast<int32_t>(in->Zigzag());
+      entry.robot = static_cast<int32_t>(in->Varint());
+      entry.name = in->Text();
+      return entry;
+    case TraceEntry::Kind::kEntry:
+      entry.id = static_cast<int32_t>(in->Zigzag());
+      entry.selector = static_cast<uint32_t>(in->Varint());
+      entry.name = in->Text();
+      return entry;
+    case TraceEntry::Kind::kMessage:
+      ReadMessage(in, &entry);
+      return entry;
+    case TraceEntry::Kind::kNetwork:
+      entry.robot = static_cast<int32_t>(in->Varint());
+      for (uint64_t i = in->Varint(); i > 0; --i) entry.events.push_back(ReadEvent(in));
+      return entry;
+    case TraceEntry::Kind::kPause:
+    case TraceEntry::Kind::kShutdown:
+      entry.time_us = in->Zigzag();
+      return entry;
+    case TraceEntry::Kind::kEnd:
+      entry.time_us = in->Zigzag();
+      entry.trace_hash = in->U64();
+      entry.state_hash = in->U64();
+      return entry;
+  }
+  throw std::runtime_error("0 is no kind of anything");
+}
+
+}  // namespace openr_host

@@ -1,0 +1,238 @@
+#include "openr/inspect/trace_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kMagic = "OPENRTRC";
+constexpr size_t kBlockBytes = 64 << 10;
+constexpr size_t kBlockHead = 4 + 8;  // size, checksum
+
+std::string HeaderText(const TraceHeader& h) {
+  return Json{{"program", h.program}, {"stick", h.stick},      {"stick_hash", h.stick_hash},
+              {"robot", h.robot},     {"body", h.body},        {"world", h.world},
+              {"cost", h.cost},       {"robots", h.robots},    {"seed", h.seed},
+              {"strict", h.strict},   {"payloads", h.payloads}}
+      .dump();
+}
+
+TraceHeader HeaderOf(std::string_view text) {
+  const Json json = Json::parse(text);
+  TraceHeader h;
+  json.at("program").get_to(h.program);
+  json.at("stick").get_to(h.stick);
+  json.at("stick_hash").get_to(h.stick_hash);
+  json.at("robot").get_to(h.robot);
+  json.at("body").get_to(h.body);
+  json.at("world").get_to(h.world);
+  json.at("cost").get_to(h.cost);
+  json.at("robots").get_to(h.robots);
+  json.at("seed").get_to(h.seed);
+  json.at("strict").get_to(h.strict);
+  json.at("payloads").get_to(h.payloads);
+  return h;
+}
+
+}  // namespace
+
+TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
+    : file_(file),
+      payloads_(header.payloads),
+      coder_(header.payloads),
+      out_(file, std::ios::binary | std::ios::trunc) {
+  ByteWriter head;
+  head.U32(kTraceVersion);
+  head.Text(HeaderText(header));
+  out_ << kMagic << head.bytes();
+  out_.flush();
+  if (!out_) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
+}
+
+TraceWriter::~TraceWriter() { Flush(); }
+
+void TraceWriter::Flush() {
+  if (block_.bytes().empty()) return;
+  ByteWriter head;
+  head.U32(static_cast<uint32_t>(block_.bytes().size()));
+  head.U64(HashBytes(block_.bytes().data(), block_.bytes().size()));
+  out_ << head.bytes() << block_.bytes();
+  out_.flush();
+  block_.Clear();
+}
+
+void TraceWriter::Add(const TraceEntry& entry) {
+  coder_.Write(entry, &block_);
+  if (block_.bytes().size() >= kBlockBytes) Flush();
+}
+
+void TraceWriter::AddNames(const System& system, const TraceRecord& record) {
+  for (const int32_t id : {record.sender, record.target}) {
+    const Object* const object = system.object(id);
+    if (object == nullptr || !objects_.insert(id).second) continue;
+    TraceEntry entry;
+    entry.kind = TraceEntry::Kind::kObject;
+    entry.id = id;
+    entry.robot = object->robot;
+    entry.name = object->name;
+    Add(entry);
+  }
+  if (!entries_.insert({record.target, record.selector}).second) return;
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kEntry;
+  entry.id = record.target;
+  entry.selector = record.selector;
+  entry.name = system.object(record.target)->EntryName(record.selector);
+  Add(entry);
+}
+
+void TraceWriter::AddMessage(const System& system, const TraceRecord& record,
+                             const Message& message) {
+  AddNames(system, record);
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kMessage;
+  entry.record = record;
+  if (payloads_) entry.payload = PayloadBytes(message);
+  Add(entry);
+}
+
+void TraceWriter::AddNetwork(int robot, std::vector<NetworkEvent> events) {
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kNetwork;
+  entry.robot = robot;
+  entry.events = std::move(events);
+  Add(entry);
+}
+
+void TraceWriter::AddAt(TraceEntry::Kind kind, int64_t time_us) {
+  TraceEntry entry;
+  entry.kind = kind;
+  entry.time_us = time_us;
+  Add(entry);
+}
+
+std::string TraceWriter::Finish(System* system) {
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kEnd;
+  entry.time_us = system->now_us();
+  entry.trace_hash = system->trace_hash();
+  entry.state_hash = system->state_hash();
+  Add(entry);
+  Flush();
+  out_.close();
+  return out_ ? "" : fmt::format("{}: could not be written whole (disk full?)", file_);
+}
+
+TraceReader::TraceReader(const std::string& file) : file_(file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
+  bytes_ = text.str();
+  if (!bytes_.starts_with(kMagic))
+    throw std::runtime_error(fmt::format("{}: is no trace (openr run --record makes them)", file));
+  ByteReader reader(std::string_view(bytes_).substr(kMagic.size()));
+  try {
+    const uint32_t version = reader.U32();
+    if (version != kTraceVersion) {
+      throw std::runtime_error(fmt::format("has version {} of the format, this program reads {}",
+                                           version, kTraceVersion));
+    }
+    header_ = HeaderOf(reader.Text());
+  } catch (const std::exception& e) {
+    throw std::runtime_error(fmt::format("{}: header: {}", file, e.what()));
+  }
+  at_ = kMagic.size() + reader.at();
+  coder_.emplace(header_.payloads);
+}
+
+bool TraceReader::NextBlock() {
+  if (at_ == bytes_.size()) {
+    if (!ended_)
+      problems_.push_back(fmt::format("{}: ends without an end: the run was cut off", file_));
+    return false;
+  }
+  const auto where = [&] {
+    return fmt::format("{}: block {} at offset {}", file_, block_count_, at_);
+  };
+  if (bytes_.size() - at_ < kBlockHead) {
+    problems_.push_back(where() + ": is cut off");
+    return false;
+  }
+  ByteReader head(std::string_view(bytes_).substr(at_, kBlockHead));
+  const size_t size = head.U32();
+  const uint64_t checksum = head.U64();
+  if (size > bytes_.size() - at_ - kBlockHead) {
+    problems_.push_back(where() + ": is cut off");
+    return false;
+  }
+  const std::string_view block = std::string_view(bytes_).substr(at_ + kBlockHead, size);
+  if (HashBytes(block.data(), block.size()) != checksum)
+    problems_.push_back(where() + fmt::format(": checksum of its {} bytes is wrong", size));
+  block_.emplace(block);
+  at_ += kBlockHead + size;
+  ++block_count_;
+  return true;
+}
+
+const TraceEntry* TraceReader::Peek() {
+  if (next_) return &*next_;
+  if (ended_) return nullptr;
+  while (!block_ || block_->AtEnd()) {
+    if (!NextBlock()) {
+      ended_ = true;
+      return nullptr;
+    }
+  }
+  try {
+    next_ = coder_->Read(&*block_);
+  } catch (const std::exception& e) {
+    problems_.push_back(
+        fmt::format("{}: block {}: cannot be read: {}", file_, block_count_ - 1, e.what()));
+    ended_ = true;
+    return nullptr;
+  }
+  Learn(*next_);
+  if (next_->kind == TraceEntry::Kind::kEnd) ended_ = true;
+  return &*next_;
+}
+
+TraceEntry TraceReader::Take() {
+  Peek();
+  TraceEntry entry = std::move(next_.value());
+  next_.reset();
+  return entry;
+}
+
+void TraceReader::Learn(const TraceEntry& entry) {
+  if (entry.kind == TraceEntry::Kind::kObject) objects_[entry.id] = {entry.robot, entry.name};
+  if (entry.kind == TraceEntry::Kind::kEntry) entries_[{entry.id, entry.selector}] = entry.name;
+}
+
+std::string TraceReader::ObjectName(int32_t id) const {
+  if (id == kNoObject) return "(system)";
+  const auto found = objects_.find(id);
+  return found == objects_.end() ? fmt::format("object {}", id) : found->second.second;
+}
+
+int TraceReader::RobotOf(int32_t id) const {
+  const auto found = objects_.find(id);
+  return found == objects_.end() ? 0 : found->second.first;
+}
+
+std::string TraceReader::EntryName(int32_t id, uint32_t selector) const {
+  const auto found = entries_.find({id, selector});
+  return found == entries_.end() ? fmt::format("selector {}", selector) : found->second;
+}
+
+}  // namespace openr_host

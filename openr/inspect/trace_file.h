@@ -1,0 +1,150 @@
+// A recorded run in a file: what it was made of, what came from outside, every message.
+//
+// The layout is docs/trace-format.md.  A file is a header and blocks with a checksum each, so
+// that a run that was killed leaves a file that can be used up to its last block.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "openr/inspect/byte_stream.h"
+#include "runtime/core/trace.h"
+#include "runtime/ipstack/network.h"
+
+namespace openr_host {
+
+class System;
+
+constexpr uint32_t kTraceVersion = 1;
+
+// What a run is a function of, besides the recorded input.
+struct TraceHeader {
+  std::string program;  // version of openr
+  std::string stick;    // folder, as it was given
+  uint64_t stick_hash = 0;
+  std::string robot, body, world;
+  std::string cost;  // file; "": zero
+  int robots = 1;
+  uint64_t seed = 1;
+  bool strict = false;
+  bool payloads = true;  // messages carry their bytes
+};
+
+struct TraceEntry {
+  enum class Kind : uint8_t {
+    kObject = 1,    // id, robot, name: before its first message
+    kEntry = 2,     // id (of the object), selector, name
+    kMessage = 3,   // record, payload
+    kNetwork = 4,   // robot, events: what one Poll() returned, during the message before
+    kPause = 5,     // time_us: the pause button was pressed
+    kShutdown = 6,  // time_us: nobody handled it, the program asked for the shutdown
+    kEnd = 7,       // time_us, trace_hash, state_hash
+  };
+  Kind kind = Kind::kEnd;
+  int32_t id = 0;
+  int32_t robot = 0;
+  uint32_t selector = 0;
+  std::string name;
+  TraceRecord record{};
+  std::string payload;
+  std::vector<NetworkEvent> events;
+  int64_t time_us = 0;
+  uint64_t trace_hash = 0;
+  uint64_t state_hash = 0;
+};
+
+// Numbers that follow from the entry before need few bytes.
+class TraceCoder {
+ public:
+  explicit TraceCoder(bool payloads) : payloads_(payloads) {}
+  void Write(const TraceEntry& entry, ByteWriter* out);
+  TraceEntry Read(ByteReader* in);
+
+ private:
+  void WriteMessage(const TraceEntry& entry, ByteWriter* out);
+  void ReadMessage(ByteReader* in, TraceEntry* entry);
+  // As what differs from the last payload of the same sender and size.
+  void WritePayload(const TraceEntry& entry, ByteWriter* out);
+  void ReadPayload(ByteReader* in, TraceEntry* entry);
+
+  const bool payloads_;
+  uint64_t number_ = 0;
+  int64_t time_us_ = 0;
+  std::map<std::pair<int32_t, size_t>, std::string> last_;  // by sender and size
+};
+
+class TraceWriter {
+ public:
+  // Throws std::runtime_error when the file cannot be made.
+  TraceWriter(const std::string& file, const TraceHeader& header);
+  ~TraceWriter();
+  TraceWriter(const TraceWriter&) = delete;
+  TraceWriter& operator=(const TraceWriter&) = delete;
+
+  // From the trace's sink.
+  void AddMessage(const System& system, const TraceRecord& record, const Message& message);
+  void AddNetwork(int robot, std::vector<NetworkEvent> events);
+  void AddAt(TraceEntry::Kind kind, int64_t time_us);
+
+  // The last entry.  Returns what went wrong with the file, or "".
+  std::string Finish(System* system);
+
+ private:
+  void AddNames(const System& system, const TraceRecord& record);
+  void Add(const TraceEntry& entry);
+  void Flush();
+
+  const std::string file_;
+  const bool payloads_;
+  TraceCoder coder_;
+  std::ofstream out_;
+  ByteWriter block_;
+  std::set<int32_t> objects_;
+  std::set<std::pair<int32_t, uint32_t>> entries_;
+};
+
+class TraceReader {
+ public:
+  // Throws std::runtime_error when it is no trace file or one of another version.
+  explicit TraceReader(const std::string& file);
+
+  const TraceHeader& header() const { return header_; }
+
+  // The next entry without taking it; null at the end of what can be read.
+  const TraceEntry* Peek();
+  // REQUIRES: Peek() is not null.
+  TraceEntry Take();
+
+  // "FILE: block 3 at offset 4711: ..." of what is damaged or missing, as far as it was met.
+  const std::vector<std::string>& problems() const { return problems_; }
+
+  // Names seen so far.
+  std::string ObjectName(int32_t id) const;
+  std::string EntryName(int32_t id, uint32_t selector) const;
+  int RobotOf(int32_t id) const;
+
+ private:
+  bool NextBlock();
+  void Learn(const TraceEntry& entry);
+
+  const std::string file_;
+  std::string bytes_;
+  size_t at_ = 0;
+  int block_count_ = 0;
+  TraceHeader header_;
+  std::optional<TraceCoder> coder_;
+  std::optional<ByteReader> block_;
+  std::optional<TraceEntry> next_;
+  bool ended_ = false;
+  std::vector<std::string> problems_;
+  std::map<int32_t, std::pair<int, std::string>> objects_;  // robot, name
+  std::map<std::pair<int32_t, uint32_t>, std::string> entries_;
+};
+
+}  // namespace openr_host

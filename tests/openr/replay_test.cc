@@ -1,0 +1,246 @@
+// Recordings: written, read, replayed, damaged, stepped through.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "openr/inspect/recorder.h"
+#include "openr/inspect/replayer.h"
+#include "openr/inspect/trace_text.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReplayTest : public testing::Test {
+ protected:
+  ReplayTest() {
+    std::string name = (fs::temp_directory_path() / "openr-replay-test-XXXXXX").string();
+    EXPECT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    file_ = folder_ / "run.rec";
+  }
+  ~ReplayTest() override { fs::remove_all(folder_); }
+
+  // Two seconds of the default stick, the pause button at the end of the first.
+  void Record(bool payloads = true) {
+    SimulationOptions options;
+    options.body = "ideal";
+    options.host_network = false;
+    options.console = [](std::string_view) {};
+    Recorder recorder(file_, payloads);
+    recorder.Listen(&options);
+    Simulation simulation(options);
+    recorder.Begin(&simulation, options);
+    System& system = simulation.system();
+    system.Boot();
+    system.RunUntil(1'000'000);
+    simulation.robots()[0]->PressPause();
+    recorder.NotePause(system.now_us());
+    system.RunUntil(2'000'000);
+    EXPECT_EQ(recorder.Finish(&system), "");
+    messages_ = system.message_count();
+    trace_hash_ = system.trace_hash();
+  }
+
+  std::string Replay() {
+    Replayer replayer({.file = file_, .stick = "", .console = [](std::string_view) {}});
+    replayer.RunUntil(INT64_MAX);
+    count_ = replayer.count();
+    problems_ = replayer.problems();
+    EXPECT_TRUE(replayer.at_end() || !replayer.difference().empty());
+    return replayer.difference();
+  }
+
+  // XORs one byte of the file.
+  void Flip(std::streamoff at) {
+    std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(at);
+    const int byte = file.get();
+    file.seekp(at);
+    file.put(static_cast<char>(byte ^ 0x10));
+  }
+
+  // What `openr replay --step` prints to these commands.
+  std::string Step(const std::string& commands) {
+    std::ofstream(folder_ / "commands") << commands;
+    const std::string command = fmt::format("{} replay {} --step < {}", OPENR_PROGRAM,
+                                            file_.string(), (folder_ / "commands").string());
+    FILE* const pipe = popen(command.c_str(), "r");
+    std::string text;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+    EXPECT_EQ(pclose(pipe), 0) << text;
+    return text;
+  }
+
+  fs::path folder_, file_;
+  uint64_t messages_ = 0, trace_hash_ = 0, count_ = 0;
+  std::vector<std::string> problems_;
+};
+
+TEST_F(ReplayTest, ARecordingReplaysWithoutDifference) {
+  Record();
+  EXPECT_EQ(Replay(), "");
+  EXPECT_EQ(count_, messages_);
+  EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(ReplayTest, WithHashesOnlyAsWell) {
+  Record();
+  const auto whole = fs::file_size(file_);
+  Record(false);
+  EXPECT_LT(fs::file_size(file_), whole);
+  EXPECT_EQ(Replay(), "");
+  EXPECT_EQ(count_, messages_);
+}
+
+TEST_F(ReplayTest, TheReaderSeesWhatTheTraceSaw) {
+  Record();
+  TraceReader reader(file_);
+  uint64_t messages = 0, hash = 0;
+  int pauses = 0;
+  while (reader.Peek() != nullptr) {
+    const TraceEntry entry = reader.Take();
+    messages += entry.kind == TraceEntry::Kind::kMessage;
+    pauses += entry.kind == TraceEntry::Kind::kPause;
+    if (entry.kind == TraceEntry::Kind::kEnd) hash = entry.trace_hash;
+  }
+  EXPECT_EQ(messages, messages_);
+  EXPECT_EQ(pauses, 1);
+  EXPECT_EQ(hash, trace_hash_);
+}
+
+// Wherever a byte of a message differs, the difference or the damage is named.
+TEST_F(ReplayTest, AFlippedByteIsFoundAndNamed) {
+  Record();
+  const auto size = static_cast<std::streamoff>(fs::file_size(file_));
+  int named = 0;
+  for (std::streamoff at = 1000; at < size; at += size / 40) {
+    SCOPED_TRACE(at);
+    Flip(at);
+    const std::string difference = Replay();
+    ASSERT_FALSE(problems_.empty());
+    EXPECT_NE(problems_[0].find("block "), std::string::npos) << problems_[0];
+    named += difference.find("message ") != std::string::npos;
+    Flip(at);
+  }
+  EXPECT_GT(named, 20);
+  EXPECT_EQ(Replay(), "");
+}
+
+TEST_F(ReplayTest, AByteOfAPayloadIsNamedWithItsPlace) {
+  Record();
+  std::ifstream in(file_, std::ios::binary);
+  std::stringstream bytes;
+  bytes << in.rdbuf();
+  // JointMover's first command vector names its data type in its header.
+  const size_t at = bytes.str().find("\x01\x04");
+  ASSERT_NE(at, std::string::npos);
+  for (std::streamoff place = static_cast<std::streamoff>(fs::file_size(file_)) / 2;; ++place) {
+    Flip(place);
+    const std::string difference = Replay();
+    Flip(place);
+    if (difference.find(": byte ") == std::string::npos) continue;
+    EXPECT_NE(difference.find("message "), std::string::npos) << difference;
+    EXPECT_NE(difference.find(" -> "), std::string::npos) << difference;
+    EXPECT_NE(difference.find("when recorded"), std::string::npos) << difference;
+    break;
+  }
+}
+
+TEST_F(ReplayTest, ACutFileIsUsedUpToItsLastBlock) {
+  Record();
+  fs::resize_file(file_, fs::file_size(file_) - 10);
+  EXPECT_EQ(Replay(), "");
+  ASSERT_EQ(problems_.size(), 1u);
+  EXPECT_NE(problems_[0].find("is cut off"), std::string::npos);
+  EXPECT_LT(count_, messages_);
+}
+
+TEST_F(ReplayTest, OtherFilesAreRefused) {
+  std::ofstream(file_) << "something else";
+  EXPECT_THROW(TraceReader{file_}, std::runtime_error);
+  std::ofstream(file_, std::ios::binary) << "OPENRTRC" << std::string("\x09\0\0\0", 4);
+  try {
+    TraceReader reader(file_);
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("version 9"), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(ReplayTest, AChangedStickIsRefused) {
+  fs::copy(OPENR_STICK, folder_ / "stick", fs::copy_options::recursive);
+  Record();
+  std::ofstream(folder_ / "stick/OPEN-R/NEW.TXT") << "x";
+  EXPECT_THROW(Replayer({.file = file_,
+                         .stick = (folder_ / "stick").string(),
+                         .console = [](std::string_view) {}}),
+               std::runtime_error);
+}
+
+TEST_F(ReplayTest, TextCsvAndPerfettoTellTheSameMessages) {
+  Record();
+  const auto write = [&](auto* function) {
+    TraceReader reader(file_);
+    std::string text;
+    const TextSink out = [&](std::string_view piece) { text += piece; };
+    function(&reader, TraceFilter{}, out);
+    return text;
+  };
+  const std::string text = write(&WriteTraceText);
+  EXPECT_NE(text.find("oobjectManager -> JointMover \"DoInit\""), std::string::npos);
+  EXPECT_NE(text.find("input: pause button at t=1.000000"), std::string::npos);
+  const std::string csv = write(&WriteTraceCsv);
+  EXPECT_EQ(static_cast<uint64_t>(std::count(csv.begin(), csv.end(), '\n')), messages_ + 1);
+  const auto perfetto = nlohmann::json::parse(write(&WriteTracePerfetto));
+  uint64_t slices = 0, begins = 0, ends = 0;
+  double last = -1;
+  for (const auto& event : perfetto["traceEvents"]) {
+    slices += event["ph"] == "X";
+    begins += event["ph"] == "s";
+    ends += event["ph"] == "f";
+    if (event["ph"] != "X") continue;
+    EXPECT_GT(event["ts"].get<double>(), last);
+    last = event["ts"].get<double>();
+  }
+  EXPECT_EQ(slices, messages_);
+  EXPECT_EQ(begins, ends);
+  EXPECT_GT(begins, messages_ - 5);  // the boot and what came from outside have no cause
+}
+
+TEST_F(ReplayTest, GoingBackRestoresTheExactState) {
+  Record();
+  const std::string text = Step(
+      "goto 100\nprint hash\nstep 400\nprint hash\nback 400\nprint hash\nstep 400\nprint hash\n"
+      "goto 0.3s\nprint hash\ngoto 0.9s\ngoto 0.3s\nprint hash\nquit\n");
+  std::vector<std::string> hashes;
+  for (size_t at = text.find("trace "); at != std::string::npos; at = text.find("trace ", at + 1))
+    hashes.push_back(text.substr(at, 45));
+  ASSERT_EQ(hashes.size(), 6u) << text;
+  EXPECT_EQ(hashes[2], hashes[0]);
+  EXPECT_EQ(hashes[3], hashes[1]);
+  EXPECT_NE(hashes[1], hashes[0]);
+  EXPECT_EQ(hashes[5], hashes[4]);
+}
+
+TEST_F(ReplayTest, BreaksStopWhereTheySayAndOutliveGoingBack) {
+  Record();
+  const std::string text = Step(
+      "break state PowerMonitor nonsense\ndelete 1\nbreak service Effector.OCommandVectorData.O (Notify)\nrun\nback 5\nbreaks\n"
+      "run\nprint waiting\nprint queue\nprint joints\nprint objects\nwhat\nbreak this\nquit\n");
+  EXPECT_NE(text.find("break 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(") 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("neck_pan"), std::string::npos) << text;
+  EXPECT_NE(text.find("break object NAME, break service"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace openr_host

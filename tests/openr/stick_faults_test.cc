@@ -1,0 +1,87 @@
+// What openr run says of a stick whose configuration is wrong.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+ProgramResult RunStick(const ScratchFolder& stick, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"run",       "--for", "100ms",   "--rate",    "max",
+                                     "--rc-port", "0",     "--stick", stick.path()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return RunProgram(arguments);
+}
+
+void ExpectSaid(const ProgramResult& result, const std::string& text) {
+  EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+}
+
+TEST(StickFaultsTest, AMissingImageGetsTheNearestFileAsASuggestion) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/TROUBEL.BIN\n");
+  const ProgramResult result = RunStick(stick);
+  EXPECT_EQ(result.status, 1);
+  ExpectSaid(result, "OBJECT.CFG:1: /MS/OPEN-R/MW/OBJS/TROUBEL.BIN does not exist on the stick");
+  ExpectSaid(result, "did you mean 'TROUBLE.BIN'?");
+  ExpectSaid(result, "openr: the robot does not boot");
+}
+
+TEST(StickFaultsTest, ALineOfWiringThatCannotBeReadIsSaidToBeSkipped) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", "Trouble.Out.Text.S\n");
+  const ProgramResult result = RunStick(stick);
+  EXPECT_EQ(result.status, 1);
+  ExpectSaid(result, "error: CONNECT.CFG:1: 'Trouble.Out.Text.S' stands alone");
+  ExpectSaid(result, "(the line is skipped)\n");
+  ExpectSaid(result, "Trouble is running");
+}
+
+TEST(StickFaultsTest, AWarningSaysSoOnce) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", "[ers-210]\n");
+  const ProgramResult result = RunStick(stick, {"--json"});
+  ExpectSaid(result, "warning: CONNECT.CFG:1: section [ers-210] is read as [ERS-210]");
+  const auto finding = nlohmann::json::parse(result.out)["findings"].at(0);
+  EXPECT_EQ(finding["severity"], "warning");
+  EXPECT_EQ(finding["text"].get<std::string>().find("warning"), std::string::npos) << finding;
+}
+
+constexpr char kUnknownService[] = "Trouble.Out.Text.S Nobody.In.Text.O\n";
+
+TEST(StickFaultsTest, AnUnknownServiceIsSkippedAsOnTheRobot) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", kUnknownService);
+  const ProgramResult result = RunStick(stick);
+  EXPECT_EQ(result.status, 1);
+  ExpectSaid(result, "CONNECT.CFG:1: OServiceManager::Connect() : Nobody.In.Text.O NOT FOUND");
+  ExpectSaid(result, "Trouble is running");
+}
+
+TEST(StickFaultsTest, StrictRefusesAnUnknownServiceBeforeAnyObjectStarts) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", kUnknownService);
+  const ProgramResult result = RunStick(stick, {"--strict", "--json"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err.find("Trouble is running"), std::string::npos) << result.err;
+  ExpectSaid(result, "openr: the robot does not boot");
+  ExpectSaid(result, "CONNECT.CFG:1: OServiceManager::Connect() : Nobody.In.Text.O NOT FOUND");
+  EXPECT_EQ(nlohmann::json::parse(result.out)["virtual_time_s"], 0.0);
+}
+
+TEST(StickFaultsTest, ARobotThatHasNoPhysicsYetNamesTheFlagThatHelps) {
+  const ProgramResult result = RunProgram({"run", "--robot", "ers7", "--for", "100ms"});
+  EXPECT_EQ(result.status, 1);
+  ExpectSaid(result, "ERS-7: no ODE body");
+  ExpectSaid(result, "use --body ideal");
+}
+
+}  // namespace
+}  // namespace openr_host
