@@ -234,10 +234,14 @@ TEST_F(ReplayTest, GoingBackRestoresTheExactState) {
 TEST_F(ReplayTest, BreaksStopWhereTheySayAndOutliveGoingBack) {
   Record();
   const std::string text = Step(
-      "break state PowerMonitor nonsense\ndelete 1\nbreak service Effector.OCommandVectorData.O (Notify)\nrun\nback 5\nbreaks\n"
+      "break state PowerMonitor nonsense\ndelete 1\nbreak service Effector.OCommandVectorData.O "
+      "(Notify)\nrun\nback 5\nbreaks\n"
       "run\nprint waiting\nprint queue\nprint joints\nprint objects\nwhat\nbreak this\nquit\n");
-  EXPECT_NE(text.find("break 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos) << text;
-  EXPECT_NE(text.find(") 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("break 1: service Effector.OCommandVectorData.O (Notify)\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(") 1: service Effector.OCommandVectorData.O (Notify)\n"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("neck_pan"), std::string::npos) << text;
   EXPECT_NE(text.find("break object NAME, break service"), std::string::npos) << text;
 }
