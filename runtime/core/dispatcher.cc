@@ -158,7 +158,8 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   object->running = message;
   object->time_calls = 0;
   char* const base = static_cast<char*>(__builtin_frame_address(0));
-  const bool measures_stack = object->is_image && system_->options_.measure_stacks;
+  const bool measures_stack = system_->options_.measure_stacks && object->is_image &&
+                              (object->message_count <= 64 || object->message_count % 16 == 0);
   if (measures_stack) running_->Paint(base);
   t_current = {system_, object, object->is_image};
   const auto clock = system_->options_.wall_clock_ns;

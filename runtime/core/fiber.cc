@@ -96,16 +96,22 @@ size_t Fiber::UsedBelow(char*) { return 0; }
 __attribute__((noinline)) void Fiber::Paint(char* base) {
   char* const bottom = std::max(mapping_ + kGuardBytes, base - kPaintBytes);
   const auto* const end = AlignUp(static_cast<char*>(__builtin_frame_address(0)) - kRedZoneBytes);
-  volatile uint64_t* word = AlignUp(clean_top_ == nullptr ? bottom : clean_top_);
+  volatile uint64_t* word = AlignUp(bottom);
   for (; word < end; ++word) *word = kPaint;
-  clean_top_ = reinterpret_cast<char*>(const_cast<uint64_t*>(end));
 }
 
 size_t Fiber::UsedBelow(char* base) {
+  constexpr ptrdiff_t kStride = 32;  // words compared at a time, without a branch
+  const auto differs = [](const uint64_t* words) {
+    uint64_t bits = 0;
+    for (ptrdiff_t i = 0; i < kStride; ++i) bits |= words[i] ^ kPaint;
+    return bits != 0;
+  };
+  const uint64_t* const end = AlignUp(base);
   const uint64_t* word = AlignUp(std::max(mapping_ + kGuardBytes, base - kPaintBytes));
-  while (reinterpret_cast<const char*>(word) < clean_top_ && *word == kPaint) ++word;
-  clean_top_ = const_cast<char*>(reinterpret_cast<const char*>(word));
-  return static_cast<size_t>(base - clean_top_);
+  while (end - word >= kStride && !differs(word)) word += kStride;
+  while (word < end && *word == kPaint) ++word;
+  return static_cast<size_t>(base - reinterpret_cast<const char*>(word));
 }
 #endif
 
@@ -113,7 +119,6 @@ void Fiber::Prepare(Main main, void* argument) {
   ForgetFrames(stack_bottom_, stack_bytes_);
   main_ = main;
   argument_ = argument;
-  clean_top_ = nullptr;
   exceptions_[0] = exceptions_[1] = nullptr;
   fake_stack_ = nullptr;
   const auto entry = [](context::transfer_t transfer) {

@@ -59,7 +59,6 @@ class Fiber {
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;
   unsigned valgrind_id_ = 0;
-  char* clean_top_ = nullptr;  // painted from kPaintBytes below the base up to here
 };
 
 // The stack of the caller of System::Run...().

@@ -105,6 +105,12 @@ int ConnectResult(const Fd& fd) {
 }
 
 Fd AcceptFrom(const Fd& listener, NetAddress* remote) {
+  // Most often nobody waits, and accept() makes a socket before it finds out.
+  pollfd waiting{listener.get(), POLLIN, 0};
+  if (poll(&waiting, 1, 0) == 0) {
+    errno = EAGAIN;
+    return Fd();
+  }
   sockaddr_in address{};
   socklen_t size = sizeof address;
   Fd fd(accept4(listener.get(), reinterpret_cast<sockaddr*>(&address), &size,
