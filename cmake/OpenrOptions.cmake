@@ -30,3 +30,10 @@ endif()
 
 # Warnings for our own C++20; objects/ has its own list in OpenrObject.cmake.
 set(OPENR_WARNINGS -Wall -Wextra -Werror)
+
+# What openr_add_object() needs (OpenrObject.cmake).
+set(OPENR_STUBGEN2 stubgen2)
+set(OPENR_SDK_TOOL openr_sdk)
+set(OPENR_HEADERS ${PROJECT_SOURCE_DIR}/runtime/include)
+set(OPENR_OBJECT_FLAGS -Wall -Wextra -Werror -fno-strict-aliasing
+  $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)

@@ -1,5 +1,6 @@
 #include "openr/install_paths.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,7 +17,18 @@ namespace fs = std::filesystem;
 // The prefix: bin/openr lies below it both when built and when installed.
 fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 
-std::vector<fs::path> DataFolders() { return {Prefix(), Prefix() / "share" / "openr-host"}; }
+// The same of the runtime that was loaded: where a test with a folder of its own finds what was
+// installed.
+fs::path RuntimePrefix() {
+  Dl_info info{};
+  if (dladdr(dlsym(RTLD_DEFAULT, "openr_image_constructors"), &info) == 0) return Prefix();
+  return fs::path(info.dli_fname).parent_path().parent_path();
+}
+
+std::vector<fs::path> DataFolders() {
+  const fs::path data = fs::path("share") / "openr-host";
+  return {Prefix(), Prefix() / data, RuntimePrefix(), RuntimePrefix() / data};
+}
 
 }  // namespace
 
@@ -51,6 +63,15 @@ std::string ModelFile(const std::string& name) {
   std::sort(known.begin(), known.end());
   throw std::runtime_error(
       fmt::format("no robot model '{}'; there are: {}", name, fmt::join(known, ", ")));
+}
+
+std::string DataFile(const std::string& name) {
+  std::error_code error;
+  if (fs::exists(name, error) || name.find('/') != std::string::npos) return name;
+  for (const fs::path& folder : DataFolders()) {
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  }
+  return name;
 }
 
 std::string RenderLibrary() {

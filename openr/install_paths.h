@@ -17,6 +17,10 @@ std::string DefaultStick();
 // there are.
 std::string ModelFile(const std::string& name);
 
+// `name` itself where there is such a file, else the file of that name that came with the program
+// if there is one ("ers210.cost"), else `name`.
+std::string DataFile(const std::string& name);
+
 // libopenr_render.so, or its bare name for the dynamic linker to look for.
 std::string RenderLibrary();
 

@@ -28,6 +28,10 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddMtnCommand(app, exit_code);
   AddTraceCommand(app, exit_code);
   AddReplayCommand(app, exit_code);
+  AddExploreCommand(app, exit_code);
+  AddBuildCommand(app, exit_code);
+  AddNewCommand(app, exit_code);
+  AddCheckCommand(app, exit_code);
   AddStubgenCommand(app, exit_code);
   AddHelpCommand(app, exit_code);
   AddVersionCommand(app, exit_code);

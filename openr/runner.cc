@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "openr/activity.h"
+#include "openr/console_feed.h"
 #include "openr/duration.h"
 #include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
@@ -31,12 +33,7 @@ void Runner::WatchActivity() {
   if (!plan_.until_idle) return;
   System& system = simulation_->system();
   system.trace().set_sink([this, &system](const TraceRecord& record, const Message& message) {
-    const Object* const sender = system.object(message.sender);
-    const Object* const target = system.object(message.target);
-    const bool from_stick = sender != nullptr && !sender->is_system;
-    const bool ready_for_system =
-        message.kind == PayloadKind::kReady && target != nullptr && target->is_system;
-    if (from_stick && !ready_for_system) last_activity_us_ = record.time_us;
+    if (IsActivity(system, message)) last_activity_us_ = record.time_us;
   });
 }
 
@@ -126,8 +123,10 @@ bool Runner::Run() {
   Pacer pacer(plan_.rate);
   WatchActivity();
   const int64_t begin_ns = WallClockNs();
+  ConsoleFeed typed(plan_.stdin_file);
   system.Boot();
   while (!IsOver()) {
+    typed.Feed(&system);
     const int64_t stop_us = NextStop();
     if (paused_us_ < 0) pacer.WaitFor(stop_us);
     system.RunUntil(stop_us);

@@ -21,6 +21,7 @@ struct RunPlan {
   bool until_idle = false;        // or until objects have been quiet for kIdleUs
   double rate = 1;                // virtual seconds per second; 0: as fast as possible
   std::vector<SnapshotPlan> snapshots;
+  std::string stdin_file;                            // see ConsoleFeed
   std::function<void(const std::string& line)> say;  // for people
   Recorder* recorder = nullptr;                      // hears of input; may be null
 };

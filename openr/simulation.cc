@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "openr/cost_file.h"
 #include "openr/input_file.h"
 #include "openr/install_paths.h"
 #include "openr/network_setup.h"
@@ -42,8 +43,12 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options) {
   system_options.strict = options.strict;
   system_options.console = options.console;
   system_options.log_level = options.log_level;
-  system_options.wall_clock_ns = &WallClockNs;
-  system_options.measure_stacks = true;
+  if (options.measures) system_options.wall_clock_ns = &WallClockNs;
+  system_options.measure_stacks = options.measures;
+  system_options.guard_regions = options.guard_regions;
+  system_options.cost = options.cost;
+  if (const auto config = LoadCostFile(options.cost_file); config && !options.cost)
+    system_options.cost = std::make_shared<ConfiguredCost>(*config, options.seed);
   return std::make_unique<System>(std::move(system_options));
 }
 
@@ -52,6 +57,15 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
   if (kind == "ode") return MakeOdeBody(model, world);
   if (kind == "ideal") return MakeIdealBody(model, world);
   throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
+}
+
+VirtualRobotOptions DevicesOf(const SimulationOptions& options) {
+  VirtualRobotOptions devices;
+  if (!options.speaker.empty()) devices.speaker = OpenSpeakerFile(options.speaker);
+  if (!options.microphone.empty())
+    devices.microphone = OpenMicrophoneFile(options.microphone, AfterEnd::kSilence);
+  if (!options.images.empty()) devices.camera = OpenImageFolder(options.images);
+  return devices;
 }
 
 }  // namespace
@@ -68,10 +82,11 @@ Simulation::~Simulation() = default;
 
 void Simulation::AddRobot(const SimulationOptions& options, int index) {
   auto stick = std::make_shared<FolderStick>(stick_);
-  stick->set_writable(options.robots == 1);
+  stick->set_writable(options.writable_stick && options.robots == 1);
   const int robot = system_->AddRobot(model_.design, std::move(stick));
-  robots_.push_back(
-      AddVirtualRobot(system_.get(), robot, model_, MakeBody(options.body, model_, world_)));
+  robots_.push_back(AddVirtualRobot(system_.get(), robot, model_,
+                                    MakeBody(options.body, model_, world_),
+                                    index == 0 ? DevicesOf(options) : VirtualRobotOptions{}));
   auto network = options.host_network ? MakeHostNetwork(index == 0 ? options.rc_port : -1)
                                       : MakeLonelyNetwork();
   if (options.network_filter) network = options.network_filter(robot, std::move(network));

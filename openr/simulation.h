@@ -26,8 +26,17 @@ struct SimulationOptions {
   int robots = 1;                // each with a world of its own; several share the stick, read-only
   uint64_t seed = 1;
   bool strict = false;
-  uint32_t log_level = 3;    // see SystemOptions
-  bool host_network = true;  // false: a network without anybody else in it
+  // Files for the first robot; "": its sound goes nowhere, it hears silence and sees the test
+  // pattern.
+  std::string speaker, microphone;  // WAV
+  std::string images;               // a folder of pictures for its camera
+  bool writable_stick = true;       // with one robot
+  bool measures = true;             // handler times and stacks, for the report
+  bool guard_regions = false;       // see SystemOptions
+  std::string cost_file;            // see LoadCostFile()
+  std::shared_ptr<CostModel> cost;  // instead; null: what cost_file says
+  uint32_t log_level = 3;           // see SystemOptions
+  bool host_network = true;         // false: a network without anybody else in it
   // Port of the host for the first robot's remote control; 0: any free one, -1: the robot's own
   // if it is free, else any.
   int rc_port = -1;

@@ -35,7 +35,7 @@ grep_in() {
 }
 
 if command -v clang-format >/dev/null; then
-  files 'cc|h' openr runtime virtualrobot tools tests bench | grep -v '^tests/images/' |
+  files 'cc|h' openr runtime virtualrobot testing tools tests bench | grep -vE '^tests/(images|kit/fixtures)/' |
     xargs -r clang-format --dry-run 2>&1 | grep -E 'warning|error' | head -40 |
     rule 'clang-format (./.clang-format) would change'
 else
@@ -47,10 +47,10 @@ grep_in '#include *["<](openr|objects|virtualrobot)/' runtime |
 grep_in '#include *["<](openr|objects)/' virtualrobot |
   rule 'virtualrobot/ knows the runtime only'
 grep_in '#include *["<](openr|virtualrobot|runtime|fmt|Eigen|nlohmann|ode|boost|sys|netinet|arpa|unistd|pthread|dlfcn)' \
-  objects | rule 'objects/ includes SDK headers, the C and C++ library and its own'
-grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__x86_64|__GLIBC__)' objects |
-  rule 'objects/ has no special case for the host'
-files 'cc|h|c' openr runtime virtualrobot objects tools | grep -v '^virtualrobot/ode/' |
+  objects examples | rule 'objects/ and examples/ include SDK headers, the C and C++ library and their own'
+grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__x86_64|__GLIBC__)' objects examples |
+  rule 'objects/ and examples/ have no special case for the host'
+files 'cc|h|c' openr runtime virtualrobot objects testing tools | grep -v '^virtualrobot/ode/' |
   xargs -r grep -nE '#include *[<"]ode/' /dev/null | rule 'only virtualrobot/ode includes ODE'
 # process_hooks.cc and file_hooks.cc define these calls for objects; host_*.cc and ipstack are
 # the outside, which enters at frame boundaries.
@@ -59,14 +59,17 @@ grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot |
   rule 'no hash order in runtime/ and virtualrobot/'
-grep_in '\b(TODO|FIXME|XXX|HACK)\b' openr runtime virtualrobot objects tools tests |
+grep_in '\b(TODO|FIXME|XXX|HACK)\b' openr runtime virtualrobot objects examples testing tools tests |
   rule 'no unfinished marks'
 grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.h' --include='*.c' \
   --include='*.cmake' --include='CMakeLists.txt' --include='*.sh' --include='*.py' --include='*.md' \
   . 2>/dev/null | grep -vE '^\./(build|\.git|tests)/' | grep -v 'tools/check.sh' |
   rule 'no paths of one machine'
-files 'cc|h|c|py|sh' openr runtime virtualrobot objects tools tests bench | xargs -r wc -l |
+files 'cc|h|c|py|sh' openr runtime virtualrobot objects examples testing tools tests bench | xargs -r wc -l |
   awk '$2 != "total" && $1 > 500' | rule 'no file has more than 500 lines'
+
+python3 tools/conformance_table.py --check |
+  rule 'docs/conformance.md is made of tests/conformance/statements.tsv'
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -5,51 +5,12 @@
 #include <algorithm>
 
 #include "runtime/core/hasher.h"
+#include "virtualrobot/frame_number.h"
+#include "virtualrobot/joint_watch.h"
+#include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/sync_keys.h"
 
 namespace openr_host {
-namespace {
-
-constexpr uint32_t kEarFrames = 16;  // 128 ms for one Joint3 command (seed report, 5.3.4)
-
-// Robot frames that command frame `i` of an element lasts.
-uint32_t FrameLength(const OCommandInfo& info, const OCommandData& data, int i) {
-  const OCommandValue* const value = &data.value[i];
-  uint32_t length = 1;
-  switch (info.type) {
-    case odataJOINT_COMMAND3:
-      length = kEarFrames;
-      break;
-    case odataJOINT_COMMAND4:
-      length = reinterpret_cast<const OJointCommandValue4*>(value)->period;
-      break;
-    case odataLED_COMMAND2:
-      length = reinterpret_cast<const OLEDCommandValue2*>(value)->period;
-      break;
-    case odataLED_COMMAND3:
-      length = reinterpret_cast<const OLEDCommandValue3*>(value)->period;
-      break;
-    default:
-      break;
-  }
-  return std::max<uint32_t>(length, 1);  // a period of 0 plays like 1
-}
-
-bool TypeFits(const Primitive& primitive, ODataType type) {
-  switch (primitive.kind) {
-    case PrimitiveKind::kJoint:
-      return type == odataJOINT_COMMAND2;
-    case PrimitiveKind::kPlunger:
-      return type == odataJOINT_COMMAND3 || type == odataJOINT_COMMAND4;
-    case PrimitiveKind::kLed:
-      return type == odataLED_COMMAND2 || type == odataLED_COMMAND3;
-    default:
-      return false;
-  }
-}
-
-}  // namespace
-
 bool CommandQueue::Add(RCRegion* region) {
   if (waiting_.size() >= kMax) return false;
   waiting_.push_back(region);
@@ -64,104 +25,94 @@ RCRegion* CommandQueue::TakeFinished(int64_t frame) {
   return finished;
 }
 
-void CommandQueue::Start(int64_t frame, PrimitiveTable* primitives,
+void CommandQueue::Start(int64_t frame, const EffectorPort& port,
                          std::vector<std::string>* problems) {
   playing_ = waiting_.front();
   waiting_.pop_front();
-  announced_ = false;
-  start_ = frame + vector()->vectorInfo.wait;
+  turn_.Next();
+  const SentVector vector =
+      ReadSentVector(playing_, sizeof(OCommandInfo), "command vector", *port.regions, problems);
+  if (vector.header != nullptr && !NamesItsMemory(vector)) {
+    problems->push_back(
+        "command vector: its memRegionID names other memory than it came in (made without "
+        "NewCommandVectorData(), or its header copied); the robot would look for the commands "
+        "there");
+  }
+  start_ = frame + WaitOf(vector, problems);
+  if (vector.header != nullptr) port.optional->Take(*vector.header, problems);
+  ReadCommandElements(vector, FrameNumber(start_), port.primitives, &read_, problems);
+  port.watch->VectorStarts(read_, *port.body, port.motor_power, port.motor_power_cut, problems);
   uint32_t longest = 1;  // an empty vector ends with the frame
-  const longword count = std::min(vector()->vectorInfo.numData, vector()->vectorInfo.maxNumData);
-  for (int i = 0; i < static_cast<int>(count); ++i) {
-    OCommandInfo& info = *vector()->GetInfo(i);
-    const OCommandData& data = *vector()->GetData(i);
-    info.numFrames = std::min<longword>(info.numFrames, ocommandMAX_FRAMES);
-    info.frameNumber = FrameNumber(start_);
-    Element element;
-    element.info = i;
-    element.primitive = primitives->Find(info.primitiveID);
-    for (int f = 0; f < static_cast<int>(info.numFrames); ++f)
-      element.length += FrameLength(info, data, f);
-    longest = std::max(longest, element.length);
-    if (element.primitive == nullptr || !element.primitive->opened) {
-      problems->push_back(
-          fmt::format("command vector: element {} of {} names primitive {:#x}, which {}; it is "
-                      "ignored (elements "
-                      "declared with SetNumData() and never filled make joints jump on the robot)",
-                      i, count, info.primitiveID,
-                      element.primitive == nullptr ? "the robot does not have" : "nobody opened"));
-    } else if (!TypeFits(*element.primitive, info.type)) {
-      problems->push_back(
-          fmt::format("command vector: element {} has data type {}, which does not fit {}; it "
-                      "is ignored",
-                      i, info.type, element.primitive->locator));
-    } else if (info.numFrames > 0) {
-      element.ends = start_ + FrameLength(info, data, 0);
-      elements_.push_back(element);
-    }
+  for (const CommandElement& command : read_) {
+    uint32_t length = 0;
+    for (int i = 0; i < command.frames; ++i) length += command.FrameLength(i);
+    longest = std::max(longest, length);
+    if (command.primitive == nullptr || command.frames == 0) continue;
+    elements_.push_back({command, 0, start_ + command.FrameLength(0)});
   }
   end_ = start_ + longest;
+  FindFace(*port.devices, problems);
+}
+
+void CommandQueue::FindFace(const Devices& devices, std::vector<std::string>* problems) {
+  face_ = -1;
+  bool a = false, b = false;
+  for (size_t e = 0; e < elements_.size(); ++e) {
+    const CommandElement& command = elements_[e].command;
+    if (command.type != odataLED_COMMAND3 || !devices.OnFace(command.primitive->index)) continue;
+    if (face_ < 0 ||
+        command.primitive->index > elements_[static_cast<size_t>(face_)].command.primitive->index) {
+      face_ = static_cast<int>(e);
+    }
+    for (int i = 0; i < command.frames; ++i) {
+      const OLED3Mode mode = command.Mode(i);
+      a |= mode == oled3_MODE_A;
+      b |= mode == oled3_MODE_B;
+    }
+  }
+  if (a && b) {
+    problems->push_back(
+        "command vector: modes A and B for lights of one face; the mode of the last light holds "
+        "for all of them");
+  }
 }
 
 void CommandQueue::Announce(SyncKeys* sync_keys) {
-  if (playing_ != nullptr || waiting_.empty() || announced_) return;
-  sync_keys->Arrive(VectorOf(waiting_.front())->vectorInfo.syncKey);
-  announced_ = true;
+  if (playing_ == nullptr && !waiting_.empty())
+    turn_.Announce(SyncKeyOf(*waiting_.front()), sync_keys);
 }
 
-void CommandQueue::Apply(int64_t frame, PrimitiveTable* primitives, Devices* devices,
-                         SyncKeys* sync_keys, std::vector<std::string>* problems) {
+void CommandQueue::Apply(int64_t frame, const EffectorPort& port,
+                         std::vector<std::string>* problems) {
   if (playing_ == nullptr && !waiting_.empty() &&
-      sync_keys->MayStart(VectorOf(waiting_.front())->vectorInfo.syncKey)) {
-    Start(frame, primitives, problems);
+      turn_.MayStart(SyncKeyOf(*waiting_.front()), *port.sync_keys, problems)) {
+    Start(frame, port, problems);
   }
   if (playing_ == nullptr || frame < start_) return;
   for (Element& element : elements_) {
-    const OCommandInfo& info = *vector()->GetInfo(element.info);
     if (frame >= element.ends) {
-      if (element.command_frame + 1 >= static_cast<int>(info.numFrames))
-        continue;  // holds its last value
+      if (element.command_frame + 1 >= element.command.frames) continue;  // holds its last value
       ++element.command_frame;
-      element.ends += FrameLength(info, *vector()->GetData(element.info), element.command_frame);
+      element.ends += element.command.FrameLength(element.command_frame);
     }
-    ApplyElement(element, devices);
+    element.command.Apply(element.command_frame, port.devices);
   }
-}
-
-void CommandQueue::ApplyElement(const Element& element, Devices* devices) {
-  const OCommandInfo& info = *vector()->GetInfo(element.info);
-  const OCommandValue* const value = &vector()->GetData(element.info)->value[element.command_frame];
-  const auto index = static_cast<size_t>(element.primitive->index);
-  switch (info.type) {
-    case odataJOINT_COMMAND2:
-      devices->joints[index].target_urad =
-          reinterpret_cast<const OJointCommandValue2*>(value)->value;
-      break;
-    case odataJOINT_COMMAND3:
-      devices->plungers[index].state = reinterpret_cast<const OJointCommandValue3*>(value)->value;
-      break;
-    case odataJOINT_COMMAND4:
-      devices->plungers[index].state = reinterpret_cast<const OJointCommandValue4*>(value)->value;
-      break;
-    case odataLED_COMMAND2:
-      devices->leds[index].intensity =
-          reinterpret_cast<const OLEDCommandValue2*>(value)->led == oledON ? 1 : 0;
-      break;
-    case odataLED_COMMAND3:
-      devices->leds[index].intensity = reinterpret_cast<const OLEDCommandValue3*>(value)->intensity;
-      break;
-    default:
-      break;
+  if (face_ >= 0) {
+    const Element& last = elements_[static_cast<size_t>(face_)];
+    port.devices->SetFaceMode(last.command.Mode(last.command_frame));
   }
 }
 
 void CommandQueue::HashState(Hasher* hasher) const {
   hasher->Add(static_cast<uint64_t>(waiting_.size()));
-  hasher->Add(playing_ != nullptr);
+  for (const RCRegion* region : waiting_) hasher->Add(region->MemID());
+  hasher->Add(turn_.announced());
+  hasher->Add(playing_ == nullptr ? 0 : playing_->MemID());
   hasher->Add(start_);
   hasher->Add(end_);
   for (const Element& element : elements_) {
-    hasher->Add(element.info);
+    hasher->Add(element.command.type);
+    hasher->Add(element.command.frames);
     hasher->Add(element.command_frame);
     hasher->Add(element.ends);
   }

@@ -12,20 +12,29 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/devices.h"
-#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/command_vector.h"
+#include "virtualrobot/vector_turn.h"
 
 namespace openr_host {
 
 class Hasher;
+class JointWatch;
+class OptionalBytes;
+class RegionTable;
 class SyncKeys;
 
-// The number that commands, sensors and images carry for the `frame`-th frame since
-// boot.  It begins anew after oframeMAX_NUMBER, at 0 (the robot's choice between 0 and
-// 1 is not known).
-inline longword FrameNumber(int64_t frame) {
-  return static_cast<longword>(frame % (int64_t{oframeMAX_NUMBER} + 1));
-}
+// What vectors act on and what they are checked against.
+struct EffectorPort {
+  PrimitiveTable* primitives = nullptr;
+  Devices* devices = nullptr;
+  SyncKeys* sync_keys = nullptr;
+  OptionalBytes* optional = nullptr;
+  JointWatch* watch = nullptr;
+  const RegionTable* regions = nullptr;
+  const BodyState* body = nullptr;
+  bool motor_power = false;
+  bool motor_power_cut = false;  // by the pause button
+};
 
 class CommandQueue {
  public:
@@ -40,10 +49,9 @@ class CommandQueue {
   // whose reference goes to the caller.
   RCRegion* TakeFinished(int64_t frame);
 
-  // Starts what is due and applies the set points of frame `frame`.  Elements that
-  // cannot be applied are described in `problems`.
-  void Apply(int64_t frame, PrimitiveTable* primitives, Devices* devices, SyncKeys* sync_keys,
-             std::vector<std::string>* problems);
+  // Starts what is due and applies the set points of frame `frame`.  What is wrong with a
+  // vector that starts is described in `problems`.
+  void Apply(int64_t frame, const EffectorPort& port, std::vector<std::string>* problems);
 
   // Tells the keys when a vector that carries one has come to the head.  For all
   // queues of a robot before the first Apply() of a frame.
@@ -54,26 +62,22 @@ class CommandQueue {
 
  private:
   struct Element {
-    int info = 0;           // index in the vector
-    int command_frame = 0;  // of the vector
-    int64_t ends = 0;       // first robot frame after the current command frame
-    uint32_t length = 0;    // of the whole element, robot frames
-    Primitive* primitive = nullptr;
+    CommandElement command;
+    int command_frame = 0;
+    int64_t ends = 0;  // first robot frame after the current command frame
   };
 
-  void Start(int64_t frame, PrimitiveTable* primitives, std::vector<std::string>* problems);
-  void ApplyElement(const Element& element, Devices* devices);
-  static OCommandVectorData* VectorOf(RCRegion* region) {
-    return reinterpret_cast<OCommandVectorData*>(region->Base());
-  }
-  OCommandVectorData* vector() const { return VectorOf(playing_); }
+  void Start(int64_t frame, const EffectorPort& port, std::vector<std::string>* problems);
+  void FindFace(const Devices& devices, std::vector<std::string>* problems);
 
   std::deque<RCRegion*> waiting_;
-  bool announced_ = false;  // the first waiting vector's sync key
+  VectorTurn turn_;  // of the first that waits
   RCRegion* playing_ = nullptr;
   int64_t start_ = 0;  // frame in which it begins
   int64_t end_ = 0;    // first frame after it
   std::vector<Element> elements_;
+  std::vector<CommandElement> read_;  // used by Start() only
+  int face_ = -1;                     // element of the last light of the face; -1: none
 };
 
 }  // namespace openr_host

@@ -1,14 +1,26 @@
 #include "virtualrobot/devices.h"
 
+#include <algorithm>
+
 #include "runtime/core/hasher.h"
 
 namespace openr_host {
+namespace {
+
+constexpr int kIntensityMax = 255;
+constexpr char kHead[] = "PRM:/r1/";  // what is plugged into the neck
+
+}  // namespace
 
 Devices::Devices(const RobotModel& model)
     : joints(model.joints.size()),
       leds(model.leds.size()),
       plungers(model.plungers.size()),
-      commands_(model.joints.size()) {}
+      commands_(model.joints.size()) {
+  for (const Led& led : model.leds) {
+    on_face_.push_back(led.type == oprimitiveLED3_NAME && led.locator.starts_with(kHead));
+  }
+}
 
 const std::vector<JointCommand>& Devices::Commands(bool motor_power) {
   for (size_t i = 0; i < joints.size(); ++i) {
@@ -20,6 +32,34 @@ const std::vector<JointCommand>& Devices::Commands(bool motor_power) {
                      joint.gains[3], joint.gains[4], joint.gains[5]};
   }
   return commands_;
+}
+
+void Devices::SetTarget(int joint, slongword urad) {
+  JointDevice& device = joints[static_cast<size_t>(joint)];
+  device.target_urad = urad;
+  device.commanded = true;
+}
+
+void Devices::SetLed2(int led, OLEDValue value) {
+  leds[static_cast<size_t>(led)].intensity = value == oledON ? 1 : 0;
+}
+
+void Devices::SetLed3(int led, const OLEDCommandValue3& value) {
+  LedDevice& device = leds[static_cast<size_t>(led)];
+  device.intensity = std::clamp<int>(value.intensity, 0, kIntensityMax);
+  if (value.mode == oled3_MODE_A || value.mode == oled3_MODE_B) device.mode = value.mode;
+}
+
+void Devices::SetFaceMode(OLED3Mode mode) {
+  if (mode != oled3_MODE_A && mode != oled3_MODE_B) return;
+  for (size_t i = 0; i < leds.size(); ++i) {
+    if (on_face_[i]) leds[i].mode = mode;
+  }
+}
+
+bool Devices::Acts(int joint, bool motor_power) const {
+  const JointDevice& device = joints[static_cast<size_t>(joint)];
+  return motor_power && device.gain_enabled && device.gains[0] != 0;
 }
 
 OStatus Devices::EnableGain(int joint) {
@@ -44,10 +84,14 @@ OStatus Devices::SetGain(int joint, const GainWords& gains) {
 void Devices::HashState(Hasher* hasher) const {
   for (const JointDevice& joint : joints) {
     hasher->Add(joint.target_urad);
+    hasher->Add(joint.commanded);
     hasher->Add(joint.gain_enabled);
     for (const word gain : joint.gains) hasher->Add(gain);
   }
-  for (const LedDevice& led : leds) hasher->Add(led.intensity);
+  for (const LedDevice& led : leds) {
+    hasher->Add(led.intensity);
+    hasher->Add(led.mode);
+  }
   for (const PlungerDevice& plunger : plungers) hasher->Add(plunger.state);
 }
 

@@ -20,6 +20,7 @@ using GainWords = std::array<word, 6>;
 
 struct JointDevice {
   slongword target_urad = 0;  // set point; at boot unrelated to where the joint is
+  bool commanded = false;     // a set point has come since boot
   bool gain_enabled = false;
   GainWords gains{};                    // all 0 while disabled
   std::optional<GainWords> registered;  // RegisterDefaultJointGain()
@@ -27,6 +28,7 @@ struct JointDevice {
 
 struct LedDevice {
   int intensity = 0;  // LED2: 0 or 1; LED3: 0..255
+  OLED3Mode mode = oled3_MODE_A;
 };
 
 struct PlungerDevice {
@@ -40,6 +42,18 @@ class Devices {
   // What the servos are told for the coming frame.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
+  void SetTarget(int joint, slongword urad);
+  void SetLed2(int led, OLEDValue value);
+  void SetLed3(int led, const OLEDCommandValue3& value);
+
+  // Lights of the ERS-7's face share one mode: the one given for the last of them in a
+  // command (field-notes.md, 10.1).
+  bool OnFace(int led) const { return on_face_[static_cast<size_t>(led)]; }
+  void SetFaceMode(OLED3Mode mode);
+
+  // Whether the servo of `joint` can move it.
+  bool Acts(int joint, bool motor_power) const;
+
   OStatus EnableGain(int joint);
   OStatus DisableGain(int joint);
   OStatus SetGain(int joint, const GainWords& gains);
@@ -51,6 +65,7 @@ class Devices {
   std::vector<PlungerDevice> plungers;
 
  private:
+  std::vector<bool> on_face_;  // by light
   std::vector<JointCommand> commands_;
 };
 

@@ -71,6 +71,16 @@ void Power::PressPause() {
   NotifyChange();
 }
 
+void Power::SetTimeDifference(sbyte hours) {
+  time_difference_ = hours;
+  NotifyChange();
+}
+
+void Power::SetVolume(byte volume) {
+  volume_ = volume;
+  NotifyChange();
+}
+
 void Power::Observe(const OPowerStatus& filter, const OServiceEntry& entry) {
   Unobserve(entry);
   watchers_.push_back({filter, entry});

@@ -18,6 +18,8 @@ class Power {
   bool motor_power() const { return motor_power_; }
   void SetMotorPower(bool on);
 
+  bool pause() const { return pause_; }
+
   // The pause button: sets the bit; the hardware cuts motor power (field notes, 7.12).
   void PressPause();
 
@@ -30,9 +32,9 @@ class Power {
   // Once a frame: what changes with time.
   void Update();
 
-  void set_time_difference(sbyte hours) { time_difference_ = hours; }
+  void SetTimeDifference(sbyte hours);
   sbyte time_difference() const { return time_difference_; }
-  void set_volume(byte volume) { volume_ = volume; }
+  void SetVolume(byte volume);
   byte volume() const { return volume_; }
   void SetClock(int64_t seconds_since_2000);
   int64_t Clock() const;

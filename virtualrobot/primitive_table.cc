@@ -1,6 +1,35 @@
 #include "virtualrobot/primitive_table.h"
 
+#include <utility>
+
+#include "runtime/core/hasher.h"
+
 namespace openr_host {
+namespace {
+
+OPrimitiveType TypeOf(const std::string& locator) {
+  static const std::pair<const char*, OPrimitiveType> kTypes[] = {
+      {oprimitiveSENSOR_NAME, oprimitiveSENSOR},
+      {oprimitiveSPEAKER_NAME, oprimitiveSPEAKER},
+      {oprimitiveMIC_NAME, oprimitiveMIC},
+      {oprimitiveFBKIMAGESENSOR_NAME, oprimitiveFBKIMAGESENSOR},
+      {oprimitiveJOINT2_NAME, oprimitiveJOINT2},
+      {oprimitiveJOINT3_NAME, oprimitiveJOINT3},
+      {oprimitiveJOINT4_NAME, oprimitiveJOINT4},
+      {oprimitiveLED2_NAME, oprimitiveLED2},
+      {oprimitiveLED3_NAME, oprimitiveLED3},
+  };
+  const size_t dash = locator.rfind('-');
+  const size_t colon = locator.rfind(':');
+  if (dash == std::string::npos || colon < dash) return oprimitiveUNDEF;
+  const std::string word = locator.substr(dash + 1, colon - dash - 1);
+  for (const auto& [name, type] : kTypes) {
+    if (word == name) return type;
+  }
+  return oprimitiveUNDEF;
+}
+
+}  // namespace
 
 PrimitiveTable::PrimitiveTable(const RobotModel& model) {
   for (size_t i = 0; i < model.sensors.size(); ++i) {
@@ -22,7 +51,7 @@ PrimitiveTable::PrimitiveTable(const RobotModel& model) {
 
 void PrimitiveTable::Add(const std::string& locator, PrimitiveKind kind, int index, int sensor) {
   ids_[locator] = kFirstId + static_cast<OPrimitiveID>(primitives_.size());
-  primitives_.push_back({locator, kind, index, sensor, false});
+  primitives_.push_back({locator, kind, TypeOf(locator), index, sensor});
 }
 
 OPrimitiveID PrimitiveTable::IdOf(const std::string& locator) const {
@@ -33,6 +62,10 @@ OPrimitiveID PrimitiveTable::IdOf(const std::string& locator) const {
 Primitive* PrimitiveTable::Find(OPrimitiveID id) {
   const OPrimitiveID index = id - kFirstId;
   return index < primitives_.size() ? &primitives_[index] : nullptr;
+}
+
+void PrimitiveTable::HashState(Hasher* hasher) const {
+  for (const Primitive& primitive : primitives_) hasher->Add(primitive.open_count);
 }
 
 }  // namespace openr_host

@@ -15,14 +15,19 @@
 
 namespace openr_host {
 
+class Hasher;
+
 enum class PrimitiveKind { kJoint, kSensor, kLed, kPlunger, kSpeaker, kMicrophone, kCamera };
 
 struct Primitive {
   std::string locator;
   PrimitiveKind kind = PrimitiveKind::kSensor;
-  int index = -1;   // in the model's list of its kind
-  int sensor = -1;  // its element of the sensor vector; -1: in none
-  bool opened = false;
+  OPrimitiveType type = oprimitiveUNDEF;  // by the word behind the dash of the locator
+  int index = -1;                         // in the model's list of its kind
+  int sensor = -1;                        // its element of the sensor vector; -1: in none
+  int open_count = 0;                     // OpenPrimitive() less ClosePrimitive(), all objects
+
+  bool opened() const { return open_count > 0; }
 };
 
 class PrimitiveTable {
@@ -35,6 +40,8 @@ class PrimitiveTable {
 
   // Null when no primitive has that id.
   Primitive* Find(OPrimitiveID id);
+
+  void HashState(Hasher* hasher) const;
 
  private:
   static constexpr OPrimitiveID kFirstId = 0x1000;

@@ -1,14 +1,12 @@
 #include "virtualrobot/sensor_source.h"
 
-#include <OPENR/OPENRAPI.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
-#include "virtualrobot/command_queue.h"
+#include "virtualrobot/frame_number.h"
 
 namespace openr_host {
 namespace {
@@ -146,22 +144,12 @@ bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& device
 }
 
 RCRegion* SensorSource::FreeVector() {
-  for (RCRegion* region : pool_) {
-    if (region->NumberOfReference() == 1) return region;
-  }
+  if (RCRegion* const free = pool_.Free()) return free;
   const size_t count = latest_.size();
   constexpr size_t kInfo = sizeof(OSensorFrameInfo);
   constexpr size_t kData = sizeof(OSensorFrameData);
-  RCRegion* const region = new RCRegion(sizeof(ODataVectorInfo) + count * (kInfo + kData));
+  RCRegion* const region = NewVectorRegion(odataSENSOR_FRAME_VECTOR, kInfo, count, count * kData);
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
-  vector->vectorInfo.memRegionID = region->MemID();
-  vector->vectorInfo.totalSize = static_cast<longword>(region->Size());
-  vector->vectorInfo.type = odataSENSOR_FRAME_VECTOR;
-  vector->vectorInfo.infoOffset = sizeof(ODataVectorInfo);
-  vector->vectorInfo.infoSize = kInfo;
-  vector->vectorInfo.maxNumData = static_cast<longword>(count);
-  vector->vectorInfo.numData = static_cast<longword>(count);
-  vector->vectorInfo.syncKey = ovrsynckeyUNDEF;
   for (size_t i = 0; i < count; ++i) {
     OSensorFrameInfo& info = *vector->GetInfo(static_cast<int>(i));
     info.type = TypeOf(model_.sensors[i].kind);
@@ -171,13 +159,14 @@ RCRegion* SensorSource::FreeVector() {
     info.dataOffset = static_cast<longword>(sizeof(ODataVectorInfo) + count * kInfo + i * kData);
     info.dataSize = kData;
   }
-  pool_.push_back(region);
+  pool_.Add(region);
   return region;
 }
 
-RCRegion* SensorSource::MakeVector() {
+RCRegion* SensorSource::MakeVector(const OptionalBytes& optional) {
   RCRegion* const region = FreeVector();
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
+  optional.Put(&vector->vectorInfo);
   const size_t count = latest_.size();
   for (size_t i = 0; i < count; ++i) {
     vector->GetInfo(static_cast<int>(i))->frameNumber = FrameNumber(first_frame_);

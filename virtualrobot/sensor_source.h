@@ -11,7 +11,9 @@
 #include "virtualrobot/body.h"
 #include "virtualrobot/devices.h"
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/primitive_table.h"
+#include "virtualrobot/vector_memory.h"
 
 namespace openr_host {
 
@@ -23,6 +25,8 @@ class SensorSource {
 
   // `noise` names the generator of this robot's sensor noise.
   SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise);
+
+  void set_noise(Rng noise) { noise_ = noise; }
 
   // Takes the samples of frame `frame`.  True when a vector is complete.
   bool Sample(int64_t frame, const Body& body, const Devices& devices);
@@ -36,7 +40,7 @@ class SensorSource {
 
   // The four newest frames, in a vector that nobody else refers to.  The region's
   // one reference stays here.  Runs as code of an object.
-  RCRegion* MakeVector();
+  RCRegion* MakeVector(const OptionalBytes& optional);
 
   void HashState(Hasher* hasher) const;
 
@@ -53,7 +57,7 @@ class SensorSource {
   std::vector<OSensorValue> frames_;  // [frame][sensor], kFramesPerVector frames
   int64_t first_frame_ = 0;
   int collected_ = 0;
-  std::vector<RCRegion*> pool_;
+  VectorPool pool_;
 };
 
 }  // namespace openr_host

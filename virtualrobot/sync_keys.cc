@@ -1,5 +1,7 @@
 #include "virtualrobot/sync_keys.h"
 
+#include <fmt/format.h>
+
 #include "runtime/core/hasher.h"
 
 namespace openr_host {
@@ -46,6 +48,12 @@ void SyncKeys::Arrive(OVRSyncKey key) {
 }
 
 bool SyncKeys::MayStart(OVRSyncKey key) const { return Find(key) == nullptr; }
+
+std::string SyncKeys::Progress(OVRSyncKey key) const {
+  const Group* const group = Find(key);
+  if (group == nullptr) return "no such key";
+  return fmt::format("{} of {} parts have come", group->arrived, group->parts);
+}
 
 void SyncKeys::HashState(Hasher* hasher) const {
   for (const Group& group : groups_) {

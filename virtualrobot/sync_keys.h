@@ -1,13 +1,14 @@
 // Synchronisation keys: command vectors that start together.
 //
 // A key can be divided; vectors that carry its parts wait until every part has
-// arrived.  A part that never comes holds the others up for ever: what the robot
-// does then is not known.
+// arrived.  A part that never comes holds the others up until the key is cancelled: what
+// the robot does then is not known.
 #pragma once
 
 #include <OPENR/OPENR.h>
 
 #include <array>
+#include <string>
 
 namespace openr_host {
 
@@ -25,6 +26,9 @@ class SyncKeys {
   void Arrive(OVRSyncKey key);
   // Whether such a vector may start; true for keys that do not exist (any more).
   bool MayStart(OVRSyncKey key) const;
+
+  // "1 of 2 parts have come", for messages to people.
+  std::string Progress(OVRSyncKey key) const;
 
   void HashState(Hasher* hasher) const;
 

@@ -7,19 +7,31 @@
 
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/sound/audio_comm.h"
+#include "virtualrobot/virtual_robot_comm.h"
 
 namespace openr_host {
+namespace {
+
+Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
+
+}  // namespace
 
 VirtualRobot::VirtualRobot(System* system, int robot, const RobotModel& model,
-                           std::unique_ptr<Body> body)
+                           std::unique_ptr<Body> body, VirtualRobotOptions options)
     : system_(system),
+      robot_(robot),
       model_(model),
       body_(std::move(body)),
       primitives_(model),
       devices_(model),
       power_(system),
-      sensors_(model, primitives_,
-               Rng(system->options().seed, fmt::format("robot{}/sensors", robot))) {}
+      sensors_(model, primitives_, NoiseOf(robot, system->options().seed)),
+      watch_(model, devices_),
+      speaker_(std::move(options.speaker)),
+      microphone_(std::move(options.microphone), primitives_.IdOf(model.microphone_locator),
+                  model.microphone_frames),
+      camera_(std::move(options.camera), model.camera, primitives_.IdOf(model.camera.locator)) {}
 
 VirtualRobot::~VirtualRobot() = default;
 
@@ -28,29 +40,43 @@ bool VirtualRobot::FinishFrame() {
   const bool complete = sensors_.Sample(frame_, *body_, devices_);
   ++frame_;
   power_.Update();
+  WatchLoad();
   return complete;
+}
+
+void VirtualRobot::WatchLoad() {
+  const int joint = watch_.OverloadedJoint(body_->state());
+  if (joint < 0) return;
+  system_->AddFinding(
+      Severity::kError,
+      fmt::format("PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 % "
+                  "of its drive or more for 30 s, the robot shuts down",
+                  joint, model_.joints[static_cast<size_t>(joint)].locator));
+  if (system_->options().strict) system_->Shutdown(robot_);
+}
+
+void VirtualRobot::Warn(std::string text) {
+  system_->AddFinding(Severity::kWarning, std::move(text));
+}
+
+void VirtualRobot::LookAtServos() {
+  std::vector<std::string> problems;
+  watch_.ServosChanged(body_->state(), power_.motor_power(), &problems);
+  for (std::string& problem : problems) Warn(std::move(problem));
 }
 
 OStatus VirtualRobot::OpenPrimitive(const char* locator, OPrimitiveID* id) {
   *id = primitives_.IdOf(locator);
   if (*id == oprimitiveID_UNDEF) return oNOT_FOUND;
-  primitives_.Find(*id)->opened = true;
+  ++primitives_.Find(*id)->open_count;
   return oSUCCESS;
 }
 
 OStatus VirtualRobot::ClosePrimitive(OPrimitiveID id) {
-  return primitives_.Find(id) == nullptr ? oINVALID_PRIMITIVE_ID : oSUCCESS;
-}
-
-OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void*, size_t,
-                                       void* result, size_t result_size) {
-  const Primitive* const primitive = primitives_.Find(id);
-  if (primitive == nullptr) return oINVALID_PRIMITIVE_ID;
-  if (request == oprmreqJOINT2_GET_VALUE && primitive->kind == PrimitiveKind::kJoint &&
-      result != nullptr && result_size >= sizeof(OJointValue)) {
-    return GetJointValue(id, static_cast<OJointValue*>(result));
-  }
-  return oINVALID_ARG;
+  Primitive* const primitive = primitives_.Find(id);
+  if (primitive == nullptr || !primitive->opened()) return oINVALID_PRIMITIVE_ID;
+  --primitive->open_count;
+  return oSUCCESS;
 }
 
 template <typename Function>
@@ -64,7 +90,7 @@ OStatus VirtualRobot::ForJoints(OPrimitiveID id, Function function) {
   OStatus status = oSUCCESS;
   for (const Sensor& sensor : model_.sensors) {
     const Primitive* const primitive = primitives_.Find(primitives_.IdOf(sensor.locator));
-    if (primitive->kind != PrimitiveKind::kJoint || !primitive->opened) continue;
+    if (primitive->kind != PrimitiveKind::kJoint || !primitive->opened()) continue;
     const OStatus one = function(primitive->index);
     if (one != oSUCCESS) status = one;
   }
@@ -72,17 +98,23 @@ OStatus VirtualRobot::ForJoints(OPrimitiveID id, Function function) {
 }
 
 OStatus VirtualRobot::EnableJointGain(OPrimitiveID id) {
-  return ForJoints(id, [this](int joint) { return devices_.EnableGain(joint); });
+  const OStatus status = ForJoints(id, [this](int joint) { return devices_.EnableGain(joint); });
+  LookAtServos();
+  return status;
 }
 
 OStatus VirtualRobot::DisableJointGain(OPrimitiveID id) {
-  return ForJoints(id, [this](int joint) { return devices_.DisableGain(joint); });
+  const OStatus status = ForJoints(id, [this](int joint) { return devices_.DisableGain(joint); });
+  LookAtServos();
+  return status;
 }
 
 OStatus VirtualRobot::SetJointGain(OPrimitiveID id, const word gains[6]) {
   GainWords words;
   std::copy_n(gains, 6, words.begin());
-  return ForJoints(id, [&](int joint) { return devices_.SetGain(joint, words); });
+  const OStatus status = ForJoints(id, [&](int joint) { return devices_.SetGain(joint, words); });
+  LookAtServos();
+  return status;
 }
 
 OStatus VirtualRobot::GetJointGain(OPrimitiveID id, word gains[6]) {
@@ -105,10 +137,12 @@ OStatus VirtualRobot::RegisterDefaultJointGain(OPrimitiveID id, const word gains
 }
 
 OStatus VirtualRobot::SetDefaultJointGain(OPrimitiveID id) {
-  return ForJoints(id, [&](int joint) -> OStatus {
+  const OStatus status = ForJoints(id, [&](int joint) -> OStatus {
     const auto& registered = devices_.joints[static_cast<size_t>(joint)].registered;
     return registered ? devices_.SetGain(joint, *registered) : oFAIL;
   });
+  LookAtServos();
+  return status;
 }
 
 OStatus VirtualRobot::GetDefaultJointGain(OPrimitiveID id, word gains[6]) {
@@ -122,19 +156,28 @@ OStatus VirtualRobot::GetDefaultJointGain(OPrimitiveID id, word gains[6]) {
   return status == oSUCCESS ? oSUCCESS : oFAIL;
 }
 
-OStatus VirtualRobot::GetJointValue(OPrimitiveID id, OJointValue* value) {
+const Primitive* VirtualRobot::Readable(OPrimitiveID id, const char* function) {
   const Primitive* const primitive = primitives_.Find(id);
+  if (primitive == nullptr || primitive->sensor < 0) return nullptr;
+  if (!primitive->opened()) {
+    Warn(fmt::format("{}({}): nobody opened it; on the robot its value means nothing", function,
+                     primitive->locator));
+  }
+  if (frame() == 0) sensors_.SampleNow(*body_, devices_);  // asked before the first frame is over
+  return primitive;
+}
+
+OStatus VirtualRobot::GetJointValue(OPrimitiveID id, OJointValue* value) {
+  const Primitive* const primitive = Readable(id, "GetJointValue");
   if (primitive == nullptr || primitive->kind != PrimitiveKind::kJoint)
     return oINVALID_PRIMITIVE_ID;
-  if (frame_ == 0) sensors_.SampleNow(*body_, devices_);  // asked before the first frame is over
   std::memcpy(static_cast<void*>(value), &sensors_.Latest(primitive->sensor), sizeof *value);
   return oSUCCESS;
 }
 
 OStatus VirtualRobot::GetSensorValue(OPrimitiveID id, OSensorValue* value) {
-  const Primitive* const primitive = primitives_.Find(id);
-  if (primitive == nullptr || primitive->sensor < 0) return oINVALID_PRIMITIVE_ID;
-  if (frame_ == 0) sensors_.SampleNow(*body_, devices_);
+  const Primitive* const primitive = Readable(id, "GetSensorValue");
+  if (primitive == nullptr) return oINVALID_PRIMITIVE_ID;
   *value = sensors_.Latest(primitive->sensor);
   return oSUCCESS;
 }
@@ -154,8 +197,28 @@ OStatus VirtualRobot::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey
   return oFAIL;
 }
 
+// All or nothing: a table that is wrong leaves the others as they were.
+OStatus VirtualRobot::SetCdtVectorData(MemoryRegionID id) {
+  RegionTable& regions = system_->regions();
+  if (regions.SizeOf(id) < sizeof(OCdtVectorData)) return oFAIL;
+  auto* const vector = reinterpret_cast<OCdtVectorData*>(regions.BaseOf(id));
+  if (vector->vectorInfo.type != odataCDT_VECTOR) return oINVALID_DATA_TYPE;
+  if (vector->vectorInfo.numData > ocdtNUM_CHANNELS) return oINVALID_ARG;
+  ColourTables tables = camera_.tables();
+  for (longword i = 0; i < vector->vectorInfo.numData; ++i) {
+    const OCdtInfo& info = *vector->GetInfo(static_cast<int>(i));
+    const Primitive* const primitive = primitives_.Find(info.primitiveID);
+    if (primitive == nullptr || primitive->kind != PrimitiveKind::kCamera)
+      return oINVALID_PRIMITIVE_ID;
+    if (!tables.Set(info)) return oINVALID_ARG;
+  }
+  camera_.tables() = tables;
+  return oSUCCESS;
+}
+
 OStatus VirtualRobot::SetMotorPower(OPower power) {
   power_.SetMotorPower(power);
+  LookAtServos();
   return oSUCCESS;
 }
 
@@ -186,7 +249,7 @@ OStatus VirtualRobot::UnobservePowerStatus(const OServiceEntry& entry) {
 
 OStatus VirtualRobot::SetTime(const OTime& time) {
   power_.SetClock(time.GetClock());
-  power_.set_time_difference(time.GetTimeDif());
+  power_.SetTimeDifference(time.GetTimeDif());
   return oSUCCESS;
 }
 
@@ -197,7 +260,7 @@ OStatus VirtualRobot::GetTime(OTime* time) {
 
 OStatus VirtualRobot::SetTimeDifference(sbyte hours) {
   if (hours < -12 || hours > 12) return oFAIL;
-  power_.set_time_difference(hours);
+  power_.SetTimeDifference(hours);
   return oSUCCESS;
 }
 
@@ -208,7 +271,7 @@ OStatus VirtualRobot::GetTimeDifference(sbyte* hours) {
 
 OStatus VirtualRobot::SetVolumeSwitch(OVolumeSwitch volume) {
   if (volume > ovolumeSW3) return oFAIL;
-  power_.set_volume(volume);
+  power_.SetVolume(volume);
   return oSUCCESS;
 }
 
@@ -217,24 +280,36 @@ OStatus VirtualRobot::GetVolumeSwitch(OVolumeSwitch* volume) {
   return oSUCCESS;
 }
 
+void VirtualRobot::Reseed(uint64_t seed) { sensors_.set_noise(NoiseOf(robot_, seed)); }
+
 void VirtualRobot::HashState(Hasher* hasher) const {
   hasher->Add(model_.content_hash);
   hasher->Add(frame_);
   body_->HashState(hasher);
+  primitives_.HashState(hasher);
   devices_.HashState(hasher);
   power_.HashState(hasher);
   sensors_.HashState(hasher);
   sync_keys_.HashState(hasher);
+  optional_.HashState(hasher);
+  watch_.HashState(hasher);
+  speaker_.HashState(hasher);
+  microphone_.HashState(hasher);
+  camera_.HashState(hasher);
 }
 
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
-                              std::unique_ptr<Body> body) {
-  auto services = std::make_unique<VirtualRobot>(system, robot, model, std::move(body));
+                              std::unique_ptr<Body> body, VirtualRobotOptions options) {
+  auto services =
+      std::make_unique<VirtualRobot>(system, robot, model, std::move(body), std::move(options));
   VirtualRobot* const result = services.get();
   system->robot(robot).services = std::move(services);
-  OVirtualRobotComm* const comm =
-      system->AddObject<OVirtualRobotComm>(robot, "OVirtualRobotComm", result);
+  auto* const comm = system->AddObject<OVirtualRobotComm>(robot, "OVirtualRobotComm", result);
   comm->host().is_system = true;
+  auto* const sound =
+      system->AddObject<OVirtualRobotAudioComm>(robot, "OVirtualRobotAudioComm", result);
+  sound->host().is_system = true;
+  comm->set_sound(sound);
   return result;
 }
 

@@ -1,31 +1,45 @@
-// The robot behind OPENR:: and OVirtualRobotComm: devices, power and a body.
+// The robot behind OPENR::, OVirtualRobotComm and OVirtualRobotAudioComm: devices, power,
+// sound, camera and a body.
 //
 //   RobotModel model = LoadRobotModel(".../ers210.json");
-//   AddVirtualRobot(&system, dog, model, MakeOdeBody(model, World()));
+//   AddVirtualRobot(&system, dog, model, MakeOdeBody(model, World()),
+//                   {.speaker = OpenSpeakerFile("bark.wav")});
 #pragma once
 
-#include <array>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "runtime/core/code_object.h"
 #include "runtime/core/robot_services.h"
 #include "virtualrobot/body.h"
-#include "virtualrobot/command_queue.h"
+#include "virtualrobot/camera/camera.h"
+#include "virtualrobot/camera/image_source.h"
 #include "virtualrobot/devices.h"
+#include "virtualrobot/joint_watch.h"
+#include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/power.h"
 #include "virtualrobot/primitive_table.h"
 #include "virtualrobot/sensor_source.h"
+#include "virtualrobot/sound/microphone.h"
+#include "virtualrobot/sound/sound_sink.h"
+#include "virtualrobot/sound/sound_source.h"
+#include "virtualrobot/sound/speaker.h"
 #include "virtualrobot/sync_keys.h"
 
 namespace openr_host {
 
+// What a robot is connected with; nothing has to be.
+struct VirtualRobotOptions {
+  std::unique_ptr<SoundSink> speaker;       // null: its sound goes nowhere
+  std::unique_ptr<SoundSource> microphone;  // null: silence
+  std::unique_ptr<ImageSource> camera;      // null: the test pattern
+};
+
 class VirtualRobot : public RobotServices {
  public:
   // `model` must outlive the robot.
-  VirtualRobot(System* system, int robot, const RobotModel& model, std::unique_ptr<Body> body);
+  VirtualRobot(System* system, int robot, const RobotModel& model, std::unique_ptr<Body> body,
+               VirtualRobotOptions options = {});
   ~VirtualRobot() override;
 
   // ---- for the program, tests and pictures
@@ -33,8 +47,12 @@ class VirtualRobot : public RobotServices {
   const Body& body() const { return *body_; }
   Body& body() { return *body_; }
   const Devices& devices() const { return devices_; }
+  const Speaker& speaker() const { return speaker_; }
   Power& power() { return power_; }
-  int64_t frame() const { return frame_; }  // frames completed since boot
+  int64_t frame() const { return frame_ - first_frame_; }  // frames completed since boot
+  // The number of the first frame, as on a robot that has been on for days.  REQUIRES: before
+  // Boot().
+  void set_first_frame(int64_t frame) { frame_ = first_frame_ = frame; }
   const OSensorValue& sensor(int index) const { return sensors_.Latest(index); }
   // Sticks objects' pause button in: see Power::PressPause().
   void PressPause() { power_.PressPause(); }
@@ -56,6 +74,7 @@ class VirtualRobot : public RobotServices {
   OStatus NewSyncKey(OVRSyncKey* key) override;
   OStatus CancelSyncKey(OVRSyncKey key) override;
   OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) override;
+  OStatus SetCdtVectorData(MemoryRegionID id) override;
   OStatus SetMotorPower(OPower power) override;
   OStatus GetBootCondition(OBootCondition* condition) override;
   OStatus Shutdown(const OBootCondition& condition) override;
@@ -68,19 +87,33 @@ class VirtualRobot : public RobotServices {
   OStatus GetTimeDifference(sbyte* hours) override;
   OStatus SetVolumeSwitch(OVolumeSwitch volume) override;
   OStatus GetVolumeSwitch(OVolumeSwitch* volume) override;
+  void Reseed(uint64_t seed) override;
   void HashState(Hasher* hasher) const override;
 
  private:
   friend class OVirtualRobotComm;
+  friend class OVirtualRobotAudioComm;
+  friend struct PrimitiveRequests;  // of ControlPrimitive()
 
   // Runs the frame that ends now: body, samples.  True when a sensor vector is complete.
   bool FinishFrame();
+
+  // What has been pushing for too long makes the robot shut down.
+  void WatchLoad();
 
   // For one joint, or for all opened ones when `id` is oprimitiveID_UNDEF.
   template <typename Function>
   OStatus ForJoints(OPrimitiveID id, Function function);
 
+  // After a change of gains or motor power.
+  void LookAtServos();
+  // A finding about the object that called.
+  void Warn(std::string text);
+  // Reading a primitive that nobody opened means nothing on the robot.
+  const Primitive* Readable(OPrimitiveID id, const char* function);
+
   System* const system_;
+  const int robot_;
   const RobotModel& model_;
   std::unique_ptr<Body> body_;
   PrimitiveTable primitives_;
@@ -88,46 +121,18 @@ class VirtualRobot : public RobotServices {
   Power power_;
   SensorSource sensors_;
   SyncKeys sync_keys_;
+  OptionalBytes optional_;
+  JointWatch watch_;
+  Speaker speaker_;
+  Microphone microphone_;
+  CameraDevice camera_;
+  int64_t first_frame_ = 0;
   int64_t frame_ = 0;
-};
-
-// The system object with the services Effector and Sensor; the clock of the robot.
-//
-// Frame n lasts from n * 8 ms to (n + 1) * 8 ms.  At its end the body has moved and
-// the samples of frame n are taken; then vectors that are over get their ready, and
-// the set points of frame n + 1 are put in force.
-class OVirtualRobotComm : public CodeObject {
- public:
-  explicit OVirtualRobotComm(VirtualRobot* robot);
-  ~OVirtualRobotComm() override;
-
-  OStatus DoStart(const OSystemEvent& event) override;
-  OStatus DoDestroy(const OSystemEvent& event) override;
-  void HashState(Hasher* hasher) const override;
-
- private:
-  struct Source {
-    SubjectID subject;
-    CommandQueue queue;
-  };
-
-  void NotifyEffector(const ONotifyEvent& event);
-  void Frame();
-  void PostNextFrame();
-  void FinishVectors();
-  void ApplyCommands();
-
-  VirtualRobot* const robot_;
-  OObserver* effector_;
-  OSubject* sensor_;
-  Selector frame_;
-  bool running_ = false;
-  std::vector<Source> sources_;  // in order of first appearance
 };
 
 // Gives robot `robot` of `system` a body and the objects that stand for it.
 // `model` must outlive the system.
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
-                              std::unique_ptr<Body> body);
+                              std::unique_ptr<Body> body, VirtualRobotOptions options = {});
 
 }  // namespace openr_host

@@ -1,8 +1,14 @@
-// OVirtualRobotComm: the Effector and Sensor services.
+#include "virtualrobot/virtual_robot_comm.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "runtime/core/api.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
+#include "virtualrobot/listeners.h"
+#include "virtualrobot/sound/audio_comm.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
@@ -19,6 +25,8 @@ OVirtualRobotComm::OVirtualRobotComm(VirtualRobot* robot) : robot_(robot) {
   effector_->SetBufCtrlParam(0, 1, kEffectorBuffer);
   sensor_ = AddSubject("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
+  image_ = AddSubject("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S");
+  AddSubject("OVirtualRobotComm.Alert.OPrimitiveMapData.S");  // obsolete; nothing comes
   host().post_class = MessageClass::kVector;
 }
 
@@ -39,7 +47,8 @@ OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
 void OVirtualRobotComm::PostNextFrame() {
   Message* const message = system().NewMessage(host().id, frame_);
   message->message_class = MessageClass::kFrame;
-  const int64_t next = (system().now_us() / kFrameUs + 1) * kFrameUs;
+  const int64_t frame_us = system().frame_us();
+  const int64_t next = (system().now_us() / frame_us + 1) * frame_us;
   system().Post(message, next - system().now_us());
 }
 
@@ -47,10 +56,10 @@ void OVirtualRobotComm::Frame() {
   const bool vector_complete = robot_->FinishFrame();
   FinishVectors();
   ApplyCommands();
-  if (vector_complete && sensor_->NumberOfObservers() > 0) {
-    sensor_->SetData(robot_->sensors_.MakeVector());
-    sensor_->NotifyObservers();
-  }
+  if (vector_complete && HasListener(*sensor_))
+    SendToListeners(sensor_, robot_->sensors_.MakeVector(robot_->optional_));
+  SendImage();
+  if (sound_ != nullptr) sound_->WakeIfNeeded();
   if (running_) PostNextFrame();
 }
 
@@ -64,13 +73,33 @@ void OVirtualRobotComm::FinishVectors() {
 }
 
 void OVirtualRobotComm::ApplyCommands() {
-  std::vector<std::string> problems;
+  EffectorPort port;
+  port.primitives = &robot_->primitives_;
+  port.devices = &robot_->devices_;
+  port.sync_keys = &robot_->sync_keys_;
+  port.optional = &robot_->optional_;
+  port.watch = &robot_->watch_;
+  port.regions = &system().regions();
+  port.body = &robot_->body_->state();
+  port.motor_power = robot_->power_.motor_power();
+  port.motor_power_cut = robot_->power_.pause();
   for (Source& source : sources_) source.queue.Announce(&robot_->sync_keys_);
+  if (sound_ != nullptr) sound_->Announce();
+  std::vector<std::string> problems;
   for (Source& source : sources_) {
-    source.queue.Apply(robot_->frame_, &robot_->primitives_, &robot_->devices_, &robot_->sync_keys_,
-                       &problems);
+    source.queue.Apply(robot_->frame_, port, &problems);
+    if (!problems.empty()) Report(source.subject, &problems);
   }
-  for (std::string& problem : problems) system().AddFinding(Severity::kWarning, std::move(problem));
+}
+
+void OVirtualRobotComm::SendImage() {
+  if (image_->NumberOfObservers() == 0 || !robot_->camera_.Due(robot_->frame_) ||
+      !HasListener(*image_))
+    return;
+  std::string problem;
+  RCRegion* const vector = robot_->camera_.MakeVector(robot_->frame_, *robot_->body_, &problem);
+  if (!problem.empty()) system().AddFinding(Severity::kError, "camera: " + problem);
+  SendToListeners(image_, vector);
 }
 
 void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {
@@ -78,17 +107,24 @@ void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {
   auto source = std::find_if(sources_.begin(), sources_.end(),
                              [&](const Source& each) { return each.subject == subject; });
   if (source == sources_.end()) source = sources_.insert(sources_.end(), Source{subject, {}});
+  std::vector<std::string> problems;
   for (int i = 0; i < event.NumOfData(); ++i) {
     RCRegion* const region = event.RCData(i);
     region->AddReference();
     if (source->queue.Add(region)) continue;
     region->RemoveReference();
-    system().AddFinding(
-        Severity::kWarning,
-        fmt::format("Effector: more than {} command vectors of one subject wait; the newest is "
-                    "dropped",
-                    CommandQueue::kMax));
+    problems.push_back(fmt::format(
+        "Effector: more than {} command vectors of one subject wait; the newest is dropped",
+        CommandQueue::kMax));
   }
+  Report(subject, &problems);
+}
+
+void OVirtualRobotComm::Report(const SubjectID& subject, std::vector<std::string>* problems) {
+  const Object* const sender = system().object(ObjectIdOf(subject.GetOID()));
+  for (std::string& problem : *problems)
+    system().AddFindingAbout(sender, Severity::kWarning, std::move(problem));
+  problems->clear();
 }
 
 void OVirtualRobotComm::HashState(Hasher* hasher) const {

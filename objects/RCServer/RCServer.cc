@@ -30,6 +30,8 @@ RCServer::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
+    // JointMover does not wait: what it reports while we are busy elsewhere must not be lost.
+    observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
     OPENR::GetRobotDesign(design);

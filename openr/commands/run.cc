@@ -39,6 +39,7 @@ struct RunFlags {
   std::string panel_address;
   std::string log = "info";
   std::string console_file;
+  std::string stdin_file;
   int64_t handler_limit_us = 10'000'000;
   std::vector<std::string> snapshots;
   std::vector<std::string> snapshot_files;
@@ -66,6 +67,17 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
       ->capture_default_str();
   command->add_flag("--strict", flags->simulation.strict,
                     "Enforce the limits of the robot; refuse wrong wiring");
+  command->add_option("--cost", flags->simulation.cost_file,
+                      "zero, or a file that says how long handlers take (ers210.cost)");
+  command
+      ->add_option("--speaker", flags->simulation.speaker,
+                   "WAV file for what the first robot's speaker plays")
+      ->check(IsWritable());
+  command->add_option("--mic", flags->simulation.microphone,
+                      "WAV file the first robot's microphone hears (default: silence)");
+  command->add_option("--images", flags->simulation.images,
+                      "Folder of pictures the first robot's camera sees, in order of their names "
+                      "(default: a test pattern)");
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the run when a handler uses more processor time; 0s: never");
 }
@@ -87,6 +99,9 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->add_option("--console", flags->console_file,
                    "File for what objects print (default: standard error)")
       ->check(IsWritable());
+  command->add_option("--stdin", flags->stdin_file,
+                      "What is typed on the robots' console: a file, from the start; -: lines of "
+                      "standard input as they come (default if it is a terminal)");
   command
       ->add_option("--snapshot", flags->snapshots,
                    "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")
@@ -147,6 +162,7 @@ RunPlan PlanOf(const RunFlags& flags) {
   plan.until_idle = flags.until_idle;
   plan.rate = RateOf(flags.rate);
   plan.snapshots = SnapshotPlans(flags);
+  plan.stdin_file = flags.stdin_file;
   plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
   return plan;
 }

@@ -24,11 +24,17 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options) {
   header.robot = options.robot;
   header.body = options.body;
   header.world = options.world;
+  header.cost = options.cost_file;
+  header.microphone = options.microphone;
+  header.images = options.images;
   header.robots = options.robots;
   header.seed = options.seed;
   header.strict = options.strict;
   header.payloads = payloads_;
   writer_ = std::make_unique<TraceWriter>(file_, header);
+  system.OnConsoleInput([this, &system](int robot, std::string_view text) {
+    writer_->AddConsole(robot, text, system.now_us());
+  });
   system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
     writer_->AddMessage(system, record, message);
   });

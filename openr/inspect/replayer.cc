@@ -23,6 +23,9 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   options.robot = header.robot;
   options.body = header.body;
   options.world = header.world;
+  options.cost_file = header.cost;
+  options.microphone = header.microphone;
+  options.images = header.images;
   options.robots = header.robots;
   options.seed = header.seed;
   options.strict = header.strict;
@@ -162,10 +165,12 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
-  if (next->kind != Kind::kPause && next->kind != Kind::kShutdown) return false;
+  if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   const TraceEntry input = reader_.Take();
-  if (input.kind == Kind::kShutdown) {
+  if (input.kind == Kind::kConsole) {
+    system().FeedConsole(input.robot, input.name);
+  } else if (input.kind == Kind::kShutdown) {
     system().Shutdown();
   } else {
     for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();

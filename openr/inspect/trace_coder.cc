@@ -137,6 +137,11 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
     case TraceEntry::Kind::kShutdown:
       out->Zigzag(entry.time_us);
       return;
+    case TraceEntry::Kind::kConsole:
+      out->Zigzag(entry.time_us);
+      out->Varint(static_cast<uint64_t>(entry.robot));
+      out->Text(entry.name);
+      return;
     case TraceEntry::Kind::kEnd:
       out->Zigzag(entry.time_us);
       out->U64(entry.trace_hash);
@@ -147,7 +152,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kEnd);
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kConsole);
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
@@ -169,6 +174,11 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
     case TraceEntry::Kind::kPause:
     case TraceEntry::Kind::kShutdown:
       entry.time_us = in->Zigzag();
+      return entry;
+    case TraceEntry::Kind::kConsole:
+      entry.time_us = in->Zigzag();
+      entry.robot = static_cast<int32_t>(in->Varint());
+      entry.name = in->Text();
       return entry;
     case TraceEntry::Kind::kEnd:
       entry.time_us = in->Zigzag();

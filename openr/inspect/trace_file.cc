@@ -20,10 +20,19 @@ constexpr size_t kBlockBytes = 64 << 10;
 constexpr size_t kBlockHead = 4 + 8;  // size, checksum
 
 std::string HeaderText(const TraceHeader& h) {
-  return Json{{"program", h.program}, {"stick", h.stick},      {"stick_hash", h.stick_hash},
-              {"robot", h.robot},     {"body", h.body},        {"world", h.world},
-              {"cost", h.cost},       {"robots", h.robots},    {"seed", h.seed},
-              {"strict", h.strict},   {"payloads", h.payloads}}
+  return Json{{"program", h.program},
+              {"stick", h.stick},
+              {"stick_hash", h.stick_hash},
+              {"robot", h.robot},
+              {"body", h.body},
+              {"world", h.world},
+              {"cost", h.cost},
+              {"robots", h.robots},
+              {"seed", h.seed},
+              {"microphone", h.microphone},
+              {"images", h.images},
+              {"strict", h.strict},
+              {"payloads", h.payloads}}
       .dump();
 }
 
@@ -39,6 +48,8 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("cost").get_to(h.cost);
   json.at("robots").get_to(h.robots);
   json.at("seed").get_to(h.seed);
+  json.at("microphone").get_to(h.microphone);
+  json.at("images").get_to(h.images);
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
   return h;
@@ -117,6 +128,15 @@ void TraceWriter::AddNetwork(int robot, std::vector<NetworkEvent> events) {
 void TraceWriter::AddAt(TraceEntry::Kind kind, int64_t time_us) {
   TraceEntry entry;
   entry.kind = kind;
+  entry.time_us = time_us;
+  Add(entry);
+}
+
+void TraceWriter::AddConsole(int robot, std::string_view text, int64_t time_us) {
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kConsole;
+  entry.robot = robot;
+  entry.name = text;
   entry.time_us = time_us;
   Add(entry);
 }

@@ -29,7 +29,8 @@ struct TraceHeader {
   std::string stick;    // folder, as it was given
   uint64_t stick_hash = 0;
   std::string robot, body, world;
-  std::string cost;  // file; "": zero
+  std::string cost;                // file; "": zero
+  std::string microphone, images;  // files and folders; "": none
   int robots = 1;
   uint64_t seed = 1;
   bool strict = false;
@@ -45,6 +46,7 @@ struct TraceEntry {
     kPause = 5,     // time_us: the pause button was pressed
     kShutdown = 6,  // time_us: nobody handled it, the program asked for the shutdown
     kEnd = 7,       // time_us, trace_hash, state_hash
+    kConsole = 8,   // time_us, robot, name: what was typed
   };
   Kind kind = Kind::kEnd;
   int32_t id = 0;
@@ -91,6 +93,7 @@ class TraceWriter {
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
+  void AddConsole(int robot, std::string_view text, int64_t time_us);
 
   // The last entry.  Returns what went wrong with the file, or "".
   std::string Finish(System* system);

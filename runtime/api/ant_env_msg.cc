@@ -29,7 +29,10 @@ Message* NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  request->payload_hash = AntMessageHash(message);
+  const AntData data = DataToSend(message);
+  const bool known = stack->buffers().Contains(data.begin, data.size);
+  request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
+                                         known ? static_cast<size_t>(data.size) : 0);
   return request;
 }
 

@@ -1,12 +1,12 @@
-// The Aperios calls of MCOOP.h.
+// The Aperios calls of MCOOP.h that send, wait and answer.
 #include <MCOOP.h>
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
+#include <string>
 
+#include "runtime/api/mcoop_limits.h"
 #include "runtime/core/api.h"
-#include "runtime/core/arena.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/system.h"
 
@@ -14,20 +14,33 @@ using namespace openr_host;
 
 namespace {
 
-constexpr size_t kMessageMax = 256;            // AperiosMessage: a longer one is refused
 constexpr uint64_t kTimeCallsMax = 1'000'000;  // in one handler, before it is reported
-constexpr int64_t kPageBytes = 4096;
-
-int64_t TimeoutUs(const RelativeTime* timeout) {
-  if (timeout == nullptr) return -1;
-  return int64_t{timeout->sec} * 1'000'000 + int64_t{timeout->msec} * 1000;
-}
 
 Message* NewBytes(const OID& oid, Selector selector, const void* msg, size_t size) {
   Message* const message = t_current.system->NewMessage(ObjectIdOf(oid), selector);
   if (size > 0) std::memcpy(message->payload, msg, size);
   message->size = static_cast<uint32_t>(size);
   return message;
+}
+
+// Whether the current object may wait for, or drop, the reply that `rbox` names.
+sError CheckBox(const RID& rbox) {
+  const openr_host::Object* const self = t_current.object;
+  if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
+  if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
+  return self->boxes.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
+}
+
+// Names of Register(), for the current object's robot.
+std::map<std::string, ObjectId>& Names() {
+  return t_current.system->robot(t_current.object->robot).names;
+}
+
+openr_host::Object* FindByName(const char* name) {
+  openr_host::Object* const object = t_current.system->FindObject(t_current.object->robot, name);
+  if (object != nullptr) return object;
+  const auto found = Names().find(name);
+  return found == Names().end() ? nullptr : t_current.system->object(found->second);
 }
 
 }  // namespace
@@ -59,16 +72,40 @@ sError WhoAmI(OID* oid) {
 sError Find(const char* name, OID* oid) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || oid == nullptr) return sINVALIDARG;
-  const openr_host::Object* const found =
-      t_current.system->FindObject(t_current.object->robot, name);
+  const openr_host::Object* const found = FindByName(name);
   if (found == nullptr) return sOBJNOTFOUND;
   *oid = OidOf(found->id);
   return sSUCCESS;
 }
 
-sError Register(OID, const char*) { return sNOTSUPPORTED; }
-sError Unregister(const char*) { return sNOTSUPPORTED; }
-sError FindSelector(const char*, Selector*) { return sNOTSUPPORTED; }
+sError Register(OID oid, const char* name) {
+  const ApiScope scope;
+  if (t_current.object == nullptr || name == nullptr || *name == '\0') return sINVALIDARG;
+  if (std::strlen(name) > kObjectNameMax) return sOBLETNAMETOOLONG;
+  const ObjectId id = ObjectIdOf(oid);
+  if (t_current.system->object(id) == nullptr) return sINVALIDOID;
+  if (FindByName(name) != nullptr) return sFAIL;
+  Names()[name] = id;
+  return sSUCCESS;
+}
+
+sError Unregister(const char* name) {
+  const ApiScope scope;
+  if (t_current.object == nullptr || name == nullptr) return sINVALIDARG;
+  return Names().erase(name) == 1 ? sSUCCESS : sOBJNOTFOUND;
+}
+
+// No source says whose names these are; here those of the caller's extra entries.
+sError FindSelector(const char* name, Selector* selector) {
+  const ApiScope scope;
+  if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;
+  for (const auto& [number, entry] : t_current.object->entry_names) {
+    if (entry != name) continue;
+    *selector = number;
+    return sSUCCESS;
+  }
+  return sOBJNOTFOUND;
+}
 
 sError Send(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
@@ -89,8 +126,10 @@ sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbo
 
 sError Receive(RID rbox, void* msg, size_t size, size_t* got, RelativeTime* timeout) {
   const ApiScope scope;
-  if (t_current.object == nullptr || !rbox.IsValid()) return sINVALIDRID;
-  return t_current.system->WaitForReply(rbox.GetValue(), msg, size, got, TimeoutUs(timeout),
+  const sError error = CheckBox(rbox);
+  if (error != sSUCCESS) return error;
+  return t_current.system->WaitForReply(rbox.GetValue(), msg, size, got,
+                                        timeout == nullptr ? -1 : Microseconds(*timeout),
                                         "a reply (Receive)");
 }
 
@@ -106,6 +145,7 @@ sError Reply(void* msg, size_t size) {
   const ApiScope scope;
   openr_host::Object* const object = t_current.object;
   if (object == nullptr) return sFAIL;
+  if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   if (object->self_reply != nullptr) {
     std::memcpy(object->self_reply->data, msg, std::min(size, object->self_reply->size));
     return sSUCCESS;
@@ -113,8 +153,32 @@ sError Reply(void* msg, size_t size) {
   return t_current.system->Reply(t_current.system->TakeReplyTicket(), msg, size);
 }
 
-sError Delegate(OID, Selector, void*, size_t) { return sNOTSUPPORTED; }
-sError CleanRBox(RID) { return sSUCCESS; }
+// The request being handled goes on to another object, which answers in our place.
+sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
+  if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
+  const System::ReplyTicket ticket = t_current.system->TakeReplyTicket();
+  if (ticket.box == 0) return sINVALIDRID;
+  Message* const message = NewBytes(oid, selector, msg, size);
+  message->sender = ticket.to;
+  message->reply_box = ticket.box;
+  return t_current.system->Post(message);
+}
+
+sError CleanRBox(RID rbox) {
+  const ApiScope scope;
+  const sError error = CheckBox(rbox);
+  if (error != sSUCCESS) return error;
+  openr_host::Object* const self = t_current.object;
+  self->boxes.erase(rbox.GetValue());
+  if (const auto arrived = self->replies.find(rbox.GetValue()); arrived != self->replies.end()) {
+    t_current.system->queue().Release(arrived->second);
+    self->replies.erase(arrived);
+  }
+  return sSUCCESS;
+}
 
 void Return(void* msg, size_t size) {
   Reply(msg, size);
@@ -129,71 +193,6 @@ void Exit() {
 }
 
 void ExitFromPrologue() {}
-
-sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
-                    EventID*) {
-  const ApiScope scope;
-  if (t_current.object == nullptr || info == nullptr) return sINVALIDTEVENTINFO;
-  if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  return t_current.system->Post(NewBytes(oid, selector, msg, size), TimeoutUs(&info->relativeTime));
-}
-
-sError SetReplyEvent(RID, OID, Selector, void*, size_t, EventID*) { return sNOTSUPPORTED; }
-sError CancelEvent(EventID) { return sNOTSUPPORTED; }
-
-sError NewRegion(size_t size, void** base) {
-  const ApiScope scope;
-  if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
-  auto memory = std::make_unique<char[]>(size);
-  *base = memory.get();
-  t_current.object->private_regions[*base] = std::move(memory);
-  return sSUCCESS;
-}
-
-sError DeleteRegion(void* base) {
-  const ApiScope scope;
-  if (t_current.object == nullptr) return sFAIL;
-  return t_current.object->private_regions.erase(base) == 1 ? sSUCCESS : sINVALIDARG;
-}
-
-sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo, MemoryRegionID* id, void** base) {
-  const ApiScope scope;
-  if (t_current.object == nullptr || id == nullptr || base == nullptr) return sINVALIDARG;
-  *id = t_current.system->regions().New(size, t_current.object->id);
-  *base = t_current.system->regions().BaseOf(*id);
-  return *base == nullptr ? sNOMEMORY : sSUCCESS;
-}
-
-sError DeleteSharedMemoryRegion(MemoryRegionID id) {
-  const ApiScope scope;
-  if (t_current.object == nullptr) return sFAIL;
-  return t_current.system->regions().Delete(id) ? sSUCCESS : sINVALIDSHAREDMEMID;
-}
-
-sError AllowToAttachMemoryRegion(MemoryRegionID, MemoryProtectionInfo, OID, bool) {
-  return sSUCCESS;
-}
-
-sError AttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo, void** base) {
-  const ApiScope scope;
-  if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
-  *base = t_current.system->regions().BaseOf(id);
-  return *base == nullptr ? sINVALIDSHAREDMEMID : sSUCCESS;
-}
-
-sError DetachMemoryRegion(MemoryRegionID) { return sSUCCESS; }
-sError ChangeProtectionMemoryRegion(MemoryRegionID, MemoryProtectionInfo) { return sSUCCESS; }
-sError GrowMemoryRegion(MemoryRegionID, size_t) { return sNOTSUPPORTED; }
-sError ShrinkMemoryRegion(MemoryRegionID, size_t) { return sNOTSUPPORTED; }
-
-sError GetPageSize(size_t* size) {
-  *size = kPageBytes;
-  return sSUCCESS;
-}
-
-sError GetFreeMemorySize(size_t*) { return sNOTSUPPORTED; }
-sError SetResourceValue(sResource, slongword) { return sNOTSUPPORTED; }
-sError GetResourceValue(sResource, slongword*, slongword*, slongword*) { return sNOTSUPPORTED; }
 
 sError Wait(longword nanosec) {
   if (t_current.object == nullptr) return sFAIL;

@@ -1,51 +1,25 @@
-// The functions of namespace OPENR: memory of vectors and what the system answers
-// itself; everything about devices goes to the robot's RobotServices.
+// The functions of namespace OPENR that the system answers itself; everything about
+// devices goes to the robot's RobotServices.  The memory of vectors is in vectors.cc.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
+#include "runtime/api/region_memory.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/system.h"
+#include "runtime/stick/gzip.h"
 #include "runtime/stick/memory_stick.h"
 
 using namespace openr_host;
 
 namespace {
 
-constexpr size_t kDesignDataMax = size_t{16} << 20;  // the size of the stick
-constexpr longword kCpuClockHz = 192'000'000;        // R4300-class CPU of the ERS-210
+constexpr longword kCpuClockHz = 192'000'000;  // R4300-class CPU of the ERS-210
 
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
-
-// Where things lie in a vector with `count` elements: header, infos, data.
-void FillHeader(ODataVectorInfo* info, MemoryRegionID id, ODataType type, size_t info_size,
-                size_t data_size, size_t count) {
-  info->memRegionID = id;
-  info->offset = 0;
-  info->totalSize =
-      static_cast<longword>(sizeof(ODataVectorInfo) + count * (info_size + data_size));
-  info->type = type;
-  info->infoOffset = sizeof(ODataVectorInfo);
-  info->infoSize = static_cast<longword>(info_size);
-  info->maxNumData = static_cast<longword>(count);
-  info->numData = 0;
-  info->syncKey = ovrsynckeyUNDEF;
-}
-
-template <typename Vector>
-OStatus NewVector(size_t bytes, MemoryRegionID* id, Vector** base) {
-  if (id == nullptr || base == nullptr) return oINVALID_ARG;
-  RegionTable& regions = t_current.system->regions();
-  *id = regions.New(bytes, t_current.object->id);
-  *base = reinterpret_cast<Vector*>(regions.BaseOf(*id));
-  return *base == nullptr ? oNO_MEMORY : oSUCCESS;
-}
-
-OStatus DeleteVector(MemoryRegionID id, OStatus unknown) {
-  return t_current.system->regions().Delete(id) ? oSUCCESS : unknown;
-}
 
 }  // namespace
 
@@ -78,70 +52,6 @@ OStatus GetJointValue(OPrimitiveID id, OJointValue* value) {
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value) {
   const ApiScope scope;
   return value == nullptr ? oINVALID_ARG : Services().GetSensorValue(id, value);
-}
-
-OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
-                             OCommandVectorData** baseAddr) {
-  const ApiScope scope;
-  constexpr size_t kInfo = sizeof(OCommandInfo);
-  constexpr size_t kData = sizeof(OCommandData);
-  const OStatus status =
-      NewVector(sizeof(ODataVectorInfo) + numCommands * (kInfo + kData), memID, baseAddr);
-  if (status != oSUCCESS) return status;
-  FillHeader(&(*baseAddr)->vectorInfo, *memID, odataCOMMAND_VECTOR, kInfo, kData, numCommands);
-  for (size_t i = 0; i < numCommands; ++i) {
-    OCommandInfo* const info = (*baseAddr)->GetInfo(static_cast<int>(i));
-    info->type = odataUNDEF;
-    info->primitiveID = oprimitiveID_UNDEF;
-    info->frameNumber = oframeINVALID_NUMBER;
-    info->frameSize = sizeof(OCommandValue);
-    info->dataOffset =
-        static_cast<longword>(sizeof(ODataVectorInfo) + numCommands * kInfo + i * kData);
-    info->dataSize = kData;
-  }
-  return oSUCCESS;
-}
-
-OStatus DeleteCommandVectorData(MemoryRegionID memID) {
-  const ApiScope scope;
-  return DeleteVector(memID, oFAIL);
-}
-
-OStatus NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,
-                           OSoundVectorData** baseAddr) {
-  const ApiScope scope;
-  constexpr size_t kInfo = sizeof(OSoundInfo);
-  const OStatus status =
-      NewVector(sizeof(ODataVectorInfo) + numSounds * (kInfo + dataSize), memID, baseAddr);
-  if (status != oSUCCESS) return status;
-  FillHeader(&(*baseAddr)->vectorInfo, *memID, odataSOUND_VECTOR, kInfo, dataSize, numSounds);
-  for (size_t i = 0; i < numSounds; ++i) {
-    OSoundInfo* const info = (*baseAddr)->GetInfo(static_cast<int>(i));
-    info->primitiveID = oprimitiveID_UNDEF;
-    info->dataOffset =
-        static_cast<longword>(sizeof(ODataVectorInfo) + numSounds * kInfo + i * dataSize);
-    info->maxDataSize = static_cast<longword>(dataSize);
-  }
-  return oSUCCESS;
-}
-
-OStatus DeleteSoundVectorData(MemoryRegionID memID) {
-  const ApiScope scope;
-  return DeleteVector(memID, oINVALID_ARG);
-}
-
-OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** baseAddr) {
-  const ApiScope scope;
-  const OStatus status = NewVector(sizeof(OCdtVectorData), memID, baseAddr);
-  if (status != oSUCCESS) return status;
-  FillHeader(&(*baseAddr)->vectorInfo, *memID, odataCDT_VECTOR, sizeof(OCdtInfo), 0,
-             ocdtNUM_CHANNELS);
-  return oSUCCESS;
-}
-
-OStatus DeleteCdtVectorData(MemoryRegionID memID) {
-  const ApiScope scope;
-  return DeleteVector(memID, oFAIL);
 }
 
 OStatus SetCdtVectorData(MemoryRegionID memID) {
@@ -217,7 +127,8 @@ OStatus SetMotorPower(OPower power) {
 OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
-  if (status == oSUCCESS || status == oNOT_SUPPORTED) t_current.system->Shutdown(t_current.object->robot);
+  if (status == oSUCCESS || status == oNOT_SUPPORTED)
+    t_current.system->Shutdown(t_current.object->robot);
   return oSUCCESS;
 }
 
@@ -257,9 +168,8 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
     return oINVALID_ARG;
   *id = odesigndataID_UNDEF;
   if (std::strcmp(keyword, odesignkeywordCPUINFO) == 0) {
-    OCPUInfo* cpu = nullptr;
-    const OStatus status = NewVector(sizeof(OCPUInfo), id, &cpu);
-    if (status != oSUCCESS) return status;
+    auto* const cpu = reinterpret_cast<OCPUInfo*>(NewSharedMemory(sizeof(OCPUInfo), id));
+    if (cpu == nullptr) return oNO_MEMORY;
     cpu->sclk = kCpuClockHz / 3;
     cpu->pclk = kCpuClockHz;
     *dataAddr = reinterpret_cast<byte*>(cpu);
@@ -269,20 +179,25 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
   const Robot& robot = CurrentRobot();
   const auto found = robot.design_data.find(keyword);
   if (found == robot.design_data.end() || robot.stick == nullptr) return oNOT_FOUND;
-  const auto content = robot.stick->ReadFile(found->second);
+  auto content = robot.stick->ReadFile(found->second);
   if (!content) return oNOT_FOUND;
+  if (IsGzip(*content)) {  // the robot delivers it decompressed
+    std::string packed = std::move(*content);
+    content->clear();
+    if (Gunzip(packed, &*content) != GzipResult::kWhole) return oFAIL;
+  }
   if (content->empty()) return oDESIGNDATA_SIZE_ZERO;
-  if (content->size() > kDesignDataMax) return oNO_MEMORY;
-  const OStatus status = NewVector(content->size(), id, dataAddr);
-  if (status != oSUCCESS) return status;
-  std::memcpy(*dataAddr, content->data(), content->size());
+  char* const memory = NewSharedMemory(content->size(), id);
+  if (memory == nullptr) return oNO_MEMORY;
+  std::memcpy(memory, content->data(), content->size());
+  *dataAddr = reinterpret_cast<byte*>(memory);
   *size = content->size();
   return oSUCCESS;
 }
 
 OStatus DeleteDesignData(ODesignDataID id) {
   const ApiScope scope;
-  return DeleteVector(id, oINVALID_ARG);
+  return t_current.system->regions().Delete(id) ? oSUCCESS : oINVALID_ARG;
 }
 
 OStatus GetRobotDesign(char* robotDesign) {

@@ -58,11 +58,14 @@ CodeHost::~CodeHost() {
   code.reset();
 }
 
+bool CodeHost::HasEntry(uint32_t selector) const {
+  return code != nullptr && selector < oentryBASE + code->entries_.size();
+}
+
 bool CodeHost::Dispatch(uint32_t selector, void* payload) {
+  if (!HasEntry(selector)) return false;
   if (selector >= oentryBASE) {
-    const size_t index = selector - oentryBASE;
-    if (index >= code->entries_.size()) return false;
-    code->entries_[index](payload);
+    code->entries_[selector - oentryBASE](payload);
     return true;
   }
   auto& message = *static_cast<OReasonMessage*>(payload);

@@ -66,6 +66,7 @@ class CodeHost : public Object {
   using Object::Object;
   ~CodeHost() override;
 
+  bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 

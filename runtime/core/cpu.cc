@@ -1,5 +1,7 @@
 #include "runtime/core/cpu.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "runtime/core/assert.h"
@@ -8,8 +10,25 @@
 
 namespace openr_host {
 
+int64_t CostModel::FrameUs() const { return kFrameUs; }
+
 bool Cpu::IsFreeFor(const Object& object) const {
   return jobs_.empty() || object.limits.priority > jobs_.back().object->limits.priority;
+}
+
+void Cpu::Wait(Object* object, Message* message, int64_t now_us) {
+  if (object->starving_since_us < 0) object->starving_since_us = now_us;
+  waiting_.push_back(message);
+}
+
+void Cpu::Grant(Object* object, int64_t now_us) {
+  const int64_t since_us = std::exchange(object->starving_since_us, -1);
+  if (since_us >= 0 && now_us - since_us > kStarvedUs) {
+    system_->AddFindingAbout(object, Severity::kWarning,
+                             fmt::format("got no processor time for {:.3f} s: others of the same "
+                                         "or a higher priority did not leave it any",
+                                         static_cast<double>(now_us - since_us) * 1e-6));
+  }
 }
 
 void Cpu::Begin(Object* object, int64_t cost_us, int64_t now_us) {

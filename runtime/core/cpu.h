@@ -24,6 +24,10 @@ class CostModel {
   // Processor time of one call of entry `selector`, >= 0.  Called once per delivery, in
   // order, so it may draw from a generator of its own.
   virtual int64_t CostUs(const Object& object, uint32_t selector) = 0;
+  // How long a frame of the robot's devices lasts by this clock.
+  virtual int64_t FrameUs() const;
+  // What decides future costs.
+  virtual void HashState(Hasher*) const {}
 };
 
 class Cpu {
@@ -35,10 +39,16 @@ class Cpu {
   // Whether `object`, of the robot this belongs to, may run a handler now.
   bool IsFreeFor(const Object& object) const;
 
-  // Keeps `message` until the processor is free.
-  void Wait(Message* message) { waiting_.push_back(message); }
+  // An object that has waited longer for the processor is reported.
+  static constexpr int64_t kStarvedUs = 1'000'000;
 
-  // `object` has the processor from now on for `cost_us` > 0.
+  // Keeps `message`, for `object`, until the processor is free.
+  void Wait(Object* object, Message* message, int64_t now_us);
+
+  // `object` gets the processor for a handler, whatever it costs.
+  void Grant(Object* object, int64_t now_us);
+
+  // The handler takes `cost_us` > 0.
   void Begin(Object* object, int64_t cost_us, int64_t now_us);
 
   // When the running handler ends if nothing comes between; INT64_MAX when none runs.

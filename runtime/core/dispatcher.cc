@@ -79,10 +79,10 @@ void Dispatcher::Loop() {
       Deliver(message);
       continue;
     }
-    const int64_t next_us = std::min(queue.NextTime(), system_->NextCpuEnd());
+    const int64_t next_us = std::min(queue.NextTime(), system_->NextInstant());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);
-      system_->EndHandlersDue();
+      system_->DoWhatIsDue();
       continue;
     }
     if (limits_.time_us != INT64_MAX) AdvanceTo(limits_.time_us);
@@ -129,9 +129,10 @@ bool Dispatcher::MayRun(Object* object, Message* message) {
   if (object->is_system) return true;
   Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
   if (!cpu->IsFreeFor(*object)) {
-    cpu->Wait(message);
+    cpu->Wait(object, message, system_->now_us_);
     return false;
   }
+  cpu->Grant(object, system_->now_us_);
   const int64_t cost_us = system_->options_.cost->CostUs(*object, message->selector);
   if (cost_us > 0) cpu->Begin(object, cost_us, system_->now_us_);
   return true;
@@ -140,8 +141,13 @@ bool Dispatcher::MayRun(Object* object, Message* message) {
 void Dispatcher::DeliverReply(Object* object, Message* message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
+  if (!object->boxes.contains(message->reply_box)) {  // a time-out that was not needed
+    system_->queue_.Release(message);
+    return;
+  }
   if (object->blocked == nullptr || object->blocked_box != message->reply_box) {
     object->replies[message->reply_box] = message;
+    system_->time_events_.ReplyArrived(object->id, message->reply_box);
     return;
   }
   object->replies[message->reply_box] = message;
@@ -203,6 +209,7 @@ Message* Dispatcher::WaitFor(uint64_t box) {
     const Current saved = t_current;
     object->blocked = running_;
     object->blocked_box = box;
+    object->blocked_since_us = system_->now_us_;
     SwitchTo(TakeFiber());
     t_current = saved;
   }

@@ -53,7 +53,7 @@ constexpr uint64_t kPaint = 0x0f1e2d3c4b5a6978;
 // Below its own frame a function may have this much without moving the stack pointer.
 constexpr size_t kRedZoneBytes = 512;
 
-uint64_t* AlignUp(char* address) {
+[[maybe_unused]] uint64_t* AlignUp(char* address) {
   return reinterpret_cast<uint64_t*>((reinterpret_cast<uintptr_t>(address) + 7) & ~uintptr_t{7});
 }
 

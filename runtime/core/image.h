@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/core/object.h"
+#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 
@@ -24,22 +25,15 @@ struct ImageInfo {
 };
 constexpr uint32_t kImageVersion = 1;
 
-// A folder for copies of images that goes with its owner.  Folders that a killed
-// run left behind are removed when the next one is made.
+// A folder for copies of images that goes with its owner.
 class RunFolder {
  public:
-  RunFolder();
-  ~RunFolder();
-  RunFolder(const RunFolder&) = delete;
-  RunFolder& operator=(const RunFolder&) = delete;
-
-  // Copies `file` under a new name; the debug file beside it (NAME.DBG) is linked.
-  // Empty when it cannot be copied.
-  std::string AddCopy(const std::string& file);
+  // Writes `bytes`, which are those of `file`, under a new name; the debug file beside
+  // `file` (NAME.DBG) is linked.  Empty when they cannot be written.
+  std::string AddCopy(const std::string& file, const std::string& bytes);
 
  private:
-  std::string path_;
-  int copies_ = 0;
+  const TempFolder folder_;
 };
 
 class ImageObject : public Object {
@@ -51,6 +45,7 @@ class ImageObject : public Object {
   // Returns what is wrong, or "".
   std::string Load(const std::string& file, RunFolder* folder);
 
+  bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
 
  private:

@@ -17,6 +17,10 @@ namespace {
 
 constexpr char kConfFolder[] = "/MS/OPEN-R/MW/CONF/";
 
+std::string FileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 // "; did you mean 'JOINTMOV.BIN'?" after the files that lie where `path`, a file of the host, does
 // not.
 std::string NearestName(const std::string& path) {
@@ -27,7 +31,7 @@ std::string NearestName(const std::string& path) {
     names.push_back(entry.path().filename());
   }
   std::sort(names.begin(), names.end());
-  return DidYouMean(fs::path(path).filename().string(), names);
+  return DidYouMean(FileName(path), names);
 }
 
 }  // namespace
@@ -81,7 +85,7 @@ std::optional<std::string> System::ReadConfig(int robot_index, const char* name)
   return stick == nullptr ? std::nullopt : stick->ReadFile(kConfFolder + std::string(name));
 }
 
-bool System::LoadObjects(int robot_index) {
+bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
   const auto text = ReadConfig(robot_index, "OBJECT.CFG");
   if (!text) {
     findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
@@ -98,8 +102,20 @@ bool System::LoadObjects(int robot_index) {
   }
   bool good = true;
   for (const ObjectRecord& record : config.objects) {
-    const std::string where = fmt::format("{}:{}", record.place.file, record.place.line);
-    if (LoadImage(robot_index, record.path, where) == nullptr) good = false;
+    if (const auto found = stand_ins.find(FileName(record.path)); found != stand_ins.end()) {
+      found->second();
+      continue;
+    }
+    auto image = OpenImage(robot_index, static_cast<ObjectId>(objects_.size()), record.path,
+                           fmt::format("{}:{}", record.place.file, record.place.line));
+    if (image == nullptr) {
+      good = false;
+    } else if (const auto found = stand_ins.find(image->name); found != stand_ins.end()) {
+      image.reset();
+      found->second();
+    } else {
+      AdoptObject(std::move(image));
+    }
   }
   return good;
 }
@@ -120,10 +136,10 @@ void System::LoadConnections(int robot_index) {
   }
 }
 
-bool System::LoadStick(int robot_index) {
+bool System::LoadStick(int robot_index, const StandIns& stand_ins) {
   Robot& dog = robot(robot_index);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();
-  const bool good = LoadObjects(robot_index);
+  const bool good = LoadObjects(robot_index, stand_ins);
   LoadConnections(robot_index);
   if (const auto text = ReadConfig(robot_index, "DESIGNDB.CFG")) {
     const DesignConfig config = ParseDesignConfig("DESIGNDB.CFG", *text, dog.design);

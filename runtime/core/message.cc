@@ -33,6 +33,7 @@ Message* MessageQueue::Allocate() {
   }
   Message* const message = free_.back();
   free_.pop_back();
+  message->number = 0;
   message->cause = 0;
   message->reply_box = 0;
   message->payload_hash = 0;

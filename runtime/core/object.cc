@@ -2,6 +2,7 @@
 
 #include <OPENR/OPENR.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "runtime/objcomm/state.h"
 
@@ -10,7 +11,16 @@ namespace openr_host {
 Object::Object(System* the_system, ObjectId the_id, int the_robot)
     : system(the_system), id(the_id), robot(the_robot) {}
 
-Object::~Object() = default;
+Object::~Object() { CloseFiles(); }
+
+void Object::CloseFiles() {
+  for (const auto& [file, what] : open_files) std::fclose(file);
+  for (const auto& [descriptor, what] : open_descriptors) close(descriptor);
+  if (terminal != nullptr) std::fclose(terminal);
+  open_files.clear();
+  open_descriptors.clear();
+  terminal = nullptr;
+}
 
 std::string Object::EntryName(uint32_t selector) const {
   switch (selector) {

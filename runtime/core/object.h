@@ -45,9 +45,15 @@ class Object {
   // Name of an entry for traces and messages: "Start", "Mover (Notify)".
   std::string EntryName(uint32_t selector) const;
 
+  // Whether an entry `selector` can be called.
+  virtual bool HasEntry(uint32_t selector) const = 0;
+
   // The full name of the service whose Control or Connect entry is running; entry
   // `selector`, of the `kind` given, is called after it from now on.
   std::string NameService(uint32_t selector, const char* kind);
+
+  // Closes what it left open.
+  void CloseFiles();
 
   System* const system;
   const ObjectId id;
@@ -65,22 +71,33 @@ class Object {
   uint64_t message_count = 0;  // delivered
   uint64_t dropped_count = 0;  // data replaced before it was read, messages refused
   int waiting = 0;             // messages in the queue now
+  int queue_max = 32;          // that may wait (field-notes.md, 2.3); SetResourceValue()
   int waiting_max = 0;
   int64_t handler_ns_max = 0;  // wall time, when the system was given a clock
   size_t stack_max = 0;        // bytes; SystemOptions::measure_stacks
 
   std::map<const void*, std::unique_ptr<char[]>> private_regions;  // NewRegion(); looked up only
 
-  uint32_t random_state = 1;        // of rand()
-  std::set<std::FILE*> open_files;  // looked up only
+  uint32_t random_state = 1;  // of rand()
+
+  // Files of the stick that code of an image has open; looked up only.
+  struct OpenFile {
+    std::string path;  // on the host
+    bool writes = false;
+  };
+  std::map<std::FILE*, OpenFile> open_files;
+  std::map<int, OpenFile> open_descriptors;
+  std::FILE* terminal = nullptr;  // its standard input, once it has read from the console
 
   // While a handler runs or waits.
   Message* running = nullptr;
   uint64_t time_calls = 0;               // GetSystemTime() calls of this handler, 1 us each
   Fiber* blocked = nullptr;              // the stack of a handler that waits
   uint64_t blocked_box = 0;              // for this reply
+  int64_t blocked_since_us = 0;          // virtual time
   std::string blocked_why;               // for messages to people
   std::deque<Message*> held;             // came while it waited
+  std::set<uint64_t> boxes;              // of replies that may come or have come
   std::map<uint64_t, Message*> replies;  // arrived, not received yet
   // A nested call of one of its own entries (self connection) answers here.
   struct SelfReply {
@@ -92,6 +109,7 @@ class Object {
 
   // While its handler has the robot's processor (cpu.h).
   bool is_busy = false;
+  int64_t starving_since_us = -1;  // a message waits for the processor since; -1: none does
   struct Outgoing {
     Message* message;
     int64_t delay_us;

@@ -7,9 +7,29 @@
 #include "runtime/config/spelling.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
+#include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 namespace {
+
+// Which block goes with which reason is inferred from the names (core.md, 1.4).
+void FillParameter(const Object& object, OReasonMessage* message) {
+  if (message->reason == oreasonBOOT) {
+    const System& system = *object.system;
+    const MemoryStick* const stick = object.robot < system.robot_count()
+                                         ? object.system->robot(object.robot).stick.get()
+                                         : nullptr;
+    const OBootParam param = {stick == nullptr    ? omemorystickNOT_EXIST
+                              : stick->writable() ? omemorystickWRITABLE
+                                                  : omemorystickWRITE_PROTECTED};
+    std::memcpy(message->param, &param, sizeof param);
+    message->paramSize = sizeof param;
+  } else {
+    const OShutdownParam param = {true};
+    std::memcpy(message->param, &param, sizeof param);
+    message->paramSize = sizeof param;
+  }
+}
 
 const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
@@ -106,21 +126,30 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
 }
 
 void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
+  if (entry == oentryINIT) uninitialised_.erase(object->id);
+  if (uninitialised_.contains(object->id)) return;  // its ends are not made yet
   OReasonMessage message;
   std::memset(&message, 0, sizeof message);
   message.msgType = omsgREASON;
   message.reason = reason;
+  FillParameter(*object, &message);
   OStatusMessage reply;
   std::memset(&reply, 0, sizeof reply);
   const sError error = system().Call(object->id, entry, &message, sizeof message, &reply,
                                      sizeof reply, kReplyTimeoutUs);
-  if (error != sSUCCESS) {
+  if (error == sTIMEOUT) {
     system().AddFindingAbout(
         object, Severity::kError,
         fmt::format(
             "{} did not return within {} s: OObjectRegistry::SendWithRBoxObjects() : Receive() "
             "oid {:x} selector {} error {}",
             kEntryWords[entry], kReplyTimeoutUs / 1'000'000, OidValue(object->id), entry, error));
+  } else if (error != sSUCCESS) {
+    system().AddFindingAbout(
+        object, Severity::kError,
+        fmt::format("{} could not be sent, error {}{}", kEntryWords[entry], error,
+                    entry == oentryINIT ? "; the object takes no part in the run" : ""));
+    if (entry == oentryINIT) uninitialised_.insert(object->id);
   } else if (reply.status != oSUCCESS) {
     system().AddFindingAbout(object, Severity::kWarning,
                              fmt::format("{} returned status {}; the robot's answer to that is not "

@@ -42,7 +42,8 @@ class ObjectManager : public CodeObject {
   Selector boot_;
   Selector shutdown_;
   Selector reload_;
-  std::set<int> shutting_down_;  // robots
+  std::set<int> shutting_down_;       // robots
+  std::set<ObjectId> uninitialised_;  // never heard of DoInit
 };
 
 }  // namespace openr_host

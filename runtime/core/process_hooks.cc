@@ -3,6 +3,7 @@
 // exit() and abort() end the method that runs, not the process (Programmer's Guide,
 // appendix A).  The robot has no working clock but GetSystemTime(); what asks for
 // one anyway gets virtual time.  Only code of an image is treated so.
+#include <fmt/format.h>
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
@@ -66,9 +67,28 @@ void abort() noexcept {
   __builtin_unreachable();
 }
 
-// The C library's list of destructors outlives every object: not from its heap.
+// assert() of an object.
+void __assert_fail(const char* condition, const char* file, unsigned line,
+                   const char* function) noexcept {
+  static const auto next =
+      NextSymbol<void(const char*, const char*, unsigned, const char*)>("__assert_fail");
+  if (InHandler()) {
+    {
+      const ApiScope scope;
+      t_current.system->Print(
+          fmt::format("assertion \"{}\" failed: file \"{}\", line {}\n", condition, file, line));
+    }
+    abort();
+  }
+  next(condition, file, line, function);
+  __builtin_unreachable();
+}
+
+// The C library's list of destructors outlives every object: not from its heap.  atexit(),
+// which comes here without an argument, does nothing on the robot.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
+  if (argument == nullptr && InObject()) return 0;
   const ApiScope scope;
   return next(function, argument, module);
 }

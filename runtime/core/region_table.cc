@@ -1,18 +1,33 @@
 #include "runtime/core/region_table.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 #include "runtime/core/hasher.h"
 
 namespace openr_host {
+namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr size_t kGuardBytes = 0;
+#else
+constexpr size_t kGuardBytes = 16;
+#endif
+constexpr char kGuard = 0x5a;
+
+}  // namespace
 
 RegionTable::~RegionTable() {
   for (Slot& slot : slots_) std::free(slot.base);
 }
 
 uint32_t RegionTable::New(size_t size, ObjectId owner) {
-  char* const base = static_cast<char*>(std::calloc(1, size == 0 ? 1 : size));
+  const size_t bytes = size + kGuardBytes;
+  char* const base =
+      bytes < size ? nullptr : static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));
   if (base == nullptr) return kNoRegion;
+  std::memset(base + size, kGuard, kGuardBytes);
   if (free_.empty()) {
     if (slots_.size() >= 0xffff) {
       std::free(base);
@@ -24,7 +39,7 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   const uint32_t index = free_.back();
   free_.pop_back();
   Slot& slot = slots_[index];
-  slot = {base, size, owner, 0, static_cast<uint16_t>(slot.generation + 1), true};
+  slot = {base, size, owner, 0, static_cast<uint16_t>(slot.generation + 1), true, size};
   ++live_count_;
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
 }
@@ -69,6 +84,30 @@ char* RegionTable::BaseOf(uint32_t id) const {
 size_t RegionTable::SizeOf(uint32_t id) const {
   const Slot* const slot = Find(id);
   return slot == nullptr ? 0 : slot->size;
+}
+
+ObjectId RegionTable::OwnerOf(uint32_t id) const {
+  const Slot* const slot = Find(id);
+  return slot == nullptr ? kNoObject : slot->owner;
+}
+
+void RegionTable::SetOwner(uint32_t id, ObjectId owner) {
+  if (Slot* const slot = Find(id)) slot->owner = owner;
+}
+
+bool RegionTable::Resize(uint32_t id, size_t size) {
+  Slot* const slot = Find(id);
+  if (slot == nullptr || size == 0 || size > slot->capacity) return false;
+  slot->size = size;
+  std::memset(slot->base + size, kGuard, kGuardBytes);
+  return true;
+}
+
+bool RegionTable::WrittenBeyond(uint32_t id) const {
+  const Slot* const slot = Find(id);
+  if (slot == nullptr) return false;
+  const char* const guard = slot->base + slot->size;
+  return !std::all_of(guard, guard + kGuardBytes, [](char byte) { return byte == kGuard; });
 }
 
 void RegionTable::Pin(uint32_t id) {

@@ -2,7 +2,8 @@
 //
 // A MemoryRegionID is (generation << 16 | slot + 1), so an id outlives its block
 // without ever naming another one by accident, and ids repeat exactly from run
-// to run.  Fresh blocks are filled with zeros.
+// to run.  Fresh blocks are filled with zeros.  A few known bytes follow every block, so
+// that a write behind its end shows.
 #pragma once
 
 #include <cstddef>
@@ -36,6 +37,16 @@ class RegionTable {
   // Null when `id` names nothing.
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
+  ObjectId OwnerOf(uint32_t id) const;
+  void SetOwner(uint32_t id, ObjectId owner);
+
+  // Blocks stay where they are, so one grows no further than it was made.  False, and no
+  // change, when it cannot have that size.
+  bool Resize(uint32_t id, size_t size);
+
+  // Whether somebody wrote behind the end of a block.  Never with AddressSanitizer, which
+  // stops at such a write itself.
+  bool WrittenBeyond(uint32_t id) const;
 
   // Keeps the memory of a block that somebody still reads.  Unknown ids are
   // ignored: a region may wrap memory that is not ours.
@@ -57,6 +68,7 @@ class RegionTable {
     int pins = 0;
     uint16_t generation = 0;
     bool live = false;
+    size_t capacity = 0;  // what it was made with
   };
 
   Slot* Find(uint32_t id);

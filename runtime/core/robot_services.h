@@ -8,6 +8,8 @@
 
 #include <OPENR/OPENRAPI.h>
 
+#include <cstdint>
+
 namespace openr_host {
 
 class Hasher;
@@ -51,6 +53,9 @@ class RobotServices {
   virtual OStatus GetTimeDifference(sbyte* hours);
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
+
+  // As if made with this seed; before Boot().
+  virtual void Reseed(uint64_t) {}
 
   // Everything above that decides the future.
   virtual void HashState(Hasher* hasher) const;

@@ -11,9 +11,11 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/dispatcher.h"
+#include "runtime/core/guard_pages.h"
 #include "runtime/core/image.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/robot_services.h"
+#include "runtime/core/stalls.h"
 #include "runtime/objcomm/state.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -21,12 +23,6 @@ namespace openr_host {
 
 static_assert(sizeof(ONotifyMessage) <= Message::kPayloadMax);
 static_assert(sizeof(OReadyMessage) <= Message::kPayloadMax);
-
-namespace {
-
-constexpr int kQueueMax = 32;  // waiting messages per object (measured on the robot)
-
-}  // namespace
 
 void AssertFailed(const char* file, int line, const char* condition, const std::string& details) {
   std::fflush(stdout);
@@ -47,9 +43,11 @@ void AssertFailed(const char* file, int line, const char* condition, const std::
 
 System::System(SystemOptions options)
     : options_(std::move(options)), dispatcher_(std::make_unique<Dispatcher>(this)) {
+  if (options_.guard_regions) guard_pages_ = std::make_unique<GuardPages>();
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;
+  OnUnload([this](ObjectId id) { time_events_.ForgetObject(id); });
   if (options_.seed != SystemOptions().seed) {
     seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
     schedule_ = seed_schedule_.get();
@@ -107,6 +105,12 @@ Object* System::FindObject(int robot, std::string_view name) const {
 void System::Boot() { manager_->PostBoot(); }
 void System::Shutdown(int robot) { manager_->PostShutdown(robot); }
 
+void System::Reseed(uint64_t seed) {
+  ASSERT(last_number_ == 0, "a run that has begun has drawn its numbers");
+  options_.seed = seed;
+  for (const auto& robot : robots_) robot->services->Reseed(seed);
+}
+
 void System::Shutdown() {
   for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i);
 }
@@ -154,6 +158,17 @@ Message* System::NewMessage(ObjectId target, uint32_t selector) {
   return message;
 }
 
+// What old objects do when their stub was made from another stub.cfg than their sources.
+int32_t System::RefuseSelector(Message* message, const Object& target) {
+  AddFindingAbout(&target, Severity::kError,
+                  fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "
+                              "sError = {}; the sender's table and this object's stub do not "
+                              "belong together",
+                              message->selector, sEXCEEDEDSIZEOFENTRYTABLE));
+  queue_.Release(message);
+  return sEXCEEDEDSIZEOFENTRYTABLE;
+}
+
 int32_t System::Post(Message* message, int64_t delay_us) {
   Object* const target = object(message->target);
   if (target == nullptr) {
@@ -165,17 +180,25 @@ int32_t System::Post(Message* message, int64_t delay_us) {
     return sSUCCESS;
   }
   if (!message->is_reply) {
-    if (schedule_ != nullptr && schedule_->Refuses(*message)) {
+    if (!target->HasEntry(message->selector)) return RefuseSelector(message, *target);
+    // What a part of the system sends itself stands for a clock, not for a message.
+    const bool is_clock =
+        target->is_system && (message->sender == target->id || message->sender == kNoObject);
+    if (schedule_ != nullptr && !is_clock && schedule_->Refuses(*message)) {
+      AddFindingAbout(target, Severity::kWarning,
+                      fmt::format("sel={} ({}): the schedule refuses a message, as a full queue "
+                                  "does, sError = 13",
+                                  message->selector, target->EntryName(message->selector)));
       ++target->dropped_count;
       queue_.Release(message);
       return sFULLMSGQENTRY;
     }
-    if (target->waiting >= kQueueMax) {
+    if (target->waiting >= target->queue_max) {
       AddFindingAbout(
           target, options_.strict ? Severity::kError : Severity::kWarning,
           fmt::format("MCOOPMailer::intraDeliver Exceed max size of queue: queueSize={}, "
                       "sel={} ({}); the robot refuses the message, sError = 13",
-                      kQueueMax, message->selector, target->EntryName(message->selector)));
+                      target->queue_max, message->selector, target->EntryName(message->selector)));
       if (options_.strict) {
         ++target->dropped_count;
         queue_.Release(message);
@@ -200,22 +223,32 @@ void System::ReturnHeld(Object* object) {
   for (; !object->held.empty(); object->held.pop_back()) Readmit(object->held.back());
 }
 
-int64_t System::NextCpuEnd() const {
-  int64_t end_us = INT64_MAX;
+int64_t System::NextInstant() const {
+  int64_t end_us = std::min(time_events_.NextUs(), console_input_.NextUs());
   for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
   return end_us;
 }
 
-void System::EndHandlersDue() {
+void System::DoWhatIsDue() {
   for (const auto& cpu : cpus_) {
     if (cpu->EndUs() == now_us_) cpu->End(now_us_);
   }
+  console_input_.EnterDue();
+  time_events_.PostDue();
+}
+
+uint64_t System::NewReplyBox() {
+  ASSERT(t_current.object != nullptr, "only an object waits for a reply");
+  t_current.object->boxes.insert(++last_box_);
+  return last_box_;
 }
 
 int32_t System::SendWithReply(Message* message, uint64_t* box) {
-  *box = ++last_box_;
+  *box = NewReplyBox();
   message->reply_box = *box;
-  return Post(message);
+  const int32_t error = Post(message);
+  if (error != sSUCCESS) t_current.object->boxes.erase(*box);
+  return error;
 }
 
 int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
@@ -238,9 +271,11 @@ int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_
   if (reply != nullptr) std::memcpy(reply, message->payload, size);
   if (got != nullptr) *got = size;
   queue_.Release(message);
-  if (wake != nullptr && !timed_out)
+  if (timed_out) return sTIMEOUT;  // the reply may still come
+  if (wake != nullptr)
     queue_.RemoveIf([wake](const Message& m) { return &m == wake; }, [](const Message&) {});
-  return timed_out ? sTIMEOUT : sSUCCESS;
+  self->boxes.erase(box);
+  return sSUCCESS;
 }
 
 int32_t System::Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
@@ -270,6 +305,8 @@ int32_t System::Reply(const ReplyTicket& ticket, const void* data, size_t size,
                       uint64_t payload_hash) {
   if (ticket.box == 0) return sINVALIDRID;
   if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
+  const Object* const asker = object(ticket.to);
+  if (asker == nullptr || !asker->boxes.contains(ticket.box)) return sRBOXWASCLEANED;
   Message* const message = NewMessage(ticket.to, 0);
   message->is_reply = true;
   message->reply_box = ticket.box;
@@ -303,12 +340,7 @@ void System::AddFindingAbout(const Object* object, Severity severity, std::strin
 
 std::vector<std::string> System::WhoWaits() const {
   std::vector<std::string> lines;
-  for (const auto& object : objects_) {
-    if (object->blocked != nullptr) {
-      lines.push_back(fmt::format("{} waits for {}", object->name, object->blocked_why));
-    }
-    for (const auto& subject : object->subjects) subject->DescribeWaiting(*object, &lines);
-  }
+  for (Stall& stall : FindStalls(*this, 0)) lines.push_back(std::move(stall.text));
   return lines;
 }
 
@@ -345,6 +377,9 @@ uint64_t System::state_hash() {
     for (const Object::Outgoing& outgoing : object->outbox) hasher.Add(outgoing.message->cause);
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);
+  console_input_.HashState(&hasher);
+  time_events_.HashState(&hasher);
+  if (options_.cost) options_.cost->HashState(&hasher);
   regions_.HashState(&hasher);
   for (const auto& robot : robots_) {
     hasher.Add(robot->powered_off);

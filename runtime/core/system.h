@@ -22,20 +22,24 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/console_input.h"
 #include "runtime/core/cpu.h"
 #include "runtime/core/current.h"
 #include "runtime/core/findings.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
+#include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/rng.h"
 #include "runtime/core/schedule.h"
+#include "runtime/core/time_events.h"
 #include "runtime/core/trace.h"
 
 namespace openr_host {
 
 class CodeObject;
 class Dispatcher;
+class GuardPages;
 class Hasher;
 class ImageObject;
 class MemoryStick;
@@ -70,6 +74,10 @@ struct SystemOptions {
   // Whether Object::stack_max is measured, for images: in the first 64 handlers and in every
   // 16th from then on.
   bool measure_stacks = false;
+  // What objects receive is a copy of their own, read-only, that is gone once they have
+  // asserted ready; data changed on their way become an error finding.  Costs some us a
+  // notification.
+  bool guard_regions = false;
 };
 
 // A wire of CONNECT.CFG, or one made in code.
@@ -88,6 +96,7 @@ struct Robot {
   std::unique_ptr<RobotServices> services;
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;  // service name -> entry
   std::map<std::string, std::string> design_data;                  // keyword -> /MS/ path
+  std::map<std::string, ObjectId> names;                           // of Register() (MCOOP.h)
   MemoryBudget memory;                                             // limited with --strict
   uint64_t stick_hash = 0;  // of the stick as LoadStick() found it
   bool powered_off = false;
@@ -110,7 +119,11 @@ class System {
   // Loads the images that OBJECT.CFG names and takes the wiring of CONNECT.CFG and
   // DESIGNDB.CFG.  What is wrong becomes a finding with file:line; false when the
   // robot would not boot (an image is missing or cannot be loaded).
-  bool LoadStick(int robot);
+  //
+  // A stand-in is called in place of an image, named by its object ("JointMover") or its
+  // file ("JOINTMOV.BIN"), and may add other objects.
+  using StandIns = std::map<std::string, std::function<void()>>;
+  bool LoadStick(int robot, const StandIns& stand_ins = {});
 
   // Loads one image, e.g. "/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN".  Null, and a finding
   // that begins with `where`, when it cannot be loaded.
@@ -124,6 +137,10 @@ class System {
   // REQUIRES: before Boot().
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
+
+  // As if made with this seed, but for the order of messages, which is the schedule's.
+  // REQUIRES: before Boot().
+  void Reseed(uint64_t seed);
 
   // Posts the boot: DoInit of all objects, connections, DoStart of all.
   void Boot();
@@ -191,6 +208,9 @@ class System {
   int32_t WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
                        int64_t timeout_us, std::string_view why);
 
+  // A number for a reply to the current object; WaitForReply() ends it.
+  uint64_t NewReplyBox();
+
   // Answers the request being handled; later through a ticket.
   struct ReplyTicket {
     ObjectId to = kNoObject;
@@ -212,6 +232,15 @@ class System {
   // A message that a gate or the processor kept goes first at this instant.
   void Readmit(Message* message);
 
+  // What people type; enters at the next frame boundary.  Not from a handler.
+  void FeedConsole(int robot, std::string_view text) { console_input_.Feed(robot, text); }
+  // `listener` hears of it at once, for recordings.
+  void OnConsoleInput(ConsoleInput::Listener listener) {
+    console_input_.OnFeed(std::move(listener));
+  }
+  ConsoleInput& console_input() { return console_input_; }
+  TimeEvents& time_events() { return time_events_; }
+
   // ---- Looking ----
 
   Object* object(ObjectId id) const;
@@ -219,6 +248,10 @@ class System {
   const std::vector<std::unique_ptr<Object>>& objects() const { return objects_; }
 
   RegionTable& regions() { return regions_; }
+  RegionShares& region_shares() { return region_shares_; }
+  GuardPages* guard_pages() { return guard_pages_.get(); }  // null unless guard_regions
+  // How long a frame of the devices lasts by this clock.
+  int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }
   Trace& trace() { return trace_; }
   const Findings& findings() const { return findings_; }
   const SystemOptions& options() const { return options_; }
@@ -245,7 +278,7 @@ class System {
   void AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics);
   // LoadStick()'s parts; a text of /MS/OPEN-R/MW/CONF.
   std::optional<std::string> ReadConfig(int robot, const char* name);
-  bool LoadObjects(int robot);
+  bool LoadObjects(int robot, const StandIns& stand_ins);
   void LoadConnections(int robot);
   std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
                                          const std::string& where);
@@ -262,14 +295,15 @@ class System {
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
-  // Of all processors.
-  int64_t NextCpuEnd() const;
-  void EndHandlersDue();
+  // Of processors, time events and the console.
+  int64_t NextInstant() const;
+  void DoWhatIsDue();
   friend class Cpu;
+  int32_t RefuseSelector(Message* message, const Object& target);
   // What came while `object` could not hear it is older than anything due now.
   void ReturnHeld(Object* object);
 
-  const SystemOptions options_;
+  SystemOptions options_;
   int64_t now_us_ = 0;
   uint64_t last_number_ = 0;
   uint64_t last_box_ = 0;
@@ -278,8 +312,12 @@ class System {
 
   MessageQueue queue_;
   RegionTable regions_;
+  RegionShares region_shares_{&regions_};
+  std::unique_ptr<GuardPages> guard_pages_;
   Trace trace_;
   Findings findings_;
+  ConsoleInput console_input_{this};
+  TimeEvents time_events_{this};
   std::unique_ptr<RunFolder> run_folder_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<std::unique_ptr<Object>> objects_;

@@ -1,7 +1,7 @@
 // Calls of the Aperios mCOOP layer that application objects can see.
 //
-// All return an sError unless noted.  Calls that only the system may make are
-// declared and answer sNOTSUPPORTED.
+// All return an sError unless noted.  New, Delete, Load, Unload, LoadAndExecMAV and
+// SetEntryTable, which only the system calls, are left out: no source gives their arguments.
 #ifndef OPENR_MCOOP_H_INCLUDED
 #define OPENR_MCOOP_H_INCLUDED
 
@@ -41,6 +41,7 @@ sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0,
             size_t replySize = 0);
 // Answers the Call or SendWithRBox being handled.
 sError Reply(void* msg = 0, size_t size = 0);
+// Hands the request being handled on to another object, which answers it.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size);
 sError CleanRBox(RID rbox);
 
@@ -49,6 +50,8 @@ void Return(void* msg = 0, size_t size = 0);
 void Exit();
 void ExitFromPrologue();
 
+// Messages to come, until they are cancelled: at a time, every so often, or when the reply to
+// `rbox` can be received without waiting.  `event` may be 0.
 sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
                     EventID* event);
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
@@ -58,7 +61,8 @@ sError CancelEvent(EventID event);
 sError NewRegion(size_t size, void** base);
 sError DeleteRegion(void* base);
 
-// Memory that can be shared with other objects.
+// Memory that can be shared with other objects.  Others need the owner's leave (44 without);
+// sizes are in bytes, and a region grows no further than it was made.
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
                              void** base);
 sError DeleteSharedMemoryRegion(MemoryRegionID id);

@@ -299,6 +299,20 @@ void ClearCounts(antEnvMsg* message) {
   Visit(*message, [](auto& m, const char*) { Clear(&m); });
 }
 
+AntData DataToSend(const antEnvMsg& message) {
+  if (message.dstSelector != Entry_antEnv_External) return {};
+  const int32_t protocol = ProtocolOf(message.dstModule);
+  if (protocol == EndpointType_TCP && message.dstOperation == TCPEndpoint_Operation_Send) {
+    const auto& send = static_cast<const TCPEndpointSendMsg&>(message);
+    return {send.buffer, send.size};
+  }
+  if (protocol == EndpointType_UDP && message.dstOperation == UDPEndpoint_Operation_Send) {
+    const auto& send = static_cast<const UDPEndpointSendMsg&>(message);
+    return {send.buffer, send.size};
+  }
+  return {};
+}
+
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size) {
   Hasher hasher;
   hasher.Add(message.dstSelector);

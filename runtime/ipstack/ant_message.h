@@ -37,4 +37,11 @@ void ClearCounts(antEnvMsg* message);
 // over the bytes transferred, if any.  Never 0.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
+// The bytes that a Send of TCP or UDP names; size 0 for other messages.
+struct AntData {
+  const byte* begin = nullptr;
+  int size = 0;
+};
+AntData DataToSend(const antEnvMsg& message);
+
 }  // namespace openr_host

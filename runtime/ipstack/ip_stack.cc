@@ -103,6 +103,15 @@ void IpStack::Warn(const Operation& operation, const std::string& text) {
   system().AddFindingAbout(system().object(operation.sender), Severity::kWarning, text);
 }
 
+void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t size) {
+  if (AntMessageHash(operation.message(), data, size) == operation.request_hash) return;
+  Warn(operation,
+       fmt::format("{}: the buffer was written between Send() and its answer; it belongs "
+                   "to the stack until then, and what went out is neither the old "
+                   "text nor surely the new one",
+                   AntMessageName(operation.message())));
+}
+
 // One message of antEnvMsg::Send() or Call().
 void IpStack::TakeMessage(void* payload) {
   const Message& request = *host().running;
@@ -118,6 +127,7 @@ void IpStack::TakeMessage(void* payload) {
   }
   operation.size = request.size;
   operation.sender = request.sender;
+  operation.request_hash = request.payload_hash;
   std::memcpy(operation.bytes, payload, request.size);
   operation.ticket = system().TakeReplyTicket();
   if (operation.message().dstModule.IsNull()) {

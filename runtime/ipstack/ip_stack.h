@@ -99,6 +99,9 @@ class IpStack : public CodeObject {
   // A finding about the object that sent `operation`.
   void Warn(const Operation& operation, const std::string& text);
 
+  // If `data`, which are sent now, are not those of the moment of Send().
+  void WarnIfChanged(const Operation& operation, const void* data, size_t size);
+
   // DNS servers, for all objects.
   std::vector<uint32_t>& dns_servers() { return dns_servers_; }
 

@@ -14,6 +14,7 @@ struct Operation {
   alignas(16) unsigned char bytes[Message::kPayloadMax] = {};  // the struct, then zeros
   uint32_t size = 0;                                           // of the struct
   ObjectId sender = kNoObject;
+  uint64_t request_hash = 0;   // AntMessageHash() when it was sent, with the data it names
   System::ReplyTicket ticket;  // of a Call(); empty for a Send()
 
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }

@@ -43,6 +43,7 @@ void TcpEndpoint::FinishSend() {
   }
   const auto size = static_cast<size_t>(message.size);
   const byte* const data = message.buffer;
+  stack_->WarnIfChanged(*send_, data, size);
   stack_->network().Send(socket_, data, size);
   unsent_ += message.size;
   const uint64_t chain[2] = {sent_hash_, HashBytes(data, size)};

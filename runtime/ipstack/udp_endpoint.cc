@@ -135,6 +135,11 @@ void UdpEndpoint::Send(const Operation& operation) {
                     message.size, pool_bytes_));
     return Refuse(operation, UDP_FAIL);
   }
+  if (message.size > kRobotDatagramMax) {
+    stack_->Warn(operation, fmt::format("a UDP datagram of more than {} bytes is sent: the robot's "
+                                        "IPStack crashed at such sizes",
+                                        kRobotDatagramMax));
+  }
   send_ = accepted;
 }
 
@@ -188,6 +193,7 @@ void UdpEndpoint::FinishSend() {
   }
   const auto size = static_cast<size_t>(message.size);
   const byte* const data = message.buffer;
+  stack_->WarnIfChanged(*send_, data, size);
   stack_->network().SendTo(socket_, DestinationOf(message), data, size);
   sent_in_frame_ += message.size;
   Finish(&send_, UDP_SUCCESS, data, size);

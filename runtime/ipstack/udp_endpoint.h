@@ -15,8 +15,9 @@ class UdpEndpoint : public Endpoint {
  public:
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
-  static constexpr size_t kReadAhead = 16;    // datagrams taken from the network at a time
+  static constexpr int kRobotDatagramMax = 18'500;  // field-notes.md, 11.7
+  static constexpr int kDatagramMax = 65507;        // bytes that fit into an IPv4 packet
+  static constexpr size_t kReadAhead = 16;          // datagrams taken from the network at a time
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;

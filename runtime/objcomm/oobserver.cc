@@ -186,8 +186,27 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   return answer.status;
 }
 
+namespace {
+
+// Whether the data are still those that were sent.
+void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
+  const Message* const message = state->object->running;
+  uint32_t size = 0;
+  if (message == nullptr || PayloadHash(*message, &size) == message->payload_hash) return;
+  const openr_host::Object* const sender = state->system->object(message->sender);
+  state->system->AddFindingAbout(
+      sender, Severity::kError,
+      fmt::format("{}: data were changed on their way to {}, after NotifyObservers(); a region may "
+                  "be written only while NumberOfReference() is 1",
+                  sender == nullptr ? "?" : sender->EntryName(notify.subjectID.GetSelector()),
+                  state->object->name));
+}
+
+}  // namespace
+
 OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
   const ApiScope scope;
+  if (state_->system->guard_pages() != nullptr) CheckUnchanged(state_, msg);
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });
   if (entry == state_->held.end()) {

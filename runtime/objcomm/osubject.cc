@@ -217,8 +217,7 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
     return oSUCCESS;
   }
   if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;
-  link->ready = 1;
-  state_->Flush(link);
+  state_->TakeReady(link);
   return oSUCCESS;
 }
 

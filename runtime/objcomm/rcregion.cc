@@ -1,9 +1,11 @@
 #include <OPENR/RCRegion.h>
+#include <fmt/format.h>
 
 #include <new>
 #include <vector>
 
 #include "runtime/core/assert.h"
+#include "runtime/core/guard_pages.h"
 #include "runtime/core/system.h"
 #include "runtime/objcomm/state.h"
 
@@ -79,6 +81,13 @@ RCRegion::RCRegion(size_t size)
   ASSERT(table != nullptr, "new RCRegion outside of an object");
   id_ = table->New(size, t_current.object == nullptr ? kNoObject : t_current.object->id);
   base_ = table->BaseOf(id_);
+  if (base_ == nullptr) {
+    t_current.system->AddFinding(
+        openr_host::Severity::kError,
+        fmt::format("no shared memory for {} bytes: {} regions are alive; a region made for every "
+                    "message has to be given up with RemoveReference()",
+                    size, table->live_count()));
+  }
 }
 
 RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
@@ -127,9 +136,16 @@ RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t of
   RCRegion* const region = new RCRegion(id, offset, source->Base(), size);
   region->source_ = source;
   t_current.system->regions().Pin(id);
+  GuardPages* const guard = t_current.system->guard_pages();
+  if (guard != nullptr && !t_current.object->is_system) {
+    if (char* const copy = guard->NewCopy(source->Base(), size)) region->base_ = copy;
+  }
   return region;
 }
 
-void RegionAccess::GiveBack(RCRegion* received) { delete received; }
+void RegionAccess::GiveBack(RCRegion* received) {
+  if (GuardPages* const guard = t_current.system->guard_pages()) guard->Retire(received->base_);
+  delete received;
+}
 
 }  // namespace openr_host

@@ -47,7 +47,10 @@ struct ObserverLink {
   std::vector<Unit> units;         // of pending, oldest first
   int64_t waiting_since_us = -1;   // virtual time of the oldest pending unit
   uint64_t sent = 0;               // events
+  int64_t sent_us = 0;             // virtual time of the last one
   uint64_t replaced = 0;           // units dropped for newer ones
+  bool told_deasserted = false;    // a notify to it while it had deasserted was reported
+  int vain_readies = 0;            // asserted in a row while it was ready already
 };
 
 struct SubjectState {
@@ -61,8 +64,8 @@ struct SubjectState {
   void Flush(ObserverLink* link);
   void Clear(ObserverLink* link);
   void DropOldestUnit(ObserverLink* link);
+  void TakeReady(ObserverLink* link);
 
-  void DescribeWaiting(const Object& object, std::vector<std::string>* lines) const;
   void HashState(Hasher* hasher) const;
 
   System* const system;

@@ -38,6 +38,35 @@ void SubjectState::DropOldestUnit(ObserverLink* link) {
   link->units.erase(link->units.begin());
 }
 
+namespace {
+
+// The robot says nothing.  Of a system service it is how it should be: a slow program sees
+// the newest sensor values.
+void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
+  subject.system->AddFindingAbout(
+      subject.object, Severity::kWarning,
+      fmt::format("{}: data {} was not ready for were replaced by newer ones and are lost; notify "
+                  "when IsReady(), put all data into one notification, or let the observer call "
+                  "SetBufCtrlParam()",
+                  subject.service, link.name));
+}
+
+}  // namespace
+
+namespace {
+
+void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
+  if (link->told_deasserted || subject.object->is_system) return;
+  link->told_deasserted = true;
+  subject.system->AddFindingAbout(
+      subject.object, Severity::kWarning,
+      fmt::format("{}: notifies {}, which has deasserted ready: the data wait, and newer ones "
+                  "replace them, until it asserts again",
+                  subject.service, link->name));
+}
+
+}  // namespace
+
 OStatus SubjectState::Notify(ObserverLink* link) {
   if (link->fresh.empty()) return oSUCCESS;
   if (link->skipped < link->skip) {
@@ -47,14 +76,15 @@ OStatus SubjectState::Notify(ObserverLink* link) {
     return oSUCCESS;
   }
   link->skipped = 0;
+  if (link->ready < 0) ReportDeasserted(*this, link);
   link->units.push_back({static_cast<int>(link->fresh.size())});
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
   link->fresh.clear();
   Flush(link);
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
-    ++link->replaced;
     ++object->dropped_count;
+    if (++link->replaced == 1 && !object->is_system) ReportReplaced(*this, *link);
   }
   if (!link->units.empty() && link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
   return oSUCCESS;
@@ -85,12 +115,36 @@ void SubjectState::Flush(ObserverLink* link) {
   }
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
+  if (system->guard_pages() != nullptr) {
+    uint32_t bytes = 0;
+    message->payload_hash = PayloadHash(*message, &bytes);
+  }
   if (system->Post(message) != sSUCCESS) return;  // stays pending; the next notify or ready retries
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
   link->waiting_since_us = link->units.empty() ? -1 : system->now_us();
   link->ready = 0;
+  link->sent_us = system->now_us();
   ++link->sent;
+}
+
+// Readies wait in the queue of the subject's object; the 33rd is refused on the robot.
+void SubjectState::TakeReady(ObserverLink* link) {
+  constexpr int kVainMax = 8;  // no program means it that often; ours to choose
+  link->vain_readies = link->ready > 0 ? link->vain_readies + 1 : 0;
+  link->ready = 1;
+  if (link->vain_readies == kVainMax) {
+    const Object* const observer = system->object(ObjectIdOf(link->observer.GetOID()));
+    if (observer != nullptr && !observer->is_system) {
+      system->AddFindingAbout(
+          observer, Severity::kWarning,
+          fmt::format("asserts ready to {} again and again ({} times) without a "
+                      "notification between; ready is a flag, once per "
+                      "notification is enough",
+                      service, kVainMax));
+    }
+  }
+  Flush(link);
 }
 
 void SubjectState::Clear(ObserverLink* link) {
@@ -100,15 +154,6 @@ void SubjectState::Clear(ObserverLink* link) {
   link->pending.clear();
   link->units.clear();
   link->waiting_since_us = -1;
-}
-
-void SubjectState::DescribeWaiting(const Object& owner, std::vector<std::string>* lines) const {
-  for (const auto& link : links) {
-    if (link->waiting_since_us < 0) continue;
-    lines->push_back(fmt::format("{} waits for ready of {} on {} since t={:.3f} s", owner.name,
-                                 link->name, service,
-                                 static_cast<double>(link->waiting_since_us) * 1e-6));
-  }
 }
 
 void SubjectState::HashState(Hasher* hasher) const {

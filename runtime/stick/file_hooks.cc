@@ -3,26 +3,31 @@
 //
 // These definitions are found before the C library's by every caller in the
 // process (std::ifstream included); they act only while code of an image runs.
-#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
+#include "runtime/stick/stick_call.h"
 
 using openr_host::ApiScope;
+using openr_host::HostPath;
 using openr_host::MemoryStick;
 using openr_host::NextSymbol;
 using openr_host::Severity;
+using openr_host::StickUse;
 using openr_host::t_current;
 
 namespace {
@@ -31,26 +36,142 @@ namespace {
 
 bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
-void WarnOfLongName(const std::string& path) {
-  const std::string name = path.substr(path.rfind('/') + 1);
-  if (openr_host::IsShortName(name)) return;
-  t_current.system->AddFinding(
-      Severity::kWarning,
-      fmt::format("{}: '{}' is not an 8.3 name; the robot's file system cannot hold it", path,
-                  name));
+// Whether every part of `path` is a name the robot's file system can hold.
+bool HasShortNames(std::string_view path) {
+  for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
+    path.remove_prefix(1);
+    const std::string_view part = path.substr(0, path.find('/'));
+    if (!part.empty() && !openr_host::IsShortName(part)) return false;
+    path.remove_prefix(part.size());
+  }
+  return true;
 }
 
-// Where `path` lies on the host; empty, with errno set, when the object may not
-// have it.  `writes`: the call changes the file.
-std::string HostPath(const char* path, bool writes, bool may_create) {
-  const ApiScope scope;
+// False, with errno set, when the robot's file system would refuse the name.
+bool CheckNames(const std::string& path) {
+  if (HasShortNames(path)) return true;
   openr_host::System* const system = t_current.system;
+  const bool strict = system->options().strict;
+  system->AddFinding(strict ? Severity::kError : Severity::kWarning,
+                     fmt::format("{}: '{}' is not an 8.3 name; the robot's file system cannot hold "
+                                 "it",
+                                 path, path.substr(path.rfind('/') + 1)));
+  if (strict) errno = ENOENT;
+  return !strict;
+}
+
+bool OpensForWriting(int flags) {
+  return (flags & O_ACCMODE) != O_RDONLY || (flags & O_CREAT) != 0;
+}
+bool OpensForWriting(const char* mode) { return std::strpbrk(mode, "wa+") != nullptr; }
+
+StickUse UseOf(int flags) {
+  return (flags & O_CREAT) != 0   ? StickUse::kCreate
+         : OpensForWriting(flags) ? StickUse::kChange
+                                  : StickUse::kRead;
+}
+StickUse UseOf(const char* mode) {
+  return std::strpbrk(mode, "wa") != nullptr ? StickUse::kCreate
+         : OpensForWriting(mode)             ? StickUse::kChange
+                                             : StickUse::kRead;
+}
+
+// A file that is open can be opened again only if all read it (Programmer's Guide, appendix A).
+// False, with errno set, when it cannot.
+bool MayOpen(const std::string& host, bool writes, const char* path) {
+  const ApiScope scope;
+  const openr_host::Object* holder = nullptr;
+  for (const auto& object : t_current.system->objects()) {
+    if (object == nullptr || object->robot != t_current.object->robot) continue;
+    const auto bars = [&](const auto& open) {
+      return open.second.path == host && (writes || open.second.writes);
+    };
+    if (std::any_of(object->open_files.begin(), object->open_files.end(), bars) ||
+        std::any_of(object->open_descriptors.begin(), object->open_descriptors.end(), bars)) {
+      holder = object.get();
+    }
+  }
+  if (holder == nullptr) return true;
+  t_current.system->AddFinding(
+      Severity::kWarning,
+      fmt::format("{} is refused: {} has it open already, and on the robot a file can be open "
+                  "twice only if nobody writes it",
+                  path, holder->name));
+  errno = EACCES;
+  return false;
+}
+
+int OpenAt(const char* path, int flags, mode_t mode) {
+  static const auto next = OPENR_NEXT(open);
+  if (!InObject()) return next(path, flags, mode);
+  const std::string host = HostPath(path, UseOf(flags));
+  const bool writes = OpensForWriting(flags);
+  if (host.empty() || !MayOpen(host, writes, path)) return -1;
+  const ApiScope scope;
+  const int descriptor = next(host.c_str(), flags | O_CLOEXEC, 0666);
+  if (descriptor >= 0) t_current.object->open_descriptors[descriptor] = {host, writes};
+  return descriptor;
+}
+
+FILE* Remember(FILE* file, const std::string& host, bool writes) {
+  if (file != nullptr) t_current.object->open_files[file] = {host, writes};
+  return file;
+}
+
+FILE* OpenFile(const char* path, const char* mode) {
+  static const auto next = OPENR_NEXT(fopen);
+  if (!InObject()) return next(path, mode);
+  const std::string host = HostPath(path, UseOf(mode));
+  const bool writes = OpensForWriting(mode);
+  if (host.empty() || !MayOpen(host, writes, path)) return nullptr;
+  const ApiScope scope;
+  return Remember(next(host.c_str(), mode), host, writes);
+}
+
+// The mode argument of open(), present only when a file may be made.
+mode_t ModeOf(int flags, va_list arguments) {
+  return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
+}
+
+// Descriptors are common to all objects: one may close what another has opened.
+bool ForgetDescriptor(int descriptor) {
+  for (const auto& object : t_current.system->objects()) {
+    if (object != nullptr && object->open_descriptors.erase(descriptor) == 1) return true;
+  }
+  return false;
+}
+
+// Calls with one path: `next` gets the host's.
+template <typename Function, typename... Rest>
+int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
+  if (!InObject()) return next(path, rest...);
+  const std::string host = HostPath(path, use);
+  return host.empty() ? -1 : next(host.c_str(), rest...);
+}
+
+// All the robot's file system tells (Programmer's Guide, appendix A).
+template <typename Status>
+void AsOnRobot(Status* status) {
+  const mode_t kind = S_ISDIR(status->st_mode) ? S_IFDIR : S_IFREG;
+  const auto size = status->st_size;
+  *status = {};
+  status->st_mode = kind | 0777;
+  status->st_size = size;
+}
+
+}  // namespace
+
+namespace openr_host {
+
+std::string HostPath(const char* path, StickUse use) {
+  const ApiScope scope;
+  System* const system = t_current.system;
   MemoryStick* const stick = system->robot(t_current.object->robot).stick.get();
   if (path == nullptr || stick == nullptr) {
     errno = ENOENT;
     return "";
   }
-  if (std::strncmp(path, "/MS", 3) != 0 && std::strncmp(path, "/ms", 3) != 0) {
+  if (strncasecmp(path, "/MS", 3) != 0) {
     system->AddFinding(
         Severity::kWarning,
         fmt::format("'{}' cannot be opened: on the robot every path is absolute and begins "
@@ -59,69 +180,22 @@ std::string HostPath(const char* path, bool writes, bool may_create) {
     errno = ENOENT;
     return "";
   }
-  WarnOfLongName(path);
+  if (!CheckNames(path)) return "";
   const MemoryStick::Location location = stick->Locate(path);
-  if (location.error != 0 || (!location.exists && !may_create)) {
+  if (location.error != 0 || (!location.exists && use != StickUse::kCreate)) {
     errno = location.error != 0 ? location.error : ENOENT;
     return "";
   }
-  if (writes && !stick->writable()) {
+  if (use == StickUse::kRead) return location.path;
+  if (!stick->writable()) {
     errno = EROFS;
     return "";
   }
-  if (writes) stick->NoteWritten(path);
+  stick->NoteWritten(path);
   return location.path;
 }
 
-bool OpensForWriting(int flags) {
-  return (flags & O_ACCMODE) != O_RDONLY || (flags & O_CREAT) != 0;
-}
-bool OpensForWriting(const char* mode) { return std::strpbrk(mode, "wa+") != nullptr; }
-
-int OpenAt(const char* path, int flags, mode_t mode) {
-  static const auto next = OPENR_NEXT(open);
-  if (!InObject()) return next(path, flags, mode);
-  const std::string host = HostPath(path, OpensForWriting(flags), (flags & O_CREAT) != 0);
-  if (host.empty()) return -1;
-  const ApiScope scope;
-  return next(host.c_str(), flags | O_CLOEXEC, 0666);
-}
-
-FILE* OpenFile(const char* path, const char* mode) {
-  static const auto next = OPENR_NEXT(fopen);
-  if (!InObject()) return next(path, mode);
-  const std::string host =
-      HostPath(path, OpensForWriting(mode), std::strpbrk(mode, "wa") != nullptr);
-  if (host.empty()) return nullptr;
-  const ApiScope scope;
-  FILE* const file = next(host.c_str(), mode);
-  if (file != nullptr) t_current.object->open_files.insert(file);  // closed with the object
-  return file;
-}
-
-// The mode argument of open(), present only when a file may be made.
-mode_t ModeOf(int flags, va_list arguments) {
-  return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
-}
-
-// Calls with one path: `next` gets the host's.
-template <typename Function, typename... Rest>
-int WithPath(Function* next, bool writes, bool may_create, const char* path, Rest... rest) {
-  if (!InObject()) return next(path, rest...);
-  const std::string host = HostPath(path, writes, may_create);
-  return host.empty() ? -1 : next(host.c_str(), rest...);
-}
-
-// All the robot's file system tells (Programmer's Guide, appendix A).
-void AsOnRobot(struct stat* status) {
-  const mode_t kind = S_ISDIR(status->st_mode) ? S_IFDIR : S_IFREG;
-  const off_t size = status->st_size;
-  *status = {};
-  status->st_mode = kind | 0777;
-  status->st_size = size;
-}
-
-}  // namespace
+}  // namespace openr_host
 
 extern "C" {
 
@@ -148,6 +222,16 @@ int creat(const char* path, mode_t mode) {
 FILE* fopen(const char* path, const char* mode) { return OpenFile(path, mode); }
 FILE* fopen64(const char* path, const char* mode) { return OpenFile(path, mode); }
 
+FILE* freopen(const char* path, const char* mode, FILE* file) {
+  static const auto next = OPENR_NEXT(freopen);
+  if (!InObject() || path == nullptr) return next(path, mode, file);
+  const std::string host = HostPath(path, UseOf(mode));
+  const ApiScope scope;
+  t_current.object->open_files.erase(file);
+  if (host.empty()) return nullptr;
+  return Remember(next(host.c_str(), mode, file), host, OpensForWriting(mode));
+}
+
 int fclose(FILE* file) {
   static const auto next = OPENR_NEXT(fclose);
   if (InObject()) {
@@ -157,53 +241,67 @@ int fclose(FILE* file) {
   return next(file);
 }
 
+int close(int descriptor) {
+  static const auto next = OPENR_NEXT(close);
+  if (!InObject()) return next(descriptor);
+  const ApiScope scope;
+  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // the console stays
+  if (ForgetDescriptor(descriptor)) return next(descriptor);
+  errno = EBADF;  // one of the host's
+  return -1;
+}
+
 int stat(const char* path, struct stat* status) noexcept {
   static const auto next = OPENR_NEXT(stat);
-  const int result = WithPath(next, false, false, path, status);
+  const int result = WithPath(next, StickUse::kRead, path, status);
+  if (result == 0 && InObject()) AsOnRobot(status);
+  return result;
+}
+
+int lstat(const char* path, struct stat* status) noexcept {
+  static const auto next = OPENR_NEXT(lstat);
+  return InObject() ? stat(path, status) : next(path, status);
+}
+
+int fstat(int descriptor, struct stat* status) noexcept {
+  static const auto next = OPENR_NEXT(fstat);
+  const int result = next(descriptor, status);
   if (result == 0 && InObject()) AsOnRobot(status);
   return result;
 }
 
 int access(const char* path, int mode) noexcept {
   static const auto next = OPENR_NEXT(access);
-  return WithPath(next, false, false, path, mode);
+  return WithPath(next, StickUse::kRead, path, mode);
 }
 
 int mkdir(const char* path, mode_t mode) noexcept {
   static const auto next = OPENR_NEXT(mkdir);
-  return WithPath(next, true, true, path, InObject() ? mode_t{0777} : mode);
+  return WithPath(next, StickUse::kCreate, path, InObject() ? mode_t{0777} : mode);
 }
 
 int rmdir(const char* path) noexcept {
   static const auto next = OPENR_NEXT(rmdir);
-  return WithPath(next, true, false, path);
+  return WithPath(next, StickUse::kChange, path);
 }
 
 int unlink(const char* path) noexcept {
   static const auto next = OPENR_NEXT(unlink);
-  return WithPath(next, true, false, path);
+  return WithPath(next, StickUse::kChange, path);
 }
 
 int remove(const char* path) noexcept {
   static const auto next = OPENR_NEXT(remove);
-  return WithPath(next, true, false, path);
+  return WithPath(next, StickUse::kChange, path);
 }
 
 int rename(const char* from, const char* to) noexcept {
   static const auto next = OPENR_NEXT(rename);
   if (!InObject()) return next(from, to);
-  const std::string host_from = HostPath(from, true, false);
+  const std::string host_from = HostPath(from, StickUse::kChange);
   if (host_from.empty()) return -1;
-  const std::string host_to = HostPath(to, true, true);
+  const std::string host_to = HostPath(to, StickUse::kCreate);
   return host_to.empty() ? -1 : next(host_from.c_str(), host_to.c_str());
-}
-
-DIR* opendir(const char* path) {
-  static const auto next = OPENR_NEXT(opendir);
-  if (!InObject()) return next(path);
-  const std::string host = HostPath(path, false, false);
-  const ApiScope scope;
-  return host.empty() ? nullptr : next(host.c_str());
 }
 
 }  // extern "C"

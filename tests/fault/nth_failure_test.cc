@@ -1,6 +1,7 @@
 // The first, second, third ... read and allocation fails in turn: nothing crashes, nothing is
 // lost without a word.
 #include <gtest/gtest.h>
+#include <openr/testing.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -89,6 +90,57 @@ TEST(NthFailureTest, AllocationsOfObjects) {
   }
 }
 #endif
+
+// ---- Posts: the n-th message of the graph finds a full queue
+
+using openr::testing::AnyMessage;
+using openr::testing::Bench;
+using openr::testing::BenchOptions;
+using openr::testing::RefusedMessage;
+using openr::testing::Snapshot;
+
+constexpr std::chrono::seconds kLongEnoughToStand(20);
+
+// Messages of the graph until the dog stands.
+uint64_t CountPosts() {
+  Bench bench({.stick = OPENR_STICK, .body = "ideal"});
+  const RefusedMessage& posts = bench.Refuse(AnyMessage(), UINT64_MAX);
+  bench.Boot();
+  bench.RunUntil([&] { return bench.state("JointMover") == "accepting-commands"; },
+                 kLongEnoughToStand);
+  return posts.matches();
+}
+
+// Whether the dog stands in spite of it; if not, somebody must say why.
+void ExpectStandingOrAWord(Bench& bench) {
+  if (bench.system().booted() && bench.state("JointMover") == "accepting-commands") return;
+  const bool word = bench.system().findings().HasError() || !bench.system().WhoWaits().empty() ||
+                    bench.console().find("failed. sError") != std::string::npos;
+  EXPECT_TRUE(word) << bench.Story() << bench.Findings() << bench.console();
+}
+
+TEST(NthFailureTest, PostsOfTheGraph) {
+  Snapshot<Bench> unbooted([] {
+    auto bench = std::make_unique<Bench>(BenchOptions{.stick = OPENR_STICK, .body = "ideal"});
+    bench->AllowFindings();
+    return bench;
+  });
+  const uint64_t count = CountPosts();
+  ASSERT_GT(count, 1000u);
+  // All of the boot and the first commands; then what repeats itself, in part.
+  for (uint64_t n = 1; n <= count; n += n < 300 ? 1 : 23) {
+    SCOPED_TRACE(n);
+    unbooted.Run([&](Bench& bench) {
+      const RefusedMessage& refused = bench.Refuse(AnyMessage(), n);
+      bench.system().Boot();
+      bench.RunFor(kLongEnoughToStand);
+      ASSERT_TRUE(refused.happened());
+      SCOPED_TRACE(refused.text());
+      EXPECT_THAT(bench.Findings(), ::testing::HasSubstr("refuses a message"));
+      ExpectStandingOrAWord(bench);
+    });
+  }
+}
 
 }  // namespace
 }  // namespace openr_host

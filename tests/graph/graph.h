@@ -9,14 +9,15 @@
 // a standing dog and cannot disturb another.
 #pragma once
 
+#include <openr/testing.h>
+
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "openr/simulation.h"
-#include "openr/standing.h"
 #include "tests/graph/pilot.h"
+#include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
 
@@ -34,15 +35,11 @@ inline GraphOptions OnStick(const std::string& stick) {
   return options;
 }
 
-class Graph {
+class Graph : public openr::testing::Bench {
  public:
   explicit Graph(const GraphOptions& options = {});
 
-  Simulation& simulation() { return *simulation_; }
-  System& system() { return simulation_->system(); }
-  VirtualRobot& dog() { return *simulation_->robots()[0]; }
   Pilot& pilot() { return *pilot_; }
-  const std::string& console() const { return console_; }
 
   // States JointMover has said, in order.
   std::vector<std::string> MoverStates() const;
@@ -51,20 +48,13 @@ class Graph {
   // within 20 s.
   bool RunToStanding();
 
-  double JointDeg(const std::string& name);
-  double RollDeg();
-  double PitchDeg();  // right-handed: nose down is positive
-  bool Standing();    // the rule of docs/cli.md, over the next 0.6 s
-  std::string Findings();
-
  private:
-  std::string console_;
-  std::unique_ptr<Simulation> simulation_;
   Pilot* pilot_;
 };
 
-// Runs `test` in a copy of a process in which the dog stands.  A failed expectation in
-// it fails the calling test.
-void WhenStanding(const GraphOptions& options, const std::function<void(Graph&)>& test);
+// Runs `test` in a copy of a process in which the dog stands.  What fails in it fails the
+// calling test.
+void WhenStanding(const GraphOptions& options, const std::function<void(Graph&)>& test,
+                  openr::testing::Place place = openr::testing::Place::Here());
 
 }  // namespace openr_host

@@ -25,7 +25,7 @@ void Play(Graph& graph, const std::string& file, int loops = 1) {
 
 TEST(MotionTest, AJointGoesWhereItIsToldAndStops) {
   WhenStanding({}, [](Graph& graph) {
-    const int pan = graph.simulation().model().FindJoint("neck_pan");
+    const int pan = graph.model().FindJoint("neck_pan");
     graph.pilot().Send(moverkindPOSITION, pan, 523599);  // 30 degrees
     graph.system().RunFor(3'000'000);
     EXPECT_NEAR(graph.JointDeg("neck_pan"), 30, 2);
@@ -34,7 +34,7 @@ TEST(MotionTest, AJointGoesWhereItIsToldAndStops) {
 
 TEST(MotionTest, ACommandBeyondTheLimitEndsAtTheLimit) {
   WhenStanding({}, [](Graph& graph) {
-    const int pan = graph.simulation().model().FindJoint("neck_pan");
+    const int pan = graph.model().FindJoint("neck_pan");
     graph.pilot().Send(moverkindPOSITION, pan, 3000000);
     graph.system().RunFor(6'000'000);
     EXPECT_NEAR(graph.JointDeg("neck_pan"), 89.6, 2);

@@ -75,7 +75,7 @@ class ReferenceMotionTest : public testing::Test {
     for (const JointDevice& joint : graph->dog().devices().joints) {
       angles.push_back(joint.target_urad * 1e-6);
     }
-    const RestingPose pose = PlaceOnFloor(graph->simulation().model(), angles);
+    const RestingPose pose = PlaceOnFloor(graph->model(), angles);
     EXPECT_LT(std::abs(graph->RollDeg()), 20) << name;
     EXPECT_NEAR(graph->PitchDeg(), RpyOf(pose.X_WB.linear()).y() * kDegree, 15) << name;
   }

@@ -30,7 +30,7 @@ TEST(StandUpTest, GoesThroughTheStatesOfTheReportAndStands) {
 TEST(StandUpTest, EveryJointEndsWhereThePostureWantsIt) {
   WhenStanding({}, [](Graph& graph) {
     graph.system().RunFor(1'000'000);
-    const RobotModel& model = graph.simulation().model();
+    const RobotModel& model = graph.model();
     const std::vector<double>& wanted = model.PostureAngles("stand");
     for (size_t i = 0; i < model.joints.size(); ++i) {
       const std::string& name = model.joints[i].name;

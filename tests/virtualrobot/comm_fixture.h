@@ -15,6 +15,10 @@
 namespace openr_host {
 inline constexpr char kPan[] = "PRM:/r1/c1/c2-Joint2:j2";
 inline constexpr char kEyeLed[] = "PRM:/r1/c1/c2/c3/l1-LED2:l1";
+inline constexpr char kTilt[] = "PRM:/r1/c1-Joint2:j1";
+inline constexpr char kSpeaker[] = "PRM:/r1/c1/c2/c3/s1-Speaker:S1";
+inline constexpr char kMic[] = "PRM:/r1/c1/c2/c3/m1-Mic:M1";
+inline constexpr char kCamera[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 inline constexpr char kEar[] = "PRM:/r1/c1/c2/c3/e1-Joint3:j5";
 
 using Log = std::vector<std::string>;
@@ -94,11 +98,14 @@ class Watcher : public CodeObject {
 
 class VirtualRobotCommTest : public testing::Test {
  protected:
-  VirtualRobotCommTest() : model(LoadRobotModel(std::string(OPENR_MODEL_DIR) + "/ers210.json")) {
-    dog = system.AddRobot("ERS-210", nullptr);
+  explicit VirtualRobotCommTest(VirtualRobotOptions options = {}, const char* name = "ers210",
+                                SystemOptions system_options = {})
+      : model(LoadRobotModel(std::string(OPENR_MODEL_DIR) + "/" + name + ".json")),
+        system(std::move(system_options)) {
+    dog = system.AddRobot(model.design, nullptr);
     auto made = std::make_unique<FollowBody>(model);
     body = made.get();
-    robot = AddVirtualRobot(&system, dog, model, std::move(made));
+    robot = AddVirtualRobot(&system, dog, model, std::move(made), std::move(options));
     mover = system.AddObject<Mover>(dog, "mover");
     watcher = system.AddObject<Watcher>(dog, "watcher");
     system.Connect({dog, "Mover.Move.OCommandVectorData.S",
@@ -116,10 +123,29 @@ class VirtualRobotCommTest : public testing::Test {
     return devices().joints[static_cast<size_t>(model.FindJointByLocator(kPan))].target_urad;
   }
   const Devices& devices() const { return robot->devices(); }
+  double& Angle(const char* locator) {
+    return body->mutable_state()
+        .joints[static_cast<size_t>(model.FindJointByLocator(locator))]
+        .angle_rad;
+  }
+  // Findings whose text contains `part`.
+  int CountFindings(const std::string& part) const {
+    int count = 0;
+    for (const Finding& finding : system.findings().all())
+      count += finding.text.find(part) != std::string::npos;
+    return count;
+  }
+  // All of them, for messages of tests.
+  std::string Findings() const {
+    std::string text;
+    for (const Finding& finding : system.findings().all())
+      text += finding.object + ": " + finding.text + "\n";
+    return text;
+  }
 
   RobotModel model;
   System system;
-  int dog;
+  int dog = 0;
   FollowBody* body;
   VirtualRobot* robot;
   Mover* mover;

@@ -214,9 +214,16 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   const std::vector<double> fov = camera.At("fov").Numbers(2);
   c.fov_h_rad = Radians(fov[0]);
   c.fov_v_rad = Radians(fov[1]);
+  if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
+    camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
   for (const JsonReader& layer : camera.At("layers").Elements()) {
     const std::vector<double> size = layer.Numbers(2);
     c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
+    const int half = 2 << (c.layers.size() - 1);
+    if (c.layers.back() != std::pair(c.width_px / half, c.height_px / half)) {
+      layer.Fail("is {} x {}; every layer is half of the one above it, here {} x {}", size[0],
+                 size[1], c.width_px / half, c.height_px / half);
+    }
   }
 }
 
@@ -276,6 +283,7 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   model.accel_max_rad_s2 = Radians(acceleration.At("max").NumberAbove(0));
   model.speaker_locator = root.At("audio").At("speaker").Text();
   model.microphone_locator = root.At("audio").At("microphone").Text();
+  model.microphone_frames = static_cast<int>(root.At("audio").At("microphone_frames").Whole(1, 16));
   ReadPostures(root, &model);
   model.content_hash = HashBytes(text.data(), text.size());
   return model;

@@ -140,6 +140,7 @@ struct RobotModel {
   Camera camera;
   std::string speaker_locator;
   std::string microphone_locator;
+  int microphone_frames = 0;  // of 8 ms, in one vector
   std::vector<Posture> postures;
   uint64_t content_hash = 0;  // of the text it was read from
 

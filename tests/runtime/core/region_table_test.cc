@@ -15,6 +15,18 @@ TEST(RegionTableTest, FreshBlocksAreZeroAndFound) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(table.BaseOf(id)[i], 0);
 }
 
+#ifndef __SANITIZE_ADDRESS__
+TEST(RegionTableTest, AWriteBehindTheEndShows) {
+  RegionTable table;
+  const uint32_t id = table.New(8, 1);
+  table.BaseOf(id)[7] = 1;
+  EXPECT_FALSE(table.WrittenBeyond(id));
+  table.BaseOf(id)[8] = 1;
+  EXPECT_TRUE(table.WrittenBeyond(id));
+  EXPECT_FALSE(table.WrittenBeyond(12345));
+}
+#endif
+
 TEST(RegionTableTest, AnIdNeverNamesALaterBlock) {
   RegionTable table;
   const uint32_t first = table.New(8, 1);

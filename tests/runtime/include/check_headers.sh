@@ -66,6 +66,13 @@ done
 sed '1!G;h;$!d' "$scratch/all.cc" > "$scratch/all_reversed.cc"
 echo '#include "tests/runtime/include/message_layout_checks.h"' > "$scratch/layout.cc"
 
+# Every constant of the interface has the value it has on the robot.
+{
+  cat "$scratch/all.cc"
+  awk -F '\t' '/^[^#]/ { printf "typedef char is_%s[static_cast<unsigned>(%s) == static_cast<unsigned>(%s) ? 1 : -1];\n", $1, $1, $2 }' \
+    "$root/tests/conformance/constants.tsv"
+} > "$scratch/constants.cc"
+
 : > "$scratch/failures"
 # compile FLAGS SOURCE COMPILER...
 compile() {
@@ -99,7 +106,7 @@ all_together() {
 
 # old_sources COMPILER...  No -Wpedantic and no -Werror: gets() warns by itself.
 old_sources() {
-  for source in old_source.cc old_network_source.cc; do
+  for source in old_source.cc old_network_source.cc old_macros.cc every_signature.cc; do
     compile "-fsyntax-only" "$root/tests/runtime/include/$source" "$@"
   done
   echo "sources in the old manner: $*"
@@ -133,6 +140,8 @@ if have mipsel-linux-gnu-g++; then
 fi
 compile "-fsyntax-only $warnings" "$scratch/layout.cc" g++ -std=gnu++11
 echo "layouts: g++"
+compile "-fsyntax-only" "$scratch/constants.cc" g++ -std=gnu++98
+echo "constants: g++"
 
 # Nothing may be defined twice when two sources of an object include the same headers.
 compile "-c -o $scratch/all.o" "$scratch/all.cc" g++ -std=gnu++98

@@ -1,0 +1,62 @@
+//
+// EchoServer sends back whatever a client sends, over TCP, to two clients at a time.
+//
+// Each connection goes round: listen, receive, send, receive, ... close, listen.  At most one
+// operation of a connection is under way, and its answer comes to an entry of this object.
+//
+
+#ifndef EchoServer_h_DEFINED
+#define EchoServer_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/OObserver.h>
+#include <ant.h>
+
+#include "def.h"
+
+class EchoServer : public OObject {
+public:
+    EchoServer();
+    virtual ~EchoServer() {}
+
+    OSubject* subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+
+    void ListenCont(ANTENVMSG msg);
+    void ReceiveCont(ANTENVMSG msg);
+    void SendCont(ANTENVMSG msg);
+    void CloseCont(ANTENVMSG msg);
+
+private:
+    static const int PORT = 7000;
+    static const int NUM_CONNECTIONS = 2;
+
+    // The robot sends up to 1024 bytes at once; of 1025 to 3072 the last part would come
+    // 200 ms later (Nagle's algorithm).
+    static const int BUFFER_SIZE = 1024;
+
+    struct Connection {
+        antModuleRef endpoint;
+        antSharedBuffer buffer;
+        byte* data;  // BUFFER_SIZE bytes; belongs to the stack while an operation is under way
+        int numEchoed;
+    };
+
+    OStatus NewBuffers();
+    void Listen(int index);
+    void Receive(int index);
+    void Send(int index, int size);
+    void Close(int index);
+
+    antStackRef ipstack_;
+    Connection connection_[NUM_CONNECTIONS];
+    bool isStopped_;
+};
+
+#endif  // EchoServer_h_DEFINED

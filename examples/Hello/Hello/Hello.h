@@ -1,0 +1,29 @@
+//
+// Hello says when the system calls it: the four events in the life of every object.
+//
+
+#ifndef Hello_h_DEFINED
+#define Hello_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OSubject.h>
+#include <OPENR/OObserver.h>
+
+#include "def.h"
+
+class Hello : public OObject {
+public:
+    Hello();
+    virtual ~Hello() {}
+
+    // The stub, which stubgen2 makes of stub.cfg, reaches for these two by name.
+    OSubject* subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+};
+
+#endif  // Hello_h_DEFINED

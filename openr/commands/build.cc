@@ -1,0 +1,26 @@
+// openr build: a folder of OPEN-R programs, built for the host.
+#include <memory>
+
+#include "openr/commands/commands.h"
+#include "openr/kit/build_folder.h"
+
+namespace openr_host {
+
+void AddBuildCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("build", "Builds a folder of OPEN-R objects for the host");
+  auto options = std::make_shared<BuildOptions>();
+  command->add_option("DIR", options->folder, "Folder with objects, and Makefiles if it has any")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "Folder for the stick (default: the one in DIR)");
+  command->add_option("-j,--jobs", options->jobs, "Compilers at once (default: all processors)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--work", options->work,
+                      "Folder for private copies (default: one in ~/.cache/openr-host)");
+  command->add_flag("--verbose", options->is_verbose, "Show every command");
+  command->add_flag("--fresh", options->is_fresh, "Forget what earlier builds left");
+  command->callback([options, exit_code] { *exit_code = BuildFolder(*options); });
+}
+
+}  // namespace openr_host

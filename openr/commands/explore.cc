@@ -1,0 +1,265 @@
+// openr explore: one scene under many legal orders of its messages.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/console.h"
+#include "openr/cost_file.h"
+#include "openr/duration.h"
+#include "openr/exit_code.h"
+#include "openr/explore/explorer.h"
+#include "openr/explore/schedule_file.h"
+#include "openr/output_file.h"
+#include "openr/pacing.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int64_t kProgressNs = 5'000'000'000;
+
+struct ExploreFlags {
+  ExploredStick stick;
+  ExplorePlan plan;
+  std::vector<std::string> vary;
+  bool exhaustive = false;
+  bool no_reduction = false;
+  bool verify = false;
+  bool keep_going = false;
+  bool guard = false;
+  bool no_guard = false;
+  std::string replay_file;
+  std::string console_file;
+  std::string file;
+  bool json = false;
+};
+
+void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
+  SimulationOptions& simulation = flags->stick.simulation;
+  AddCommonFlags(command, &simulation);
+  command->get_option("--seed")->description("The first seed");
+  AddDurationFlag(command, "--for", &flags->stick.for_us, "Virtual time of each run");
+  command->add_option("--body", simulation.body, "ode or ideal")
+      ->check(CLI::IsMember({"ode", "ideal"}))
+      ->capture_default_str();
+  command->add_option("--robots", simulation.robots, "Number of robots, each in its own world")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
+  command->add_option("--cost", flags->stick.cost_file,
+                      "zero, or a file that says how long handlers take (ers210.cost)");
+  command
+      ->add_option("--property", flags->stick.properties,
+                   "What must hold: 'default', a built-in name or a file of properties; may be "
+                   "repeated")
+      ->take_all();
+}
+
+void DescribeHow(CLI::App* command, ExploreFlags* flags) {
+  command->add_option("--runs", flags->plan.runs, "Number of seeds; of --exhaustive the most runs")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--vary", flags->vary,
+                   "What seeds may change: starts,ties,delays,network,costs,frames (all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"starts", "ties", "delays", "network", "costs", "frames"}));
+  command->add_flag("--exhaustive", flags->exhaustive,
+                    "All orders of starts and ties, depth first");
+  command->add_flag("--no-reduction", flags->no_reduction,
+                    "With --exhaustive: also orders that nobody could tell from others");
+  command->add_flag("--verify", flags->verify, "Each seed twice; count differing hashes");
+  command->add_flag("--keep-going", flags->keep_going, "Do not stop at the first failure");
+  command->add_flag("--guard", flags->guard,
+                    "Watch received data in --verify and --exhaustive too");
+  command->add_flag("--no-guard", flags->no_guard, "Do not watch received data");
+  command->add_option("--jobs", flags->plan.jobs, "Worker processes (default: one per core)")
+      ->check(CLI::Range(1, 256));
+  AddDurationFlag(command, "--handler-limit", &flags->plan.limits.handler_us,
+                  "Processor time of one handler");
+  command->add_option("--replay", flags->replay_file, "Run a failure again that -o wrote")
+      ->check(CLI::ExistingFile);
+  command->add_option("--console", flags->console_file, "File for what objects print")
+      ->check(IsWritable());
+  command->add_option("-o,--output", flags->file, "File for the failing order, if there is one")
+      ->check(IsWritable());
+  command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON");
+}
+
+Vary VaryOf(const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  const auto has = [&names](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  Vary vary;
+  vary.starts = has("starts");
+  vary.ties = has("ties");
+  vary.delays = has("delays");
+  vary.network = has("network");
+  vary.costs = has("costs");
+  vary.frames = has("frames");
+  return vary;
+}
+
+// Objects print to nowhere unless there is a file; every run appends to it.
+std::function<void(std::string_view)> ConsoleOf(const std::string& file) {
+  if (file.empty()) return [](std::string_view) {};
+  const int descriptor =
+      open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  return [descriptor](std::string_view text) { WriteAll(descriptor, text); };
+}
+
+// Completes the plan by what the stick is.
+void SetStick(const ExploredStick& stick, const std::string& console_file, ExplorePlan* plan) {
+  LoadCostFile(stick.cost_file);  // so that a wrong one is reported once, here
+  plan->run.for_us = stick.for_us;
+  plan->run.properties.names = stick.properties;
+  plan->run.properties.Make();
+  SimulationOptions simulation = stick.simulation;
+  simulation.console = ConsoleOf(console_file);
+  plan->make_scene = [simulation, cost_file = stick.cost_file] {
+    return MakeSimulationScene(simulation, cost_file);
+  };
+}
+
+std::function<void(uint64_t)> ProgressOf(uint64_t runs) {
+  return [runs, last_ns = WallClockNs()](uint64_t done) mutable {
+    if (WallClockNs() - last_ns < kProgressNs) return;
+    last_ns = WallClockNs();
+    fmt::print(stderr, "openr explore: {} of {} runs\n", done, runs);
+  };
+}
+
+std::string Summary(const Json& result, const ExploreFlags& flags) {
+  const uint64_t runs = result["runs"].get<uint64_t>();
+  std::string text =
+      fmt::format("{} {} of {}, {:.1f} a second: ", runs, flags.verify ? "seeds twice" : "runs",
+                  FormatDuration(flags.stick.for_us), result["runs_per_s"].get<double>());
+  if (flags.verify) text += fmt::format("{} differences, ", result["differences"].get<uint64_t>());
+  if (flags.exhaustive) {
+    text += fmt::format("{} orders, {} runs cut as equal to others, {:.4g} % covered",
+                        result["orders"].get<uint64_t>(), result["cut"].get<uint64_t>(),
+                        result["covered"].get<double>() * 100);
+    text += result["complete"]
+                ? ", complete; "
+                : fmt::format("; stopped {}; ", result["stopped"].get<std::string>());
+  }
+  const uint64_t broken = result["broken"].get<uint64_t>();
+  text += broken == 0 ? "no property broken\n" : fmt::format("{} broke a property\n", broken);
+  if (result.contains("failure")) text += DescribeFailure(result["failure"]);
+  return text;
+}
+
+// False after a complaint.
+bool WriteFailure(const Json& result, const ExploreFlags& flags) {
+  if (flags.file.empty() || !result.contains("failure")) return true;
+  const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
+  const std::string problem = WriteFile(flags.file, schedule.dump(2) + "\n");
+  fmt::print(stderr, "openr explore: {}\n",
+             problem.empty()
+                 ? fmt::format("wrote {}; again: openr explore --replay {}", flags.file, flags.file)
+                 : problem);
+  return problem.empty();
+}
+
+void Tell(const Json& result, const std::string& text, bool as_json) {
+  const auto replace = Json::error_handler_t::replace;
+  if (as_json) fmt::print("{}\n", result.dump(-1, ' ', false, replace));
+  fmt::print(as_json ? stderr : stdout, "{}", text);
+}
+
+int Replay(ExploreFlags flags) {
+  Json deviations;
+  const ScheduleFile schedule = ReadScheduleFile(flags.replay_file, &deviations);
+  ExploredStick stick = schedule.stick;
+  if (!flags.stick.simulation.stick.empty()) stick.simulation.stick = flags.stick.simulation.stick;
+  SetStick(stick, flags.console_file, &flags.plan);
+  const Json answer = ReplayDeviations(flags.plan, deviations, schedule.seed);
+  const bool broken = !answer["broken"].is_null();
+  std::string text;
+  if (broken) {
+    Json failure = {{"seed", schedule.seed}};
+    failure.update(answer["broken"]);
+    failure["deviations"] = deviations;
+    failure["deviations_found"] = deviations.size();
+    failure["shorten_runs"] = 0;
+    failure["waits"] = answer.value("waits", Json::array());
+    failure["tail"] = answer.value("tail", Json::array());
+    text = DescribeFailure(failure);
+  }
+  const bool same = broken && answer["broken"]["property"] == schedule.property &&
+                    answer["broken"]["text"] == schedule.text;
+  text += same ? "the same as in the file\n"
+               : fmt::format("the file says: {}: {}\n", schedule.property, schedule.text);
+  Json result = answer;
+  result["same"] = same;
+  Tell(result, text, flags.json);
+  return broken ? kExitWrong : kExitGood;
+}
+
+int Explore(ExploreFlags flags) {
+  if (!flags.replay_file.empty()) return Replay(std::move(flags));
+  const bool has_cost = !flags.stick.cost_file.empty() && flags.stick.cost_file != "zero";
+  if (flags.exhaustive && (flags.verify || has_cost)) {
+    throw CLI::ValidationError("--exhaustive", "goes neither with --verify nor with --cost");
+  }
+  flags.stick.simulation.guard_regions =
+      flags.guard || !(flags.no_guard || flags.verify || flags.exhaustive);
+  SetStick(flags.stick, flags.console_file, &flags.plan);
+  ExplorePlan& plan = flags.plan;
+  plan.first_seed = flags.stick.simulation.seed;
+  plan.run.vary = VaryOf(flags.vary);
+  plan.stop_at_first = !flags.keep_going;
+  plan.reduce = !flags.no_reduction;
+  plan.progress = ProgressOf(plan.runs);
+  const int64_t begin_ns = WallClockNs();
+  Json result = flags.exhaustive ? SearchOrders(plan)
+                : flags.verify   ? VerifySeeds(plan)
+                                 : ExploreSeeds(plan);
+  const double wall_time_s = static_cast<double>(WallClockNs() - begin_ns) / 1e9;
+  result["for_s"] = static_cast<double>(flags.stick.for_us) / 1e6;
+  result["first_seed"] = plan.first_seed;
+  result["jobs"] = plan.jobs;
+  result["wall_time_s"] = wall_time_s;
+  result["runs_per_s"] = result["runs"].get<double>() / wall_time_s;
+  Tell(result, Summary(result, flags), flags.json);
+  const bool written = WriteFailure(result, flags);
+  const bool good = result["broken"] == 0 && result.value("differences", 0) == 0;
+  return good && written ? kExitGood : kExitWrong;
+}
+
+std::string ListOfProperties() {
+  std::string text = "Properties (*: default; no-crash and handlers-return always):\n";
+  for (const PropertyEntry& entry : PropertyTable()) {
+    text +=
+        fmt::format("  {} {:<21} {}\n", entry.by_default ? '*' : ' ', entry.name, entry.meaning);
+  }
+  return text;
+}
+
+}  // namespace
+
+void AddExploreCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command = app->add_subcommand(
+      "explore", "Runs a stick under many legal orders of its messages and checks properties");
+  auto flags = std::make_shared<ExploreFlags>();
+  flags->plan.jobs = static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+  flags->stick.simulation.body = "ideal";
+  DescribeWhat(command, flags.get());
+  DescribeHow(command, flags.get());
+  command->footer(ListOfProperties());
+  command->callback([flags, exit_code] { *exit_code = Explore(*flags); });
+}
+
+}  // namespace openr_host

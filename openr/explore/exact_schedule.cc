@@ -1,0 +1,130 @@
+#include "openr/explore/exact_schedule.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+uint64_t BitOf(ObjectId id) { return uint64_t{1} << std::clamp(id, 0, 63); }
+
+}  // namespace
+
+Json TouchedToJson(const Touched& touched) { return {touched.memory, touched.queues}; }
+
+Touched TouchedFromJson(const Json& json) {
+  return {json[0].get<uint64_t>(), json[1].get<uint64_t>()};
+}
+
+Json SleepToJson(const SleepSet& sleep) {
+  Json json = Json::array();
+  for (const auto& [object, touched] : sleep) json.push_back({object, TouchedToJson(touched)});
+  return json;
+}
+
+SleepSet SleepFromJson(const Json& json) {
+  SleepSet sleep;
+  for (const Json& entry : json) sleep[entry[0].get<ObjectId>()] = TouchedFromJson(entry[1]);
+  return sleep;
+}
+
+ExactSchedule::ExactSchedule(const System& system, const Json& plan)
+    : ExploreSchedule(system),
+      reduce_(plan.at("reduce").get<bool>()),
+      choices_(plan.at("choices").get<std::vector<size_t>>()),
+      next_sleep_(SleepFromJson(plan.at("sleep"))) {}
+
+size_t ExactSchedule::PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) {
+  FinishEvent();
+  const bool is_start = spot.kind == Deviation::Kind::kStart;
+  if (is_start) sleep_.clear();
+  Node node;
+  node.candidates = candidates;
+  const size_t index = nodes_.size();
+  if (index < choices_.size()) {
+    node.chosen = std::min(choices_[index], candidates.size() - 1);
+    if (index + 1 == choices_.size() && !is_start) sleep_ = std::move(next_sleep_);
+  } else {
+    node.sleep = sleep_;
+    node.chosen = FirstAwake(candidates);
+    if (node.chosen == kNone) {
+      is_cut_ = true;
+      return 0;
+    }
+  }
+  const size_t chosen = node.chosen;
+  nodes_.push_back(std::move(node));
+  BeginEvent(candidates[chosen], index);
+  if (is_start) touched_ = kAllTouched;
+  return chosen;
+}
+
+size_t ExactSchedule::FirstAwake(const std::vector<ObjectId>& candidates) {
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (!sleep_.contains(candidates[i])) return i;
+  }
+  return kNone;
+}
+
+void ExactSchedule::BeginEvent(ObjectId target, size_t node) {
+  has_event_ = true;
+  is_begun_ = false;
+  event_target_ = target;
+  event_node_ = node;
+  touched_ = {BitOf(target), 0};
+}
+
+void ExactSchedule::SawDelivery(const Message& message) {
+  const bool was_chosen = has_event_ && !is_begun_ && event_target_ == message.target;
+  if (!was_chosen) {
+    FinishEvent();
+    if (sleep_.contains(message.target)) is_cut_ = true;
+    BeginEvent(message.target, kNone);
+  }
+  is_begun_ = true;
+  if (message.kind == PayloadKind::kNotify) TouchMemoryOf(message.sender);
+  TouchHeld(*system().object(message.target));
+}
+
+void ExactSchedule::FinishEvent() {
+  if (!std::exchange(has_event_, false)) return;
+  if (event_node_ != kNone) nodes_[event_node_].touched = touched_;
+  if (nodes_.size() < choices_.size()) return;
+  std::erase_if(sleep_,
+                [this](const auto& sleeper) { return !reduce_ || sleeper.second.Meets(touched_); });
+}
+
+void ExactSchedule::SawPost(const Message& message) { touched_.queues |= BitOf(message.target); }
+
+void ExactSchedule::TouchMemoryOf(ObjectId id) {
+  if (id != kNoObject) touched_.memory |= BitOf(id);
+}
+
+void ExactSchedule::TouchHeld(const Object& object) {
+  for (const auto& observer : object.observers) {
+    for (const ObserverState::Held& held : observer->held) {
+      if (!held.regions.empty()) TouchMemoryOf(ObjectIdOf(held.subject.GetOID()));
+    }
+  }
+}
+
+Json ExactSchedule::Tell() {
+  FinishEvent();
+  Json nodes = Json::array();
+  for (const Node& node : nodes_) {
+    nodes.push_back({{"candidates", node.candidates},
+                     {"chosen", node.chosen},
+                     {"touched", TouchedToJson(node.touched)},
+                     {"sleep", SleepToJson(node.sleep)}});
+  }
+  return {{"cut", is_cut_}, {"nodes", std::move(nodes)}};
+}
+
+}  // namespace openr_host

@@ -1,0 +1,27 @@
+// A cost file whose jitter is chosen by the schedule of the run.
+#pragma once
+
+#include <utility>
+
+#include "openr/explore/explore_schedule.h"
+#include "runtime/config/cost_config.h"
+
+namespace openr_host {
+
+class ExploredCost : public ConfiguredCost {
+ public:
+  explicit ExploredCost(CostConfig config) : ConfiguredCost(std::move(config), 1) {}
+
+  // Null: none.
+  void set_schedule(ExploreSchedule* schedule) { schedule_ = schedule; }
+
+ protected:
+  int64_t JitterUs(const Object& object, uint32_t selector, int64_t range_us) override {
+    return schedule_ == nullptr ? 0 : schedule_->CostJitterUs(object, selector, range_us);
+  }
+
+ private:
+  ExploreSchedule* schedule_ = nullptr;
+};
+
+}  // namespace openr_host

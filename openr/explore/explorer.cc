@@ -1,0 +1,148 @@
+#include "openr/explore/explorer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "openr/explore/shorten.h"
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kTail = 12;        // of the last messages, in a failure
+constexpr size_t kSeedsNamed = 10;  // of those that differ
+
+bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
+
+// Answers in order of their numbers, as soon as there is no gap.
+class InOrder {
+ public:
+  explicit InOrder(std::function<void(const Json&)> take) : take_(std::move(take)) {}
+
+  void Put(size_t number, Json answer) {
+    early_[number] = std::move(answer);
+    for (auto found = early_.find(next_); found != early_.end(); found = early_.find(next_)) {
+      take_(found->second);
+      early_.erase(found);
+      ++next_;
+    }
+  }
+
+ private:
+  const std::function<void(const Json&)> take_;
+  size_t next_ = 0;
+  std::map<size_t, Json> early_;
+};
+
+// What many runs come to.
+class Sum {
+ public:
+  explicit Sum(const ExplorePlan& plan) : plan_(plan) {}
+
+  // False once nothing more is wanted.
+  bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
+
+  void Add(const Json& answer) {
+    if (!wants_more()) return;
+    ++runs_;
+    if (IsBroken(answer)) {
+      ++broken_;
+      if (!first_broken_) first_broken_ = answer;
+    }
+    messages_ += answer.value("messages", uint64_t{0});
+    digest_.Add(answer.at("seed").get<uint64_t>());
+    digest_.AddText(answer.value("state", ""));
+    digest_.AddText(answer.value("trace", ""));
+    if (plan_.progress) plan_.progress(runs_);
+  }
+
+  Json Tell(WorkerPool* pool) const {
+    Json sum = {{"runs", runs_},
+                {"broken", broken_},
+                {"messages", messages_},
+                {"digest", fmt::format("{:016x}", digest_.Digest())}};
+    if (first_broken_) sum["failure"] = MakeFailure(plan_, pool, *first_broken_);
+    return sum;
+  }
+
+ private:
+  const ExplorePlan& plan_;
+  uint64_t runs_ = 0, broken_ = 0, messages_ = 0;
+  Hasher digest_;
+  std::optional<Json> first_broken_;
+};
+
+}  // namespace
+
+Json MakeFailure(const ExplorePlan& plan, WorkerPool* pool, const Json& answer) {
+  const uint64_t seed = answer.at("seed").get<uint64_t>();
+  const std::string property = answer["broken"]["property"].get<std::string>();
+  Json script = answer.at("deviations");
+  const size_t found = script.size();
+  Json last = answer;
+  const auto still_breaks = [&](const Json& candidate) -> std::optional<Json> {
+    Json result = pool->RunOne({{"seed", seed}, {"script", candidate}, {"tail", kTail}});
+    if (!IsBroken(result) || result["broken"]["property"] != property) return {};
+    return result;
+  };
+  const int runs = Shorten(still_breaks, plan.shorten_runs, &script, &last);
+  Json failure = {{"seed", seed}};
+  failure.update(last["broken"]);
+  failure["canonical"] = script.empty();
+  failure["deviations_found"] = found;
+  failure["shorten_runs"] = runs;
+  failure["waits"] = last.value("waits", Json::array());
+  failure["tail"] = last.value("tail", Json::array());
+  failure["deviations"] = std::move(script);
+  return failure;
+}
+
+Json ExploreSeeds(const ExplorePlan& plan) {
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs);
+  Sum sum(plan);
+  InOrder in_order([&](const Json& answer) { sum.Add(answer); });
+  uint64_t next_seed = plan.first_seed;
+  pool.Run(
+      [&]() -> std::optional<Json> {
+        if (next_seed - plan.first_seed == plan.runs || !sum.wants_more()) return {};
+        return Json{{"seed", next_seed++}};
+      },
+      [&](size_t number, Json answer) { in_order.Put(number, std::move(answer)); });
+  return sum.Tell(&pool);
+}
+
+Json VerifySeeds(const ExplorePlan& plan) {
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs);
+  Sum sum(plan);
+  uint64_t differences = 0;
+  Json different = Json::array();
+  InOrder in_order([&](const Json& answer) {
+    if (answer["differs"] && ++differences <= kSeedsNamed) different.push_back(answer["seed"]);
+    sum.Add(answer);
+  });
+  uint64_t next_seed = plan.first_seed;
+  pool.Run(
+      [&]() -> std::optional<Json> {
+        if (next_seed - plan.first_seed == plan.runs || !sum.wants_more()) return {};
+        return Json{{"seed", next_seed++}, {"twice", true}};
+      },
+      [&](size_t number, Json answer) { in_order.Put(number, std::move(answer)); });
+  Json result = sum.Tell(&pool);
+  result["differences"] = differences;
+  result["different_seeds"] = std::move(different);
+  return result;
+}
+
+Json ReplayDeviations(const ExplorePlan& plan, const Json& script, uint64_t seed) {
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  return pool.RunOne({{"seed", seed}, {"script", script}, {"tail", kTail}});
+}
+
+}  // namespace openr_host

@@ -1,0 +1,141 @@
+#include "openr/explore/fork_server.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "openr/console.h"
+#include "openr/crash_log.h"
+#include "openr/watchdog.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int64_t kOddSliceUs = 50'021;  // of the second run: no multiple of anything
+
+// All that comes from `descriptor`; false when it does not end within `wall_s` of silence.
+bool ReadAll(int descriptor, int wall_s, std::string* text) {
+  for (;;) {
+    pollfd wanted = {descriptor, POLLIN, 0};
+    const int ready = poll(&wanted, 1, wall_s * 1000);
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return false;
+    char buffer[65536];
+    const ssize_t size = read(descriptor, buffer, sizeof buffer);
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return true;
+    text->append(buffer, static_cast<size_t>(size));
+  }
+}
+
+int WaitFor(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace
+
+ForkServer::ForkServer(Scene scene, RunOptions options, ForkLimits limits)
+    : scene_(std::move(scene)), options_(std::move(options)), limits_(limits) {
+  void* const memory = mmap(nullptr, sizeof(DeviationLog), PROT_READ | PROT_WRITE,
+                            MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) throw std::runtime_error("no memory for the log of deviations");
+  log_ = static_cast<DeviationLog*>(memory);
+}
+
+ForkServer::~ForkServer() { munmap(log_, sizeof(DeviationLog)); }
+
+Json ForkServer::Broken(const Json& plan, const char* property, const std::string& text) {
+  Json deviations = Json::array();
+  for (uint64_t i = 0; i < log_->count; ++i) {
+    deviations.push_back(DeviationToJson(log_->entries[i], *scene_.system));
+  }
+  return {{"seed", plan.at("seed")},
+          {"broken",
+           {{"property", property}, {"time_us", nullptr}, {"message", nullptr}, {"text", text}}},
+          {"deviations", std::move(deviations)}};
+}
+
+// What a copy said that ended before its time: the crash log and the watchdog say it as an error.
+Json ForkServer::AnswerOfTheDead(const Json& plan, const std::string& said, int status) {
+  const Json json = Json::parse(said, nullptr, false);
+  if (json.is_object() && json.contains("error")) {
+    const std::string text = json["error"].get<std::string>();
+    const bool hangs = text.find("does not return") != std::string::npos;
+    return Broken(plan, hangs ? kHandlersReturn : kNoCrash, text);
+  }
+  return Broken(plan, kNoCrash,
+                WIFSIGNALED(status)
+                    ? fmt::format("the process ended with signal {} ({})", WTERMSIG(status),
+                                  strsignal(WTERMSIG(status)))
+                    : fmt::format("the process ended with status {}", WEXITSTATUS(status)));
+}
+
+void ForkServer::RunInCopy(const Json& plan, int answer) {
+  const CrashLog crash_log({}, answer);
+  const Watchdog watchdog(limits_.handler_us, answer);
+  Json result;
+  try {
+    result = RunScene(&scene_, plan, options_, log_);
+  } catch (const std::exception& error) {
+    result = {{"problem", error.what()}};
+  }
+  const auto replace = Json::error_handler_t::replace;  // objects may print anything
+  WriteAll(answer, result.dump(-1, ' ', false, replace));
+  std::fflush(nullptr);
+  _exit(0);
+}
+
+Json ForkServer::Run(const Json& plan) {
+  Json answer = RunOnce(plan);
+  if (!plan.value("twice", false) || answer.contains("problem")) return answer;
+  Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
+  if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
+  const Json second = RunOnce(again);
+  answer["differs"] = answer.value("state", "") != second.value("state", "") ||
+                      answer.value("trace", "") != second.value("trace", "");
+  return answer;
+}
+
+Json ForkServer::RunOnce(const Json& plan) {
+  int channel[2];
+  if (pipe2(channel, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a copy of the process");
+  std::fflush(nullptr);
+  log_->count = 0;
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
+  if (child == 0) {
+    close(channel[0]);
+    RunInCopy(plan, channel[1]);
+  }
+  close(channel[1]);
+  std::string said;
+  const bool ended = ReadAll(channel[0], limits_.wall_s, &said);
+  close(channel[0]);
+  if (!ended) kill(child, SIGKILL);
+  const int status = WaitFor(child);
+  if (!ended) {
+    return Broken(plan, kHandlersReturn,
+                  fmt::format("the run did not end within {} s of real time", limits_.wall_s));
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return AnswerOfTheDead(plan, said, status);
+  return Json::parse(said);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,183 @@
+#include "openr/explore/run_scene.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "openr/activity.h"
+#include "openr/explore/exact_schedule.h"
+#include "openr/explore/explore_cost.h"
+#include "runtime/core/stalls.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::unique_ptr<ExploreSchedule> ScheduleOf(const Json& plan, const System& system,
+                                            const Vary& vary) {
+  if (plan.contains("exact")) return std::make_unique<ExactSchedule>(system, plan["exact"]);
+  if (!plan.contains("script")) {
+    return std::make_unique<RandomSchedule>(system, plan.at("seed").get<uint64_t>(), vary);
+  }
+  std::vector<Deviation> script;
+  for (const Json& line : plan["script"]) script.push_back(DeviationFromJson(line, system));
+  return std::make_unique<ScriptedSchedule>(system, script);
+}
+
+class SceneRun {
+ public:
+  SceneRun(Scene* scene, const Json& plan, const RunOptions& options, DeviationLog* log)
+      : scene_(*scene),
+        system_(*scene->system),
+        plan_(plan),
+        until_us_(plan.value("until_us", options.for_us)),
+        slice_us_(plan.value("slice_us", kFrameUs)),
+        tail_max_(plan.value("tail", size_t{0})),
+        schedule_(ScheduleOf(plan, system_, options.vary)),
+        exact_(dynamic_cast<ExactSchedule*>(schedule_.get())) {
+    if (!plan.value("blind", false)) properties_ = options.properties.Make();
+    for (const VirtualRobot* robot : scene_.robots) standing_.emplace_back(robot->model());
+    view_ = {&scene_, &standing_, 0};
+    schedule_->set_log(log);
+  }
+
+  Json Run() {
+    system_.Reseed(plan_.at("seed").get<uint64_t>());
+    system_.set_schedule(schedule_.get());
+    if (scene_.cost != nullptr) scene_.cost->set_schedule(schedule_.get());
+    for (size_t i = 0; i < scene_.robots.size(); ++i) {
+      const int64_t frames = until_us_ / kFrameUs;
+      scene_.robots[i]->set_first_frame(schedule_->FirstFrame(static_cast<int>(i), frames));
+    }
+    system_.trace().set_sink(
+        [this](const TraceRecord& record, const Message& message) { Saw(record, message); });
+    system_.Boot();
+    while (system_.now_us() < until_us_ && !system_.powered_off() && broken_.is_null()) {
+      RunTo(std::min(system_.now_us() + slice_us_, until_us_));
+      if (WasCut()) break;
+      Look();
+    }
+    system_.trace().set_sink({});
+    if (broken_.is_null() && !WasCut()) LookAtEnd();
+    return Answer();
+  }
+
+ private:
+  void Saw(const TraceRecord& record, const Message& message) {
+    last_message_ = record.number;
+    if (IsActivity(system_, message)) view_.last_activity_us = record.time_us;
+    if (exact_ != nullptr) exact_->SawDelivery(message);
+    if (tail_max_ == 0) return;
+    tail_.push_back(record);
+    if (tail_.size() > tail_max_) tail_.pop_front();
+  }
+
+  bool WasCut() const { return exact_ != nullptr && exact_->is_cut(); }
+
+  void RunTo(int64_t time_us) {
+    if (exact_ == nullptr) {
+      system_.RunUntil(time_us);
+    } else {
+      system_.RunUntil([this] { return exact_->is_cut(); }, time_us - system_.now_us());
+    }
+  }
+
+  void Look() {
+    if (properties_.empty()) return;
+    for (size_t i = 0; i < standing_.size(); ++i) {
+      standing_[i].Sample(scene_.robots[i]->body().state(), system_.now_us());
+    }
+    for (const auto& property : properties_) {
+      if (broken_.is_null()) Break(property->name(), property->Check(view_));
+    }
+  }
+
+  void LookAtEnd() {
+    for (const auto& property : properties_) {
+      if (broken_.is_null()) Break(property->name(), property->CheckEnd(view_));
+    }
+  }
+
+  void Break(const std::string& property, const std::string& text) {
+    if (text.empty()) return;
+    broken_ = {{"property", property},
+               {"time_us", system_.now_us()},
+               {"message", last_message_},
+               {"text", text}};
+  }
+
+  std::string Describe(const TraceRecord& record) const {
+    const Object* const sender = system_.object(record.sender);
+    const Object* const target = system_.object(record.target);
+    return fmt::format("t={:.6f} s  message {} (cause {})  {} -> {}  {}",
+                       static_cast<double>(record.time_us) * 1e-6, record.number, record.cause,
+                       sender == nullptr ? "outside" : sender->name, target->name,
+                       target->EntryName(record.selector));
+  }
+
+  void CountFindings(Json* answer) const {
+    uint64_t errors = 0, warnings = 0;
+    for (const Finding& finding : system_.findings().all()) {
+      ++(finding.severity == Severity::kError ? errors : warnings);
+    }
+    (*answer)["warnings"] = warnings;
+    (*answer)["errors"] = errors;
+  }
+
+  Json Answer() {
+    Json answer = {{"seed", plan_.at("seed")},
+                   {"time_us", system_.now_us()},
+                   {"messages", system_.message_count()},
+                   {"state", fmt::format("{:016x}", system_.state_hash())},
+                   {"trace", fmt::format("{:016x}", system_.trace_hash())}};
+    CountFindings(&answer);
+    answer["broken"] = broken_;
+    if (!broken_.is_null() || plan_.value("deviations", false)) {
+      Json deviations = Json::array();
+      for (const Deviation& deviation : schedule_->deviations()) {
+        deviations.push_back(DeviationToJson(deviation, system_));
+      }
+      answer["deviations"] = std::move(deviations);
+    }
+    if (!broken_.is_null()) {
+      answer["waits"] = Json::array();
+      for (const Stall& stall : FindStalls(system_, 0)) answer["waits"].push_back(stall.text);
+    }
+    if (tail_max_ > 0) {
+      answer["tail"] = Json::array();
+      for (const TraceRecord& record : tail_) answer["tail"].push_back(Describe(record));
+    }
+    if (exact_ != nullptr) answer["exact"] = exact_->Tell();
+    return answer;
+  }
+
+  Scene& scene_;
+  System& system_;
+  const Json& plan_;
+  const int64_t until_us_;
+  const int64_t slice_us_;
+  const size_t tail_max_;
+  const std::unique_ptr<ExploreSchedule> schedule_;
+  ExactSchedule* const exact_;  // the same, if it is one
+  std::vector<std::unique_ptr<Property>> properties_;
+  std::vector<StandingMonitor> standing_;
+  RunView view_;
+  uint64_t last_message_ = 0;  // number
+  std::deque<TraceRecord> tail_;
+  Json broken_;
+};
+
+}  // namespace
+
+Json RunScene(Scene* scene, const Json& plan, const RunOptions& options, DeviationLog* log) try {
+  return SceneRun(scene, plan, options, log).Run();
+} catch (const Json::exception& error) {
+  throw std::runtime_error(fmt::format("plan of a run: {}", error.what()));
+}
+
+}  // namespace openr_host

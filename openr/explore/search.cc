@@ -1,0 +1,145 @@
+// All orders of a scene, depth first: each run is told the choices that lead to it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "openr/explore/exact_schedule.h"
+#include "openr/explore/explorer.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A question on the way to the last run, and which of its answers have been explored.
+struct Frame {
+  std::vector<ObjectId> candidates;
+  SleepSet sleep;  // when the question was asked first
+  SleepSet done;   // explored, by candidate
+  size_t current = 0;
+  Touched touched;  // by the current answer
+};
+
+class Search {
+ public:
+  Search(const ExplorePlan& plan, WorkerPool* pool) : plan_(plan), pool_(*pool) {}
+
+  Json Run() {
+    do {
+      if (runs_ == plan_.runs) {
+        stopped_ = fmt::format("at the bound of {} runs", plan_.runs);
+        break;
+      }
+      Take(pool_.RunOne(NextPlan()));
+      if (failure_ && plan_.stop_at_first) stopped_ = "at the first broken property";
+    } while (stopped_.empty() && Backtrack());
+    return Tell();
+  }
+
+ private:
+  Json NextPlan() const {
+    Json choices = Json::array();
+    for (const Frame& frame : stack_) choices.push_back(frame.current);
+    SleepSet sleep;
+    if (!stack_.empty() && plan_.reduce) {
+      sleep = stack_.back().sleep;
+      for (const auto& [object, touched] : stack_.back().done) sleep[object] = touched;
+    }
+    return {
+        {"seed", plan_.first_seed},
+        {"exact", {{"choices", choices}, {"sleep", SleepToJson(sleep)}, {"reduce", plan_.reduce}}}};
+  }
+
+  void Take(const Json& answer) {
+    ++runs_;
+    if (plan_.progress) plan_.progress(runs_);
+    if (!answer.at("broken").is_null()) {
+      ++broken_;
+      if (!failure_) failure_ = answer;
+    }
+    if (!answer.contains("exact")) return TakeDeath();
+    const Json& exact = answer["exact"];
+    ++(exact["cut"].get<bool>() ? cut_ : orders_);
+    const Json& nodes = exact["nodes"];
+    choices_max_ = std::max(choices_max_, nodes.size());
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      if (i == stack_.size()) {
+        Frame frame;
+        frame.candidates = nodes[i]["candidates"].get<std::vector<ObjectId>>();
+        frame.sleep = SleepFromJson(nodes[i]["sleep"]);
+        frame.current = nodes[i]["chosen"].get<size_t>();
+        stack_.push_back(std::move(frame));
+      }
+      stack_[i].touched = TouchedFromJson(nodes[i]["touched"]);
+    }
+  }
+
+  // A run that crashed does not tell its questions, so their other answers stay unknown.
+  void TakeDeath() {
+    ++orders_;
+    stopped_ = "at a run that did not come to its end";
+  }
+
+  // To the next answer that is worth a run; false when there is none.
+  bool Backtrack() {
+    while (!stack_.empty()) {
+      Frame& frame = stack_.back();
+      frame.done[frame.candidates[frame.current]] = frame.touched;
+      for (size_t i = 0; i < frame.candidates.size(); ++i) {
+        const ObjectId candidate = frame.candidates[i];
+        if (frame.done.contains(candidate) || frame.sleep.contains(candidate)) continue;
+        frame.current = i;
+        return true;
+      }
+      stack_.pop_back();
+    }
+    return false;
+  }
+
+  // The share of the tree that is done, each question's answers weighing the same.
+  double Covered() const {
+    if (stopped_.empty()) return 1;
+    double covered = 0, weight = 1;
+    for (const Frame& frame : stack_) {
+      weight /= static_cast<double>(frame.candidates.size());
+      for (const ObjectId candidate : frame.candidates) {
+        if (frame.done.contains(candidate) || frame.sleep.contains(candidate)) covered += weight;
+      }
+    }
+    return covered;
+  }
+
+  Json Tell() {
+    Json result = {{"runs", runs_},
+                   {"orders", orders_},
+                   {"cut", cut_},
+                   {"broken", broken_},
+                   {"complete", stopped_.empty()},
+                   {"covered", Covered()},
+                   {"choices_max", choices_max_}};
+    if (!stopped_.empty()) result["stopped"] = stopped_;
+    if (failure_) result["failure"] = MakeFailure(plan_, &pool_, *failure_);
+    return result;
+  }
+
+  const ExplorePlan& plan_;
+  WorkerPool& pool_;
+  std::vector<Frame> stack_;
+  uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
+  size_t choices_max_ = 0;
+  std::string stopped_;
+  std::optional<Json> failure_;
+};
+
+}  // namespace
+
+Json SearchOrders(const ExplorePlan& plan) {
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  return Search(plan, &pool).Run();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,182 @@
+#include "openr/explore/worker_pool.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kReady[] = "ready";
+
+void SilenceOutput() {
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  close(nowhere);
+}
+
+// False when the other side is gone.
+bool Send(int channel, const std::string& line) {
+  for (size_t done = 0; done < line.size();) {
+    const ssize_t size = send(channel, line.data() + done, line.size() - done, MSG_NOSIGNAL);
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return false;
+    done += static_cast<size_t>(size);
+  }
+  return true;
+}
+
+// Lines of plans in, lines of answers out, until the other side closes.
+void Serve(ForkServer* server, int channel) {
+  std::string heard;
+  char buffer[65536];
+  for (;;) {
+    const ssize_t size = read(channel, buffer, sizeof buffer);
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return;
+    heard.append(buffer, static_cast<size_t>(size));
+    const size_t end = heard.find('\n');
+    if (end == std::string::npos) continue;
+    const Json plan = Json::parse(heard.substr(0, end));
+    heard.erase(0, end + 1);
+    if (!Send(channel, server->Run(plan).dump() + "\n")) return;
+  }
+}
+
+// The folder of the images' copies goes with the scene; that is why this returns normally.
+void Work(const MakeScene& make_scene, const RunOptions& options, const ForkLimits& limits,
+          int channel) try {
+  SilenceOutput();
+  Scene scene = make_scene();
+  if (!scene.problem.empty()) throw std::runtime_error(scene.problem);
+  ForkServer server(std::move(scene), options, limits);
+  Send(channel, Json(kReady).dump() + "\n");
+  Serve(&server, channel);
+} catch (const std::exception& error) {
+  Send(channel, Json{{"problem", error.what()}}.dump() + "\n");
+}
+
+}  // namespace
+
+WorkerPool::WorkerPool(const MakeScene& make_scene, const RunOptions& options,
+                       const ForkLimits& limits, int workers) {
+  for (int i = 0; i < workers; ++i) Start(make_scene, options, limits);
+  for (Worker& worker : workers_) {
+    const Json hello = Json::parse(WaitForLine(&worker));
+    if (hello != kReady) throw std::runtime_error(hello.value("problem", "a worker is lost"));
+  }
+}
+
+WorkerPool::~WorkerPool() {
+  for (const Worker& worker : workers_) close(worker.channel);
+  for (const Worker& worker : workers_) {
+    while (waitpid(worker.pid, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+}
+
+void WorkerPool::Start(const MakeScene& make_scene, const RunOptions& options,
+                       const ForkLimits& limits) {
+  int channel[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0) {
+    throw std::runtime_error("no channel to a worker process");
+  }
+  std::fflush(nullptr);
+  const pid_t pid = fork();
+  if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
+  if (pid == 0) {
+    close(channel[0]);
+    for (const Worker& other : workers_) close(other.channel);  // or it would never end
+    Work(make_scene, options, limits, channel[1]);
+    std::fflush(nullptr);
+    _exit(0);
+  }
+  close(channel[1]);
+  Worker worker;
+  worker.pid = pid;
+  worker.channel = channel[0];
+  workers_.push_back(std::move(worker));
+}
+
+std::optional<std::string> WorkerPool::ReadLine(Worker* worker) {
+  char buffer[65536];
+  const ssize_t size = recv(worker->channel, buffer, sizeof buffer, MSG_DONTWAIT);
+  if (size < 0 && (errno == EINTR || errno == EAGAIN)) return {};
+  if (size <= 0) throw std::runtime_error("a worker process has ended before its work");
+  worker->heard.append(buffer, static_cast<size_t>(size));
+  const size_t end = worker->heard.find('\n');
+  if (end == std::string::npos) return {};
+  std::string line = worker->heard.substr(0, end);
+  worker->heard.erase(0, end + 1);
+  return line;
+}
+
+std::string WorkerPool::WaitForLine(Worker* worker) {
+  for (;;) {
+    pollfd wanted = {worker->channel, POLLIN, 0};
+    poll(&wanted, 1, -1);
+    if (auto line = ReadLine(worker)) return *line;
+  }
+}
+
+void WorkerPool::Run(const std::function<std::optional<Json>()>& next,
+                     const std::function<void(size_t, Json)>& take) {
+  size_t number = 0;
+  const auto employ = [&](Worker* worker) {
+    const std::optional<Json> plan = next();
+    worker->is_busy = plan.has_value();
+    if (!plan) return;
+    worker->number = number++;
+    if (!Send(worker->channel, plan->dump() + "\n")) {
+      throw std::runtime_error("a worker process has ended before its work");
+    }
+  };
+  for (Worker& worker : workers_) employ(&worker);
+  while (std::any_of(workers_.begin(), workers_.end(), [](const auto& w) { return w.is_busy; })) {
+    std::vector<pollfd> wanted;
+    for (const Worker& worker : workers_) {
+      wanted.push_back({worker.is_busy ? worker.channel : -1, POLLIN, 0});
+    }
+    if (poll(wanted.data(), wanted.size(), -1) < 0) continue;
+    for (size_t i = 0; i < workers_.size(); ++i) {
+      if (wanted[i].revents == 0) continue;
+      const auto line = ReadLine(&workers_[i]);
+      if (!line) continue;
+      Json answer = Json::parse(*line);
+      if (answer.contains("problem")) throw std::runtime_error(answer["problem"]);
+      take(workers_[i].number, std::move(answer));
+      employ(&workers_[i]);
+    }
+  }
+}
+
+Json WorkerPool::RunOne(const Json& plan) {
+  Json result;
+  bool asked = false;
+  Run(
+      [&]() -> std::optional<Json> {
+        if (std::exchange(asked, true)) return {};
+        return plan;
+      },
+      [&](size_t, Json answer) { result = std::move(answer); });
+  return result;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,295 @@
+#include "openr/kit/build_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "openr/exit_code.h"
+#include "openr/kit/convention_build.h"
+#include "openr/kit/harvest.h"
+#include "openr/kit/kit_log.h"
+#include "openr/kit/make_build.h"
+#include "openr/kit/project.h"
+#include "openr/kit/sdk_paths.h"
+#include "openr/kit/text_files.h"
+#include "openr/kit/work_copy.h"
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// $XDG_CACHE_HOME/openr-host, ~/.cache/openr-host, or a temporary folder.
+fs::path CacheFolder() {
+  if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
+    return fs::path(cache) / "openr-host";
+  if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/')
+    return fs::path(home) / ".cache" / "openr-host";
+  return fs::temp_directory_path() / "openr-host-cache";
+}
+
+fs::path DefaultWorkFolder(const fs::path& folder) {
+  Hasher hasher;
+  hasher.AddText(folder.string());
+  return CacheFolder() / "build" /
+         fmt::format("{}-{:016x}", folder.filename().string(), hasher.Digest());
+}
+
+// Changes with the kit: what another one has built is not mixed with this one's.
+std::string KitIdentity(const std::string& sdk_root) {
+  fs::file_time_type newest = fs::file_time_type::min();
+  for (const char* part : {"OPEN_R/include", "compat", "compile-flags.txt", "images"}) {
+    const fs::path path = fs::path(sdk_root) / part;
+    std::vector<fs::path> files{path};
+    if (fs::is_directory(path)) files = FilesBelow(path);
+    for (const fs::path& file : files) newest = std::max(newest, fs::last_write_time(file));
+  }
+  return fmt::format("{} {}\n", sdk_root, newest.time_since_epoch().count());
+}
+
+class FolderBuild {
+ public:
+  explicit FolderBuild(const BuildOptions& options)
+      : options_(options),
+        folder_(fs::canonical(options.folder)),
+        work_(fs::weakly_canonical(options.work.empty() ? DefaultWorkFolder(folder_)
+                                                        : fs::absolute(options.work))),
+        sdk_root_(SdkRoot()) {}
+
+  ~FolderBuild() {
+    if (lock_ >= 0) close(lock_);
+  }
+  FolderBuild(const FolderBuild&) = delete;
+  FolderBuild& operator=(const FolderBuild&) = delete;
+
+  int Run();
+
+ private:
+  void PrepareWork();
+  void Build();
+  bool TryConvention(const std::vector<ObjectFolder>& objects);
+  std::vector<ObjectFolder> NotBuilt() const;
+  bool SomeImageIsMissing() const;
+  void Deliver();
+  int Conclude() const;
+  std::string ObjectOf(const fs::path& file) const;
+  std::string Described(const KitLog::Failure& failure) const;
+  std::string OriginalName(const std::string& file) const;
+
+  const BuildOptions options_;
+  const fs::path folder_;  // the person's
+  const fs::path work_;
+  const std::string sdk_root_;
+  int lock_ = -1;
+  MakeOptions make_;
+  std::optional<WorkCopy> copy_;
+  std::vector<SourceCopy> copies_;
+  std::vector<fs::path> copied_folders_;
+  Project project_;
+  bool is_made_ = false;  // make was content
+  std::vector<std::string> problems_;
+  std::vector<std::string> notes_;
+  std::vector<std::string> sticks_;  // where they are now
+};
+
+void FolderBuild::PrepareWork() {
+  std::error_code error;
+  fs::create_directories(work_.parent_path(), error);
+  // Another build of the same folder is waited for.
+  lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ >= 0) flock(lock_, LOCK_EX);
+  const std::string identity = KitIdentity(sdk_root_);
+  const fs::path identity_file = work_ / "kit.txt";
+  if (options_.is_fresh || ReadText(identity_file) != identity) fs::remove_all(work_);
+  fs::create_directories(work_, error);
+  const std::string problem = WriteText(identity_file, identity);
+  if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
+  // Images that were put in place by their names would be taken for new ones.
+  std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
+  for (std::string file; std::getline(placed, file);) fs::remove(file);
+  make_.sdk_root = sdk_root_;
+  make_.log = work_ / "log.txt";
+  make_.is_verbose = options_.is_verbose;
+  make_.jobs = options_.jobs > 0
+                   ? options_.jobs
+                   : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  CleanKitLog(make_.log);
+}
+
+int FolderBuild::Run() {
+  PrepareWork();
+  copy_.emplace(work_, sdk_root_);
+  copy_->Add(folder_);
+  copies_ = copy_->copies();
+  make_.copies = ToEnvironment(copies_);
+  for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
+  project_ = ScanProject(copied_folders_);
+  if (project_.objects.empty() && project_.makefiles.empty()) {
+    throw std::runtime_error(fmt::format(
+        "{}: no stub.cfg, no entry table and no Makefile in it or below; 'openr new' makes an "
+        "object to begin with",
+        folder_.string()));
+  }
+  Build();
+  const KitLog log = ReadKitLog(make_.log);
+  bool is_complete = true;
+  for (const KitLog::Failure& failure : log.failures) {
+    // Rules may ignore what fails, and mean it, as long as it is no part of an object.
+    const bool is_ignored = is_made_ && ObjectOf(failure.file).empty();
+    (is_ignored ? notes_ : problems_).push_back(Described(failure));
+    is_complete = is_complete && is_ignored;
+  }
+  for (const KitLog::Repair& repair : log.repairs)
+    notes_.push_back(fmt::format("{}: {}", repair.place, repair.what));
+  if (is_complete) Deliver();
+  return Conclude();
+}
+
+// The objects of which no image exists.
+std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
+  const KitLog log = ReadKitLog(make_.log);
+  std::vector<ObjectFolder> objects;
+  for (const ObjectFolder& object : project_.objects) {
+    const bool is_built =
+        std::any_of(log.images.begin(), log.images.end(), [&](const KitLog::Image& image) {
+          return IsBelow(image.ocf, object.folder) || IsBelow(image.file, object.folder);
+        });
+    if (!is_built) objects.push_back(object);
+  }
+  return objects;
+}
+
+void FolderBuild::Build() {
+  const fs::path stick_root =
+      project_.sticks.empty() ? project_.root / "MS" : project_.sticks[0].root;
+  const MakePlan plan = PlanMake(project_, sdk_root_, stick_root);
+  if (plan.folders.empty()) {
+    TryConvention(project_.objects);
+    return;
+  }
+  is_made_ = RunMake(plan, make_);
+  if (!is_made_ && !ReadKitLog(make_.log).failures.empty())
+    return;  // no other way compiles it either
+  const std::vector<ObjectFolder> rest = NotBuilt();
+  if (rest.empty() && !is_made_ && ReadKitLog(make_.log).images.empty())
+    problems_.push_back("make failed, see above");
+  if (rest.empty() || (is_made_ && !SomeImageIsMissing())) return;
+  std::string names;
+  for (const ObjectFolder& object : rest)
+    names += (names.empty() ? "" : ", ") + object.folder.filename().string();
+  notes_.push_back(fmt::format("the Makefiles made no image of {}; built without them", names));
+  TryConvention(rest);
+}
+
+bool FolderBuild::SomeImageIsMissing() const {
+  const KitLog log = ReadKitLog(make_.log);
+  return std::any_of(project_.sticks.begin(), project_.sticks.end(), [&](const StickFolder& stick) {
+    const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_);
+    for (const fs::path& file : harvest.placed) fs::remove(file);
+    return !harvest.problems.empty();
+  });
+}
+
+bool FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects) {
+  const std::vector<std::string> problems =
+      BuildByConvention(project_, objects, work_ / "build", make_);
+  problems_.insert(problems_.end(), problems.begin(), problems.end());
+  return problems.empty();
+}
+
+void FolderBuild::Deliver() {
+  Project after = ScanProject(copied_folders_);  // rules may have made sticks
+  if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
+  const KitLog log = ReadKitLog(make_.log);
+  std::string placed;
+  std::vector<std::string> problems;
+  size_t good = 0;
+  for (const StickFolder& stick : after.sticks) {
+    const Harvest harvest = CompleteStick(stick, after, log, sdk_root_);
+    for (const fs::path& file : harvest.placed) placed += file.string() + "\n";
+    const fs::path name = stick.root.lexically_relative(after.root);
+    fs::path target = OriginalName(stick.root);
+    if (!options_.output.empty()) {
+      target = fs::absolute(options_.output);
+      if (after.sticks.size() > 1) target /= name;
+    }
+    const auto failed =
+        DeliverStick(stick, target, *copy_, work_ / "robot" / name, !options_.output.empty());
+    problems.insert(problems.end(), failed.begin(), failed.end());
+    const bool has_own = std::any_of(harvest.images.begin(), harvest.images.end(),
+                                     [](const HarvestedImage& i) { return !i.object.empty(); });
+    if (after.sticks.size() > 1 && !has_own) {
+      notes_.push_back(fmt::format("{}: nothing built here is on this stick", target.string()));
+      continue;
+    }
+    good += has_own;
+    sticks_.push_back(target.lexically_normal());
+    for (const HarvestedImage& image : harvest.images)
+      fmt::print("{:12} {:24} {}\n", image.name, image.object, image.from);
+    notes_.insert(notes_.end(), harvest.notes.begin(), harvest.notes.end());
+    problems.insert(problems.end(), harvest.problems.begin(), harvest.problems.end());
+  }
+  if (good == 0 && problems.empty() && problems_.empty()) problems.push_back("no image was made");
+  problems_.insert(problems_.end(), problems.begin(), problems.end());
+  WriteText(work_ / "placed.txt", placed);
+}
+
+std::string FolderBuild::OriginalName(const std::string& file) const {
+  const std::string original = OriginalOf(file, copies_);
+  return original.empty() ? file : original;
+}
+
+// The object in whose folder `file` lies; "" if it lies in none.
+std::string FolderBuild::ObjectOf(const fs::path& file) const {
+  for (const ObjectFolder& object : project_.objects) {
+    const fs::path build = work_ / "build" / object.folder.lexically_relative(project_.root);
+    if (IsBelow(file, object.folder) || IsBelow(file, build.lexically_normal()))
+      return object.class_name.empty() ? object.folder.filename().string() : object.class_name;
+  }
+  return "";
+}
+
+// "Sender: Chat/Sender/Sender.cc does not compile; ..."
+std::string FolderBuild::Described(const KitLog::Failure& failure) const {
+  const std::string object = ObjectOf(failure.file);
+  const std::string original = OriginalOf(failure.file, copies_);
+  return fmt::format("{}{} {}{}", object.empty() ? "" : object + ": ",
+                     original.empty() ? fs::path(failure.file).filename().string() : original,
+                     failure.why,
+                     failure.why.find("compile") == std::string::npos
+                         ? ""
+                         : "; the compiler says above what to correct");
+}
+
+int FolderBuild::Conclude() const {
+  std::fflush(stdout);
+  for (const std::string& note : notes_) fmt::print(stderr, "openr build: note: {}\n", note);
+  for (const std::string& problem : problems_) fmt::print(stderr, "openr build: {}\n", problem);
+  if (!problems_.empty()) return kExitWrong;
+  for (const std::string& stick : sticks_) fmt::print("openr run --stick {}\n", stick);
+  return kExitGood;
+}
+
+}  // namespace
+
+int BuildFolder(const BuildOptions& options) {
+  std::error_code error;
+  if (!fs::is_directory(options.folder, error)) {
+    throw std::runtime_error(
+        fmt::format("{}: is no folder; name the one that holds the objects", options.folder));
+  }
+  return FolderBuild(options).Run();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,105 @@
+#include "openr/kit/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "openr/kit/check_objects.h"
+#include "openr/kit/check_stick.h"
+#include "openr/kit/project.h"
+#include "openr/kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* WordOf(Remark::Kind kind) {
+  switch (kind) {
+    case Remark::Kind::kError:
+      return "error";
+    case Remark::Kind::kWarning:
+      return "warning";
+    default:
+      return "note";
+  }
+}
+
+}  // namespace
+
+void Remarks::Add(Remark::Kind kind, const Place& place, std::string text) {
+  all_.push_back({kind, place.file, place.line, place.column, std::move(text), place.text});
+}
+
+void Remarks::Error(const std::string& file, std::string text) {
+  Add(Remark::Kind::kError, Place{file, 0, 0, ""}, std::move(text));
+}
+
+void Remarks::Warning(const std::string& file, std::string text) {
+  Add(Remark::Kind::kWarning, Place{file, 0, 0, ""}, std::move(text));
+}
+
+void Remarks::Note(const std::string& file, std::string text) {
+  Add(Remark::Kind::kNote, Place{file, 0, 0, ""}, std::move(text));
+}
+
+void Remarks::AddAll(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& d : diagnostics) {
+    Add(d.severity == Severity::kError ? Remark::Kind::kError : Remark::Kind::kWarning,
+        Place{d.file, d.line, d.column, d.text}, d.message);
+  }
+}
+
+int Remarks::CountOf(Remark::Kind kind) const {
+  return static_cast<int>(
+      std::count_if(all_.begin(), all_.end(), [&](const Remark& r) { return r.kind == kind; }));
+}
+
+Remarks CheckFolder(const std::string& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
+  const Project project = ScanProject({folder});
+  if (project.objects.empty() && project.sticks.empty()) {
+    throw std::runtime_error(folder +
+                             ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below");
+  }
+  Remarks remarks;
+  CheckObjects(project, &remarks);
+  for (const StickFolder& stick : project.sticks) CheckStick(stick, project, &remarks);
+  return remarks;
+}
+
+std::string RenderRemarks(const Remarks& remarks) {
+  std::string text;
+  for (const Remark& remark : remarks.all()) {
+    Diagnostic diagnostic{Severity::kError, remark.file, remark.line,
+                          remark.column,    remark.text, remark.source_line};
+    if (remark.kind != Remark::Kind::kError)
+      diagnostic.message = fmt::format("{}: {}", WordOf(remark.kind), remark.text);
+    text += Render(diagnostic) + "\n";
+  }
+  return text;
+}
+
+std::string RemarksToJson(const Remarks& remarks, const std::string& folder) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Remark& remark : remarks.all()) {
+    list.push_back({{"severity", WordOf(remark.kind)},
+                    {"file", remark.file},
+                    {"line", remark.line},
+                    {"column", remark.column},
+                    {"text", remark.text}});
+  }
+  const nlohmann::ordered_json all = {{"path", folder},
+                                      {"errors", remarks.CountOf(Remark::Kind::kError)},
+                                      {"warnings", remarks.CountOf(Remark::Kind::kWarning)},
+                                      {"notes", remarks.CountOf(Remark::Kind::kNote)},
+                                      {"remarks", list}};
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace openr_host

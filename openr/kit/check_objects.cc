@@ -1,0 +1,230 @@
+#include "openr/kit/check_objects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <regex>
+
+#include "openr/kit/source_text.h"
+#include "openr/kit/text_files.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/ocf.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The SDK's samples have 3072; less than this has never been seen to work.
+constexpr int64_t kStackBytesMin = 1024;
+constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
+
+// The C++ of an object, as one text without comments.
+std::string CodeOf(const ObjectFolder& object) {
+  std::string code;
+  for (const fs::path& file : FilesBelow(object.folder)) {
+    const std::string name = file.filename();
+    const bool is_generated =
+        name == "def.h" || name == "entry.h" || file.stem() == object.class_name + "Stub";
+    if ((IsSourceName(file) || IsHeaderName(file)) && !is_generated)
+      code += WithoutComments(ReadText(file).value_or("")) + "\n";
+  }
+  return code;
+}
+
+bool HasWord(const std::string& code, const std::string& word) {
+  for (size_t at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
+    if (HasWordAt(code, at, word)) return true;
+  }
+  return false;
+}
+
+bool HasAnyWord(const std::string& code, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return HasWord(code, word); });
+}
+
+class ObjectCheck {
+ public:
+  ObjectCheck(const ObjectFolder& object, Remarks* remarks)
+      : object_(object), remarks_(remarks), code_(CodeOf(object)) {}
+
+  // Returns the names of its .ocf files, with their places.
+  std::vector<Ocf> Run() {
+    if (!object_.stub.empty()) CheckStub();
+    CheckPaths();
+    return CheckOcfs();
+  }
+
+ private:
+  void CheckStub() {
+    const StubConfigResult stub =
+        ParseStubConfig(object_.stub, ReadText(object_.stub).value_or(""));
+    remarks_->AddAll(stub.diagnostics);
+    if (HasErrors(stub.diagnostics)) return;
+    const fs::path header = object_.folder / (stub.config.object_name + ".h");
+    if (!fs::exists(header)) {
+      remarks_->Add(Remark::Kind::kError, stub.config.object_name_place,
+                    fmt::format("the stub includes \"{0}.h\", which is not beside stub.cfg; write "
+                                "the class {0} there",
+                                stub.config.object_name));
+    }
+    CheckFunctions(stub.config);
+    CheckRegistration(stub.config);
+  }
+
+  void CheckFunction(const std::string& function, const Place& place, const char* event) {
+    if (function.empty() || HasWord(code_, function)) return;
+    remarks_->Add(Remark::Kind::kError, place,
+                  fmt::format("no {}() in the sources of {}; declare: void {}({})", function,
+                              object_.folder.filename().string(), function, event));
+  }
+
+  void CheckFunctions(const StubConfig& config) {
+    for (const StubService& service : config.subjects) {
+      CheckFunction(service.connect_function, service.place, "const OControlEvent&");
+      CheckFunction(service.data_function, service.place, "const OReadyEvent&");
+    }
+    for (const StubService& service : config.observers) {
+      CheckFunction(service.connect_function, service.place, "const OConnectEvent&");
+      CheckFunction(service.data_function, service.place, "const ONotifyEvent&");
+    }
+    for (const StubExtra& extra : config.extras)
+      CheckFunction(extra.function, extra.place, "void*");
+  }
+
+  // Files an object means to open.
+  void CheckPaths() {
+    static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
+    for (const fs::path& file : object_.sources) {
+      const std::string text = ReadText(file).value_or("");
+      std::vector<Diagnostic> ignored;
+      for (const Place& line : SplitLines(file, text, &ignored)) {
+        std::smatch match;
+        if (!std::regex_search(line.text, match, kPath)) continue;
+        for (const fs::path& part : fs::path(match[1].str())) {
+          const std::string name = part;
+          if (name == "/" || name.empty() || IsShortName(name)) continue;
+          remarks_->Add(Remark::Kind::kWarning, line,
+                        fmt::format("'{}' is not an 8.3 name; the robot cannot open it", name));
+        }
+      }
+    }
+  }
+
+  // Forgotten lines of DoInit and DoStart, which no compiler misses.
+  void CheckRegistration(const StubConfig& config) {
+    const auto real = [](const StubService& service) { return !IsDummy(service); };
+    const auto first = std::find_if(config.subjects.begin(), config.subjects.end(), real);
+    const auto heard = std::find_if(config.observers.begin(), config.observers.end(), real);
+    const StubService* const service = first != config.subjects.end()    ? &*first
+                                       : heard != config.observers.end() ? &*heard
+                                                                         : nullptr;
+    if (service == nullptr) return;
+    if (!HasAnyWord(code_, {"REGISTER_ALL_ENTRY", "SetComData", "RegisterServiceEntry"})) {
+      remarks_->Add(Remark::Kind::kWarning, service->place,
+                    "no REGISTER_ALL_ENTRY in DoInit: nothing can be connected to this object, the "
+                    "robot says NOT FOUND");
+    } else if (!HasAnyWord(code_, {"NEW_ALL_SUBJECT_AND_OBSERVER", "NewComData", "OSubject",
+                                   "OObserver"}) ||
+               !HasAnyWord(code_, {"NEW_ALL_SUBJECT_AND_OBSERVER", "NewComData", "new"})) {
+      remarks_->Add(Remark::Kind::kWarning, service->place,
+                    "no NEW_ALL_SUBJECT_AND_OBSERVER in DoInit: subject[] and observer[] point "
+                    "nowhere");
+    }
+    if (heard != config.observers.end() && !heard->data_function.empty() &&
+        !HasAnyWord(code_,
+                    {"ASSERT_READY_TO_ALL_OBSERVER", "ASSERT_TO_ALL_OBSERVER", "AssertReady"})) {
+      remarks_->Add(Remark::Kind::kWarning, heard->place,
+                    fmt::format("AssertReady is never called: {}() will not be either",
+                                heard->data_function));
+    }
+  }
+
+  std::vector<Ocf> CheckOcfs() {
+    std::vector<Ocf> good;
+    if (object_.ocfs.empty()) {
+      remarks_->Error(object_.folder,
+                      "no .ocf file; write one line: object NAME 3072 16384 128 cache tlb user");
+    }
+    for (const fs::path& file : object_.ocfs) {
+      const OcfResult ocf = ParseOcf(file, ReadText(file).value_or(""));
+      remarks_->AddAll(ocf.diagnostics);
+      if (!ocf.ocf) continue;
+      good.push_back(*ocf.ocf);
+      if (ocf.ocf->stack_bytes < kStackBytesMin) {
+        remarks_->Add(
+            Remark::Kind::kWarning, ocf.ocf->place,
+            fmt::format("a stack of {} bytes; 3072 is usual, and too little is not noticed "
+                        "but by what it destroys",
+                        ocf.ocf->stack_bytes));
+      }
+      if (ocf.ocf->heap_bytes > kHeapBytesMax) {
+        remarks_->Add(
+            Remark::Kind::kWarning, ocf.ocf->place,
+            fmt::format("the heap grows by {} bytes at a time, the robot has 32 MB in all",
+                        ocf.ocf->heap_bytes));
+      }
+    }
+    return good;
+  }
+
+  const ObjectFolder& object_;
+  Remarks* const remarks_;
+  const std::string code_;
+};
+
+// Names that two objects of one program have in common.
+void CheckNames(const std::vector<Ocf>& ocfs, Remarks* remarks) {
+  std::map<std::string, Place> seen;
+  for (const Ocf& ocf : ocfs) {
+    const auto [first, is_new] = seen.emplace(ocf.name, ocf.place);
+    if (is_new) continue;
+    remarks->Add(
+        Remark::Kind::kWarning, ocf.place,
+        fmt::format("an object is named '{}' in {} already; on one stick names must differ",
+                    ocf.name, first->second.file));
+  }
+}
+
+// What nobody of the program does although somebody commands joints.
+void CheckMotors(const Project& project, Remarks* remarks) {
+  std::string code;
+  const ObjectFolder* mover = nullptr;
+  for (const ObjectFolder& object : project.objects) {
+    const std::string own = CodeOf(object);
+    if (HasAnyWord(own, {"odataJOINT_COMMAND2", "OJointCommandValue2"})) mover = &object;
+    code += own;
+  }
+  for (const fs::path& source : project.shared_sources)
+    code += WithoutComments(ReadText(source).value_or(""));
+  if (mover == nullptr) return;
+  const std::string file = mover->folder;
+  if (!HasWord(code, "SetMotorPower"))
+    remarks->Warning(file,
+                     "commands joints, but nobody calls SetMotorPower(opowerON): they stay limp");
+  if (!HasAnyWord(code, {"EnableJointGain", "SetDefaultJointGain"}))
+    remarks->Warning(file, "commands joints, but nobody calls EnableJointGain(): they stay limp");
+}
+
+}  // namespace
+
+bool IsDummy(const StubService& service) {
+  const std::string data = LowerCase(service.name.data);
+  return data == "donotconnect" || data == "dontconnect" || data == "notconnect";
+}
+
+void CheckObjects(const Project& project, Remarks* remarks) {
+  std::vector<Ocf> ocfs;
+  for (const ObjectFolder& object : project.objects) {
+    const std::vector<Ocf> own = ObjectCheck(object, remarks).Run();
+    ocfs.insert(ocfs.end(), own.begin(), own.end());
+  }
+  if (project.sticks.size() < 2) CheckNames(ocfs, remarks);
+  CheckMotors(project, remarks);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,322 @@
+#include "openr/kit/check_stick.h"
+
+#include <OPENR/OPENRServices.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "openr/kit/check_objects.h"
+#include "openr/kit/image_match.h"
+#include "openr/kit/sdk_paths.h"
+#include "openr/kit/text_files.h"
+#include "runtime/config/connect_config.h"
+#include "runtime/config/design_config.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/ocf.h"
+#include "runtime/config/spelling.h"
+#include "runtime/config/wlan_config.h"
+#include "runtime/core/image_file.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Services the robot itself registers.
+constexpr const char* kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
+                                          ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
+// Whatever a gateway is asked for, it has.
+constexpr char kGateway[] = "TCPGateway.";
+
+// Texts of at least 8 characters, as `strings` shows them.
+std::vector<std::string_view> TextsIn(std::string_view bytes) {
+  std::vector<std::string_view> texts;
+  size_t begin = 0;
+  for (size_t i = 0; i <= bytes.size(); ++i) {
+    const bool is_text = i < bytes.size() && (std::isprint(static_cast<unsigned char>(bytes[i])) ||
+                                              bytes[i] == '\n' || bytes[i] == '\t');
+    if (is_text) continue;
+    if (i - begin >= 8) texts.push_back(bytes.substr(begin, i - begin));
+    begin = i + 1;
+  }
+  return texts;
+}
+
+// The name in the .ocf text that images for the host carry; "" when there is none.
+std::string ObjectNameIn(std::string_view bytes) {
+  for (const std::string_view text : TextsIn(bytes)) {
+    if (text.find("object") == std::string_view::npos) continue;
+    const OcfResult ocf = ParseOcf("", text);
+    if (ocf.ocf) return ocf.ocf->name;
+  }
+  return "";
+}
+
+class StickCheck {
+ public:
+  StickCheck(const StickFolder& stick, const Project& project, Remarks* remarks)
+      : stick_(stick), project_(project), remarks_(remarks) {}
+
+  void Run() {
+    for (const char* service : kRobotServices) services_[service] = "the robot";
+    CheckObjectConfig();
+    CheckConnections();
+    CheckDesigns();
+    CheckWlan();
+    CheckFileNames();
+  }
+
+ private:
+  fs::path Config(const char* name) const {
+    return FindBelow(stick_.root, fmt::format("OPEN-R/MW/CONF/{}", name));
+  }
+  fs::path OnStick(const std::string& path) const {
+    return path.size() < 4 ? fs::path() : FindBelow(stick_.root, path.substr(4));
+  }
+
+  void CheckObjectConfig();
+  void CheckImage(const ObjectRecord& record, const fs::path& file);
+  void ExpectFromProject(const std::vector<ObjectRecord>& missing);
+  void AddStubServices(const ObjectFolder& object);
+  void CheckConnections();
+  void CheckService(const ServiceName& name, const Place& place);
+  void CheckUnconnected(const std::set<std::string>& connected);
+  void CheckDesigns();
+  void CheckWlan();
+  void CheckFileNames();
+
+  const StickFolder& stick_;
+  const Project& project_;
+  Remarks* const remarks_;
+  std::map<std::string, std::string> services_;      // by full name: who has it
+  std::vector<StubService> declared_;                // in stub.cfg files of objects on the stick
+  std::map<std::string, std::string> object_names_;  // of images: by which file
+  bool knows_all_ = true;                            // false: some image could not be looked into
+};
+
+void StickCheck::CheckObjectConfig() {
+  if (stick_.object_config.empty()) {
+    remarks_->Error((stick_.root / "OPEN-R/MW/CONF/OBJECT.CFG").string(),
+                    "is missing; it lists the images to load, one path a line");
+    return;
+  }
+  const std::string text = ReadText(stick_.object_config).value_or("");
+  const ObjectConfig config = ParseObjectConfig(stick_.object_config, text, kEveryDesign);
+  remarks_->AddAll(config.diagnostics);
+  bool has_power_monitor = false;
+  std::vector<ObjectRecord> missing;
+  for (const ObjectRecord& record : config.objects) {
+    const std::string name = FileNameOf(record);
+    has_power_monitor = has_power_monitor || EqualsIgnoringCase(name, "POWERMON.BIN");
+    if (std::any_of(record.path.begin(), record.path.end(),
+                    [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; })) {
+      remarks_->Add(Remark::Kind::kNote, record.place,
+                    "lower case in a path; the stick keeps names in upper case");
+    }
+    const fs::path file = OnStick(record.path);
+    if (file.empty()) {
+      missing.push_back(record);
+    } else {
+      CheckImage(record, file);
+    }
+  }
+  ExpectFromProject(missing);
+  if (!has_power_monitor && !config.objects.empty()) {
+    remarks_->Note(stick_.object_config,
+                   "no POWERMON.BIN: nothing handles the pause button and an empty battery");
+  }
+}
+
+void StickCheck::CheckImage(const ObjectRecord& record, const fs::path& file) {
+  const ImageFile image = ReadImageFile(file);
+  if (!image.problem.empty()) {
+    remarks_->Add(Remark::Kind::kError, record.place,
+                  fmt::format("{} {}", record.path, image.problem));
+  }
+  if (image.bytes.empty()) return;
+  const std::vector<std::string> names = ServicesInImage(image.bytes);
+  for (const std::string& name : names) services_.emplace(name, FileNameOf(record));
+  if (image.problem.empty() || image.is_for_robot) {
+    const std::string name = ObjectNameIn(image.bytes);
+    if (name.empty()) return;
+    const auto [first, is_new] = object_names_.emplace(name, FileNameOf(record));
+    if (!is_new) {
+      remarks_->Add(
+          Remark::Kind::kError, record.place,
+          fmt::format("its object is named '{}' like that of {}; names in .ocf files must "
+                      "differ",
+                      name, first->second));
+    }
+    for (const ObjectFolder& object : project_.objects) {
+      for (const fs::path& ocf : object.ocfs) {
+        const OcfResult parsed = ParseOcf("", ReadText(ocf).value_or(""));
+        if (parsed.ocf && parsed.ocf->name == name) AddStubServices(object);
+      }
+    }
+  }
+}
+
+// Images that are not there: which objects of the project would be they?
+void StickCheck::ExpectFromProject(const std::vector<ObjectRecord>& missing) {
+  std::vector<std::string> wanted;
+  for (const ObjectRecord& record : missing) wanted.push_back(FileNameOf(record));
+  std::vector<ImageCandidate> candidates;
+  for (const ObjectFolder& object : project_.objects) {
+    ImageCandidate& candidate = candidates.emplace_back();
+    candidate.names = object.image_names;
+    candidate.names.push_back(object.folder.filename().string() + ".");
+    candidate.names.push_back(object.class_name + ".");
+    for (const fs::path& ocf : object.ocfs) {
+      candidate.names.push_back(ocf.filename());
+      const OcfResult parsed = ParseOcf("", ReadText(ocf).value_or(""));
+      if (parsed.ocf) candidate.names.push_back(parsed.ocf->name + ".");
+    }
+  }
+  std::vector<std::string> there;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(stick_.ObjectsFolder(), error))
+    there.push_back(entry.path().filename());
+  std::sort(there.begin(), there.end());
+  const std::vector<int> matches = MatchImages(wanted, candidates);
+  for (size_t i = 0; i < missing.size(); ++i) {
+    const ObjectRecord& record = missing[i];
+    if (matches[i] >= 0) {
+      const ObjectFolder& object = project_.objects[static_cast<size_t>(matches[i])];
+      remarks_->Add(Remark::Kind::kNote, record.place,
+                    fmt::format("not built yet; 'openr build' makes it of {}",
+                                object.folder.filename().string()));
+      AddStubServices(object);
+    } else if (!project_.objects.empty() && EqualsIgnoringCase(wanted[i], "POWERMON.BIN")) {
+      remarks_->Add(Remark::Kind::kNote, record.place,
+                    "not built here; 'openr build' puts the kit's own there");
+    } else {
+      knows_all_ = false;
+      remarks_->Add(Remark::Kind::kError, record.place,
+                    fmt::format("{} does not exist on the stick; the robot stops with error 90{}",
+                                record.path, DidYouMean(wanted[i], there)));
+    }
+  }
+}
+
+void StickCheck::AddStubServices(const ObjectFolder& object) {
+  if (object.stub.empty()) {
+    knows_all_ = false;
+    return;
+  }
+  const StubConfig stub = ParseStubConfig(object.stub, ReadText(object.stub).value_or("")).config;
+  for (const auto* side : {&stub.subjects, &stub.observers}) {
+    for (const StubService& service : *side) {
+      services_[Compose(service.name)] = object.folder.filename();
+      declared_.push_back(service);
+    }
+  }
+}
+
+void StickCheck::CheckService(const ServiceName& name, const Place& place) {
+  const std::string full = Compose(name);
+  if (services_.contains(full) || full.starts_with(kGateway)) return;
+  std::vector<std::string> known;
+  for (const auto& [service, owner] : services_) {
+    known.push_back(service);
+    const auto other = ParseServiceName(service, nullptr);
+    if (!other || other->object != name.object || other->service != name.service ||
+        other->direction != name.direction)
+      continue;
+    remarks_->Add(Remark::Kind::kError, place,
+                  fmt::format("'{}' has the data type '{}' in {}, not '{}'; the line is skipped",
+                              full, other->data, owner, name.data));
+    return;
+  }
+  remarks_->Add(knows_all_ ? Remark::Kind::kError : Remark::Kind::kWarning, place,
+                fmt::format("no object on this stick has '{}': NOT FOUND, the line is skipped{}",
+                            full, DidYouMean(full, known)));
+}
+
+void StickCheck::CheckConnections() {
+  const fs::path file = Config("CONNECT.CFG");
+  if (file.empty()) {
+    remarks_->Warning((stick_.root / "OPEN-R/MW/CONF/CONNECT.CFG").string(),
+                      "is missing; no object is connected");
+    return;
+  }
+  const ConnectConfig config = ParseConnectConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(config.diagnostics);
+  std::set<std::string> connected;
+  for (const ConnectRecord& record : config.connections) {
+    CheckService(record.subject, record.subject_place);
+    CheckService(record.observer, record.observer_place);
+    connected.insert(Compose(record.subject));
+    connected.insert(Compose(record.observer));
+  }
+  CheckUnconnected(connected);
+}
+
+void StickCheck::CheckUnconnected(const std::set<std::string>& connected) {
+  for (const StubService& service : declared_) {
+    if (IsDummy(service) || connected.contains(Compose(service.name))) continue;
+    if (service.connect_function.empty() && service.data_function.empty()) continue;
+    remarks_->Add(Remark::Kind::kNote, service.place,
+                  fmt::format("CONNECT.CFG does not mention '{}'; if that is meant, call its data "
+                              "DoNotConnect",
+                              Compose(service.name)));
+  }
+}
+
+void StickCheck::CheckDesigns() {
+  const fs::path file = Config("DESIGNDB.CFG");
+  if (file.empty()) return;
+  const DesignConfig config = ParseDesignConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(config.diagnostics);
+  for (const DesignRecord& record : config.designs) {
+    if (!OnStick(record.path).empty()) continue;
+    remarks_->Add(Remark::Kind::kWarning, record.path_place,
+                  fmt::format("{} does not exist on the stick; FindDesignData(\"{}\") will fail",
+                              record.path, record.keyword));
+  }
+}
+
+void StickCheck::CheckWlan() {
+  const fs::path file = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF/WLANCONF.TXT");
+  if (!file.empty())
+    remarks_->AddAll(ParseWlanConfig(file, ReadText(file).value_or("")).diagnostics);
+}
+
+// Names that no Memory Stick holds.
+void StickCheck::CheckFileNames() {
+  const fs::path openr = FindEntry(stick_.root, "OPEN-R");
+  std::set<fs::path> seen;
+  for (const fs::path& file : FilesBelow(openr)) {
+    if (file.extension() == ".DBG") continue;  // of the host
+    for (fs::path part = file; part != openr; part = part.parent_path()) {
+      const std::string name = part.filename();
+      if (IsShortName(name) || name == "VERSION.txt" || !seen.insert(part).second) continue;
+      remarks_->Warning(part, fmt::format("'{}' is not an 8.3 name; the robot's file system cannot "
+                                          "hold it",
+                                          name));
+    }
+  }
+}
+
+}  // namespace
+
+void CheckStick(const StickFolder& stick, const Project& project, Remarks* remarks) {
+  StickCheck(stick, project, remarks).Run();
+}
+
+std::vector<std::string> ServicesInImage(std::string_view bytes) {
+  std::vector<std::string> names;
+  for (const std::string_view text : TextsIn(bytes)) {
+    const bool ends_so = text.ends_with(".S") || text.ends_with(".O");
+    if (ends_so && text.find_first_of(" \t\n/%") == std::string_view::npos &&
+        ParseServiceName(text, nullptr))
+      names.emplace_back(text);
+  }
+  return names;
+}
+
+}  // namespace openr_host

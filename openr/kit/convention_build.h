@@ -1,0 +1,30 @@
+// Building without a Makefile, by how the folders are laid out.
+//
+// Every object is the sources of its folder, its stub and its .ocf file.  Of the sources that
+// belong to no object, it gets those whose header it includes, directly or not; and if then
+// something is still undefined, whatever else there is and compiles.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "openr/kit/make_build.h"
+#include "openr/kit/project.h"
+
+namespace openr_host {
+
+// The sources among `shared` whose namesake header (Util.h for Util.cc) `sources` include,
+// directly or by way of other headers or of those sources.
+std::vector<std::filesystem::path> SourcesIncluded(
+    const std::vector<std::filesystem::path>& sources,
+    const std::vector<std::filesystem::path>& shared);
+
+// Builds `objects` of `project` in folders below `work`.  Returns what cannot even be tried, a
+// line each; what compilers say passes through, and is in the log like the images.
+std::vector<std::string> BuildByConvention(const Project& project,
+                                           const std::vector<ObjectFolder>& objects,
+                                           const std::filesystem::path& work,
+                                           const MakeOptions& options);
+
+}  // namespace openr_host

@@ -1,0 +1,175 @@
+// mkbin, for the host.
+#include <elf.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+#include "openr/kit/image_source.h"
+#include "openr/kit/kit_log.h"
+#include "openr/kit/link_command.h"
+#include "openr/kit/process.h"
+#include "openr/kit/sdk_tools.h"
+#include "runtime/config/ocf.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> ReadText(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+int Refuse(const std::string& why) {
+  std::fprintf(stderr, "mkbin: %s\n", why.c_str());
+  return 1;
+}
+
+// Object files of a former build for the robot look new to make.
+bool IsForTheRobot(const std::string& file) {
+  Elf32_Ehdr header{};  // the machine is at the same place in files of 64 bits
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(&header), sizeof header);
+  return std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 && header.e_machine == EM_MIPS;
+}
+
+std::string FileForTheRobot(const LinkCommand& command) {
+  for (const std::string& file : command.objects) {
+    if (IsForTheRobot(file)) return file;
+  }
+  return "";
+}
+
+// The stem of the output, beside which the SDK's mkbin leaves its intermediate files too.
+std::string Stem(const std::string& output) {
+  return (fs::path(output).parent_path() / fs::path(output).stem()).string();
+}
+
+// Compiles the text of the .ocf file; "" after a complaint.
+std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_text) {
+  const std::string source = Stem(command.output) + ".snap.c";
+  const std::string object = Stem(command.output) + ".snap.o";
+  {
+    std::ofstream stream(source, std::ios::trunc);
+    stream << MakeImageSource(ocf_text);
+    if (!stream.flush()) {
+      Refuse(fmt::format("{}: cannot be written", source));
+      return "";
+    }
+  }
+  Arguments compile = HostCompiler(Language::kC);
+  compile.insert(compile.end(), {"-x", "c", "-O1", "-fPIC", "-c", "-o", object, source});
+  const ProcessResult result = RunProcess(compile);
+  std::error_code ignored;
+  fs::remove(source, ignored);
+  if (!result.not_found.empty()) Refuse(result.not_found);
+  return result.good() ? object : "";
+}
+
+Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
+  const fs::path prefix = fs::path(SdkRoot()).parent_path().parent_path().parent_path();
+  Arguments link = HostCompiler(Language::kCxx);
+  link.insert(link.end(), {"-shared", "-o", command.output});
+  link.insert(link.end(), command.objects.begin(), command.objects.end());
+  link.push_back("-Wl,--start-group");
+  link.insert(link.end(), command.libraries.begin(), command.libraries.end());
+  link.insert(link.end(), {"-Wl,--end-group", image_info, "-L" + (prefix / "lib").string(),
+                           "-lopenr_runtime", "-lm", "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
+  if (!command.map.empty()) link.push_back("-Wl,-Map=" + command.map);
+  return link;
+}
+
+// Without warnings of functions like gets(), which the object will not get from the C library.
+std::string WithoutDangers(const std::string& output) {
+  std::istringstream lines(output);
+  std::string kept, last;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_danger = line.find("is dangerous") != std::string::npos;
+    if (!is_danger && !last.empty()) kept += last + "\n";
+    last = is_danger ? "" : line;
+    if (line.find(": in function `") == std::string::npos && !last.empty()) {
+      kept += last + "\n";
+      last.clear();
+    }
+  }
+  return last.empty() ? kept : kept + last + "\n";
+}
+
+// What the linker said, in one line.
+std::string Summarise(const std::string& output) {
+  const std::vector<std::string> names = UndefinedNames(output);
+  if (names.empty()) return "does not link";
+  constexpr size_t kShown = 3;
+  const std::vector<std::string> first(names.begin(),
+                                       names.begin() + std::min(names.size(), kShown));
+  return fmt::format("{} undefined: {}{}; is a source or a library missing?",
+                     names.size() == 1 ? "is" : fmt::format("{} names are", names.size()),
+                     fmt::join(first, ", "), names.size() > kShown ? ", ..." : "");
+}
+
+}  // namespace
+
+int RunMkbin(const Arguments& arguments) {
+  const LinkCommand command =
+      TranslateMkbin(arguments, [](const std::string& file) { return fs::exists(file); });
+  if (command.output.empty()) return Refuse("no output; write -o NAME.bin");
+  if (command.ocf.empty()) return Refuse("no .ocf file among the arguments");
+  const std::optional<std::string> ocf_text = ReadText(command.ocf);
+  if (!ocf_text) return Refuse(command.ocf + ": cannot be read");
+  const OcfResult ocf = ParseOcf(command.ocf, *ocf_text);
+  std::fputs(Render(ocf.diagnostics).c_str(), stderr);
+  if (!ocf.ocf) {
+    LogFailure({command.ocf, "is not a good .ocf file"});
+    return 1;
+  }
+  const std::string mips = FileForTheRobot(command);
+  if (!mips.empty()) {
+    LogFailure({mips, "was compiled for the robot; remove it (make clean)"});
+    return Refuse(mips + " was compiled for the robot; remove it (make clean) and build again");
+  }
+  const std::string image_info = CompileImageInfo(command, *ocf_text);
+  if (image_info.empty()) return 1;
+  const Arguments link = LinkArguments(command, image_info);
+  if (command.is_verbose)
+    std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
+  const ProcessResult result = RunProcess(link, {{{"LC_ALL", "C"}}, "", true, false});
+  std::fputs(WithoutDangers(result.output).c_str(), stderr);
+  if (!result.good()) {
+    if (!result.not_found.empty()) Refuse(result.not_found);
+    LogFailure({command.output, Summarise(result.output)});
+    return result.status;
+  }
+  LogImage({command.output, ocf.ocf->name, command.ocf});
+  return 0;
+}
+
+int RunImageInfo(const Arguments& arguments) {
+  if (arguments.size() != 2) {
+    std::fputs("usage: openr-sdk image-info OCF OUT\n", stderr);
+    return 2;
+  }
+  const std::optional<std::string> text = ReadText(arguments[0]);
+  if (!text) {
+    std::fprintf(stderr, "%s: cannot be read\n", arguments[0].c_str());
+    return 1;
+  }
+  const OcfResult ocf = ParseOcf(arguments[0], *text);
+  std::fputs(Render(ocf.diagnostics).c_str(), stderr);
+  if (!ocf.ocf) return 1;
+  std::ofstream out(arguments[1], std::ios::trunc);
+  out << MakeImageSource(*text);
+  if (out.flush()) return 0;
+  std::fprintf(stderr, "%s: cannot be written\n", arguments[1].c_str());
+  return 1;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,174 @@
+// The texts of a new object.  @Name@ is its class, @name@ its name in the .ocf file, @NAME@ the
+// image without ".BIN".
+#pragma once
+
+namespace openr_host::new_object {
+
+inline constexpr char kStub[] =
+    R"(// What the object offers and takes; `stubgen2 stub.cfg` makes its stub of it.
+ObjectName : @Name@
+NumOfOSubject : 1
+NumOfOObserver : 1
+Service : "@Name@.DummySubject.DoNotConnect.S", null, null
+Service : "@Name@.Sensor.OSensorFrameVectorData.O", null, NotifySensor()
+)";
+
+inline constexpr char kOcf[] = R"(# name, stack, step of the heap, priority, cache, tlb, mode
+object @name@ 3072 16384 128 cache tlb user
+)";
+
+inline constexpr char kHeader[] = R"(#ifndef @Name@_h_DEFINED
+#define @Name@_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+#include "def.h"
+
+class @Name@ : public OObject {
+public:
+    @Name@();
+    virtual ~@Name@() {}
+
+    OSubject*  subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+
+    void NotifySensor(const ONotifyEvent& event);
+
+private:
+    int vectors;  // of sensors, 32 ms each
+};
+
+#endif // @Name@_h_DEFINED
+)";
+
+inline constexpr char kSource[] = R"(#include "@Name@.h"
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/OSyslog.h>
+#include <OPENR/core_macro.h>
+
+@Name@::@Name@() : vectors(0)
+{
+}
+
+OStatus
+@Name@::DoInit(const OSystemEvent& event)
+{
+    NEW_ALL_SUBJECT_AND_OBSERVER;
+    REGISTER_ALL_ENTRY;
+    SET_ALL_READY_AND_NOTIFY_ENTRY;
+    return oSUCCESS;
+}
+
+OStatus
+@Name@::DoStart(const OSystemEvent& event)
+{
+    OSYSPRINT(("@Name@ has started\n"));
+    ENABLE_ALL_SUBJECT;
+    ASSERT_READY_TO_ALL_OBSERVER;
+    return oSUCCESS;
+}
+
+OStatus
+@Name@::DoStop(const OSystemEvent& event)
+{
+    DISABLE_ALL_SUBJECT;
+    DEASSERT_READY_TO_ALL_OBSERVER;
+    return oSUCCESS;
+}
+
+OStatus
+@Name@::DoDestroy(const OSystemEvent& event)
+{
+    DELETE_ALL_SUBJECT_AND_OBSERVER;
+    return oSUCCESS;
+}
+
+// Comes every 32 ms, as long as we assert ready.
+void
+@Name@::NotifySensor(const ONotifyEvent& event)
+{
+    const OSensorFrameVectorData* vector = (const OSensorFrameVectorData*)event.Data(0);
+    if (vectors++ == 0) {
+        OSYSPRINT(("@Name@ hears %d sensors\n", (int)vector->vectorInfo.numData));
+    }
+    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+}
+)";
+
+inline constexpr char kObjectConfig[] = R"(/MS/OPEN-R/MW/OBJS/POWERMON.BIN
+/MS/OPEN-R/MW/OBJS/@NAME@.BIN
+)";
+
+inline constexpr char kConnectConfig[] = R"(# subject observer
+OVirtualRobotComm.Sensor.OSensorFrameVectorData.S @Name@.Sensor.OSensorFrameVectorData.O
+)";
+
+inline constexpr char kMakefile[] = R"(# For the robot, with its SDK: make install
+# For the host: openr build .
+OPENRSDK_ROOT ?= /usr/local/OPEN_R_SDK
+INSTALLDIR = MS
+CXX = $(OPENRSDK_ROOT)/bin/mipsel-linux-g++
+STRIP = $(OPENRSDK_ROOT)/bin/mipsel-linux-strip
+MKBIN = $(OPENRSDK_ROOT)/OPEN_R/bin/mkbin
+STUBGEN = $(OPENRSDK_ROOT)/OPEN_R/bin/stubgen2
+LIBS = -lObjectComm -lOPENR
+CXXFLAGS = -O2 -g -I@Name@ -I$(OPENRSDK_ROOT)/OPEN_R/include/R4000 \
+  -I$(OPENRSDK_ROOT)/OPEN_R/include
+
+.PHONY: all install clean
+all: @Name@/@name@.bin
+
+@Name@/@Name@Stub.cc @Name@/def.h: @Name@/stub.cfg
+	cd @Name@ && $(STUBGEN) stub.cfg
+
+@Name@/%.o: @Name@/%.cc @Name@/def.h @Name@/@Name@.h
+	$(CXX) $(CXXFLAGS) -o $@ -c $<
+
+@Name@/@name@.bin: @Name@/@Name@Stub.o @Name@/@Name@.o @Name@/@name@.ocf
+	$(MKBIN) -p $(OPENRSDK_ROOT) -o $@ $^ $(LIBS)
+	$(STRIP) $@
+
+install: @Name@/@name@.bin
+	mkdir -p $(INSTALLDIR)/OPEN-R/MW/OBJS
+	gzip -c $< > $(INSTALLDIR)/OPEN-R/MW/OBJS/@NAME@.BIN
+
+clean:
+	rm -f @Name@/*.o @Name@/*.bin @Name@/@Name@Stub.* @Name@/def.h @Name@/entry.h
+)";
+
+inline constexpr char kCMake[] =
+    R"(# For the host: cmake -S . -B build && cmake --build build && openr run --stick build/stick
+cmake_minimum_required(VERSION 3.16)
+project(@Name@ LANGUAGES CXX)
+find_package(openr-host REQUIRED)
+
+openr_add_object(NAME @name@ BIN @NAME@.BIN
+  STUB @Name@/stub.cfg
+  OCF @Name@/@name@.ocf
+  SOURCES @Name@/@Name@.cc
+  INCLUDES @Name@)
+openr_add_stick(NAME stick FOLDER MS OBJECTS @name@)
+)";
+
+inline constexpr char kTest[] = R"text(#!/bin/sh
+# Builds, runs a second of virtual time and looks at what was said.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+stick=$(mktemp -d)
+trap 'rm -rf "$stick"' EXIT
+${OPENR:-openr} build "$here" -o "$stick"
+${OPENR:-openr} run --stick "$stick" --for 1s --rate max --no-panel > "$stick/said.txt" 2>&1
+for words in '@Name@ has started' '@Name@ hears'; do
+  grep -q "$words" "$stick/said.txt" || { echo "not said: $words"; cat "$stick/said.txt"; exit 1; }
+done
+echo "good"
+)text";
+
+}  // namespace openr_host::new_object

@@ -1,0 +1,42 @@
+// Old sources that today's g++ refuses and the SDK's g++ 3.3 took: small changes to the private
+// copy that `openr build` made of them.  The person's own files are never touched.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "openr/kit/kit_log.h"
+#include "openr/kit/source_copies.h"
+
+namespace openr_host {
+
+// The repairs one compilation needs.  While it lives, no other one repairs: headers are shared.
+class RepairSession {
+ public:
+  RepairSession();
+  ~RepairSession();
+  RepairSession(const RepairSession&) = delete;
+  RepairSession& operator=(const RepairSession&) = delete;
+
+  // Whether there is anything that may be changed at all.
+  bool may_repair() const { return !copies_.empty(); }
+
+  // One round.  `diagnostics`: what g++ said with -fdiagnostics-format=json.  False when nothing
+  // can be done about any of it.
+  bool Apply(const std::string& diagnostics);
+
+  // They helped: says in the log what was done, in terms of the originals.
+  void Keep();
+
+  // They did not: the files are as they were.
+  void Undo();
+
+ private:
+  const std::vector<SourceCopy> copies_;
+  int lock_ = -1;
+  std::map<std::string, std::string> former_;  // text of changed files
+  std::vector<KitLog::Repair> repairs_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,40 @@
+// Small things about files and their names that many parts of the kit need.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+std::optional<std::string> ReadText(const std::filesystem::path& file);
+
+// Under another name first, so that nobody sees half a file.  Returns what went wrong, or "".
+std::string WriteText(const std::filesystem::path& file, const std::string& text);
+
+std::string LowerCase(std::string text);
+
+// The entry of `folder` that is called `name` in any case; an empty path if there is none.
+std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
+
+// The same for several parts: OPEN-R/MW/CONF.
+std::filesystem::path FindBelow(std::filesystem::path folder, const std::string& path);
+
+// Whether a file of this name is a C or C++ source, a header, or made of Makefile rules.
+bool IsSourceName(const std::filesystem::path& file);
+bool IsHeaderName(const std::filesystem::path& file);
+bool IsMakefileName(const std::filesystem::path& file);
+// One that make finds by itself.
+bool IsMainMakefileName(const std::filesystem::path& file);
+
+// Folders of version control, hidden ones, and what CMake builds in: not sources.
+bool IsIgnoredFolder(const std::filesystem::path& folder);
+
+bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+// All regular files below `folder`, in order of names, without ignored folders; links are
+// followed, but not in circles.
+std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
+
+}  // namespace openr_host

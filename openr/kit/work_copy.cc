@@ -1,0 +1,228 @@
+#include "openr/kit/work_copy.h"
+
+#include <elf.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "openr/kit/makefile_text.h"
+#include "openr/kit/text_files.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kOutsideFilesMax = 20'000;  // of one folder that is only referred to
+
+// Parts of a path that make and the shell would take apart are renamed.
+std::string Harmless(std::string part) {
+  for (char& c : part) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                          std::string_view("/._+-").find(c) != std::string_view::npos;
+    if (!is_plain) c = '_';
+  }
+  return part;
+}
+
+bool IsElfForRobot(const char* bytes, size_t size) {
+  Elf32_Ehdr header;
+  if (size < sizeof header) return false;
+  std::memcpy(&header, bytes, sizeof header);
+  return std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 && header.e_machine == EM_MIPS;
+}
+
+// Object files, archives and images that a build for the robot left behind; to make they look new.
+bool IsLeftFromRobot(const fs::path& file) {
+  char bytes[4096];
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes, sizeof bytes);
+  const auto size = static_cast<size_t>(stream.gcount());
+  if (IsElfForRobot(bytes, size)) return true;
+  if (size < 8 || std::memcmp(bytes, "!<arch>\n", 8) != 0) return false;
+  const std::string archive = ReadText(file).value_or("");
+  for (size_t at = archive.find(ELFMAG); at != std::string::npos;
+       at = archive.find(ELFMAG, at + 1)) {
+    if (IsElfForRobot(archive.data() + at, archive.size() - at)) return true;
+  }
+  return false;
+}
+
+// An image of an earlier build on the stick: the outcome, not a source.
+bool IsBuiltImage(const fs::path& file) {
+  const std::string folder = LowerCase(file.parent_path().filename());
+  return folder == "objs" && LowerCase(file.extension()) == ".bin" &&
+         ReadImageFile(file).problem.empty();
+}
+
+// Lists of dependencies name the robot's headers.
+bool IsDependencyList(const fs::path& file) {
+  const std::string name = file.filename();
+  return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
+}
+
+// Made by stubgen2 from the stub.cfg beside it.
+bool IsGeneratedStub(const fs::path& file) {
+  const std::string name = file.filename();
+  const bool looks_so =
+      name == "def.h" || name == "entry.h" || name.ends_with("Stub.cc") || name.ends_with("Stub.h");
+  return looks_so && !FindEntry(file.parent_path(), "stub.cfg").empty();
+}
+
+void SetTime(const fs::path& file, const fs::path& like) {
+  std::error_code error;
+  fs::last_write_time(file, fs::last_write_time(like, error), error);
+}
+
+void SetOldTime(const fs::path& file) {
+  const timespec times[2] = {{1, 0}, {1, 0}};
+  utimensat(AT_FDCWD, file.c_str(), times, 0);
+}
+
+bool IsText(const std::string& text) {
+  return text.substr(0, 4096).find('\0') == std::string::npos;
+}
+
+// Makefiles, and the scripts they call.
+bool IsToBeAdapted(const fs::path& file, const std::string& text) {
+  const std::string extension = file.extension();
+  const bool is_script = extension == ".sh" || extension == ".in" || file.filename() == "configure";
+  return (IsMakefileName(file) || is_script || text.starts_with("#!")) && IsText(text);
+}
+
+}  // namespace
+
+WorkCopy::WorkCopy(fs::path work, std::string sdk_root)
+    : work_(std::move(work)), sdk_root_(std::move(sdk_root)) {
+  std::ifstream stream(work_ / "copied.txt");
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    Stamp stamp;
+    std::string name;
+    if (words >> stamp.size >> stamp.time_ns && std::getline(words >> std::ws, name))
+      former_[name] = stamp;
+  }
+}
+
+void WorkCopy::Save() const {
+  std::string text;
+  for (const auto& [name, stamp] : present_)
+    text += fmt::format("{} {} {}\n", stamp.size, stamp.time_ns, name);
+  const std::string problem = WriteText(work_ / "copied.txt", text);
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+fs::path WorkCopy::PlaceOf(const fs::path& original) const {
+  for (const SourceCopy& entry : copies_) {
+    if (IsBelow(original, entry.original))
+      return fs::path(entry.copy) / original.lexically_relative(entry.original);
+  }
+  return work_ / "src" / Harmless(original.relative_path());
+}
+
+bool WorkCopy::IsOriginal(const fs::path& file) const {
+  const auto found = present_.find(OriginalOf(file, copies_));
+  return found != present_.end() && StampOf(file) == found->second;
+}
+
+fs::path WorkCopy::Add(const fs::path& original) {
+  AddFolder(original);
+  for (size_t i = 0; i < copies_.size(); ++i) AddOutside(copies_[i].original);
+  RemoveVanished();
+  Save();
+  return copies_[0].copy;
+}
+
+bool WorkCopy::IsCovered(const fs::path& original) const {
+  return std::any_of(copies_.begin(), copies_.end(),
+                     [&](const SourceCopy& entry) { return IsBelow(original, entry.original); });
+}
+
+void WorkCopy::AddFolder(const fs::path& original) {
+  const fs::path copy = PlaceOf(original).lexically_normal();
+  copies_.push_back({copy, original});
+  fs::create_directories(copy);
+  for (const fs::path& file : FilesBelow(original)) {
+    if (!IsBelow(file, work_)) CopyFile(file);
+  }
+  // Empty folders matter: rules write into them.
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(original, error), end; !error && it != end;
+       it.increment(error)) {
+    if (!it->is_directory(error)) continue;
+    if (IsIgnoredFolder(it->path()) || IsBelow(it->path(), work_)) {
+      it.disable_recursion_pending();
+    } else {
+      fs::create_directories(PlaceOf(it->path()));
+    }
+  }
+}
+
+// What the files of `original` call "../something" and lies outside.
+void WorkCopy::AddOutside(const fs::path& original) {
+  for (const fs::path& file : FilesBelow(original)) {
+    const bool is_makefile = IsMakefileName(file);
+    if (!is_makefile && !IsSourceName(file) && !IsHeaderName(file)) continue;
+    const std::string text = ReadText(file).value_or("");
+    if (text.find("..") == std::string::npos) continue;
+    for (const std::string& path : UpwardPaths(text)) {
+      const fs::path target = (file.parent_path() / path).lexically_normal();
+      std::error_code error;
+      if (!fs::exists(target, error) || IsCovered(target)) continue;
+      if (std::any_of(copies_.begin(), copies_.end(),
+                      [&](const SourceCopy& entry) { return IsBelow(entry.original, target); })) {
+        continue;  // the folder around: far too much
+      }
+      const fs::path folder = fs::is_directory(target, error) ? target : target.parent_path();
+      if (IsBelow(original, folder)) {
+        CopyFile(target);
+      } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
+        AddFolder(folder);
+      }
+    }
+  }
+}
+
+void WorkCopy::CopyFile(const fs::path& original) {
+  const fs::path copy = PlaceOf(original);
+  const Stamp stamp = StampOf(original);
+  const auto former = former_.find(original);
+  present_[original] = stamp;
+  if (former != former_.end() && former->second == stamp) return;
+  if (IsLeftFromRobot(original) || IsBuiltImage(original)) return;
+  fs::create_directories(copy.parent_path());
+  std::string text = IsDependencyList(original) ? "" : ReadText(original).value_or("");
+  if (IsToBeAdapted(original, text)) text = AdaptMakefile(text, sdk_root_);
+  const std::string problem = WriteText(copy, text);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  std::error_code error;
+  fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
+  SetTime(copy, original);
+  // Older than its stub.cfg, so a rule that makes it will.
+  if (IsGeneratedStub(original)) SetOldTime(copy);
+}
+
+// Files that are gone from the originals go from the copy.
+void WorkCopy::RemoveVanished() {
+  for (const auto& [name, stamp] : former_) {
+    if (present_.contains(name) || !IsCovered(name)) continue;
+    std::error_code error;
+    fs::remove(PlaceOf(name), error);
+  }
+}
+
+WorkCopy::Stamp WorkCopy::StampOf(const fs::path& file) {
+  struct stat status;
+  if (stat(file.c_str(), &status) != 0) return {};
+  return {static_cast<uintmax_t>(status.st_size),
+          static_cast<int64_t>(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+}  // namespace openr_host

@@ -1,0 +1,100 @@
+// The Aperios calls of MCOOP.h that ask for messages to come, and for limits.
+#include <MCOOP.h>
+
+#include "runtime/api/mcoop_limits.h"
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+
+using namespace openr_host;
+
+namespace {
+
+// sSUCCESS when the current object may ask for another message of `size` bytes to `oid`.
+sError CheckLetter(const OID& oid, size_t size) {
+  if (t_current.object == nullptr) return sFAIL;
+  if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
+  if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
+  if (t_current.system->time_events().CountOf(t_current.object->id) >= kEventsMax)
+    return sFULLEVENTENTRY;
+  return sSUCCESS;
+}
+
+TimeEvents::Letter MakeLetter(const OID& oid, Selector selector, const void* msg, size_t size) {
+  const auto* const bytes = static_cast<const unsigned char*>(msg);
+  return {t_current.object->id, ObjectIdOf(oid), selector, {bytes, bytes + size}};
+}
+
+}  // namespace
+
+extern "C" {
+
+sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
+                    EventID* event) {
+  const ApiScope scope;
+  if (info == nullptr) return sINVALIDTEVENTINFO;
+  const sError error = CheckLetter(oid, size);
+  if (error != sSUCCESS) return error;
+  const longword id = t_current.system->time_events().AddTimed(MakeLetter(oid, selector, msg, size),
+                                                               Microseconds(info->relativeTime),
+                                                               Microseconds(info->periodicTime));
+  if (event != nullptr) event->value = id;
+  return sSUCCESS;
+}
+
+sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event) {
+  const ApiScope scope;
+  const sError error = CheckLetter(oid, size);
+  if (error != sSUCCESS) return error;
+  openr_host::Object* const self = t_current.object;
+  if (!rbox.IsValid()) return sINVALIDRID;
+  if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
+  if (!self->boxes.contains(rbox.GetValue())) return sRIDNOTFOUND;
+  TimeEvents& events = t_current.system->time_events();
+  const longword id = events.AddReply(MakeLetter(oid, selector, msg, size), rbox.GetValue());
+  if (event != nullptr) event->value = id;
+  if (self->replies.contains(rbox.GetValue())) events.ReplyArrived(self->id, rbox.GetValue());
+  return sSUCCESS;
+}
+
+sError CancelEvent(EventID event) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  return t_current.system->time_events().Cancel(t_current.object->id, event.value)
+             ? sSUCCESS
+             : sINVALIDEVENTID;
+}
+
+// Only the length of the queue can be changed.
+sError SetResourceValue(sResource resource, slongword value) {
+  if (t_current.object == nullptr) return sFAIL;
+  if (resource < rMAXMESSAGESIZE || resource > rMAXENTRIES) return sINVALIDRESOURCE;
+  if (resource != rMAXQUEUESIZE) return sNOTSUPPORTED;
+  if (value <= 0) return sINVALIDARG;
+  t_current.object->queue_max = value;
+  return sSUCCESS;
+}
+
+sError GetResourceValue(sResource resource, slongword* current, slongword* max, slongword* min) {
+  if (t_current.object == nullptr || current == nullptr) return sINVALIDARG;
+  switch (resource) {
+    case rMAXMESSAGESIZE:
+      *current = static_cast<slongword>(kMessageMax);
+      break;
+    case rMAXQUEUESIZE:
+      *current = t_current.object->queue_max;
+      break;
+    case rMAXEVENT:
+      *current = kEventsMax;
+      break;
+    case rMAXENTRIES:
+      *current = kEntriesMax;
+      break;
+    default:
+      return sINVALIDRESOURCE;
+  }
+  if (max != nullptr) *max = *current;
+  if (min != nullptr) *min = 1;
+  return sSUCCESS;
+}
+
+}  // extern "C"

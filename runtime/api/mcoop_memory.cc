@@ -1,0 +1,112 @@
+// The Aperios calls of MCOOP.h for memory.
+#include <MCOOP.h>
+
+#include <cstring>
+#include <memory>
+
+#include "runtime/api/region_memory.h"
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+
+using namespace openr_host;
+
+namespace {
+
+constexpr size_t kPageBytes = 4096;  // memory-protected configuration
+
+// Gives a region of the caller a size that is not smaller, or not larger.
+sError Resize(MemoryRegionID id, size_t size, bool grows) {
+  if (t_current.object == nullptr) return sFAIL;
+  RegionTable& regions = t_current.system->regions();
+  if (regions.BaseOf(id) == nullptr) return sINVALIDSHAREDMEMID;
+  if (regions.OwnerOf(id) != t_current.object->id) return sPERMISSIONDENIEDSHAREDMEM;
+  if (size == 0 || (size < regions.SizeOf(id)) == grows) return sINVALIDARG;
+  return regions.Resize(id, size) ? sSUCCESS : sNOMEMORY;
+}
+
+}  // namespace
+
+extern "C" {
+
+sError NewRegion(size_t size, void** base) {
+  const ApiScope scope;
+  if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
+  *base = nullptr;
+  if (size > kRobotMemoryBytes) return sNOMEMORY;
+  auto memory = std::make_unique<char[]>(size);
+  *base = memory.get();
+  t_current.object->private_regions[*base] = std::move(memory);
+  return sSUCCESS;
+}
+
+sError DeleteRegion(void* base) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  return t_current.object->private_regions.erase(base) == 1 ? sSUCCESS : sINVALIDARG;
+}
+
+sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
+                             void** base) {
+  const ApiScope scope;
+  if (t_current.object == nullptr || id == nullptr || base == nullptr) return sINVALIDARG;
+  if (info != MEMPROTINFO_R && info != MEMPROTINFO_RW) return sINVALIDSHAREDMEMPROTECT;
+  *base = NewSharedMemory(size, id);
+  return *base == nullptr ? sNOMEMORY : sSUCCESS;
+}
+
+sError DeleteSharedMemoryRegion(MemoryRegionID id) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  return t_current.system->regions().Delete(id) ? sSUCCESS : sINVALIDSHAREDMEMID;
+}
+
+sError AllowToAttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, OID oid,
+                                 bool givingOwnership) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  const ObjectId other = ObjectIdOf(oid);
+  if (t_current.system->object(other) == nullptr) return sINVALIDOID;
+  return t_current.system->region_shares().Allow(t_current.object->id, id, info, other,
+                                                 givingOwnership);
+}
+
+sError AttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, void** base) {
+  const ApiScope scope;
+  if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
+  const sError error = t_current.system->region_shares().Attach(t_current.object->id, id, info);
+  *base = error == sSUCCESS || error == sALREADYATTACHEDSHAREDMEM
+              ? t_current.system->regions().BaseOf(id)
+              : nullptr;
+  return error;
+}
+
+sError DetachMemoryRegion(MemoryRegionID id) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  return t_current.system->region_shares().Detach(t_current.object->id, id);
+}
+
+sError ChangeProtectionMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info) {
+  const ApiScope scope;
+  if (t_current.object == nullptr) return sFAIL;
+  return t_current.system->region_shares().ChangeProtection(t_current.object->id, id, info);
+}
+
+sError GrowMemoryRegion(MemoryRegionID id, size_t size) { return Resize(id, size, true); }
+sError ShrinkMemoryRegion(MemoryRegionID id, size_t size) { return Resize(id, size, false); }
+
+sError GetPageSize(size_t* size) {
+  if (size == nullptr) return sINVALIDARG;
+  *size = kPageBytes;
+  return sSUCCESS;
+}
+
+// Of the robot, as far as objects' heaps are concerned.
+sError GetFreeMemorySize(size_t* size) {
+  if (t_current.object == nullptr || size == nullptr) return sINVALIDARG;
+  const size_t used = t_current.system->robot(t_current.object->robot).memory.used_bytes;
+  *size = used > kRobotMemoryBytes ? 0 : kRobotMemoryBytes - used;
+  return sSUCCESS;
+}
+
+}  // extern "C"

@@ -1,0 +1,19 @@
+// Shared memory that an SDK function makes for the object that calls it.
+#pragma once
+
+#include <MemoryRegion.h>
+
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+// Null, and `*id` 0, when there is no memory.  No piece can be larger than the robot's.
+inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
+  *id = RegionTable::kNoRegion;
+  if (bytes > kRobotMemoryBytes) return nullptr;
+  RegionTable& regions = t_current.system->regions();
+  *id = regions.New(bytes, t_current.object->id);
+  return regions.BaseOf(*id);
+}
+
+}  // namespace openr_host

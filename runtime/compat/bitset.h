@@ -1,0 +1,9 @@
+// <bitset.h> of old C++: <bitset> without std::.
+#ifndef OPENR_COMPAT_BITSET_H_INCLUDED
+#define OPENR_COMPAT_BITSET_H_INCLUDED
+
+#include <bitset>
+
+using std::bitset;
+
+#endif  // OPENR_COMPAT_BITSET_H_INCLUDED

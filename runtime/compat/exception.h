@@ -1,0 +1,11 @@
+// <exception.h> of old C++: <exception> without std::.
+#ifndef OPENR_COMPAT_EXCEPTION_H_INCLUDED
+#define OPENR_COMPAT_EXCEPTION_H_INCLUDED
+
+#include <exception>
+
+using std::exception;
+using std::terminate;
+using std::unexpected;
+
+#endif  // OPENR_COMPAT_EXCEPTION_H_INCLUDED

@@ -1,0 +1,11 @@
+// <hash_map.h> of old C++: a container from before the standard.
+#ifndef OPENR_COMPAT_HASH_MAP_H_INCLUDED
+#define OPENR_COMPAT_HASH_MAP_H_INCLUDED
+
+#include <ext/hash_map>
+
+using __gnu_cxx::hash;
+using __gnu_cxx::hash_map;
+using __gnu_cxx::hash_multimap;
+
+#endif  // OPENR_COMPAT_HASH_MAP_H_INCLUDED

@@ -1,0 +1,11 @@
+// <hash_set.h> of old C++: a container from before the standard.
+#ifndef OPENR_COMPAT_HASH_SET_H_INCLUDED
+#define OPENR_COMPAT_HASH_SET_H_INCLUDED
+
+#include <ext/hash_set>
+
+using __gnu_cxx::hash;
+using __gnu_cxx::hash_multiset;
+using __gnu_cxx::hash_set;
+
+#endif  // OPENR_COMPAT_HASH_SET_H_INCLUDED

@@ -1,0 +1,11 @@
+// <istream.h> of old C++: <istream> without std::.
+#ifndef OPENR_COMPAT_ISTREAM_H_INCLUDED
+#define OPENR_COMPAT_ISTREAM_H_INCLUDED
+
+#include <istream>
+
+using std::iostream;
+using std::istream;
+using std::ws;
+
+#endif  // OPENR_COMPAT_ISTREAM_H_INCLUDED

@@ -1,0 +1,9 @@
+// <multimap.h> of old C++: <map> without std::.
+#ifndef OPENR_COMPAT_MULTIMAP_H_INCLUDED
+#define OPENR_COMPAT_MULTIMAP_H_INCLUDED
+
+#include <map>
+
+using std::multimap;
+
+#endif  // OPENR_COMPAT_MULTIMAP_H_INCLUDED

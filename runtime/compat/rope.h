@@ -1,0 +1,11 @@
+// <rope.h> of old C++: a container from before the standard.
+#ifndef OPENR_COMPAT_ROPE_H_INCLUDED
+#define OPENR_COMPAT_ROPE_H_INCLUDED
+
+#include <ext/rope>
+
+using __gnu_cxx::crope;
+using __gnu_cxx::rope;
+using __gnu_cxx::wrope;
+
+#endif  // OPENR_COMPAT_ROPE_H_INCLUDED

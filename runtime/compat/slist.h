@@ -1,0 +1,9 @@
+// <slist.h> of old C++: a container from before the standard.
+#ifndef OPENR_COMPAT_SLIST_H_INCLUDED
+#define OPENR_COMPAT_SLIST_H_INCLUDED
+
+#include <ext/slist>
+
+using __gnu_cxx::slist;
+
+#endif  // OPENR_COMPAT_SLIST_H_INCLUDED

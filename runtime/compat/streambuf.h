@@ -1,0 +1,9 @@
+// <streambuf.h> of old C++: <streambuf> without std::.
+#ifndef OPENR_COMPAT_STREAMBUF_H_INCLUDED
+#define OPENR_COMPAT_STREAMBUF_H_INCLUDED
+
+#include <streambuf>
+
+using std::streambuf;
+
+#endif  // OPENR_COMPAT_STREAMBUF_H_INCLUDED

@@ -1,0 +1,9 @@
+// <vector.h> of old C++: <vector> without std::.
+#ifndef OPENR_COMPAT_VECTOR_H_INCLUDED
+#define OPENR_COMPAT_VECTOR_H_INCLUDED
+
+#include <vector>
+
+using std::vector;
+
+#endif  // OPENR_COMPAT_VECTOR_H_INCLUDED

@@ -1,0 +1,149 @@
+#include "runtime/config/cost_config.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "runtime/config/line_file.h"
+#include "runtime/core/object.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kCostMaxUs = 10'000'000;  // ours: a handler of 10 s is a slip of the pen
+constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
+
+constexpr char kForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";
+
+// A whole number of `min`..`max`.
+std::optional<int64_t> NumberOf(std::string_view text, int64_t min, int64_t max) {
+  int64_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size()) return {};
+  if (value < min || value > max) return {};
+  return value;
+}
+
+class Parser {
+ public:
+  explicit Parser(CostResult* result) : result_(*result) {}
+
+  void Take(const RecordLine& line) {
+    if (line.words[0].text == "frame") {
+      TakeFrame(line);
+    } else {
+      TakeRule(line);
+    }
+  }
+
+ private:
+  void Refuse(const RecordLine& line, const Word& word, std::string message) {
+    result_.diagnostics.push_back(ErrorAt(line.At(word), std::move(message)));
+  }
+
+  void TakeFrame(const RecordLine& line) {
+    const auto us = line.words.size() == 2 ? NumberOf(line.words[1].text, kFrameMinUs, kFrameMaxUs)
+                                           : std::nullopt;
+    if (us) {
+      result_.config.frame_us = *us;
+    } else {
+      Refuse(line, line.words.back(),
+             fmt::format("a frame lasts {} to {} us; write: frame 8000", kFrameMinUs, kFrameMaxUs));
+    }
+  }
+
+  // Entries may have blanks in their names: what stands between the object and the numbers.
+  void TakeRule(const RecordLine& line) {
+    CostRule rule;
+    size_t count = line.words.size();
+    if (count > 1 && line.words[count - 1].text.ends_with('%')) {
+      const Word& word = line.words[--count];
+      const std::string_view text = word.text;
+      const auto percent =
+          text.starts_with("+-") ? NumberOf(text.substr(2, text.size() - 3), 0, 100) : std::nullopt;
+      if (!percent) {
+        return Refuse(line, word,
+                      fmt::format("'{}' is no jitter; write +-0% to +-100%, in one word", text));
+      }
+      rule.jitter_percent = static_cast<int>(*percent);
+    }
+    if (count < 3) {
+      return Refuse(line, line.words.back(),
+                    fmt::format("object, entry or time missing; {}", kForm));
+    }
+    const Word& last = line.words[count - 1];
+    const auto cost_us = NumberOf(last.text, 0, kCostMaxUs);
+    if (!cost_us) {
+      return Refuse(line, last,
+                    fmt::format("'{}' is no time of 0 to {} us; {}", last.text, kCostMaxUs, kForm));
+    }
+    rule.cost_us = *cost_us;
+    rule.object = line.words[0].text;
+    for (size_t i = 1; i + 1 < count; ++i) {
+      rule.entry += (i == 1 ? "" : " ") + line.words[i].text;
+    }
+    result_.config.rules.push_back(std::move(rule));
+  }
+
+  CostResult& result_;
+};
+
+}  // namespace
+
+CostResult ParseCostConfig(const std::string& file, std::string_view text) {
+  CostResult result;
+  Parser parser(&result);
+  for (const RecordLine& line : ReadRecords(file, text, kEveryDesign, &result.diagnostics)) {
+    parser.Take(line);
+  }
+  return result;
+}
+
+bool MatchesPattern(std::string_view pattern, std::string_view text) {
+  size_t p = 0, t = 0;
+  size_t star = std::string_view::npos, resume = 0;  // the last '*', and where its text ends
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = t;
+    } else if (p < pattern.size() && pattern[p] == text[t]) {
+      ++p;
+      ++t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++resume;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+ConfiguredCost::ConfiguredCost(CostConfig config, uint64_t seed)
+    : config_(std::move(config)), rng_(seed, "cost") {}
+
+ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) const {
+  const std::string entry = object.EntryName(selector);
+  for (auto rule = config_.rules.rbegin(); rule != config_.rules.rend(); ++rule) {
+    if (!MatchesPattern(rule->object, object.name) || !MatchesPattern(rule->entry, entry)) continue;
+    return {rule->cost_us, rule->cost_us * rule->jitter_percent / 100};
+  }
+  return {};
+}
+
+int64_t ConfiguredCost::CostUs(const Object& object, uint32_t selector) {
+  const auto [known, is_new] = known_.try_emplace({object.id, selector});
+  if (is_new) known->second = Find(object, selector);
+  const Cost& cost = known->second;
+  return cost.range_us == 0 ? cost.us : cost.us + JitterUs(object, selector, cost.range_us);
+}
+
+int64_t ConfiguredCost::JitterUs(const Object&, uint32_t, int64_t range_us) {
+  return static_cast<int64_t>(rng_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
+}
+
+void ConfiguredCost::HashState(Hasher* hasher) const { rng_.HashState(hasher); }
+
+}  // namespace openr_host

@@ -1,0 +1,82 @@
+#include "runtime/core/console_input.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+void ConsoleInput::Feed(int robot, std::string_view text) {
+  std::string typed(text);
+  if (!typed.ends_with('\n')) typed += '\n';
+  for (const Listener& listener : listeners_) listener(robot, typed);
+  Terminal& terminal = terminals_[robot];
+  terminal.coming += typed;
+  const int64_t frame_us = system_->frame_us();
+  terminal.enters_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
+}
+
+int64_t ConsoleInput::NextUs() const {
+  int64_t next_us = INT64_MAX;
+  for (const auto& [robot, terminal] : terminals_) next_us = std::min(next_us, terminal.enters_us);
+  return next_us;
+}
+
+void ConsoleInput::EnterDue() {
+  for (auto& [robot, terminal] : terminals_) {
+    if (terminal.enters_us > system_->now_us()) continue;
+    terminal.enters_us = INT64_MAX;
+    terminal.text += terminal.coming;
+    terminal.coming.clear();
+    WakeNext(&terminal);
+  }
+}
+
+// One that still waits: an object may have been reloaded meanwhile.
+void ConsoleInput::WakeNext(Terminal* terminal) {
+  while (!terminal->readers.empty()) {
+    const auto [id, box] = terminal->readers.front();
+    terminal->readers.pop_front();
+    const Object* const object = system_->object(id);
+    if (object == nullptr || object->blocked == nullptr || object->blocked_box != box) continue;
+    Message* const wake = system_->NewMessage(id, 0);  // with the line, for the trace
+    wake->message_class = MessageClass::kInput;
+    wake->is_reply = true;
+    wake->reply_box = box;
+    const size_t line = std::min(terminal->text.find('\n') + 1, Message::kPayloadMax);
+    std::memcpy(wake->payload, terminal->text.data(), line);
+    wake->size = static_cast<uint32_t>(line);
+    system_->Post(wake);
+    return;
+  }
+}
+
+size_t ConsoleInput::Read(char* buffer, size_t size) {
+  Object* const self = t_current.object;
+  Terminal& terminal = terminals_[self->robot];
+  while (terminal.text.empty()) {
+    const uint64_t box = system_->NewReplyBox();
+    terminal.readers.emplace_back(self->id, box);
+    system_->WaitForReply(box, nullptr, 0, nullptr, -1, kWhy);
+  }
+  const size_t line = terminal.text.find('\n') + 1;
+  const size_t count = std::min(line, size);
+  std::memcpy(buffer, terminal.text.data(), count);
+  if (echo_) system_->Print(terminal.text.substr(0, count));
+  terminal.text.erase(0, count);
+  if (!terminal.text.empty()) WakeNext(&terminal);
+  return count;
+}
+
+void ConsoleInput::HashState(Hasher* hasher) const {
+  for (const auto& [robot, terminal] : terminals_) {
+    hasher->Add(robot);
+    hasher->AddText(terminal.coming);
+    hasher->AddText(terminal.text);
+    for (const auto& [id, box] : terminal.readers) hasher->Add(id);
+  }
+}
+
+}  // namespace openr_host

@@ -1,0 +1,75 @@
+#include "runtime/core/image_file.h"
+
+#include <elf.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "runtime/stick/gzip.h"
+
+namespace openr_host {
+namespace {
+
+constexpr char kForRobot[] =
+    "is a binary for the robot (MIPS); build the object for the host (openr build)";
+constexpr char kCutOff[] = "ends too early: the file was cut off; copy it again";
+
+// Whether everything the dynamic linker maps is there; it dies of a file that was cut off.
+bool IsWhole(const std::string& bytes, const Elf64_Ehdr& header) {
+  for (int i = 0; i < header.e_phnum; ++i) {
+    const uint64_t at = header.e_phoff + static_cast<uint64_t>(i) * sizeof(Elf64_Phdr);
+    if (at > bytes.size() || sizeof(Elf64_Phdr) > bytes.size() - at) return false;
+    Elf64_Phdr segment;
+    std::memcpy(&segment, bytes.data() + at, sizeof segment);
+    if (segment.p_type != PT_LOAD) continue;
+    if (segment.p_offset > bytes.size() || segment.p_filesz > bytes.size() - segment.p_offset)
+      return false;
+  }
+  return true;
+}
+
+std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
+  Elf64_Ehdr header{};
+  std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
+  if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
+    return "is not an object image";
+  *is_for_robot = header.e_machine == EM_MIPS;  // where it is for 32 bits, too
+  if (*is_for_robot) return kForRobot;
+  if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
+    return "is not a shared object for this machine";
+  if (header.e_type != ET_DYN) return "is not a shared object";
+  return IsWhole(bytes, header) ? "" : kCutOff;
+}
+
+}  // namespace
+
+ImageFile ReadImageFile(const std::string& path) {
+  ImageFile image;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    image.problem = "cannot be read";
+    return image;
+  }
+  image.bytes.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  image.is_compressed = IsGzip(image.bytes);
+  if (image.is_compressed) {
+    std::string bytes;
+    switch (Gunzip(image.bytes, &bytes)) {
+      case GzipResult::kWhole:
+        break;
+      case GzipResult::kCutOff:
+        image.problem = kCutOff;
+        break;
+      case GzipResult::kDamaged:
+        image.problem =
+            "is a damaged gzip file; copy it again, or build the object again (openr build)";
+        break;
+    }
+    image.bytes = std::move(bytes);
+  }
+  if (image.problem.empty()) image.problem = CheckFormat(image.bytes, &image.is_for_robot);
+  return image;
+}
+
+}  // namespace openr_host

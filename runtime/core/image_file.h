@@ -1,0 +1,19 @@
+// Files of images, as they lie on a stick: shared objects for this machine, perhaps compressed.
+#pragma once
+
+#include <string>
+
+namespace openr_host {
+
+struct ImageFile {
+  std::string bytes;           // of the shared object; decompressed
+  bool is_compressed = false;  // as gzip does it, and as install rules of Makefiles do with it
+  bool is_for_robot = false;   // a MIPS binary
+  std::string problem;         // why it cannot be loaded; "" if it can
+};
+
+// Reads `path` whole.  What can be said about the file without loading it has been said then:
+// another machine, cut off, no image at all.
+ImageFile ReadImageFile(const std::string& path);
+
+}  // namespace openr_host

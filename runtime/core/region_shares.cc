@@ -1,0 +1,59 @@
+#include "runtime/core/region_shares.h"
+
+#include <sError.h>
+
+#include "runtime/core/region_table.h"
+
+namespace openr_host {
+namespace {
+
+bool IsProtection(MemoryProtectionInfo info) {
+  return info == MEMPROTINFO_R || info == MEMPROTINFO_RW;
+}
+
+}  // namespace
+
+int32_t RegionShares::Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const {
+  if (regions_->BaseOf(region) == nullptr) return sINVALIDSHAREDMEMID;
+  if (!IsProtection(info)) return sINVALIDSHAREDMEMPROTECT;
+  if (regions_->OwnerOf(region) == self) return sSUCCESS;
+  const auto found = shares_.find({region, self});
+  return found != shares_.end() && found->second.allowed >= info ? sSUCCESS
+                                                                 : sPERMISSIONDENIEDSHAREDMEM;
+}
+
+int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info,
+                            ObjectId other, bool giving_ownership) {
+  if (regions_->BaseOf(region) == nullptr) return sINVALIDSHAREDMEMID;
+  if (regions_->OwnerOf(region) != self) return sPERMISSIONDENIEDSHAREDMEM;
+  if (!IsProtection(info)) return sINVALIDSHAREDMEMPROTECT;
+  if (other == kNoObject) return sINVALIDOID;
+  shares_[{region, other}].allowed = info;
+  if (giving_ownership) {
+    shares_[{region, self}] = {MEMPROTINFO_RW, true};
+    regions_->SetOwner(region, other);
+  }
+  return sSUCCESS;
+}
+
+int32_t RegionShares::Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info) {
+  const int32_t error = Check(self, region, info);
+  if (error != sSUCCESS) return error;
+  Share& share = shares_[{region, self}];
+  if (share.attached) return sALREADYATTACHEDSHAREDMEM;
+  share.attached = true;
+  return sSUCCESS;
+}
+
+int32_t RegionShares::Detach(ObjectId self, uint32_t region) {
+  const auto found = shares_.find({region, self});
+  if (found == shares_.end() || !found->second.attached) return sINVALIDSHAREDMEMID;
+  found->second.attached = false;
+  return sSUCCESS;
+}
+
+int32_t RegionShares::ChangeProtection(ObjectId self, uint32_t region, MemoryProtectionInfo info) {
+  return Check(self, region, info);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,76 @@
+#include "runtime/core/stalls.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
+
+namespace openr_host {
+namespace {
+
+double Seconds(int64_t us) { return static_cast<double>(us) * 1e-6; }
+
+constexpr char kReadyAdvice[] =
+    "an observer gets nothing until it asserts ready, again after every notification";
+
+// One that says "not ready" has its reasons.
+void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
+                int64_t now_us, std::vector<Stall>* stalls) {
+  if (link.ready < 0) return;
+  if (link.waiting_since_us >= 0) {
+    stalls->push_back({object.id, link.waiting_since_us,
+                       fmt::format("{} waits for ready of {} on {} since t={:.3f} s", object.name,
+                                   link.name, subject.service, Seconds(link.waiting_since_us)),
+                       kReadyAdvice});
+  } else if (link.ready == 0 && link.sent > 0 && now_us - link.sent_us >= kStallUs) {
+    stalls->push_back({object.id, link.sent_us,
+                       fmt::format("{} has not asserted ready to {} since its notification of "
+                                   "t={:.3f} s",
+                                   link.name, subject.service, Seconds(link.sent_us)),
+                       kReadyAdvice, true});
+  }
+}
+
+void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
+  if (object.blocked != nullptr) {
+    stalls->push_back({object.id, object.blocked_since_us,
+                       fmt::format("{} waits for {}", object.name, object.blocked_why),
+                       object.blocked_why == ConsoleInput::kWhy
+                           ? "nobody has typed one: openr run --stdin FILE"
+                           : "two objects that Call() each other wait for ever"});
+  }
+  if (object.starving_since_us >= 0) {
+    stalls->push_back({object.id, object.starving_since_us,
+                       fmt::format("{} waits for the processor since t={:.3f} s", object.name,
+                                   Seconds(object.starving_since_us)),
+                       "others of the same or a higher priority leave it none"});
+  }
+  for (const auto& subject : object.subjects) {
+    for (const auto& link : subject->links) FindInLink(object, *subject, *link, now_us, stalls);
+  }
+}
+
+}  // namespace
+
+std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
+  std::vector<Stall> stalls;
+  for (const auto& object : system.objects()) {
+    if (object != nullptr) FindIn(*object, system.now_us(), &stalls);
+  }
+  std::erase_if(stalls, [latest_us = system.now_us() - least_us](const Stall& stall) {
+    return stall.since_us > latest_us;
+  });
+  return stalls;
+}
+
+void ReportStalls(System* system, bool is_silent) {
+  for (const Stall& stall : FindStalls(*system, kStallUs)) {
+    if (stall.may_be_done && !is_silent) continue;
+    system->AddFindingAbout(system->object(stall.object), Severity::kWarning,
+                            fmt::format("{}; {}", stall.text, stall.advice));
+  }
+}
+
+}  // namespace openr_host

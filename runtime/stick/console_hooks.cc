@@ -1,0 +1,161 @@
+// Reading from the console: gets(), getchar(), scanf(), fgets(stdin), std::cin and read(0).
+//
+// An object that does it gets a standard input of its own, whose reads wait for a line and put
+// only this object to sleep.  std::cin ends up in getc(), ungetc() and fread() as well.
+#include <stdarg.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "runtime/core/next_symbol.h"
+#include "runtime/core/system.h"
+
+using openr_host::ApiScope;
+using openr_host::NextSymbol;
+using openr_host::Severity;
+using openr_host::t_current;
+
+namespace {
+
+#define OPENR_NEXT(name) (static_cast<decltype(&name)>(NextSymbol<decltype(name)>(#name)))
+
+bool InObject() { return t_current.image_code && t_current.object != nullptr; }
+
+ssize_t ReadConsole(char* buffer, size_t size) {
+  const ApiScope scope;
+  std::fflush(stdout);  // a prompt
+  if (t_current.object->running == nullptr) {
+    t_current.system->AddFinding(Severity::kError,
+                                 "the console is read in a constructor: only a handler can wait "
+                                 "for a line; it gets the end of the input");
+    return 0;
+  }
+  return static_cast<ssize_t>(t_current.system->console_input().Read(buffer, size));
+}
+
+// The standard input of the current object.
+FILE* Terminal() {
+  const ApiScope scope;
+  FILE*& terminal = t_current.object->terminal;
+  if (terminal == nullptr) {
+    cookie_io_functions_t functions = {};
+    functions.read = [](void*, char* buffer, size_t size) { return ReadConsole(buffer, size); };
+    terminal = fopencookie(nullptr, "r", functions);
+  }
+  return terminal;
+}
+
+// `file`, unless an object means its console.
+FILE* Resolve(FILE* file) { return file == stdin && InObject() ? Terminal() : file; }
+
+}  // namespace
+
+extern "C" {
+
+int getc(FILE* file) {
+  static const auto next = OPENR_NEXT(getc);
+  return next(Resolve(file));
+}
+
+int fgetc(FILE* file) {
+  static const auto next = OPENR_NEXT(fgetc);
+  return next(Resolve(file));
+}
+
+int getchar() { return getc(stdin); }
+
+int ungetc(int c, FILE* file) {
+  static const auto next = OPENR_NEXT(ungetc);
+  return next(c, Resolve(file));
+}
+
+char* fgets(char* line, int size, FILE* file) {
+  static const auto next = OPENR_NEXT(fgets);
+  return next(line, size, Resolve(file));
+}
+
+// Without a size, as ever; the newline is dropped.
+char* gets(char* line) {
+  char* end = line;
+  int c = getc(stdin);
+  if (c == EOF) return nullptr;
+  for (; c != EOF && c != '\n'; c = getc(stdin)) *end++ = static_cast<char>(c);
+  *end = '\0';
+  return line;
+}
+
+size_t fread(void* data, size_t size, size_t count, FILE* file) {
+  static const auto next = OPENR_NEXT(fread);
+  return next(data, size, count, Resolve(file));
+}
+
+// glibc has the functions of this family twice, with the meaning of C99 and with an older one,
+// and <stdio.h> gives the plain names to whichever the language level wants.
+#define OPENR_SCANF_FAMILY(tag, prefix)                                                          \
+  int tag##vfscanf(FILE* file, const char* format, va_list arguments) __asm__(prefix "vfscanf"); \
+  int tag##vscanf(const char* format, va_list arguments) __asm__(prefix "vscanf");               \
+  int tag##fscanf(FILE* file, const char* format, ...) __asm__(prefix "fscanf");                 \
+  int tag##scanf(const char* format, ...) __asm__(prefix "scanf");                               \
+  int tag##vfscanf(FILE* file, const char* format, va_list arguments) {                          \
+    static const auto next = NextSymbol<int(FILE*, const char*, va_list)>(prefix "vfscanf");     \
+    return next(Resolve(file), format, arguments);                                               \
+  }                                                                                              \
+  int tag##vscanf(const char* format, va_list arguments) {                                       \
+    return tag##vfscanf(stdin, format, arguments);                                               \
+  }                                                                                              \
+  int tag##fscanf(FILE* file, const char* format, ...) {                                         \
+    va_list arguments;                                                                           \
+    va_start(arguments, format);                                                                 \
+    const int result = tag##vfscanf(file, format, arguments);                                    \
+    va_end(arguments);                                                                           \
+    return result;                                                                               \
+  }                                                                                              \
+  int tag##scanf(const char* format, ...) {                                                      \
+    va_list arguments;                                                                           \
+    va_start(arguments, format);                                                                 \
+    const int result = tag##vfscanf(stdin, format, arguments);                                   \
+    va_end(arguments);                                                                           \
+    return result;                                                                               \
+  }
+OPENR_SCANF_FAMILY(openr_plain_, "")
+OPENR_SCANF_FAMILY(openr_c99_, "__isoc99_")
+
+ssize_t getdelim(char** line, size_t* size, int delimiter, FILE* file) {
+  static const auto next = OPENR_NEXT(getdelim);
+  return next(line, size, delimiter, Resolve(file));
+}
+
+ssize_t getline(char** line, size_t* size, FILE* file) { return getdelim(line, size, '\n', file); }
+
+int feof(FILE* file) noexcept {
+  static const auto next = OPENR_NEXT(feof);
+  return next(Resolve(file));
+}
+
+int ferror(FILE* file) noexcept {
+  static const auto next = OPENR_NEXT(ferror);
+  return next(Resolve(file));
+}
+
+void clearerr(FILE* file) noexcept {
+  static const auto next = OPENR_NEXT(clearerr);
+  next(Resolve(file));
+}
+
+ssize_t read(int descriptor, void* data, size_t size) {
+  static const auto next = OPENR_NEXT(read);
+  if (descriptor == STDIN_FILENO && InObject()) return ReadConsole(static_cast<char*>(data), size);
+  return next(descriptor, data, size);
+}
+
+// 0, 1 and 2 are the console, nothing else is.
+int isatty(int descriptor) noexcept {
+  static const auto next = OPENR_NEXT(isatty);
+  if (!InObject()) return next(descriptor);
+  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 1;
+  errno = ENOTTY;
+  return 0;
+}
+
+}  // extern "C"

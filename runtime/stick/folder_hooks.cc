@@ -1,0 +1,139 @@
+// opendir() and its kin, for objects: what a FAT file system of the robot shows of a folder
+// of the stick (Programmer's Guide, appendix A).
+#include <dirent.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "runtime/core/next_symbol.h"
+#include "runtime/core/system.h"
+#include "runtime/stick/memory_stick.h"
+#include "runtime/stick/stick_call.h"
+
+using openr_host::ApiScope;
+using openr_host::NextSymbol;
+using openr_host::Severity;
+using openr_host::t_current;
+
+namespace {
+
+#define OPENR_NEXT(name) (static_cast<decltype(&name)>(NextSymbol<decltype(name)>(#name)))
+
+constexpr size_t kEntriesMax = 682;
+
+// What an object's DIR is.  It lies on the object's heap, as everything the object makes.
+struct Folder {
+  size_t count;
+  size_t next;
+  struct dirent entry;
+  struct Name {
+    char text[13];  // "NAME.EXT"
+    unsigned char type;
+  } names[kEntriesMax];
+};
+
+bool InObject() { return t_current.image_code && t_current.object != nullptr; }
+
+std::string UpperCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// The entries in the order of their names; the host's own order is anybody's guess.
+std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) {
+  static const auto next_open = OPENR_NEXT(opendir);
+  static const auto next_read = OPENR_NEXT(readdir);
+  static const auto next_close = OPENR_NEXT(closedir);
+  std::vector<Folder::Name> names;
+  DIR* const dir = next_open(path.c_str());
+  if (dir == nullptr) return names;
+  bool has_long_names = false;
+  while (const struct dirent* const entry = next_read(dir)) {
+    const std::string text = entry->d_name;
+    const bool is_dots = text == "." || text == "..";
+    if (!is_dots && !openr_host::IsShortName(text)) {
+      has_long_names = true;
+      continue;
+    }
+    Folder::Name result = {};
+    UpperCase(text).copy(result.text, sizeof result.text - 1);
+    result.type = entry->d_type == DT_DIR ? DT_DIR : DT_REG;
+    names.push_back(result);
+  }
+  next_close(dir);
+  if (has_long_names) {
+    t_current.system->AddFinding(
+        Severity::kWarning,
+        fmt::format("{}: files whose names are not 8.3 are left out of the list", name));
+  }
+  std::sort(names.begin(), names.end(), [](const Folder::Name& a, const Folder::Name& b) {
+    return std::strcmp(a.text, b.text) < 0;
+  });
+  return names;
+}
+
+}  // namespace
+
+extern "C" {
+
+DIR* opendir(const char* path) {
+  static const auto next = OPENR_NEXT(opendir);
+  if (!InObject()) return next(path);
+  const std::string host = openr_host::HostPath(path, openr_host::StickUse::kRead);
+  if (host.empty()) return nullptr;
+  std::vector<Folder::Name> names;
+  {
+    const ApiScope scope;
+    DIR* const probe = next(host.c_str());  // says why not
+    if (probe == nullptr) return nullptr;
+    closedir(probe);
+    names = ReadFolder(host, path);
+    if (names.size() > kEntriesMax) {
+      t_current.system->AddFinding(
+          Severity::kWarning,
+          fmt::format("{}: has {} entries; readdir() shows the first {}, as on the robot", path,
+                      names.size(), kEntriesMax));
+      names.resize(kEntriesMax);
+    }
+  }
+  auto* const folder = static_cast<Folder*>(malloc(sizeof(Folder)));
+  if (folder != nullptr) {
+    folder->count = names.size();
+    folder->next = 0;
+    std::copy(names.begin(), names.end(), folder->names);
+  }
+  return reinterpret_cast<DIR*>(folder);
+}
+
+struct dirent* readdir(DIR* dir) {
+  static const auto next = OPENR_NEXT(readdir);
+  if (!InObject()) return next(dir);
+  auto* const folder = reinterpret_cast<Folder*>(dir);
+  if (folder == nullptr || folder->next >= folder->count) return nullptr;
+  const Folder::Name& name = folder->names[folder->next++];
+  folder->entry = {};
+  folder->entry.d_type = name.type;
+  folder->entry.d_reclen = sizeof folder->entry;
+  std::memcpy(folder->entry.d_name, name.text, sizeof name.text);
+  return &folder->entry;
+}
+
+int closedir(DIR* dir) {
+  static const auto next = OPENR_NEXT(closedir);
+  if (!InObject()) return next(dir);
+  free(dir);
+  return 0;
+}
+
+void rewinddir(DIR* dir) noexcept {
+  static const auto next = OPENR_NEXT(rewinddir);
+  if (!InObject()) return next(dir);
+  reinterpret_cast<Folder*>(dir)->next = 0;
+}
+
+}  // extern "C"

@@ -1,0 +1,71 @@
+// Calls of the C library that do not work on the robot (Programmer's Guide, appendix A): they
+// fail, and an object that makes one learns why.  Several would reach the host's own files and
+// processes.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/select.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "runtime/core/next_symbol.h"
+#include "runtime/core/system.h"
+
+namespace {
+
+using openr_host::t_current;
+
+// Whether code of an object makes the call; says so.
+bool Refuses(const char* name) {
+  if (!t_current.image_code || t_current.object == nullptr) return false;
+  const openr_host::ApiScope scope;
+  t_current.system->AddFinding(
+      openr_host::Severity::kError,
+      fmt::format("{}() fails: there is no such thing on the robot (Programmer's Guide, "
+                  "appendix A)",
+                  name));
+  errno = ENOSYS;
+  return true;
+}
+
+}  // namespace
+
+// Defines `name`, which answers `failure` to objects.
+#define OPENR_REFUSE(type, name, failure, parameters, arguments)                     \
+  extern "C" type name parameters {                                                  \
+    static const auto next =                                                         \
+        static_cast<decltype(&name)>(openr_host::NextSymbol<decltype(name)>(#name)); \
+    return Refuses(#name) ? failure : next arguments;                                \
+  }
+
+OPENR_REFUSE(int, system, -1, (const char* command), (command))
+OPENR_REFUSE(FILE*, popen, nullptr, (const char* command, const char* mode), (command, mode))
+OPENR_REFUSE(pid_t, fork, -1, () noexcept, ())
+OPENR_REFUSE(int, execve, -1,
+             (const char* path, char* const* arguments, char* const* environment) noexcept,
+             (path, arguments, environment))
+OPENR_REFUSE(pid_t, wait, -1, (int* status), (status))
+OPENR_REFUSE(FILE*, tmpfile, nullptr, (), ())
+OPENR_REFUSE(char*, tmpnam, nullptr, (char* name) noexcept, (name))
+OPENR_REFUSE(char*, tempnam, nullptr, (const char* folder, const char* prefix) noexcept,
+             (folder, prefix))
+OPENR_REFUSE(char*, mktemp, nullptr, (char* name) noexcept, (name))
+OPENR_REFUSE(int, mkstemp, -1, (char* name), (name))
+OPENR_REFUSE(FILE*, fdopen, nullptr, (int descriptor, const char* mode) noexcept,
+             (descriptor, mode))
+OPENR_REFUSE(int, link, -1, (const char* from, const char* to) noexcept, (from, to))
+OPENR_REFUSE(int, symlink, -1, (const char* from, const char* to) noexcept, (from, to))
+OPENR_REFUSE(int, chdir, -1, (const char* path) noexcept, (path))
+OPENR_REFUSE(char*, getcwd, nullptr, (char* path, size_t size) noexcept, (path, size))
+OPENR_REFUSE(int, truncate, -1, (const char* path, off_t size) noexcept, (path, size))
+OPENR_REFUSE(int, chmod, -1, (const char* path, mode_t mode) noexcept, (path, mode))
+OPENR_REFUSE(int, dup, -1, (int descriptor) noexcept, (descriptor))
+OPENR_REFUSE(int, dup2, -1, (int from, int to) noexcept, (from, to))
+OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
+OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
+             (domain, type, protocol))

@@ -1,0 +1,215 @@
+// What a bench is built of.
+#include "testing/bench.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+
+#include "openr/install_paths.h"
+#include "runtime/config/connect_config.h"
+#include "runtime/config/service_name.h"
+#include "runtime/config/spelling.h"
+#include "runtime/core/code_object.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "virtualrobot/body.h"
+#include "virtualrobot/virtual_robot.h"
+
+namespace openr::testing {
+
+using openr_host::Message;
+using openr_host::Object;
+using openr_host::ServiceName;
+using openr_host::System;
+using openr_host::SystemOptions;
+using openr_host::TraceRecord;
+
+namespace {
+
+constexpr char kSeedVariable[] = "OPENR_SEED";
+constexpr uint32_t kFirstClientIp = 0x0a000102;  // 10.0.1.2, in the robot's network
+
+std::unique_ptr<System> MakeSystem(const BenchOptions& options, std::string* console) {
+  SystemOptions system_options;
+  system_options.seed = options.seed;
+  system_options.strict = options.strict;
+  system_options.cost = options.cost;
+  system_options.guard_regions = options.guard_regions;
+  system_options.console = [console](std::string_view text) { console->append(text); };
+  return std::make_unique<System>(std::move(system_options));
+}
+
+openr_host::World WorldOf(const std::string& file) {
+  return file.empty() ? openr_host::World() : openr_host::LoadWorld(file);
+}
+
+std::string UpperCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+std::string DefaultStick() { return openr_host::DefaultStick(); }
+
+uint64_t SeedOfEnvironment() {
+  const char* const text = std::getenv(kSeedVariable);
+  if (text == nullptr || *text == 0) return SystemOptions().seed;
+  char* end = nullptr;
+  const uint64_t seed = std::strtoull(text, &end, 10);
+  if (*end == 0) return seed;
+  throw std::invalid_argument(fmt::format("{}='{}' is no number", kSeedVariable, text));
+}
+
+Bench::Bench(BenchOptions options, Place place)
+    : options_(std::move(options)),
+      place_(place),
+      model_(std::make_unique<openr_host::RobotModel>(
+          openr_host::LoadRobotModel(openr_host::ModelFile(options_.robot)))),
+      world_(std::make_unique<openr_host::World>(WorldOf(options_.world))),
+      stick_(std::make_shared<BenchStick>(options_.stick)),
+      hub_(std::make_shared<openr_host::LoopbackHub>()),
+      system_(MakeSystem(options_, &console_)),
+      schedule_(system_.get(), options_.seed),
+      doors_(system_.get()) {
+  system_->set_schedule(&schedule_);
+  system_->set_gate(&doors_);
+  system_->trace().AddSink([this](const TraceRecord&, const Message& message) { See(message); });
+  system_->AddRobot(model_->design, stick_);
+  AddBody();
+  ip_stack_ =
+      openr_host::AddIpStack(system_.get(), 0, std::make_unique<openr_host::LoopbackNetwork>(hub_));
+  if (!options_.stick.empty()) LoadStick();
+}
+
+Bench::~Bench() {
+  if (::testing::UnitTest::GetInstance()->current_test_info() != nullptr && !FailedFatally() &&
+      std::uncaught_exceptions() == 0) {
+    Verify();
+  }
+}
+
+void Bench::AddBody() {
+  if (options_.body == "none") return;
+  std::unique_ptr<openr_host::Body> body;
+  if (options_.body == "ode") body = openr_host::MakeOdeBody(*model_, *world_);
+  if (options_.body == "ideal") body = openr_host::MakeIdealBody(*model_, *world_);
+  if (body == nullptr) {
+    throw std::runtime_error(
+        fmt::format("no body '{}'; there are: none, ideal, ode", options_.body));
+  }
+  dog_ = openr_host::AddVirtualRobot(system_.get(), 0, *model_, std::move(body));
+}
+
+void Bench::LoadStick() {
+  std::map<std::string, bool> used;
+  System::StandIns stand_ins;
+  for (const StandIn& stand_in : options_.replace) {
+    const std::string& name = stand_in.object;
+    used[name] = false;
+    stand_ins[name] = [this, &stand_in, &name, &used] {
+      used[name] = true;
+      stand_in.make ? stand_in.make(*this) : void(AddProbe(name, ServicesOf(name)));
+    };
+  }
+  system_->LoadStick(0, stand_ins);
+  std::vector<std::string> known;
+  for (const auto& object : system_->objects()) {
+    if (object->is_image) known.push_back(object->name);
+  }
+  for (const auto& [name, was_used] : used) {
+    if (was_used) continue;
+    throw std::invalid_argument(fmt::format("replace: there is no object '{}' on the stick{}", name,
+                                            openr_host::DidYouMean(name, known)));
+  }
+}
+
+std::vector<std::string> Bench::ServicesOf(const std::string& object) {
+  const std::string file = "CONNECT.CFG";
+  const auto text = stick_->Read("/MS/OPEN-R/MW/CONF/" + file);
+  std::vector<std::string> services;
+  const auto add = [&](const ServiceName& name) {
+    const std::string service = Compose(name);
+    if (openr_host::EqualsIgnoringCase(name.object, object) &&
+        std::find(services.begin(), services.end(), service) == services.end()) {
+      services.push_back(service);
+    }
+  };
+  for (const auto& connection :
+       openr_host::ParseConnectConfig(file, text.value_or(""), model_->design).connections) {
+    add(connection.subject);
+    add(connection.observer);
+  }
+  return services;
+}
+
+Object& Bench::AddImage(const std::string& file) {
+  const std::string name =
+      "/MS/OPEN-R/MW/OBJS/" + UpperCase(std::filesystem::path(file).filename().string());
+  stick_->ImportImage(file, name);
+  Object* const object = system_->LoadImage(0, name, "AddImage");
+  if (object == nullptr) {
+    AllowFinding(findings().size() - 1);  // it is said here
+    throw std::runtime_error(findings().back().text);
+  }
+  return *object;
+}
+
+Probe& Bench::AddProbe(const std::string& name, const std::vector<std::string>& services) {
+  Probe::CheckServices(services);
+  if (system_->FindObject(0, name) != nullptr)
+    throw std::invalid_argument(fmt::format("there is an object '{}' already", name));
+  return Add<Probe>(name, services);
+}
+
+void Bench::Wire(const std::string& subject, const std::string& observer) {
+  if (system_->booted())
+    throw std::logic_error("Wire: connections are made by Boot(); wire before it");
+  system_->Connect({0, subject, observer, "bench.Wire"});
+}
+
+std::pair<Probe*, std::string> Bench::AddOtherEnd(const std::string& service, char direction) {
+  Probe::CheckServices({service});
+  ServiceName name = *openr_host::ParseServiceName(service, nullptr);
+  if (name.direction == direction) {
+    throw std::invalid_argument(
+        fmt::format("'{}' is {}", service,
+                    direction == 'O' ? "an observer: Feed() it" : "a subject: Watch() it"));
+  }
+  name.object = fmt::format("Test{}", ++last_probe_);
+  name.direction = direction;
+  const std::string other = Compose(name);
+  Probe& probe = AddProbe(name.object, {other});
+  direction == 'O' ? Wire(service, other) : Wire(other, service);
+  return {&probe, other};
+}
+
+ProbeObserver& Bench::Watch(const std::string& subject) {
+  const auto [probe, service] = AddOtherEnd(subject, 'O');
+  return probe->observer(service);
+}
+
+ProbeSubject& Bench::Feed(const std::string& observer) {
+  const auto [probe, service] = AddOtherEnd(observer, 'S');
+  return probe->subject(service);
+}
+
+Probe& Bench::probe(const std::string& name) {
+  auto* const host = dynamic_cast<openr_host::CodeHost*>(&object(name));
+  auto* const found = host == nullptr ? nullptr : dynamic_cast<Probe*>(host->code.get());
+  if (found == nullptr) throw std::invalid_argument(fmt::format("'{}' is no probe", name));
+  return *found;
+}
+
+TcpClient& Bench::AddClient() {
+  const auto number = static_cast<uint32_t>(clients_.size());
+  clients_.push_back(&Add<TcpClient>(fmt::format("client{}", number + 1), hub_,
+                                     kFirstClientIp + number, ip_stack_->address()));
+  return *clients_.back();
+}
+
+}  // namespace openr::testing

@@ -1,0 +1,121 @@
+// What a test sees of a bench.
+#include <errno.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "openr/standing.h"
+#include "runtime/config/spelling.h"
+#include "testing/bench.h"
+#include "virtualrobot/kinematics.h"
+#include "virtualrobot/virtual_robot.h"
+
+namespace openr::testing {
+
+using openr_host::Finding;
+using openr_host::Object;
+using openr_host::VirtualRobot;
+
+namespace {
+
+constexpr double kDegPerRad = 180 / 3.14159265358979323846;
+constexpr int kStandingFrames = 75;
+
+// Index of the device with that name or locator.
+template <typename Device>
+size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const char* kind) {
+  std::vector<std::string> known;
+  for (size_t i = 0; i < devices.size(); ++i) {
+    if (devices[i].name == name || devices[i].locator == name) return i;
+    known.push_back(devices[i].name);
+  }
+  throw std::invalid_argument(
+      fmt::format("no {} '{}'{}", kind, name, openr_host::DidYouMean(name, known)));
+}
+
+// The command that runs this test again, with this seed.
+std::string Command(uint64_t seed) {
+  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::string command = fmt::format("OPENR_SEED={} {}", seed, program_invocation_name);
+  if (test != nullptr)
+    command += fmt::format(" --gtest_filter={}.{}", test->test_suite_name(), test->name());
+  return command;
+}
+
+}  // namespace
+
+std::string Bench::Story() const {
+  std::string text = fmt::format("t={:.6f} s.  ", static_cast<double>(now_us()) * 1e-6);
+  const std::string last = history_.Text();
+  text += last.empty() ? "No message so far.\n" : "Last messages:\n" + last;
+  const std::vector<std::string> waits = system_->WhoWaits();
+  if (!waits.empty()) text += "Who waits:\n";
+  for (const std::string& line : waits) text += "  " + line + "\n";
+  const std::string held = doors_.Text();
+  if (!held.empty()) text += "Behind doors of the test:\n" + held;
+  text += "To see it again: " + Command(system_->options().seed);
+  if (history_.last_number() != 0) {
+    text +=
+        fmt::format("\n  up to the last message: bench.StepToMessage({})", history_.last_number());
+  }
+  return text + "\n";
+}
+
+std::string Bench::Findings() const {
+  std::string text;
+  for (const Finding& finding : findings()) {
+    text +=
+        fmt::format("{}: {}: {}\n", SeverityName(finding.severity), finding.object, finding.text);
+  }
+  return text;
+}
+
+Object& Bench::object(const std::string& name) const {
+  if (Object* const found = system_->FindObject(0, name)) return *found;
+  std::vector<std::string> known;
+  for (const auto& object : system_->objects()) known.push_back(object->name);
+  throw std::invalid_argument(fmt::format("there is no object '{}' on this bench{}", name,
+                                          openr_host::DidYouMean(name, known)));
+}
+
+const std::string& Bench::state(const std::string& name) const { return object(name).state; }
+
+VirtualRobot& Bench::dog() const {
+  if (dog_ == nullptr)
+    throw std::logic_error("this bench has no body: Bench bench({.body = \"ideal\"}), or \"ode\"");
+  return *dog_;
+}
+
+void Bench::PressPause() { dog().PressPause(); }
+
+double Bench::JointDeg(std::string_view name) const {
+  const auto& joints = dog().body().state().joints;
+  return joints[IndexOf(model_->joints, name, "joint")].angle_rad * kDegPerRad;
+}
+
+int64_t Bench::SensorValue(std::string_view name) const {
+  return dog().sensor(static_cast<int>(IndexOf(model_->sensors, name, "sensor"))).value;
+}
+
+int Bench::LedIntensity(std::string_view name) const {
+  return dog().devices().leds[IndexOf(model_->leds, name, "LED")].intensity;
+}
+
+double Bench::RollDeg() const {
+  return openr_host::RpyOf(dog().body().state().X_WB.linear()).x() * kDegPerRad;
+}
+
+double Bench::PitchDeg() const {
+  return openr_host::RpyOf(dog().body().state().X_WB.linear()).y() * kDegPerRad;
+}
+
+bool Bench::Standing(Place place) {
+  openr_host::StandingMonitor monitor(*model_);
+  const openr_host::Body& body = dog().body();
+  for (int i = 0; i < kStandingFrames; ++i) {
+    Frame(1, place);
+    monitor.Sample(body.state(), now_us());
+  }
+  return monitor.standing();
+}
+
+}  // namespace openr::testing

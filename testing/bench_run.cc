@@ -1,0 +1,194 @@
+// The verbs of a bench.
+#include <fmt/format.h>
+
+#include "testing/bench.h"
+#include "virtualrobot/virtual_robot.h"
+
+namespace openr::testing {
+
+using openr_host::Finding;
+using openr_host::Message;
+using openr_host::SensorSource;
+using openr_host::Severity;
+
+namespace {
+
+constexpr int64_t kBootUsMax = 60'000'000;
+constexpr int64_t kStepToMessageUsMax = 3'600'000'000;
+constexpr int64_t kFrameUsMax =
+    10 * openr_host::kFrameUs;  // longer than any body waits with its next frame
+
+std::string Seconds(Duration duration) {
+  return fmt::format("{} s", static_cast<double>(duration.count()) * 1e-6);
+}
+
+const char* HintFor(std::string_view what) {
+  return what.ends_with("thread")
+             ? "An object is woken by messages and timers, one handler at a time."
+             : "The network of a bench is the robot's IPStack, with AddClient() at the other end.";
+}
+
+}  // namespace
+
+bool Bench::Miss(const Place& place, const std::string& what) {
+  Fail(place, what + "\n" + Story());
+  return false;
+}
+
+bool Bench::Control(const Place& place, const std::function<void()>& run) {
+  if (const int threads = options_.allow_threads ? 1 : ThreadCount(); threads > 1) {
+    return Miss(place,
+                fmt::format("This process has {} threads, and no two runs beside others are "
+                            "alike.  End them first, or say {{.allow_threads = true}} if they "
+                            "never touch the bench.",
+                            threads));
+  }
+  std::vector<std::string> refused;
+  {
+    const ControlledScope scope;
+    run();
+    refused = scope.refused();
+  }
+  for (const std::string& what : refused)
+    Miss(place, fmt::format("{}: refused, no two runs would be alike.  {}", what, HintFor(what)));
+  return ReportFindings(place) && refused.empty();
+}
+
+bool Bench::ReportFindings(const Place& place) {
+  bool good = true;
+  for (; findings_seen_ < findings().size(); ++findings_seen_) {
+    const Finding& finding = findings()[findings_seen_];
+    bool is_expected =
+        findings_allowed_ || finding.severity != Severity::kError || told_.contains(findings_seen_);
+    for (ExpectedFinding& expected : expected_findings_) {
+      if (!expected.text.Matches(finding.text)) continue;
+      expected.seen = true;
+      is_expected = true;
+    }
+    if (is_expected) continue;
+    good = Miss(place,
+                fmt::format("The runtime found an error{}: {}",
+                            finding.object.empty() ? "" : " of " + finding.object, finding.text));
+  }
+  return good;
+}
+
+void Bench::See(const Message& message) {
+  const SeenMessage seen(*system_, message);
+  history_.Add(seen);
+  expectations_.See(seen,
+                    [this](const Place& place, const std::string& text) { Miss(place, text); });
+  if (goal_ && goal_->Matches(seen)) goal_reached_ = true;
+  if (seen.number() == goal_number_) goal_reached_ = true;
+  for (const auto& see : see_) see(seen);
+}
+
+bool Bench::Boot(Place place) {
+  if (system_->booted()) throw std::logic_error("Boot: the bench is booted already");
+  const bool good = Control(place, [&] {
+    system_->Boot();
+    system_->RunUntil([&] { return system_->booted(); }, kBootUsMax);
+  });
+  if (!system_->booted()) return Miss(place, "Boot: the robot did not boot");
+  for (const auto& [spec, where] : std::exchange(unchecked_, {})) CheckNames(spec, where);
+  return good;
+}
+
+bool Bench::Step(Place place) {
+  bool stepped = false;
+  return Control(place, [&] { stepped = system_->Step(); }) && stepped;
+}
+
+bool Bench::StepTo(const std::string& end, Duration budget, Place place) {
+  return StepTo(AnyMessage().To(end), budget, place);
+}
+
+bool Bench::StepTo(const MessageSpec& spec, Duration budget, Place place) {
+  CheckNames(spec, place);
+  goal_ = spec;
+  goal_reached_ = false;
+  const bool good =
+      Control(place, [&] { system_->RunUntil([this] { return goal_reached_; }, budget.count()); });
+  goal_.reset();
+  if (goal_reached_) return good;
+  return Miss(place, fmt::format("StepTo: no {} within {}", spec.Text(), Seconds(budget)));
+}
+
+bool Bench::StepToMessage(uint64_t number, Place place) {
+  goal_number_ = number;
+  goal_reached_ = false;
+  const bool good = Control(
+      place, [&] { system_->RunUntil([this] { return goal_reached_; }, kStepToMessageUsMax); });
+  goal_number_ = 0;
+  return goal_reached_ ? good
+                       : Miss(place, fmt::format("StepToMessage: #{} does not come", number));
+}
+
+bool Bench::RunFor(Duration duration, Place place) {
+  return Control(place, [&] { system_->RunFor(duration.count()); });
+}
+
+bool Bench::RunUntil(const std::function<bool()>& predicate, Duration budget, Place place) {
+  bool holds = false;
+  const bool good = Control(place, [&] { holds = system_->RunUntil(predicate, budget.count()); });
+  if (holds) return good;
+  return Miss(place, fmt::format("RunUntil: it does not hold within {}{}", Seconds(budget),
+                                 system_->powered_off() ? "; the robot is off" : ""));
+}
+
+bool Bench::RunUntilMet(Duration budget, Place place) {
+  const bool good = Control(
+      place, [&] { system_->RunUntil([this] { return expectations_.met(); }, budget.count()); });
+  if (expectations_.met()) return good;
+  expectations_.Verify([&](const Place& expected, const std::string& text) {
+    Miss(expected, text + "\nwithin " + Seconds(budget));
+  });
+  return false;
+}
+
+bool Bench::Frame(int count, Place place) {
+  const int64_t frame_us = system_->frame_us();
+  const int64_t end_us = (system_->now_us() / frame_us + count) * frame_us;
+  return Control(place, [&] { system_->RunUntil(end_us); });
+}
+
+bool Bench::SensorVector(int count, Place place) {
+  constexpr int kFrames = SensorSource::kFramesPerVector;
+  const int64_t wanted = (dog().frame() / kFrames + count) * kFrames;
+  const bool good = Control(place, [&] {
+    system_->RunUntil([&] { return dog_->frame() >= wanted; }, count * kFrames * kFrameUsMax);
+    system_->RunUntil(system_->now_us());  // what else is due
+  });
+  if (dog_->frame() >= wanted) return good;
+  return Miss(place, "SensorVector: the body stands still; is the robot booted?");
+}
+
+bool Bench::PhysicsStep(Place place) {
+  const int64_t wanted = dog().frame() + 1;
+  const bool good = Control(
+      place, [&] { system_->RunUntil([&] { return dog_->frame() >= wanted; }, kFrameUsMax); });
+  if (dog_->frame() >= wanted) return good;
+  return Miss(place, "PhysicsStep: the body stands still; is the robot booted?");
+}
+
+void Bench::Verify() {
+  expectations_.Verify([this](const Place& place, const std::string& text) { Miss(place, text); });
+  ReportFindings(place_);
+  for (const ExpectedFinding& expected : std::exchange(expected_findings_, {})) {
+    bool seen = expected.seen;
+    for (const Finding& finding : findings()) seen = seen || expected.text.Matches(finding.text);
+    if (seen) continue;
+    std::ostringstream text;
+    expected.text.DescribeTo(&text);
+    Miss(expected.place,
+         "No finding has a text that " + text.str() + ".  Findings:\n" + Findings());
+  }
+  for (TcpClient* client : clients_) {
+    if (client->done()) continue;
+    Miss(client->place(),
+         fmt::format("{} still waits {}", client->host().name, client->WaitsFor()));
+    client->DropScript();
+  }
+}
+
+}  // namespace openr::testing

@@ -1,0 +1,109 @@
+#include "testing/bench_stick.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "runtime/config/spelling.h"
+
+namespace openr::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using openr_host::FolderStick;
+using openr_host::TempFolder;
+
+// Debug information is large and only read by debuggers: a link does.
+void CopyTree(const fs::path& from, const fs::path& to) {
+  for (const auto& entry : fs::directory_iterator(from)) {
+    const fs::path copy = to / entry.path().filename();
+    if (entry.is_directory()) {
+      fs::create_directory(copy);
+      CopyTree(entry.path(), copy);
+    } else if (openr_host::EqualsIgnoringCase(entry.path().extension().string(), ".DBG")) {
+      fs::create_symlink(fs::canonical(entry.path()), copy);
+    } else {
+      fs::copy_file(entry.path(), copy);
+    }
+  }
+}
+
+std::unique_ptr<TempFolder> MakeFolder() {
+  auto folder = std::make_unique<TempFolder>();
+  if (folder->path().empty())
+    throw std::runtime_error("cannot make a temporary folder for the stick of a bench");
+  return folder;
+}
+
+}  // namespace
+
+BenchStick::BenchStick(const std::string& model)
+    : folder_(MakeFolder()), files_(std::make_unique<FolderStick>(folder_->path())) {
+  for (const char* name : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"}) {
+    if (model.empty()) fs::create_directories(fs::path(folder_->path()) / name);
+  }
+  if (model.empty()) return;
+  if (!fs::is_directory(fs::path(model) / "OPEN-R")) {
+    throw std::runtime_error(fmt::format(
+        "{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory Stick", model));
+  }
+  CopyTree(model, folder_->path());
+}
+
+void BenchStick::Write(const std::string& name, std::string_view bytes) {
+  // Folders above it, one by one: the stick knows which there are in any case.
+  for (size_t end = name.find('/', 4); end != std::string::npos; end = name.find('/', end + 1)) {
+    const Location folder = Locate(name.substr(0, end));
+    if (folder.error == 0 && !folder.exists) fs::create_directory(folder.path);
+  }
+  const Location file = Locate(name);
+  std::ofstream out(file.error == 0 ? file.path : "", std::ios::binary | std::ios::trunc);
+  if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush()) {
+    throw std::runtime_error(fmt::format(
+        "'{}' cannot be written: names of the stick are like /MS/OPEN-R/MW/DATA/P/TABLE.TXT",
+        name));
+  }
+}
+
+std::vector<std::string> BenchStick::List(const std::string& folder) {
+  std::vector<std::string> names;
+  const Location place = Locate(folder);
+  if (!place.exists) return names;
+  for (const auto& entry : fs::recursive_directory_iterator(place.path)) {
+    if (entry.is_directory()) continue;
+    names.push_back("/MS/" + entry.path().lexically_relative(folder_->path()).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void BenchStick::Remove(const std::string& name) {
+  const Location file = Locate(name);
+  if (file.exists) fs::remove_all(file.path);
+}
+
+void BenchStick::ImportImage(const std::string& host_file, const std::string& name) {
+  std::ifstream in(host_file, std::ios::binary);
+  std::ostringstream bytes;
+  if (!in || !(bytes << in.rdbuf())) {
+    throw std::runtime_error(fmt::format(
+        "{}: cannot be read; the image of an object is what openr_add_object() builds", host_file));
+  }
+  Write(name, bytes.str());
+  const fs::path debug = fs::path(host_file).replace_extension(".DBG");
+  const fs::path link = fs::path(Locate(name).path).replace_extension(".DBG");
+  if (fs::exists(debug)) fs::create_symlink(fs::canonical(debug), link);
+}
+
+void BenchStick::MoveToCopy() {
+  auto folder = MakeFolder();
+  CopyTree(folder_->path(), folder->path());
+  files_ = std::make_unique<FolderStick>(folder->path());
+  folder_ = std::move(folder);
+}
+
+}  // namespace openr::testing

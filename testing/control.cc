@@ -1,0 +1,80 @@
+// pthread_create() and socket() of the whole program are defined here: a definition in a
+// program comes before those of its libraries.
+#include "testing/control.h"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/socket.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+
+#include "runtime/core/current.h"
+#include "runtime/core/next_symbol.h"
+#include "runtime/core/object.h"
+
+namespace openr::testing {
+namespace {
+
+thread_local ControlledScope* t_scope = nullptr;
+std::atomic<bool> g_thread_was_made = false;
+
+}  // namespace
+
+void NoteThread() { g_thread_was_made = true; }
+
+ControlledScope::ControlledScope() : outer_(t_scope) { t_scope = this; }
+
+ControlledScope::~ControlledScope() { t_scope = outer_; }
+
+bool ControlledScope::Refuse(const char* what) {
+  if (t_scope == nullptr) return false;
+  const openr_host::ApiScope scope;
+  const openr_host::Object* const object = openr_host::t_current.object;
+  std::string who = "the test";
+  if (object != nullptr) who = object->name;
+  if (object != nullptr && object->running != nullptr) {
+    who += fmt::format(", in {} (message #{}),", object->EntryName(object->running->selector),
+                       object->running->number);
+  }
+  t_scope->refused_.push_back(fmt::format("{} asked for {}", who, what));
+  return true;
+}
+
+int ThreadCount() {
+  if (!g_thread_was_made) return 1;  // the usual case costs nothing
+  int count = 0;
+  std::error_code error;
+  for ([[maybe_unused]] const auto& task :
+       std::filesystem::directory_iterator("/proc/self/task", error)) {
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace openr::testing
+
+using openr::testing::ControlledScope;
+using openr_host::NextSymbol;
+
+extern "C" {
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
+                   void* argument) {
+  static const auto next = NextSymbol<decltype(pthread_create)>("pthread_create");
+  if (ControlledScope::Refuse("a thread")) return EAGAIN;
+  openr::testing::NoteThread();
+  return next(thread, attributes, start, argument);
+}
+
+int socket(int domain, int type, int protocol) noexcept {
+  static const auto next = NextSymbol<decltype(socket)>("socket");
+  if (ControlledScope::Refuse("a socket of the host")) {
+    errno = EACCES;
+    return -1;
+  }
+  return next(domain, type, protocol);
+}
+
+}  // extern "C"

@@ -1,0 +1,104 @@
+#include "testing/doors.h"
+
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/RCRegion.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "runtime/core/system.h"
+
+namespace openr::testing {
+
+using openr_host::CurrentScope;
+using openr_host::Message;
+using openr_host::PayloadKind;
+using openr_host::System;
+
+namespace {
+
+// The regions a lost message carries go back to their subject.
+void ReturnRegions(System* system, const Message& message) {
+  if (message.kind == PayloadKind::kNotify) {
+    const CurrentScope scope(system, system->object(message.sender));
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (int i = 0; i < notify.numOfData; ++i) notify.data[i].srcRCR->RemoveReference();
+  } else if (message.kind == PayloadKind::kReady) {
+    const CurrentScope scope(system, system->object(message.target));
+    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+    for (int i = 0; i < ready.numOfData; ++i) ready.rcRegion[i]->RemoveReference();
+  }
+}
+
+}  // namespace
+
+bool HeldMessages::Take(Message* message) {
+  if (is_open_ || passing_.erase(message->number) > 0) return false;
+  if (!spec_.Matches(SeenMessage(*system_, *message))) return false;
+  messages_.push_back(message);
+  return true;
+}
+
+// Readmitted messages go to the head of the queue, so the last one goes in first.
+void HeldMessages::Release() {
+  is_open_ = true;
+  for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(messages_.back());
+}
+
+void HeldMessages::ReleaseOne() {
+  if (messages_.empty()) return;
+  passing_.insert(messages_.front()->number);
+  system_->Readmit(messages_.front());
+  messages_.pop_front();
+}
+
+void HeldMessages::ReleaseInOrder(const std::vector<size_t>& order) {
+  if (std::set<size_t>(order.begin(), order.end()).size() != messages_.size() ||
+      order.size() != messages_.size()) {
+    throw std::invalid_argument(fmt::format(
+        "ReleaseInOrder: {} messages are held; the order must name each once", messages_.size()));
+  }
+  std::deque<Message*> sorted;
+  for (const size_t index : order) sorted.push_back(messages_.at(index));
+  messages_ = std::move(sorted);
+  Release();
+}
+
+std::string HeldMessages::Text() const {
+  return fmt::format("{} held: {}", messages_.size(), spec_.Text());
+}
+
+bool Doors::Admit(Message* message) {
+  if (Lose(message)) return false;
+  for (HeldMessages& held : held_) {
+    if (held.Take(message)) return false;
+  }
+  return true;
+}
+
+bool Doors::Lose(Message* message) {
+  for (DroppedMessages& dropped : dropped_) {
+    if (dropped.left_ == 0) continue;
+    const SeenMessage seen(*system_, *message);
+    if (!dropped.spec_.Matches(seen)) continue;
+    --dropped.left_;
+    dropped.texts_.push_back(seen.Text());
+    openr_host::Object* const target = system_->object(message->target);
+    if (!message->is_reply) --target->waiting;
+    ++target->dropped_count;
+    ReturnRegions(system_, *message);
+    system_->queue().Release(message);
+    return true;
+  }
+  return false;
+}
+
+std::string Doors::Text() const {
+  std::string text;
+  for (const HeldMessages& held : held_) {
+    if (held.count() > 0) text += "  " + held.Text() + "\n";
+  }
+  return text;
+}
+
+}  // namespace openr::testing

@@ -1,0 +1,10 @@
+// openr::testing: tests for OPEN-R objects, with GoogleTest.
+//
+// bench.h is where to begin; docs/testing.md is the tutorial.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/bench.h"
+#include "testing/snapshot.h"

@@ -1,0 +1,87 @@
+// core.md 8.1 (terminal) and 10.1 23, field-notes.md section 6: objects that read the console.
+#include "tests/conformance/conform_fixture.h"
+
+namespace openr_host {
+namespace {
+
+class ConsoleConformance : public ConformTest {
+ protected:
+  // What comes of `command` when `typed` is typed after it.
+  std::string Typing(const std::string& command, const std::string& typed) {
+    Tell(command);
+    system->FeedConsole(0, typed);
+    system->RunFor(8000);
+    return Said();
+  }
+};
+
+TEST_F(ConsoleConformance, AReaderWaitsAloneUntilALineIsThere) {
+  Start();
+  EXPECT_EQ(Answer("gets"), "");
+  Hear("assert");
+  Tell("ready?");  // waits behind the reader
+  EXPECT_EQ(Said(), "");
+  EXPECT_EQ(system->WhoWaits().size(), 1u);
+  system->FeedConsole(0, "some words\n");
+  system->RunFor(8000);
+  EXPECT_EQ(Said(), "some words\nT gets 'some words'\nT ready 1 refs 0\nT any 1 ready 1 all 1\n");
+}
+
+TEST_F(ConsoleConformance, LinesEnterAtAFrameBoundary) {
+  Start();
+  Tell("gets");
+  system->RunUntil(17'000);
+  system->FeedConsole(0, "x");
+  system->RunUntil(23'999);
+  EXPECT_EQ(Said(), "");
+  system->RunUntil(24'000);
+  EXPECT_EQ(Said(), "x\nT gets 'x'\n");
+}
+
+TEST_F(ConsoleConformance, EveryWayToReadWorks) {
+  Start();
+  EXPECT_EQ(Typing("fgets", "a line\n"), "a line\nT fgets 'a line\n'\n");
+  EXPECT_EQ(Typing("getchar", "ab\n"), "ab\nT getchar ab\n");
+  EXPECT_EQ(Typing("gets", "next\n"), "T gets ''\n");  // the rest of the line before
+  EXPECT_EQ(Answer("read"), "next\nT read 5\n");
+  EXPECT_EQ(Typing("scanf", "4 -5\n"), "4 -5\nT scanf 2: 4 -5\n");
+  EXPECT_EQ(Answer("gets"), "T gets ''\n");
+  EXPECT_EQ(Typing("cin", "word 7 and more\n"), "word 7 and more\nT cin 'word' 7 ' and more'\n");
+}
+
+TEST_F(ConsoleConformance, LinesTypedAheadAreReadOneByOne) {
+  Start();
+  system->FeedConsole(0, "one\ntwo\n");
+  system->RunFor(8000);
+  EXPECT_EQ(Answer("gets"), "one\nT gets 'one'\n");
+  EXPECT_EQ(Answer("gets"), "two\nT gets 'two'\n");
+}
+
+TEST_F(ConsoleConformance, OnlyTheThreeDescriptorsAreATerminal) {
+  Start();
+  EXPECT_EQ(Answer("isatty"), "T isatty 1 1 1 0\n");
+}
+
+TEST_F(ConsoleConformance, WhatIsTypedIsHeardByARecordingAndPartOfTheState) {
+  Start();
+  std::string heard;
+  system->OnConsoleInput(
+      [&](int robot, std::string_view text) { heard += fmt::format("{}:{}", robot, text); });
+  const uint64_t before = system->state_hash();
+  system->FeedConsole(0, "secret");
+  EXPECT_EQ(heard, "0:secret\n");
+  EXPECT_NE(system->state_hash(), before);
+}
+
+TEST_F(ConsoleConformance, AReaderInDoStartGetsItsLine) {
+  Data("TSTART.TXT", "gets\n");
+  ASSERT_TRUE(Load());
+  system->FeedConsole(0, "early");
+  Boot();
+  const std::string said = Said();
+  EXPECT_NE(said.find("T gets 'early'\nH start\n"), std::string::npos) << said;
+  EXPECT_EQ(Findings(), "");
+}
+
+}  // namespace
+}  // namespace openr_host

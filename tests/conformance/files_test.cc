@@ -1,0 +1,106 @@
+// core.md section 8.1 and field-notes.md section 13: files and the C library, as an object built
+// from a stub.cfg meets them.
+#include <zlib.h>
+
+#include "tests/conformance/conform_fixture.h"
+
+namespace openr_host {
+namespace {
+
+class FilesConformance : public ConformTest {};
+
+TEST_F(FilesConformance, AFileCanBeOpenTwiceOnlyIfAllReadIt) {
+  Start();
+  EXPECT_EQ(Answer("read read"), "T both open\n");
+  EXPECT_EQ(Answer("read write"), "T second refused\n");
+  EXPECT_EQ(Answer("write read"), "T second refused\n");
+  EXPECT_TRUE(Found("HELLO.TXT is refused: teller has it open already")) << Findings();
+  EXPECT_EQ(Answer("leave open"), "T 1\n");
+  EXPECT_EQ(Answer("read read"), "T first refused\n");
+}
+
+TEST_F(FilesConformance, ANameBeyond8And3IsReportedAndRefusedWhenStrict) {
+  Start();
+  EXPECT_EQ(Answer("long name"), "T long name taken\n");
+  EXPECT_TRUE(Found("'LONGERTHAN8.TXT' is not an 8.3 name")) << Findings();
+  Start({.strict = true});
+  EXPECT_EQ(Answer("long name"), "T long name refused\n");
+}
+
+TEST_F(FilesConformance, StatTellsSizeAndMode0777Only) {
+  Start();
+  EXPECT_EQ(Answer("modes"), "T file 100777 11 folder 40777 fstat 100777 time 0\n");
+}
+
+TEST_F(FilesConformance, FilesAndFoldersAreMadeRenamedAndRemovedInAnyCase) {
+  Start();
+  EXPECT_EQ(Answer("manage"), "T 0 0 0 'hello stick' -1 0 0\n");
+  EXPECT_FALSE(std::filesystem::exists(root / "OPEN-R/MW/DATA/P/OLD"));
+}
+
+TEST_F(FilesConformance, OpenKnowsCreateExclusiveAndAppend) {
+  Start();
+  EXPECT_EQ(Answer("flags"), "T created 1 wrote 3 exclusive -1 text netwo\n");
+}
+
+TEST_F(FilesConformance, ReaddirShows682EntriesWithUpperCaseNames) {
+  std::filesystem::create_directories(root / "OPEN-R/MW/DATA/P/MANY");
+  for (int i = 0; i < 700; ++i) Data(fmt::format("MANY/f{:03}.txt", i), "x");
+  Data("MANY/a name that is too long.txt", "x");
+  Start();
+  EXPECT_EQ(Answer("list"), "T 680 entries, last F679.TXT, again 1\n");  // and . and ..
+  EXPECT_TRUE(Found("files whose names are not 8.3 are left out")) << Findings();
+  EXPECT_TRUE(Found("readdir() shows the first 682")) << Findings();
+}
+
+TEST_F(FilesConformance, AWriteProtectedStickRefusesWritersAndSaysSo) {
+  Start();
+  EXPECT_EQ(Answer("status"), "T stick 2 design ERS-210\n");
+  stick->set_writable(false);
+  EXPECT_EQ(Answer("status"), "T stick 1 design ERS-210\n");
+  EXPECT_EQ(Answer("flags"), "T created 0 wrote -1 exclusive -1 text \n");
+}
+
+TEST_F(FilesConformance, CallsThatTheRobotLacksFailAndAreReported) {
+  Start();
+  EXPECT_EQ(Answer("refused"), "T system -1 tmpfile 0 chdir -1 fork -1\n");
+  EXPECT_TRUE(Found("system() fails: there is no such thing on the robot")) << Findings();
+}
+
+TEST_F(FilesConformance, ClocksShowVirtualTime) {
+  Start();
+  system->RunUntil(2'500'000);
+  EXPECT_EQ(Answer("clocks"), "T time 946684802 us 500000 same 1\n");  // 2000-01-01 + 2.5 s
+}
+
+TEST_F(FilesConformance, DesignDataAreCopiesThatCanBeDeletedOnce) {
+  Config("DESIGNDB.CFG",
+         "HELLO /MS/OPEN-R/MW/DATA/P/HELLO.TXT\nEMPTY /MS/OPEN-R/MW/DATA/P/E.TXT\n");
+  Data("E.TXT", "");
+  Start();
+  EXPECT_EQ(Answer("design HELLO"), "T design 0 size 11 'hello' copies 1 1 delete 0 0 4\n");
+  EXPECT_EQ(Answer("design EMPTY"), "T design 4110 size 0\n");  // oDESIGNDATA_SIZE_ZERO
+  EXPECT_EQ(Answer("design NOTHING"), "T design 6 size 0\n");   // oNOT_FOUND
+  EXPECT_EQ(Answer("design SYS_CPUINFO").substr(0, 19), "T design 0 size 256");
+}
+
+// core.md 6.1; 10.1 18
+TEST_F(FilesConformance, DesignDataAreDeliveredDecompressed) {
+  Config("DESIGNDB.CFG", "HELLO /MS/OPEN-R/MW/DATA/P/HELLO.GZ\n");
+  const gzFile file = gzopen((root / "OPEN-R/MW/DATA/P/HELLO.GZ").c_str(), "wb");
+  gzputs(file, "hello once more");
+  gzclose(file);
+  Start();
+  EXPECT_EQ(Answer("design HELLO"), "T design 0 size 15 'hello' copies 1 1 delete 0 0 4\n");
+}
+
+// core.md 3.2
+TEST_F(FilesConformance, ConsoleTextsAreCutAt243BytesAndLogLinesCarryIdAndPriority) {
+  Start();
+  const std::string text(242, 'a');
+  EXPECT_EQ(Answer("log"), text + "|\n[oid:80000043,prio:1] " + text +
+                               "\n[oid:80000043,prio:2] This is a warning!\n");
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,67 @@
+// network.md and field-notes.md section 11: mistakes with the network stack that the robot does
+// not report.  What the stack answers is in tests/runtime/ipstack.
+#include "tests/runtime/ipstack/net_probe.h"
+
+namespace openr_host {
+namespace {
+
+class NetworkConformance : public ConnectedTest {
+ protected:
+  bool Found(const std::string& part) {
+    for (const Finding& finding : system.findings().all()) {
+      if (finding.text.find(part) != std::string::npos) return finding.object == "probe";
+    }
+    return false;
+  }
+};
+
+// field-notes.md, 11.2: the buffer belongs to the stack until the answer
+TEST_F(NetworkConformance, ABufferWrittenWhileItsSendIsUnderWayIsReported) {
+  Do([&] {
+    std::memcpy(buffer, "good", 4);
+    probe->Send(TCPEndpointSendMsg(endpoint, buffer, 4));
+    std::memcpy(buffer, "evil", 4);
+  });
+  EXPECT_TRUE(Found("TCP Send: the buffer was written between Send() and its answer"));
+  Frames();
+  EXPECT_EQ(peer.heard, "evil");  // as on the robot, perhaps
+}
+
+TEST_F(NetworkConformance, ABufferWrittenWhileThePoolIsFullIsReported) {
+  StopPeerReading();
+  Send(std::string(4096, 'a'));
+  Send("later");
+  Do([&] { std::memcpy(buffer + 4096, "LATER", 5); });
+  EXPECT_FALSE(Found("was written between"));
+  peer.reading = true;
+  Frames(4);
+  EXPECT_TRUE(Found("was written between"));
+}
+
+TEST_F(NetworkConformance, ABufferWrittenAfterTheAnswerIsNot) {
+  Send("first");
+  Send("second");
+  Frames();
+  EXPECT_FALSE(Found("was written between"));
+}
+
+// network.md, 5; field-notes.md, 11.7
+TEST_F(NetworkConformance, ADatagramThatCrashedTheRobotsStackIsReported) {
+  Do([&] {
+    antModuleRef udp = probe->NewEndpoint(EndpointType_UDP, 100'000);
+    byte* const data = probe->NewBuffer(20'000);
+    probe->Send(UDPEndpointBindMsg(udp, IP_ADDR_ANY, IP_PORT_ANY));
+    probe->Send(UDPEndpointSendMsg(udp, kClientIp, 9999, data, 18'500));
+  });
+  EXPECT_FALSE(Found("IPStack crashed"));
+  Do([&] {
+    antModuleRef udp = probe->NewEndpoint(EndpointType_UDP, 100'000);
+    byte* const data = probe->NewBuffer(20'000);
+    probe->Send(UDPEndpointBindMsg(udp, IP_ADDR_ANY, IP_PORT_ANY));
+    probe->Send(UDPEndpointSendMsg(udp, kClientIp, 9999, data, 18'501));
+  });
+  EXPECT_TRUE(Found("a UDP datagram of more than 18500 bytes is sent"));
+}
+
+}  // namespace
+}  // namespace openr_host

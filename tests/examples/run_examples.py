@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Builds every program of examples/ in a copy and runs it: does it print what its README says?
+
+    run_examples.py --build DIR [WORD]
+
+DIR/bin/openr builds and runs; with WORD only examples whose name contains it.  Programs that
+serve the network get a free port in their copy, and are asked by real clients on 127.0.0.1.
+The last line is "N passed, N failed" (", N skipped").
+"""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+import traceback
+
+from example import Example
+import local_checks
+import network_checks
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+
+
+def checks():
+    """Name of an example and its check, in the order of the names."""
+    found = {}
+    for module in (local_checks, network_checks):
+        for name, function in vars(module).items():
+            if name.startswith("check_"):
+                found[name[len("check_"):]] = function
+    return dict(sorted(found.items()))
+
+
+def run(openr, name, check, folder):
+    """What is wrong, in lines (none is good), and what could not be looked at."""
+    try:
+        example = Example(openr, EXAMPLES / name, folder)
+        check(example)
+        return example.complaints, example.skipped
+    except Exception:  # a broken check must not hide the others
+        return [traceback.format_exc()], []
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", required=True, type=pathlib.Path)
+    parser.add_argument("word", nargs="?", default="")
+    arguments = parser.parse_args()
+    openr = (arguments.build / "bin/openr").resolve()
+    found = checks()
+    good, bad, skips = 0, 0, 0
+
+    folders = sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir())
+    unchecked = [name for name in folders if name not in found]
+    if unchecked and not arguments.word:
+        print(f"FAIL no check for {', '.join(unchecked)}")
+        bad += 1
+
+    scratch = pathlib.Path(tempfile.mkdtemp(prefix="openr-examples-"))
+    try:
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            todo = {name: pool.submit(run, openr, name, check, scratch)
+                    for name, check in found.items() if arguments.word in name}
+            for name, future in todo.items():
+                complaints, skipped = future.result()
+                print(f"{'FAIL' if complaints else 'ok  '} {name}", flush=True)
+                for line in complaints + [f"skipped: {what}" for what in skipped]:
+                    print("     " + line.replace("\n", "\n     "))
+                good += not complaints
+                bad += bool(complaints)
+                skips += len(skipped)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+    print(f"{good} passed, {bad} failed" + (f", {skips} skipped" if skips else ""))
+    return 1 if bad or good == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

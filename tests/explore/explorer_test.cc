@@ -1,0 +1,126 @@
+// Exploring the default stick: nothing breaks, every seed repeats itself, workers do not show.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "openr/explore/explore_cost.h"
+#include "tests/planted/planted.h"
+
+namespace openr_host {
+namespace {
+
+ExplorePlan StickPlan(const std::string& body = "ideal", bool guard = false,
+                      const std::string& cost = "") {
+  SimulationOptions options;
+  options.stick = OPENR_STICK;
+  options.body = body;
+  options.guard_regions = guard;
+  options.console = [](std::string_view) {};
+  ExplorePlan plan;
+  plan.make_scene = [options, cost] { return MakeSimulationScene(options, cost); };
+  plan.runs = 20;
+  return plan;
+}
+
+TEST(ExplorerTest, TwentySeedsOfTheDefaultStickRepeatThemselvesAndBreakNothing) {
+  ExplorePlan plan = StickPlan();
+  plan.run.properties.names = {"default", "standing"};
+  const Json result = VerifySeeds(plan);
+  EXPECT_EQ(result["runs"], 20);
+  EXPECT_EQ(result["differences"], 0) << result["different_seeds"];
+  EXPECT_EQ(result["broken"], 0) << result.value("failure", Json()).dump(1);
+}
+
+TEST(ExplorerTest, SeedsOnThePhysicalBodyRepeatThemselves) {
+  ExplorePlan plan = StickPlan("ode");
+  plan.runs = 2;
+  plan.first_seed = 2;
+  EXPECT_EQ(VerifySeeds(plan)["differences"], 0);
+}
+
+TEST(ExplorerTest, OneWorkerAndTwoComeToTheSame) {
+  ExplorePlan plan = StickPlan();
+  const Json one = ExploreSeeds(plan);
+  plan.jobs = 2;
+  EXPECT_EQ(ExploreSeeds(plan), one);
+}
+
+// The hash of a run in a copy of a worker is that of a run in this process, in one piece.
+TEST(ExplorerTest, ACopiedProcessComesToTheSameAsAPlainRun) {
+  const ExplorePlan plan = StickPlan();
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  const Json copied = pool.RunOne({{"seed", 1}});
+  const Scene scene = plan.make_scene();
+  scene.system->Boot();
+  scene.system->RunUntil(plan.run.for_us);
+  EXPECT_EQ(copied["trace"], fmt::format("{:016x}", scene.system->trace_hash()));
+  EXPECT_EQ(copied["state"], fmt::format("{:016x}", scene.system->state_hash()));
+}
+
+TEST(ExplorerTest, SeedsGiveOrdersOfTheirOwn) {
+  ExplorePlan plan = StickPlan();
+  plan.run.for_us = 1'000'000;
+  plan.run.vary = {.delays = false, .network = false, .frames = false};
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  std::set<std::string> traces;
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    traces.insert(pool.RunOne({{"seed", seed}})["trace"].get<std::string>());
+  }
+  EXPECT_GT(traces.size(), 10u);
+}
+
+TEST(ExplorerTest, WatchingReceivedDataBreaksNothing) {
+  ExplorePlan plan = StickPlan("ideal", true);
+  plan.runs = 5;
+  const Json result = ExploreSeeds(plan);
+  EXPECT_EQ(result["broken"], 0) << result.value("failure", Json()).dump(1);
+}
+
+TEST(ExplorerTest, HandlersThatTakeTimeBreakNothing) {
+  const std::string cost = std::string(OPENR_MODEL_DIR) + "/ers210.cost";
+  ExplorePlan plan = StickPlan("ideal", false, cost);
+  plan.runs = 5;
+  plan.run.properties.names = {"default", "standing"};
+  const Json result = VerifySeeds(plan);
+  EXPECT_EQ(result["differences"], 0);
+  EXPECT_EQ(result["broken"], 0) << result.value("failure", Json()).dump(1);
+}
+
+TEST(ExplorerTest, ARandomRunIsRepeatedByItsDeviations) {
+  const ExplorePlan plan = StickPlan();
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  for (uint64_t seed = 2; seed < 6; ++seed) {
+    const Json random = pool.RunOne({{"seed", seed}, {"deviations", true}});
+    const Json scripted = pool.RunOne({{"seed", seed}, {"script", random["deviations"]}});
+    EXPECT_EQ(scripted["trace"], random["trace"]) << seed;
+    EXPECT_EQ(scripted["state"], random["state"]) << seed;
+  }
+}
+
+TEST(ExplorerTest, AStickThatDoesNotBootIsAnError) {
+  ExplorePlan plan = StickPlan();
+  plan.make_scene = [] {
+    Scene scene;
+    scene.problem = "the robot does not boot";
+    return scene;
+  };
+  EXPECT_THROW(ExploreSeeds(plan), std::runtime_error);
+}
+
+TEST(ExplorerTest, AQuantityThatIsNotThereIsAnErrorAndNoFailure) {
+  ExplorePlan plan = StickPlan();
+  plan.run.properties.names = {"always objects.JointMovr.state != failed"};
+  try {
+    ExploreSeeds(plan);
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "--property:1: no object of robot 0 'JointMovr'; did you mean 'JointMover'?\n"
+                 "always objects.JointMovr.state != failed\n"
+                 "       ^");
+  }
+}
+
+}  // namespace
+}  // namespace openr_host

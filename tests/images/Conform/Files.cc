@@ -1,0 +1,194 @@
+// Files, console and the C library, as an object meets them.
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+#include <assert.h>
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "Teller.h"
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // gets()
+
+#define FOLDER "/MS/OPEN-R/MW/DATA/P/"
+
+static const char*
+OpenTwice(const char* first, const char* second)
+{
+    FILE* one = fopen(FOLDER "HELLO.TXT", first);
+    if (one == 0) return "first refused";
+    FILE* two = fopen(FOLDER "HELLO.TXT", second);
+    if (two != 0) fclose(two);
+    fclose(one);
+    return two == 0 ? "second refused" : "both open";
+}
+
+static void
+List(const char* path)
+{
+    DIR* folder = opendir(path);
+    if (folder == 0) {
+        OSYSPRINT(("T no folder\n"));
+        return;
+    }
+    int count = 0;
+    char last[20] = "";
+    while (struct dirent* entry = readdir(folder)) {
+        if (entry->d_name[0] == '.') continue;
+        count++;
+        strcpy(last, entry->d_name);
+    }
+    rewinddir(folder);
+    const bool again = readdir(folder) != 0;
+    closedir(folder);
+    OSYSPRINT(("T %d entries, last %s, again %d\n", count, last, again));
+}
+
+static void
+Modes()
+{
+    struct stat file, folder, open_file;
+    stat(FOLDER "hello.txt", &file);
+    stat("/MS/OPEN-R/MW/DATA/P", &folder);
+    const int descriptor = open(FOLDER "HELLO.TXT", O_RDONLY);
+    fstat(descriptor, &open_file);
+    close(descriptor);
+    OSYSPRINT(("T file %o %d folder %o fstat %o time %d\n", (int)file.st_mode, (int)file.st_size, (int)folder.st_mode,
+               (int)open_file.st_mode, (int)file.st_mtime));
+}
+
+static void
+ManageFiles()
+{
+    const int made = mkdir(FOLDER "NEW", 0);
+    const int renamed = rename(FOLDER "HELLO.TXT", FOLDER "new/hi.txt");
+    const int folder_renamed = rename(FOLDER "NEW", FOLDER "OLD");
+    std::ifstream file(FOLDER "old/HI.TXT");
+    std::string text;
+    std::getline(file, text);
+    file.close();
+    const int not_empty = rmdir(FOLDER "OLD");
+    const int removed = remove(FOLDER "OLD/HI.TXT");
+    const int gone = rmdir(FOLDER "OLD");
+    OSYSPRINT(("T %d %d %d '%s' %d %d %d\n", made, renamed, folder_renamed, text.c_str(), not_empty, removed, gone));
+}
+
+static void
+Flags()
+{
+    const int created = open(FOLDER "FLAGS.TXT", O_WRONLY | O_CREAT | O_EXCL, 0);
+    const int written = (int)write(created, "one", 3);
+    close(created);
+    const int exclusive = open(FOLDER "FLAGS.TXT", O_WRONLY | O_CREAT | O_EXCL, 0);
+    const int appended = open(FOLDER "flags.txt", O_WRONLY | O_APPEND);
+    write(appended, "two", 3);
+    close(appended);
+    char text[8] = "";
+    const int read_back = open(FOLDER "FLAGS.TXT", O_RDONLY);
+    lseek(read_back, 1, SEEK_SET);
+    read(read_back, text, 7);
+    close(read_back);
+    OSYSPRINT(("T created %d wrote %d exclusive %d text %s\n", created >= 0, written, exclusive, text));
+}
+
+static void Never() { OSYSPRINT(("T atexit ran\n")); }
+
+static void
+Refused()
+{
+    const int ran = system("echo harm");
+    FILE* const temporary = tmpfile();
+    const int moved = chdir("/");
+    OSYSPRINT(("T system %d tmpfile %d chdir %d fork %d\n", ran, temporary != 0, moved, (int)fork()));
+}
+
+static void
+Clocks()
+{
+    struct timeval now;
+    gettimeofday(&now, 0);
+    OSYSPRINT(("T time %d us %d same %d\n", (int)now.tv_sec, (int)now.tv_usec, (int)time(0) == (int)now.tv_sec));
+}
+
+static bool
+ConsoleCommand(const std::string& command)
+{
+    char line[80] = "";
+    int a = 0, b = 0;
+    std::string word, rest;
+    if (command == "gets") {
+        OSYSPRINT(("T gets '%s'\n", gets(line)));
+    } else if (command == "fgets") {
+        fgets(line, sizeof line, stdin);
+        OSYSPRINT(("T fgets '%s'\n", line));
+    } else if (command == "getchar") {
+        a = getchar();
+        b = getc(stdin);
+        OSYSPRINT(("T getchar %c%c\n", a, b));
+    } else if (command == "scanf") {
+        const int count = scanf("%d %d", &a, &b);
+        OSYSPRINT(("T scanf %d: %d %d\n", count, a, b));
+    } else if (command == "cin") {
+        std::cin >> word >> a;
+        std::getline(std::cin, rest);
+        OSYSPRINT(("T cin '%s' %d '%s'\n", word.c_str(), a, rest.c_str()));
+    } else if (command == "read") {
+        a = (int)read(0, line, sizeof line);
+        OSYSPRINT(("T read %d\n", a));
+    } else if (command == "isatty") {
+        OSYSPRINT(("T isatty %d %d %d %d\n", isatty(0), isatty(1), isatty(2), isatty(7)));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool
+FileCommand(const std::string& command)
+{
+    if (ConsoleCommand(command)) return true;
+    if (command == "read read") {
+        OSYSPRINT(("T %s\n", OpenTwice("r", "r")));
+    } else if (command == "read write") {
+        OSYSPRINT(("T %s\n", OpenTwice("r", "a")));
+    } else if (command == "write read") {
+        OSYSPRINT(("T %s\n", OpenTwice("a", "r")));
+    } else if (command == "leave open") {
+        OSYSPRINT(("T %d\n", fopen(FOLDER "HELLO.TXT", "a") != 0));
+    } else if (command == "long name") {
+        errno = 0;
+        FILE* file = fopen(FOLDER "LONGERTHAN8.TXT", "w");
+        OSYSPRINT(("T long name %s\n", file == 0 ? "refused" : "taken"));
+        if (file != 0) fclose(file);
+    } else if (command == "modes") {
+        Modes();
+    } else if (command == "manage") {
+        ManageFiles();
+    } else if (command == "flags") {
+        Flags();
+    } else if (command == "list") {
+        List(FOLDER "MANY");
+    } else if (command == "refused") {
+        Refused();
+    } else if (command == "clocks") {
+        Clocks();
+    } else if (command == "atexit") {
+        OSYSPRINT(("T atexit %d\n", atexit(Never)));
+    } else if (command == "exit") {
+        exit(1);
+    } else if (command == "abort") {
+        abort();
+    } else if (command == "assert 0") {
+        assert(command.empty());
+    } else {
+        return false;
+    }
+    return true;
+}

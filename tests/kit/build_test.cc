@@ -1,0 +1,219 @@
+// openr build: programs as they were written for the robot, with nothing added and nothing changed.
+#include <elf.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// The beginning of a binary for the robot.
+std::string RobotBinary() {
+  Elf32_Ehdr header{};
+  std::memcpy(header.e_ident, ELFMAG, SELFMAG);
+  header.e_ident[EI_CLASS] = ELFCLASS32;
+  header.e_type = ET_REL;
+  header.e_machine = EM_MIPS;
+  return std::string(reinterpret_cast<const char*>(&header), sizeof header) + std::string(64, 'x');
+}
+
+// One build that several tests look at.
+class BuiltProgram : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new KitFolder("makefile");
+    files_before_ = folder_->Files();
+    result_ = folder_->Build();
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static inline const KitFolder* folder_ = nullptr;
+  static inline std::vector<std::string> files_before_;
+  static inline ProgramResult result_;
+};
+
+TEST_F(BuiltProgram, IsBuiltThroughItsMakefiles) {
+  ASSERT_EQ(result_.status, 0) << result_.err;
+  EXPECT_THAT(result_.out, HasSubstr("SENDER.BIN   sender                   Makefile\n"));
+  EXPECT_THAT(result_.out, HasSubstr("openr run --stick " + folder_->File("MS")));
+  EXPECT_EQ(folder_->Say(), "heard: greeting 1\nheard: greeting 2\nheard: greeting 3\n");
+}
+
+TEST_F(BuiltProgram, HasNothingNewButImages) {
+  std::vector<std::string> wanted = files_before_;
+  for (const char* name : {"POWERMON", "RECEIVER", "SENDER"})
+    wanted.push_back(std::string("MS/OPEN-R/MW/OBJS/") + name + ".BIN");
+  std::sort(wanted.begin(), wanted.end());
+  EXPECT_EQ(folder_->Files(), wanted);
+}
+
+TEST_F(BuiltProgram, HasAnImageOfTheKitWhereItBringsNone) {
+  EXPECT_THAT(result_.out, HasSubstr("POWERMON.BIN                          the kit's own\n"));
+}
+
+TEST(BuildTest, AnOutputFolderLeavesTheProgramAsItIs) {
+  const KitFolder folder("makefile");
+  const std::vector<std::string> before = folder.Files();
+  const std::string stick = folder.scratch().File("stick");
+  ASSERT_EQ(folder.Build({"-o", stick}).status, 0);
+  EXPECT_EQ(folder.Files(), before);
+  EXPECT_THAT(KitFolder::SayOf(stick), HasSubstr("heard: greeting 3\n"));
+}
+
+TEST(BuildTest, ASecondBuildOnlyBuildsWhatChanged) {
+  const KitFolder folder("makefile");
+  ASSERT_EQ(folder.Build({"--verbose"}).status, 0);
+  EXPECT_THAT(folder.Build({"--verbose"}).err, Not(HasSubstr("mipsel-linux-g++")));
+  folder.Write("common/Greeting.cc",
+               "#include \"Greeting.h\"\n#include <stdio.h>\n"
+               "void Greet(char* line, int number) { sprintf(line, \"again %d\", number); }\n");
+  const ProgramResult result = folder.Build({"--verbose"});
+  EXPECT_THAT(result.err, HasSubstr("../common/Greeting.cc"));
+  EXPECT_THAT(result.err, Not(HasSubstr("-c Sender.cc")));
+  EXPECT_EQ(folder.Say(), "heard: again 1\nheard: again 2\nheard: again 3\n");
+}
+
+TEST(BuildTest, WhatABuildForTheRobotLeftIsNotUsed) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/Sender.o", RobotBinary());
+  folder.Write("Sender/SenderStub.cc", "#error of another generator\n");
+  folder.Write("Sender/def.h", "#error of another generator\n");
+  folder.Write("MS/OPEN-R/MW/OBJS/SENDER.BIN", RobotBinary());
+  ASSERT_EQ(folder.Build().status, 0);
+  EXPECT_THAT(folder.Say(), HasSubstr("heard: greeting 3\n"));
+}
+
+TEST(BuildTest, WithoutMakefilesFoldersWithAStubAreObjects) {
+  const KitFolder folder("convention");
+  const ProgramResult result = folder.Build();
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("CNTR.BIN     counter                  by its name\n"));
+  EXPECT_EQ(result.err, "");  // sources that do not compile were not needed
+  EXPECT_EQ(folder.Say(),
+            "connected to Counter.Number.char.S\nnumber: [one]\nnumber: [two]\nnumber: [three]\n");
+}
+
+TEST(BuildTest, AStubWrittenByHandIsEnough) {
+  const KitFolder folder("handmade");
+  const ProgramResult result = folder.Build();
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Say(), "handmade: init\nhandmade: start\n");
+}
+
+// CR LF, headers of C++ before the standard, names without std::, a missing return, pointers cast
+// to int, K&R C, flags for the robot's processor and -Werror.
+TEST(BuildTest, OldCodeCompilesAndDoesWhatItDid) {
+  const KitFolder folder("oldstyle");
+  const ProgramResult result = folder.Build();
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("no return statement"));  // warnings stay
+  EXPECT_EQ(folder.Say(), "sum 10   42\nold 1 7 5\ncast\nsame\nkr 23 pi 3.142\nff\n");
+}
+
+// What only g++ 3.3 took.
+TEST(BuildTest, WhatTodaysCompilerRefusesIsRepairedInTheCopy) {
+  const KitFolder folder("gcc3");
+  const std::string source = folder.Read("Obj/Odd.cc");
+  const ProgramResult result = folder.Build();
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr("note: " + folder.File("Obj/Odd.cc") +
+                        ":21: the second parameter called 'angle' left without a name"));
+  EXPECT_EQ(folder.Say(), "5 21 313 2 30 21 2.5 0 3 4 helped\nturn 1 2\n");
+  EXPECT_EQ(folder.Read("Obj/Odd.cc"), source);
+}
+
+// Folders in folders, a library, a compiler in a variable of a variable, a stick elsewhere.
+TEST(BuildTest, AProjectFindsCompilerAndStickWhereverItsVariablesLead) {
+  const KitFolder folder("nested");
+  const ProgramResult result = folder.Build();
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Say("stick"),
+            "Walker: stride 40 of platform 210\nWalker: stride 55 of platform 210\n"
+            "Viewer: stride 40 of platform 210\nViewer: stride 55 of platform 210\n");
+  EXPECT_EQ(folder.Read("stick/OPEN-R/MW/DATA/P/WALKER.TXT"), "made for walker\n");
+}
+
+TEST(BuildTest, ACompilersComplaintPassesThroughAndIsSummedUp) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/Sender.cc", "int broken(\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("Sender.cc:1:12: error: expected"));
+  EXPECT_THAT(result.err,
+              HasSubstr("openr build: Sender: " + folder.File("Sender/Sender.cc") +
+                        " does not compile; the compiler says above what to correct\n"));
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(BuildTest, WhatIsUndefinedIsNamed) {
+  const KitFolder folder("handmade");
+  folder.Write("Greeter/More.cc", "void Missing(int);\nvoid Use() { Missing(1); }\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err,
+              HasSubstr("is undefined: Missing(int); is a source or a library missing?"));
+}
+
+TEST(BuildTest, ABadStubIsSaidWithItsLine) {
+  const KitFolder folder("convention");
+  folder.Write("Counter/stub.cfg",
+               "ObjectName : Counter\nNumOfOSubject : 2\nNumOfOObserver : 1\n"
+               "Service : \"Counter.Number.char.S\", null, Ready()\n"
+               "Service : \"Counter.D.DoNotConnect.O\", null, null\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("stub.cfg:2: NumOfOSubject is 2, but the file has 1 subject"));
+  EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/CNTR.BIN was not built"));
+}
+
+TEST(BuildTest, AnImageNobodyMakesIsAnErrorWithItsLine) {
+  const KitFolder folder("handmade");
+  folder.Write("MS/OPEN-R/MW/CONF/OBJECT.CFG",
+               "/MS/OPEN-R/MW/OBJS/GREETER.BIN\n/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("openr build: OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/OTHER.BIN was "
+                                    "not built: no object here has such a name\n"));
+}
+
+TEST(BuildTest, AMakefileThatFailsIsDoneWithout) {
+  const KitFolder folder("handmade");
+  folder.Write("Makefile", "all:\n\tno_such_tool --version\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("note: the Makefiles made no image of Greeter; built without"));
+  EXPECT_EQ(folder.Say(), "handmade: init\nhandmade: start\n");
+}
+
+TEST(BuildTest, ObjectsWithoutAStickGetOne) {
+  const KitFolder folder("handmade");
+  std::filesystem::remove_all(folder.File("MS"));
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Read("MS/OPEN-R/MW/CONF/OBJECT.CFG"), "/MS/OPEN-R/MW/OBJS/GREETER.BIN\n");
+  EXPECT_EQ(folder.Say(), "handmade: init\nhandmade: start\n");
+}
+
+TEST(BuildTest, OneObjectFindsWhatItsMakefileNamesOutside) {
+  const KitFolder folder("makefile");
+  const ProgramResult result = RunProgram({"build", folder.File("Sender")});
+  EXPECT_THAT(result.out, HasSubstr("SENDER.BIN   sender                   Makefile\n"));
+  EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:3: /MS/OPEN-R/MW/OBJS/RECEIVER.BIN was not built"));
+}
+
+TEST(BuildTest, AFolderWithNothingToBuildIsSaidSo) {
+  const KitFolder folder("");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("no stub.cfg, no entry table and no Makefile"));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,169 @@
+// openr check: each mistake of the developer board that can be seen without running.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "openr/kit/check_stick.h"
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr char kConf[] = "MS/OPEN-R/MW/CONF/";
+
+std::string Checked(const KitFolder& folder, int status = 1) {
+  const ProgramResult result = RunProgram({"check", folder.File("")});
+  EXPECT_EQ(result.status, status) << result.out << result.err;
+  return result.out;
+}
+
+// A line of the output that begins with `place` and says `text`.
+MATCHER_P2(Says, place, text, "") {
+  std::istringstream lines(arg);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(place) != std::string::npos && line.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(CheckTest, AGoodProgramHasNoErrorsAndNoWarnings) {
+  EXPECT_THAT(Checked(KitFolder("makefile"), 0), HasSubstr("0 errors, 0 warnings, 3 notes\n"));
+}
+
+TEST(CheckTest, JsonHoldsTheSameAndNothingElse) {
+  const KitFolder folder("handmade");
+  const ProgramResult result = RunProgram({"check", "--json", folder.File("")});
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["errors"], 0);
+  EXPECT_EQ(json["notes"], 2);
+  EXPECT_EQ(json["remarks"][0]["severity"], "note");
+  EXPECT_EQ(json["remarks"][0]["line"], 1);
+}
+
+TEST(CheckTest, AnImageThatIsNotThereStopsTheRobot) {
+  const KitFolder folder("makefile");
+  folder.Write(std::string(kConf) + "OBJECT.CFG",
+               "/MS/OPEN-R/MW/OBJS/SENDER.BIN\n/MS/OPEN-R/MW/OBJS/RECEIVER.BIN\n"
+               "/MS/OPEN-R/MW/OBJS/NOTHERE.BIN\n");
+  const std::string text = Checked(folder);
+  EXPECT_THAT(text, Says("OBJECT.CFG:3:", "does not exist on the stick; the robot stops"));
+  EXPECT_THAT(text, Says("OBJECT.CFG:", "note: no POWERMON.BIN"));
+}
+
+TEST(CheckTest, AFileThatIsNoImageForThisMachineIsSaidSo) {
+  const KitFolder folder("makefile");
+  folder.Write("MS/OPEN-R/MW/OBJS/SENDER.BIN", "text");
+  EXPECT_THAT(Checked(folder), Says("OBJECT.CFG:2:", "is not an object image"));
+}
+
+TEST(CheckTest, AServiceThatNobodyHasIsNotFound) {
+  const KitFolder folder("makefile");
+  folder.Write(std::string(kConf) + "CONNECT.CFG",
+               "Sender.Txt.char.S Receiver.Text.char.O\n"
+               "Sender.Text.int.S Receiver.Text.int.O\n");
+  const std::string text = Checked(folder);
+  EXPECT_THAT(text, Says("CONNECT.CFG:1:",
+                         "NOT FOUND, the line is skipped; did you mean "
+                         "'Sender.Text.char.S'?"));
+  EXPECT_THAT(text, Says("CONNECT.CFG:2:", "has the data type 'char' in Sender, not 'int'"));
+}
+
+TEST(CheckTest, TheRobotsServicesAreKnown) {
+  const KitFolder folder("makefile");
+  folder.Write(std::string(kConf) + "CONNECT.CFG",
+               "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
+               "Receiver.Text.OSensorFrameVectorData.O\n");
+  const std::string text = Checked(folder);
+  EXPECT_THAT(text, Not(HasSubstr("no object on this stick has 'OVirtualRobotComm")));
+}
+
+TEST(CheckTest, AServiceConnectedToNothingIsNotedUnlessItSaysSo) {
+  const KitFolder folder("makefile");
+  folder.Write(std::string(kConf) + "CONNECT.CFG", "");
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text, Says("Sender/stub.cfg:4:", "note: CONNECT.CFG does not mention"));
+  EXPECT_THAT(text, Not(HasSubstr("DummyObserver")));
+}
+
+TEST(CheckTest, ForgottenMacrosAreFound) {
+  const KitFolder folder("makefile");
+  folder.Write("Receiver/Receiver.cc",
+               "#include \"Receiver.h\"\nvoid Receiver::Notify(const ONotifyEvent&) {}\n"
+               "// REGISTER_ALL_ENTRY; AssertReady\n");
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text, Says("Receiver/stub.cfg:5:", "no REGISTER_ALL_ENTRY in DoInit"));
+  EXPECT_THAT(text, Says("Receiver/stub.cfg:5:", "AssertReady is never called: Notify() will not"));
+}
+
+TEST(CheckTest, AFunctionOfTheStubThatNobodyWroteIsNamed) {
+  const KitFolder folder("convention");
+  folder.Write("Counter/stub.cfg",
+               "ObjectName : Countr\nNumOfOSubject : 1\nNumOfOObserver : 1\n"
+               "Service : \"Counter.Number.char.S\", null, Redy()\n"
+               "Service : \"Counter.D.DoNotConnect.O\", null, null\n");
+  const std::string text = Checked(folder);
+  EXPECT_THAT(text, Says("stub.cfg:1:", "the stub includes \"Countr.h\""));
+  EXPECT_THAT(text, Says("stub.cfg:4:", "no Redy() in the sources of Counter"));
+}
+
+TEST(CheckTest, OddValuesAndEqualNamesInOcfFilesAreFound) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/sender.ocf", "object chat 3072 16386 128 cache tlb user\n");
+  folder.Write("Receiver/receiver.ocf", "object chat 512 16384 128 cache tlb user\n");
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text, Says("sender.ocf:1:", "did you mean 16384?"));
+  EXPECT_THAT(text, Says("receiver.ocf:1:", "a stack of 512 bytes"));
+  EXPECT_THAT(text, Says("sender.ocf:1:", "an object is named 'chat'"));
+}
+
+TEST(CheckTest, NamesThatNoStickHoldsAreFoundOnItAndInSources) {
+  const KitFolder folder("makefile");
+  folder.Write("MS/OPEN-R/MW/DATA/P/motions-of-today.mtn", "");
+  folder.Write("Sender/More.cc",
+               "#include <stdio.h>\nvoid More() { fopen(\"/MS/OPEN-R/MW/DATA/P/LONGNAME1.TXT\", "
+               "\"r\"); }\n");
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text, Says("motions-of-today.mtn:", "is not an 8.3 name"));
+  EXPECT_THAT(text, Says("More.cc:2:", "'LONGNAME1.TXT' is not an 8.3 name"));
+}
+
+TEST(CheckTest, DesignDataThatIsNotThereIsFound) {
+  const KitFolder folder("makefile");
+  folder.Write(std::string(kConf) + "DESIGNDB.CFG", "SONG /MS/OPEN-R/MW/DATA/P/SONG.WAV\n");
+  EXPECT_THAT(Checked(folder, 0), Says("DESIGNDB.CFG:1:", "FindDesignData(\"SONG\") will fail"));
+}
+
+TEST(CheckTest, NetworkSettingsAreRead) {
+  const KitFolder folder("makefile");
+  folder.Write("MS/OPEN-R/SYSTEM/CONF/WLANCONF.TXT", "ETHER_IP = 10.0.0.1\n");
+  EXPECT_THAT(Checked(folder), Says("WLANCONF.TXT:1:", "'='"));
+}
+
+TEST(CheckTest, JointsThatNobodyPowersAreNamed) {
+  const KitFolder folder("makefile");
+  folder.Write("Sender/More.cc", "int format = odataJOINT_COMMAND2;\n");
+  const std::string text = Checked(folder, 0);
+  EXPECT_THAT(text, Says("Sender:", "nobody calls SetMotorPower(opowerON)"));
+}
+
+TEST(CheckTest, ABuiltStickIsCheckedByWhatItsImagesSay) {
+  const ProgramResult good = RunProgram({"check", std::string(OPENR_BUILD) + "/stick"});
+  EXPECT_EQ(good.status, 0) << good.out;
+  EXPECT_THAT(good.out, HasSubstr("0 errors, 0 warnings"));
+}
+
+TEST(CheckTest, ServicesAreFoundAmongTheTextsOfAnImage) {
+  const std::string image(
+      "\x7f"
+      "ELF\0\0A.Text.char.S\0some text.S\0B.In.int.O\0x.y.S\0",
+      54);
+  EXPECT_THAT(ServicesInImage(image), ElementsAre("A.Text.char.S", "B.In.int.O"));
+}
+
+}  // namespace
+}  // namespace openr_host

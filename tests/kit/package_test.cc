@@ -1,0 +1,95 @@
+// What other build systems get: the CMake package and the Makefile to include, of an installation.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "openr/kit/process.h"
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr char kHeard[] = "heard: greeting 1\nheard: greeting 2\nheard: greeting 3\n";
+
+// The program of the fixture without its Makefiles, and an installation of what was built.
+class PackageTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    prefix_ = new ScratchFolder();
+    install_ = RunProcess({"cmake", "--install", OPENR_BUILD, "--prefix", prefix_->path()},
+                          {{}, "", true, true});
+  }
+  static void TearDownTestSuite() { delete prefix_; }
+
+  void SetUp() override {
+    ASSERT_TRUE(install_.good()) << install_.output;
+    for (const char* name : {"Makefile", "Sender/Makefile", "Receiver/Makefile"})
+      std::filesystem::remove(folder_.File(name));
+    folder_.Write("MS/OPEN-R/MW/CONF/OBJECT.CFG",
+                  "/MS/OPEN-R/MW/OBJS/SENDER.BIN\n/MS/OPEN-R/MW/OBJS/RECEIVER.BIN\n");
+  }
+
+  // With the installed program.
+  std::string Say(const std::string& stick) const {
+    const ProcessResult result =
+        RunProcess({prefix_->File("bin/openr"), "run", "--stick", folder_.File(stick), "--for",
+                    "1s", "--rate", "max", "--no-panel"},
+                   {{}, "", true, true});
+    return KitFolder::WordsOfObjects(result.output);
+  }
+
+  static inline ScratchFolder* prefix_ = nullptr;
+  static inline ProcessResult install_;
+  const KitFolder folder_{"makefile"};
+};
+
+TEST_F(PackageTest, CMakeFindsThePackageAndBuildsObjectsAndAStick) {
+  folder_.Write("CMakeLists.txt",
+                "cmake_minimum_required(VERSION 3.16)\n"
+                "project(chat LANGUAGES CXX)\n"
+                "find_package(openr-host REQUIRED)\n"
+                "openr_add_object(NAME sender STUB Sender/stub.cfg OCF Sender/sender.ocf\n"
+                "  SOURCES Sender/Sender.cc common/Greeting.cc INCLUDES Sender common)\n"
+                "openr_add_object(NAME receiver STUB Receiver/stub.cfg OCF Receiver/receiver.ocf\n"
+                "  SOURCES Receiver/Receiver.cc INCLUDES Receiver)\n"
+                "openr_add_stick(NAME stick FOLDER MS OBJECTS sender receiver)\n");
+  const ProcessResult configured =
+      RunProcess({"cmake", "-S", folder_.File(""), "-B", folder_.File("build"), "-G", "Ninja",
+                  "-DCMAKE_PREFIX_PATH=" + prefix_->path()},
+                 {{}, "", true, true});
+  ASSERT_TRUE(configured.good()) << configured.output;
+  const ProcessResult built =
+      RunProcess({"cmake", "--build", folder_.File("build")}, {{}, "", true, true});
+  ASSERT_TRUE(built.good()) << built.output;
+  EXPECT_EQ(Say("build/stick"), kHeard);
+}
+
+TEST_F(PackageTest, AMakefileIncludesTheKitsRules) {
+  for (const char* name : {"Sender", "Receiver"}) {
+    std::string object = name;
+    object[0] = static_cast<char>(object[0] - 'A' + 'a');
+    folder_.Write(std::string(name) + "/Makefile",
+                  "OBJECT = " + object + "\nSTUB = stub.cfg\nOCF = " + object + ".ocf\nSOURCES = " +
+                      name + ".cc\nCOMMON = ../common/Greeting.cc\nCXXFLAGS = -I../common\n" +
+                      "MS = ../MS\ninclude $(shell pkg-config --variable=makefile openr-host)\n");
+    const ProcessResult made =
+        RunProcess({"make", "-C", folder_.File(name), "install"},
+                   {{{"PKG_CONFIG_PATH", prefix_->File("share/pkgconfig")}, {"MAKEFLAGS", ""}},
+                    "",
+                    true,
+                    true});
+    ASSERT_TRUE(made.good()) << made.output;
+  }
+  EXPECT_EQ(Say("MS"), kHeard);
+}
+
+TEST_F(PackageTest, AnInstalledProgramBuildsFolders) {
+  const ProcessResult result =
+      RunProcess({prefix_->File("bin/openr"), "build", folder_.File("")}, {{}, "", true, true});
+  ASSERT_TRUE(result.good()) << result.output;
+  EXPECT_EQ(Say("MS"), kHeard);
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,103 @@
+// OShmPtr, and regions that come back with a later ready (core.md, 2.8 and 11.17).
+#include <OPENR/OShmPtr.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+class ShmPtrTest : public testing::Test {
+ protected:
+  ShmPtrTest() {
+    system.AddRobot("ERS-210", nullptr);
+    sender = system.AddObject<SubjectProbe>(0, "sender");
+    receiver = system.AddObject<ObserverProbe>(0, "receiver");
+    system.Connect({0, "Sender.Out.Number.S", "Receiver.In.Number.O", "test"});
+    system.Boot();
+    system.RunFor(1000);
+  }
+  void AssertReady() {
+    RunAs(receiver, [&] { receiver->in->AssertReady(); });
+    system.RunFor(1000);
+  }
+
+  System system;
+  SubjectProbe* sender;
+  ObserverProbe* receiver;
+};
+
+TEST_F(ShmPtrTest, WritingToASharedOneCopiesFirst) {
+  RunAs(sender, [&] {
+    OShmPtr<int> one(size_t{3});
+    EXPECT_EQ(one.NumOfElement(), 3);
+    one[2] = 5;
+    OShmPtr<int> two(one);
+    EXPECT_EQ(one.RCRPtr(), two.RCRPtr());
+    EXPECT_EQ(one.RCRPtr()->NumberOfReference(), 2);
+    two[2] = 6;
+    EXPECT_NE(one.RCRPtr(), two.RCRPtr());
+    const OShmPtr<int>& first = one;
+    const OShmPtr<int>& second = two;
+    EXPECT_EQ(first[2], 5);
+    EXPECT_EQ(second[2], 6);
+    int bytes[3] = {7, 8, 9};
+    memcpy(two, bytes, sizeof bytes);
+    EXPECT_EQ(*second, 7);
+    two.Deallocate();
+    EXPECT_EQ(two.Base(), nullptr);
+  });
+}
+
+TEST_F(ShmPtrTest, SetDataTakesOne) {
+  AssertReady();
+  RunAs(sender, [&] {
+    OShmPtr<int> number(size_t{1});
+    number[0] = 11;
+    EXPECT_EQ(sender->out->SetData(number), oSUCCESS);
+    EXPECT_EQ(number.RCRPtr()->NumberOfReference(), 2);
+    sender->out->NotifyObservers();
+  });
+  system.RunFor(1000);
+  EXPECT_EQ(receiver->events, std::vector<std::string>{"11"});
+}
+
+TEST_F(ShmPtrTest, MoreThan13RegionsComeBackWithTwoReadies) {
+  std::vector<RCRegion*> kept;
+  receiver->on_notify = [&](const ONotifyEvent& event) {
+    for (int i = 0; i < event.NumOfData(); ++i) {
+      event.RCData(i)->AddReference();
+      kept.push_back(event.RCData(i));
+    }
+  };
+  std::vector<RCRegion*> regions;
+  for (int round = 0; round < 2; ++round) {
+    AssertReady();
+    RunAs(sender, [&] {
+      for (int i = 0; i < 8; ++i) {
+        regions.push_back(new RCRegion(sizeof(int)));
+        sender->out->SetData(regions.back());
+      }
+      sender->out->NotifyObservers();
+    });
+    system.RunFor(1000);
+  }
+  ASSERT_EQ(kept.size(), 16u);
+  RunAs(receiver, [&] {
+    for (RCRegion* region : kept) region->RemoveReference();
+  });
+  const auto free_count = [&] {
+    return std::count_if(regions.begin(), regions.end(),
+                         [](RCRegion* region) { return region->NumberOfReference() == 1; });
+  };
+  EXPECT_EQ(free_count(), 0);
+  AssertReady();
+  EXPECT_EQ(free_count(), 13);
+  AssertReady();
+  EXPECT_EQ(free_count(), 16);
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,167 @@
+// What is noticed about joints: robot.md 8, field-notes.md 7.
+#include <gtest/gtest.h>
+
+#include "tests/virtualrobot/comm_fixture.h"
+
+namespace openr_host {
+namespace {
+
+class JointWatchTest : public VirtualRobotCommTest {
+ protected:
+  using VirtualRobotCommTest::VirtualRobotCommTest;
+  void SetUp() override {
+    Angle(kPan) = 0.5;
+    Boot();
+    As([&] { pan = mover->Open(kPan); });
+  }
+  void Command(const std::vector<int>& urad) {
+    As([&] {
+      RCRegion* region = mover->NewVector(1);
+      Mover::FillJoint(region, 0, pan, urad);
+      mover->Send({region});
+    });
+    RunToFrame(robot->frame() + static_cast<int64_t>(urad.size()) + 2);
+  }
+  void SetGain() {
+    EXPECT_EQ(OPENR::EnableJointGain(pan), oSUCCESS);
+    EXPECT_EQ(OPENR::SetJointGain(pan, 13, 8, 11, 14, 2, 15), oSUCCESS);
+  }
+  OPrimitiveID pan = 0;
+};
+
+// Open, power, hold where it is, gains, move: the order of every sample.
+TEST_F(JointWatchTest, TheStandardOpeningGivesNoFinding) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000, 500'000});
+  As([&] { SetGain(); });
+  Command({510'000, 520'000, 530'000});
+  EXPECT_EQ(Findings(), "");
+}
+
+TEST_F(JointWatchTest, GainsWithoutASetPoint) {
+  As([&] {
+    OPENR::SetMotorPower(opowerON);
+    OPENR::EnableJointGain(pan);
+  });
+  EXPECT_EQ(Findings(), "");  // no gain acts yet
+  As([&] { OPENR::SetJointGain(pan, 13, 8, 11, 14, 2, 15); });
+  EXPECT_EQ(Findings(),
+            "mover: PRM:/r1/c1/c2-Joint2:j2: its gains take effect before any set point was sent; "
+            "the joint is at 28.6 degrees and goes to 0.0 at full power (send a vector with the "
+            "position of GetJointValue() first)\n");
+}
+
+TEST_F(JointWatchTest, MotorPowerAfterGainsWithoutASetPoint) {
+  As([&] { SetGain(); });
+  EXPECT_EQ(Findings(), "");
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  EXPECT_EQ(CountFindings("its gains take effect before any set point was sent"), 1);
+}
+
+TEST_F(JointWatchTest, JumpAtStart) {
+  Command({0});
+  As([&] {
+    OPENR::SetMotorPower(opowerON);
+    SetGain();
+  });
+  EXPECT_EQ(CountFindings("its gains take effect far from its set point; the joint is at 28.6 "
+                          "degrees and goes to 0.0"),
+            1);
+}
+
+TEST_F(JointWatchTest, JumpOnTheWay) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000});
+  As([&] { SetGain(); });
+  Command({500'000, -500'000, 500'000});
+  EXPECT_EQ(CountFindings("set point jumps from 28.6 to -28.6 degrees in one frame"), 1);
+  EXPECT_EQ(system.findings().all().size(), 1u);  // once per joint
+}
+
+TEST_F(JointWatchTest, CommandsWithoutMotorPower) {
+  As([&] { SetGain(); });
+  Command({0});
+  EXPECT_EQ(Findings(),
+            "mover: set points without effect: motor power is off "
+            "(OPENR::SetMotorPower(opowerON)): PRM:/r1/c1/c2-Joint2:j2\n");
+}
+
+TEST_F(JointWatchTest, CommandsWithoutGain) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({0});
+  EXPECT_EQ(CountFindings("set points without effect: no gain"), 1);
+}
+
+TEST_F(JointWatchTest, AProgramThatThePauseButtonStoppedIsNotToBlame) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000});
+  As([&] { SetGain(); });
+  robot->PressPause();
+  Command({100'000});
+  EXPECT_EQ(Findings(), "");
+}
+
+TEST_F(JointWatchTest, RadiansForMicroRadians) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Angle(kPan) = 0;
+  Command(std::vector<int>(16, 1));
+  EXPECT_EQ(Findings(), "");
+  Command(std::vector<int>(16, -2));
+  EXPECT_EQ(CountFindings("set points within +-10 are micro-radians"), 1);
+}
+
+// 78 % of 255 for 30 s.
+TEST_F(JointWatchTest, AMotorThatPushesForHalfAMinuteIsReported) {
+  const auto joint = static_cast<size_t>(model.FindJointByLocator(kPan));
+  body->mutable_state().joints[joint].drive = -199;
+  RunToFrame(3740);
+  body->mutable_state().joints[joint].drive = 198;
+  RunToFrame(3741);
+  body->mutable_state().joints[joint].drive = -199;
+  RunToFrame(3741 + 3749);
+  EXPECT_EQ(Findings(), "");
+  RunToFrame(3741 + 3750);
+  EXPECT_EQ(CountFindings("PPM::PWM Limit Over!! Motor:1 (PRM:/r1/c1/c2-Joint2:j2); "
+                          "MECHA_LOAD_HIGH. SHUTDOWN."),
+            1);
+  RunToFrame(3741 + 3760);
+  EXPECT_FALSE(system.powered_off());
+}
+
+class StrictJointWatchTest : public JointWatchTest {
+ protected:
+  StrictJointWatchTest() : JointWatchTest({}, "ers210", {.strict = true}) {}
+};
+
+TEST_F(StrictJointWatchTest, AndShutsTheRobotDownWhenStrict) {
+  body->mutable_state().joints[0].drive = 300;
+  RunToFrame(3751);
+  EXPECT_TRUE(system.powered_off());
+}
+
+// ---- reading and closing
+
+TEST_F(JointWatchTest, ReadingAPrimitiveThatNobodyOpenedIsReported) {
+  As([&] {
+    OSensorValue value;
+    EXPECT_EQ(OPENR::GetSensorValue(pan - 1, &value), oSUCCESS);
+    EXPECT_EQ(OPENR::GetSensorValue(12345, &value), oINVALID_PRIMITIVE_ID);
+  });
+  EXPECT_EQ(CountFindings("GetSensorValue(PRM:/r1/c1-Joint2:j1): nobody opened it"), 1);
+}
+
+TEST_F(JointWatchTest, APrimitiveIsOpenUntilEverybodyHasClosedIt) {
+  As([&] {
+    EXPECT_EQ(mover->Open(kPan), pan);
+    EXPECT_EQ(OPENR::ClosePrimitive(pan), oSUCCESS);
+    OJointValue value;
+    OPENR::GetJointValue(pan, &value);
+    EXPECT_EQ(Findings(), "");
+    EXPECT_EQ(OPENR::ClosePrimitive(pan), oSUCCESS);
+    EXPECT_EQ(OPENR::ClosePrimitive(pan), oINVALID_PRIMITIVE_ID);
+    EXPECT_EQ(OPENR::ClosePrimitive(12345), oINVALID_PRIMITIVE_ID);
+  });
+}
+
+}  // namespace
+}  // namespace openr_host

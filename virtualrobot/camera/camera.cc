@@ -1,0 +1,152 @@
+#include "virtualrobot/camera/camera.h"
+
+#include <algorithm>
+
+#include "runtime/core/hasher.h"
+#include "virtualrobot/frame_number.h"
+
+namespace openr_host {
+namespace {
+
+// The source shows the world as the default settings do.  Gain and shutter make all of it
+// brighter or darker; white balance moves red against blue as the square root of the colour
+// temperature does (chosen; no measurement is known).  All over 256, by the parameter.
+constexpr int kOne = 256;
+constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // 0, 0, 6 dB
+constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // 1/50, 1/100, 1/200 s
+constexpr int kRed[] = {0, 207, 327, kOne};                // 2800, 7000, 4300 K
+constexpr int kBlue[] = {0, 317, 201, kOne};
+
+bool Known(longword parameter) { return parameter >= 1 && parameter <= 3; }
+
+}  // namespace
+
+CameraDevice::CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model,
+                           OPrimitiveID id)
+    : source_(source ? std::move(source) : std::make_unique<TestPattern>()),
+      model_(model),
+      id_(id),
+      layers_(model.width_px, model.height_px) {
+  picture_.width = model.width_px;
+  picture_.height = model.height_px;
+  picture_.rgb.resize(static_cast<size_t>(model.width_px) * static_cast<size_t>(model.height_px) *
+                      3);
+  ChooseExposure();
+}
+
+bool CameraDevice::SetWhiteBalance(longword mode) {
+  if (!Known(mode)) return false;
+  white_balance_ = mode;
+  ChooseExposure();
+  return true;
+}
+
+bool CameraDevice::SetGain(longword gain) {
+  if (!Known(gain)) return false;
+  gain_ = gain;
+  ChooseExposure();
+  return true;
+}
+
+bool CameraDevice::SetShutter(longword shutter) {
+  if (!Known(shutter)) return false;
+  shutter_ = shutter;
+  ChooseExposure();
+  return true;
+}
+
+void CameraDevice::set_auto_exposure(bool on) {
+  auto_exposure_ = on;
+  ChooseExposure();
+}
+
+void CameraDevice::set_auto_white_balance(bool on) {
+  auto_white_balance_ = on;
+  ChooseExposure();
+}
+
+// An automatic brings about what the defaults show.
+void CameraDevice::ChooseExposure() {
+  const int light = auto_exposure_ ? kOne : kGain[gain_] * kShutter[shutter_] / kOne;
+  const int red = auto_white_balance_ ? kOne : kRed[white_balance_];
+  const int blue = auto_white_balance_ ? kOne : kBlue[white_balance_];
+  const int factors[] = {light * red / kOne, light, light * blue / kOne};
+  for (size_t colour = 0; colour < 3; ++colour) {
+    for (int value = 0; value < 256; ++value) {
+      exposure_[colour][static_cast<size_t>(value)] =
+          static_cast<uint8_t>(std::min(value * factors[colour] / kOne, 255));
+    }
+  }
+}
+
+int64_t CameraDevice::ImagesBefore(int64_t frame) const {
+  if (frame <= 0) return 0;
+  return static_cast<int64_t>(static_cast<double>(frame) * kFrame_s * model_.frames_per_s + 1e-6);
+}
+
+CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
+  CameraShot shot;
+  shot.number = ImagesBefore(frame);
+  shot.frame = frame - 1;
+  shot.fov_h_rad = model_.fov_h_rad;
+  shot.fov_v_rad = model_.fov_v_rad;
+  // Lenses look along x of their part, or down from it about y.
+  const Eigen::Vector3d& x = model_.direction;
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitZ().cross(x).normalized();
+  Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
+  X_LC.linear().col(0) = x;
+  X_LC.linear().col(1) = y;
+  X_LC.linear().col(2) = x.cross(y);
+  X_LC.translation() = model_.place_m;
+  shot.X_WC = body.BodyPoses()[static_cast<size_t>(model_.body)] * X_LC;
+  return shot;
+}
+
+RCRegion* CameraDevice::FreeVector() {
+  if (RCRegion* const free = pool_.Free()) return free;
+  size_t bytes = 0;
+  for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer)
+    bytes += layers_.BytesOf(layer);
+  RCRegion* const region =
+      NewVectorRegion(odataFBKIMAGE_VECTOR, sizeof(OFbkImageInfo), ofbkimageNUM_LAYERS, bytes);
+  pool_.Add(region);
+  return region;
+}
+
+// Anew for every image: an object that had the vector may have written into it.
+void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
+  size_t offset = sizeof(OFbkImageVectorData);
+  for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
+    OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
+    // Recent system software always sends all six bands (BBS 1856).
+    info.type = layer == ofbkimageLAYER_C ? odataFBK_CDT : odataFBK_YCrCb_HPF;
+    info.primitiveID = id_;
+    info.frameNumber = frame_number;
+    info.dataOffset = static_cast<longword>(offset);
+    info.dataSize = static_cast<longword>(layers_.BytesOf(layer));
+    info.width = static_cast<longword>(layers_.WidthOf(layer));
+    info.height = static_cast<longword>(layers_.HeightOf(layer));
+    offset += layers_.BytesOf(layer);
+  }
+}
+
+RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string* problem) {
+  const CameraShot shot = ShotBefore(frame, body);
+  *problem = source_->Capture(shot, &picture_);
+  RCRegion* const region = FreeVector();
+  auto* const vector = reinterpret_cast<OFbkImageVectorData*>(region->Base());
+  FillInfos(FrameNumber(shot.frame), vector);
+  layers_.Make(picture_, exposure_, tables_, static_cast<word>(shot.number & 0xffff), vector);
+  return region;
+}
+
+void CameraDevice::HashState(Hasher* hasher) const {
+  hasher->Add(white_balance_);
+  hasher->Add(gain_);
+  hasher->Add(shutter_);
+  hasher->Add(auto_exposure_);
+  hasher->Add(auto_white_balance_);
+  tables_.HashState(hasher);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,69 @@
+// The camera in the head: its settings, its colour tables, and the image vectors.
+#pragma once
+
+#include <OPENR/OPrimitiveControl.h>
+#include <OPENR/RCRegion.h>
+
+#include <memory>
+#include <string>
+
+#include "virtualrobot/body.h"
+#include "virtualrobot/camera/colour_tables.h"
+#include "virtualrobot/camera/image_layers.h"
+#include "virtualrobot/camera/image_source.h"
+#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/vector_memory.h"
+
+namespace openr_host {
+
+class Hasher;
+
+class CameraDevice {
+ public:
+  // Without a source it sees the test pattern.  `model` must outlive the camera.
+  CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
+
+  // What the requests of OPrimitiveControl.h set; false for a value that is not in it.
+  bool SetWhiteBalance(longword mode);
+  bool SetGain(longword gain);
+  bool SetShutter(longword shutter);
+  void set_auto_exposure(bool on);
+  void set_auto_white_balance(bool on);
+  ColourTables& tables() { return tables_; }
+
+  // Images completed when frame `frame` begins, since boot; ERS-210: one every 5 frames.
+  int64_t ImagesBefore(int64_t frame) const;
+  bool Due(int64_t frame) const { return ImagesBefore(frame) > ImagesBefore(frame - 1); }
+
+  // The image completed just before `frame`, in a vector that nobody else refers to; the
+  // sensors of frame `frame` - 1 belong to it.  The region's one reference stays here.
+  // What the source could not do goes to `problem`.  Runs as code of an object.
+  RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  CameraShot ShotBefore(int64_t frame, const Body& body) const;
+  void ChooseExposure();
+  RCRegion* FreeVector();
+  void FillInfos(longword frame_number, OFbkImageVectorData* vector) const;
+
+  std::unique_ptr<ImageSource> source_;
+  const Camera& model_;
+  const OPrimitiveID id_;
+  ImageLayers layers_;
+  ColourTables tables_;
+  Picture picture_;
+  Exposure exposure_;
+  VectorPool pool_;
+
+  // Defaults: Model Information ERS-210, 4.1.2; which of the two gains of 0 dB and that the
+  // automatics are off is chosen.
+  longword white_balance_ = ocamparamWB_FL_MODE;
+  longword gain_ = ocamparamGAIN_MID;
+  longword shutter_ = ocamparamSHUTTER_MID;
+  bool auto_exposure_ = false;
+  bool auto_white_balance_ = false;
+};
+
+}  // namespace openr_host

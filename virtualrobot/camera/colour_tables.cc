@@ -1,0 +1,42 @@
+#include "virtualrobot/camera/colour_tables.h"
+
+#include <bit>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+// Sets `bit` where min <= value <= max and clears it elsewhere.
+void Mark(std::array<uint8_t, 256>* bits, uint8_t bit, longword min, longword max) {
+  for (longword value = 0; value < 256; ++value) {
+    uint8_t& channels = (*bits)[value];
+    channels =
+        static_cast<uint8_t>(min <= value && value <= max ? channels | bit : channels & ~bit);
+  }
+}
+
+}  // namespace
+
+bool ColourTables::Set(const OCdtInfo& info) {
+  if (!std::has_single_bit(info.channel) || info.channel > ocdtCHANNEL7) return false;
+  const auto bit = static_cast<uint8_t>(info.channel);
+  for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
+    const longword packed = info.table[segment];
+    // ocdtINIT detects nothing; taken as a rectangle it would be the one neutral grey.
+    const bool unused = packed == ocdtINIT;
+    Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
+    Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);
+  }
+  used_ |= bit;
+  return true;
+}
+
+void ColourTables::HashState(Hasher* hasher) const {
+  hasher->Add(used_);
+  if (empty()) return;
+  hasher->AddBytes(&cr_, sizeof cr_);
+  hasher->AddBytes(&cb_, sizeof cb_);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,120 @@
+// Pictures from files: PNG by libpng, PPM by hand.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "virtualrobot/camera/image_source.h"
+#include "virtualrobot/json_reader.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kSideMax = 8192;  // pixels
+
+[[noreturn]] void Fail(const std::string& file, const std::string& why) {
+  throw std::runtime_error(file + ": " + why);
+}
+
+Picture Empty(int width, int height) {
+  return {width, height,
+          std::vector<uint8_t>(static_cast<size_t>(width) * static_cast<size_t>(height) * 3)};
+}
+
+Picture ReadPng(const std::string& bytes, const std::string& file) {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
+    Fail(file, fmt::format("no PNG file: {}", image.message));
+  if (image.width > kSideMax || image.height > kSideMax) {
+    png_image_free(&image);
+    Fail(file, fmt::format("more than {} pixels wide or high", kSideMax));
+  }
+  image.format = PNG_FORMAT_RGB;
+  Picture picture = Empty(static_cast<int>(image.width), static_cast<int>(image.height));
+  const png_color black = {0, 0, 0};  // behind what is transparent
+  if (png_image_finish_read(&image, &black, picture.rgb.data(), 0, nullptr) == 0)
+    Fail(file, fmt::format("cannot be read: {}", image.message));
+  return picture;
+}
+
+// The next number of a PPM header; blanks and comments go before it.
+int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
+  while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
+    if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);
+    ++*at;
+  }
+  int number = 0;
+  const size_t begin = *at;
+  for (; *at < bytes.size() && bytes[*at] >= '0' && bytes[*at] <= '9'; ++*at) {
+    number = number * 10 + (bytes[*at] - '0');
+    if (number > limit) break;
+  }
+  if (*at == begin || number < 1 || number > limit)
+    Fail(file, fmt::format("PPM header: a number from 1 to {} is missing", limit));
+  return number;
+}
+
+Picture ReadPpm(const std::string& bytes, const std::string& file) {
+  size_t at = 2;
+  const int width = HeaderNumber(bytes, kSideMax, &at, file);
+  const int height = HeaderNumber(bytes, kSideMax, &at, file);
+  const int max = HeaderNumber(bytes, 65535, &at, file);
+  if (max != 255) Fail(file, fmt::format("PPM with values up to {}; only 255 is read", max));
+  ++at;  // one blank ends the header
+  Picture picture = Empty(width, height);
+  if (at > bytes.size() || bytes.size() - at < picture.rgb.size()) {
+    Fail(file,
+         fmt::format("is cut off: {} bytes of pixels, {} x {} need {}",
+                     bytes.size() - std::min(at, bytes.size()), width, height, picture.rgb.size()));
+  }
+  std::memcpy(picture.rgb.data(), bytes.data() + at, picture.rgb.size());
+  return picture;
+}
+
+class ImageFolder : public ImageSource {
+ public:
+  explicit ImageFolder(const std::string& folder) {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".png" || extension == ".ppm") files_.push_back(entry.path().string());
+    }
+    if (error) Fail(folder, "cannot be read: " + error.message());
+    if (files_.empty()) Fail(folder, "holds no .png and no .ppm file");
+    std::sort(files_.begin(), files_.end());
+  }
+
+  std::string Capture(const CameraShot& shot, Picture* picture) override {
+    const size_t index = static_cast<size_t>(shot.number - 1) % files_.size();
+    try {
+      ScalePicture(ReadPicture(files_[index]), picture);
+    } catch (const std::runtime_error& problem) {
+      return problem.what();
+    }
+    return "";
+  }
+
+ private:
+  std::vector<std::string> files_;
+};
+
+}  // namespace
+
+Picture ReadPicture(const std::string& file) {
+  const std::string bytes = ReadTextFile(file);
+  if (bytes.starts_with("\x89PNG")) return ReadPng(bytes, file);
+  if (bytes.starts_with("P6")) return ReadPpm(bytes, file);
+  Fail(file, "is neither a PNG nor a PPM (P6) file");
+}
+
+std::unique_ptr<ImageSource> OpenImageFolder(const std::string& folder) {
+  return std::make_unique<ImageFolder>(folder);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,149 @@
+#include "virtualrobot/camera/image_layers.h"
+
+#include <algorithm>
+
+#include "runtime/core/assert.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kFrequencyUnit = 16;  // pixels
+constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L};
+
+byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }
+
+// Luminance of a colour; the weights make the programs' formula for G right.
+int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
+
+// The tag: field counter, then the frequencies of channels 4..7 and 0..3.
+void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
+  std::fill_n(tag, 16, byte{0});
+  tag[0] = static_cast<byte>(field_counter & 0xff);
+  tag[1] = static_cast<byte>(field_counter >> 8);
+  for (size_t channel = 0; channel < ocdtNUM_CHANNELS; ++channel) {
+    tag[channel < 4 ? 8 + channel : channel] =
+        static_cast<byte>(std::min(counts[channel] / kFrequencyUnit, 255));
+  }
+}
+
+}  // namespace
+
+ImageLayers::ImageLayers(int width, int height)
+    : width_(width),
+      height_(height),
+      luminance_(static_cast<size_t>(width) * static_cast<size_t>(height)) {
+  ASSERT(width % 8 == 0 && height % 8 == 0, "{} x {}", width, height);
+}
+
+int ImageLayers::WidthOf(OFbkImageLayer layer) const {
+  return layer == ofbkimageLAYER_C ? WidthOf(ofbkimageLAYER_M) : width_ >> (layer + 1);
+}
+
+int ImageLayers::HeightOf(OFbkImageLayer layer) const {
+  return layer == ofbkimageLAYER_C ? HeightOf(ofbkimageLAYER_M) : height_ >> (layer + 1);
+}
+
+size_t ImageLayers::BytesOf(OFbkImageLayer layer) const {
+  const auto pixels = static_cast<size_t>(WidthOf(layer)) * static_cast<size_t>(HeightOf(layer));
+  return layer == ofbkimageLAYER_C ? pixels : kBands * pixels;
+}
+
+void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
+  const auto width = static_cast<size_t>(width_);
+  const size_t w = width / 2;
+  for (size_t y = 0; y < static_cast<size_t>(height_); y += 2) {
+    const uint8_t* rows[] = {&picture.rgb[y * width * 3], &picture.rgb[(y + 1) * width * 3]};
+    byte* light[] = {&luminance_[y * width], &luminance_[(y + 1) * width]};
+    byte* const cr = layer_h + (y / 2) * kBands * w + w;
+    byte* const cb = cr + w;
+    for (size_t x = 0; x < width; x += 2) {
+      int red = 0, blue = 0, sum = 0;
+      for (size_t i = 0; i < 4; ++i) {
+        const uint8_t* const rgb = rows[i / 2] + (x + i % 2) * 3;
+        const int r = exposure[0][rgb[0]], g = exposure[1][rgb[1]], b = exposure[2][rgb[2]];
+        const int luminance = Luminance(r, g, b);
+        light[i / 2][x + i % 2] = static_cast<byte>(luminance);
+        red += r;
+        blue += b;
+        sum += luminance;
+      }
+      cr[x / 2] = Offset((red - sum) / 4);
+      cb[x / 2] = Offset((blue - sum) / 4);
+    }
+  }
+}
+
+void ImageLayers::SplitLuminance(const byte* from, size_t row_bytes, OFbkImageLayer layer,
+                                 byte* to) const {
+  const auto w = static_cast<size_t>(WidthOf(layer));
+  for (int y = 0; y < HeightOf(layer); ++y, from += 2 * row_bytes, to += kBands * w) {
+    const byte* const below = from + row_bytes;
+    for (size_t x = 0; x < w; ++x) {
+      const int a = from[2 * x], b = from[2 * x + 1], c = below[2 * x], d = below[2 * x + 1];
+      to[x] = static_cast<byte>((a + b + c + d) / 4);
+      to[3 * w + x] = Offset((a + b - c - d) / 4);
+      to[4 * w + x] = Offset((a - b + c - d) / 4);
+      to[5 * w + x] = Offset((a - b - c + d) / 4);
+    }
+  }
+}
+
+void ImageLayers::HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const {
+  const auto w = static_cast<size_t>(WidthOf(layer));
+  const size_t group = kBands * 2 * w;  // bytes of a row group of the layer above
+  for (int y = 0; y < HeightOf(layer); ++y, from += 2 * group, to += kBands * w) {
+    for (const size_t band : {1, 2}) {
+      const byte* const row = from + band * 2 * w;
+      const byte* const below = row + group;
+      for (size_t x = 0; x < w; ++x) {
+        to[band * w + x] =
+            static_cast<byte>((row[2 * x] + row[2 * x + 1] + below[2 * x] + below[2 * x + 1]) / 4);
+      }
+    }
+  }
+}
+
+void ImageLayers::DetectColours(const byte* layer_m, const ColourTables& tables, byte* layer_c,
+                                std::array<int, ocdtNUM_CHANNELS>* counts) const {
+  counts->fill(0);
+  if (tables.empty()) {
+    std::fill_n(layer_c, BytesOf(ofbkimageLAYER_C), byte{0});
+    return;
+  }
+  std::array<int, 256> pixels{};  // by their bits
+  const auto w = static_cast<size_t>(WidthOf(ofbkimageLAYER_M));
+  for (int y = 0; y < HeightOf(ofbkimageLAYER_M); ++y, layer_m += kBands * w, layer_c += w) {
+    for (size_t x = 0; x < w; ++x) {
+      layer_c[x] = tables.Detect(layer_m[x], layer_m[w + x], layer_m[2 * w + x]);
+      ++pixels[layer_c[x]];
+    }
+  }
+  for (size_t bits = 1; bits < pixels.size(); ++bits) {
+    for (size_t channel = 0; channel < ocdtNUM_CHANNELS; ++channel) {
+      if (bits >> channel & 1) (*counts)[channel] += pixels[bits];
+    }
+  }
+}
+
+void ImageLayers::Make(const Picture& picture, const Exposure& exposure, const ColourTables& tables,
+                       word field_counter, OFbkImageVectorData* vector) {
+  const auto data = [&](OFbkImageLayer layer) { return vector->GetData(static_cast<int>(layer)); };
+  ReadPicture(picture, exposure, data(ofbkimageLAYER_H));
+  const byte* light = luminance_.data();
+  size_t row_bytes = static_cast<size_t>(width_);
+  for (const OFbkImageLayer layer : kColourLayers) {
+    if (layer != ofbkimageLAYER_H) HalveColour(data(layer - 1), layer, data(layer));
+    SplitLuminance(light, row_bytes, layer, data(layer));
+    light = data(layer);
+    row_bytes = kBands * static_cast<size_t>(WidthOf(layer));
+  }
+  std::array<int, ocdtNUM_CHANNELS> counts;
+  DetectColours(data(ofbkimageLAYER_M), tables, data(ofbkimageLAYER_C), &counts);
+  for (const OFbkImageLayer layer : kColourLayers) {
+    const size_t last_row =
+        static_cast<size_t>(HeightOf(layer) - 1) * kBands * static_cast<size_t>(WidthOf(layer));
+    WriteTag(field_counter, counts, data(layer) + last_row);
+  }
+}
+
+}  // namespace openr_host

@@ -1,0 +1,143 @@
+#include "virtualrobot/joint_watch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "runtime/core/hasher.h"
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/servo.h"
+
+namespace openr_host {
+namespace {
+
+constexpr double kMicro = 1e-6;
+// Chosen: a joint that was left alone for a moment sags less than that.
+const double kFar_rad = Radians(10);
+// Chosen: the vendor's own walks ask for up to 20 degrees in a frame.
+const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kMicro);
+// Chosen: 32 frames, a quarter of a second, of set points that are not 0 and below 11
+// micro-radians.
+constexpr slongword kTinyUrad = 10;
+constexpr int kTinyFrames = 32;
+constexpr double kLoad = 0.78 * kDriveFull;
+constexpr int kLoadFrames = 30 * 125;
+
+// "PRM:/a, PRM:/b and 10 more"
+std::string Listed(const std::vector<std::string>& names) {
+  std::string text = names.front();
+  if (names.size() > 1) text += fmt::format(", {}", names[1]);
+  if (names.size() > 2) text += fmt::format(" and {} more", names.size() - 2);
+  return text;
+}
+
+}  // namespace
+
+JointWatch::JointWatch(const RobotModel& model, const Devices& devices)
+    : model_(model), devices_(devices), joints_(model.joints.size()) {}
+
+void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
+                               std::vector<std::string>* problems) {
+  for (size_t j = 0; j < joints_.size(); ++j) {
+    const bool acts = devices_.Acts(static_cast<int>(j), motor_power);
+    const bool begins = acts && !joints_[j].acted;
+    joints_[j].acted = acts;
+    if (!begins || joints_[j].told_start) continue;
+    const JointDevice& device = devices_.joints[j];
+    const double measured = body.joints[j].angle_rad;
+    const double target = device.target_urad * kMicro;
+    if (device.commanded && std::fabs(target - measured) <= kFar_rad) continue;
+    joints_[j].told_start = true;
+    problems->push_back(fmt::format(
+        "{}: its gains take effect {}; the joint is at {:.1f} degrees and goes to {:.1f} at full "
+        "power (send a vector with the position of GetJointValue() first)",
+        model_.joints[j].locator,
+        device.commanded ? "far from its set point" : "before any set point was sent",
+        Degrees(measured), Degrees(target)));
+  }
+}
+
+void JointWatch::LookForJump(size_t joint, const CommandElement& element, double measured_rad,
+                             std::vector<std::string>* problems) {
+  const JointDevice& device = devices_.joints[joint];
+  int64_t before =
+      device.commanded ? device.target_urad : static_cast<int64_t>(measured_rad / kMicro);
+  for (int i = 0; i < element.frames && !joints_[joint].told_jump; ++i) {
+    const int64_t urad = element.Urad(i);
+    if (std::llabs(urad - before) > kJumpUrad) {
+      joints_[joint].told_jump = true;
+      problems->push_back(fmt::format(
+          "{}: set point jumps from {:.1f} to {:.1f} degrees in one frame; nothing ramps it, the "
+          "joint goes there at full power (interpolate, 8 ms a frame)",
+          model_.joints[joint].locator, Degrees(static_cast<double>(before) * kMicro),
+          Degrees(static_cast<double>(urad) * kMicro)));
+    }
+    before = urad;
+  }
+}
+
+void JointWatch::LookForRadians(size_t joint, const CommandElement& element,
+                                std::vector<std::string>* problems) {
+  Joint& watched = joints_[joint];
+  for (int i = 0; i < element.frames; ++i) {
+    const slongword urad = element.Urad(i);
+    const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
+    watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
+  }
+  if (watched.tiny_frames < kTinyFrames || watched.told_radians) return;
+  watched.told_radians = true;
+  problems->push_back(
+      fmt::format("{}: set points within +-{} are micro-radians and as good as 0; radians are "
+                  "multiplied by 1,000,000 (oradians() takes degrees)",
+                  model_.joints[joint].locator, kTinyUrad));
+}
+
+void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
+                              bool motor_power, bool motor_power_cut,
+                              std::vector<std::string>* problems) {
+  std::vector<std::string> without_power, without_gain;
+  for (const CommandElement& element : elements) {
+    if (element.primitive == nullptr || element.type != odataJOINT_COMMAND2 || element.frames == 0)
+      continue;
+    const auto j = static_cast<size_t>(element.primitive->index);
+    const double measured = body.joints[j].angle_rad;
+    LookForRadians(j, element, problems);
+    if (devices_.Acts(element.primitive->index, motor_power)) {
+      LookForJump(j, element, measured, problems);
+      continue;
+    }
+    const double goal = element.Urad(element.frames - 1) * kMicro;
+    if (joints_[j].told_effect || motor_power_cut || std::fabs(goal - measured) <= kFar_rad)
+      continue;
+    joints_[j].told_effect = true;
+    (motor_power ? without_gain : without_power).push_back(element.primitive->locator);
+  }
+  if (!without_power.empty()) {
+    problems->push_back(fmt::format(
+        "set points without effect: motor power is off (OPENR::SetMotorPower(opowerON)): {}",
+        Listed(without_power)));
+  }
+  if (!without_gain.empty()) {
+    problems->push_back(fmt::format(
+        "set points without effect: no gain (OPENR::EnableJointGain, then SetJointGain): {}",
+        Listed(without_gain)));
+  }
+}
+
+int JointWatch::OverloadedJoint(const BodyState& body) {
+  int overloaded = -1;
+  for (size_t j = 0; j < joints_.size(); ++j) {
+    const double drive = body.joints[j].drive;
+    int& frames = joints_[j].loaded_frames;
+    frames = drive >= kLoad || drive <= -kLoad ? frames + 1 : 0;
+    if (frames == kLoadFrames) overloaded = static_cast<int>(j);
+  }
+  return overloaded;
+}
+
+void JointWatch::HashState(Hasher* hasher) const {
+  for (const Joint& joint : joints_) hasher->Add(joint.loaded_frames);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,210 @@
+// ControlPrimitive(): one row per request (robot.md, 13.3).
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "runtime/core/system.h"
+#include "virtualrobot/virtual_robot.h"
+
+namespace openr_host {
+
+// What a request is asked with.
+struct RequestCall {
+  VirtualRobot& robot;
+  const Primitive& primitive;
+  OPrimitiveID id;
+  const void* param;
+  void* result;
+};
+
+struct PrimitiveRequests {
+  struct Row {
+    OPrimitiveRequest request;
+    OPrimitiveType type;  // of the primitives that understand it
+    size_t param_size, result_size;
+    OStatus (*act)(const RequestCall& call);
+  };
+
+  static constexpr size_t kAnySize = SIZE_MAX;
+
+  template <typename T>
+  static T ParamOf(const RequestCall& call, T value) {
+    std::memcpy(static_cast<void*>(&value), call.param, sizeof value);
+    return value;
+  }
+  static longword CameraParam(const RequestCall& call) {
+    return ParamOf(call, OPrimitiveControl_CameraParam(0)).param;
+  }
+  static OStatus Nothing(const RequestCall&) { return oSUCCESS; }
+  static OStatus NotSupported(const RequestCall&) { return oNOT_SUPPORTED; }
+
+  // A request that only switches something.
+  template <auto device, auto set, bool on>
+  static OStatus Switch(const RequestCall& call) {
+    (call.robot.*device.*set)(on);
+    return oSUCCESS;
+  }
+  // A setting of the camera that knows its values.
+  template <auto set>
+  static OStatus Choose(const RequestCall& call) {
+    return (call.robot.camera_.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;
+  }
+
+  static OStatus SetVolume(const RequestCall& call);
+  static OStatus SetSoundType(const RequestCall& call);
+  static OStatus GetSoundType(const RequestCall& call);
+  static OStatus SetJoint2(const RequestCall& call);
+  static OStatus GetJoint2(const RequestCall& call);
+  static OStatus SetJoint4(const RequestCall& call);
+  static OStatus SetLed2(const RequestCall& call);
+  static OStatus SetLed3(const RequestCall& call);
+
+  static const Row kRows[];
+  static const Row* Find(OPrimitiveRequest request, OPrimitiveType type);
+};
+
+// Louder than -10 dB works, and may damage the circuit (field-notes.md, 10.5).
+OStatus PrimitiveRequests::SetVolume(const RequestCall& call) {
+  const longword volume = ParamOf(call, OPrimitiveControl_SpeakerVolume(0)).volume;
+  const auto loudness = [](longword v) { return static_cast<sword>(v & 0xffff); };
+  if (loudness(volume) > loudness(ospkvol10dB)) {
+    call.robot.Warn(
+        fmt::format("speaker volume {:#x} is louder than ospkvol10dB ({:#x}); on the robot it may "
+                    "damage the circuit (volumes are two's complement, 0 is loud)",
+                    volume & 0xffff, ospkvol10dB));
+  }
+  call.robot.speaker_.SetVolume(volume);
+  return oSUCCESS;
+}
+
+OStatus PrimitiveRequests::SetSoundType(const RequestCall& call) {
+  const longword type = ParamOf(call, OPrimitiveControl_SpeakerSoundType(0)).type;
+  return call.robot.speaker_.SetSoundType(type) ? oSUCCESS : oINVALID_ARG;
+}
+
+OStatus PrimitiveRequests::GetSoundType(const RequestCall& call) {
+  const OPrimitiveControl_SpeakerSoundType result(call.robot.speaker_.sound_type().type);
+  std::memcpy(call.result, &result, sizeof result);
+  return oSUCCESS;
+}
+
+OStatus PrimitiveRequests::SetJoint2(const RequestCall& call) {
+  call.robot.devices_.SetTarget(call.primitive.index,
+                                ParamOf(call, OPrimitiveControl_JointCommandValue2(0)).value);
+  return oSUCCESS;
+}
+
+OStatus PrimitiveRequests::GetJoint2(const RequestCall& call) {
+  return call.robot.GetJointValue(call.id, static_cast<OJointValue*>(call.result));
+}
+
+OStatus PrimitiveRequests::SetJoint4(const RequestCall& call) {
+  call.robot.devices_.plungers[static_cast<size_t>(call.primitive.index)].state =
+      ParamOf(call, OPrimitiveControl_JointCommandValue4(0)).value;
+  return oSUCCESS;
+}
+
+OStatus PrimitiveRequests::SetLed2(const RequestCall& call) {
+  call.robot.devices_.SetLed2(call.primitive.index,
+                              ParamOf(call, OPrimitiveControl_LEDCommandValue2(0)).led);
+  return oSUCCESS;
+}
+
+OStatus PrimitiveRequests::SetLed3(const RequestCall& call) {
+  const auto param = ParamOf(call, OPrimitiveControl_LEDCommandValue3(0, oled3_MODE_A));
+  call.robot.devices_.SetLed3(call.primitive.index, {param.intensity, param.mode, param.period, 0});
+  if (call.robot.devices_.OnFace(call.primitive.index)) call.robot.devices_.SetFaceMode(param.mode);
+  return oSUCCESS;
+}
+
+const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
+    {oprmreqSPEAKER_MUTE_ON, oprimitiveSPEAKER, 0, 0,
+     Switch<&VirtualRobot::speaker_, &Speaker::set_mute, true>},
+    {oprmreqSPEAKER_MUTE_OFF, oprimitiveSPEAKER, 0, 0,
+     Switch<&VirtualRobot::speaker_, &Speaker::set_mute, false>},
+    {oprmreqSPEAKER_SET_VOLUME, oprimitiveSPEAKER, sizeof(OPrimitiveControl_SpeakerVolume), 0,
+     SetVolume},
+    {oprmreqSPEAKER_SET_SOUND_TYPE, oprimitiveSPEAKER, sizeof(OPrimitiveControl_SpeakerSoundType),
+     0, SetSoundType},
+    {oprmreqSPEAKER_GET_SOUND_TYPE, oprimitiveSPEAKER, 0,
+     sizeof(OPrimitiveControl_SpeakerSoundType), GetSoundType},
+    // MIDI sound is not played, so its volume and tuning change nothing.
+    {oprmreqSPEAKER_SET_VOLUME_MIDI, oprimitiveSPEAKER, kAnySize, 0, Nothing},
+    {oprmreqSPEAKER_MASTER_TUNING_MIDI, oprimitiveSPEAKER,
+     sizeof(OPrimitiveControl_MasterTuningMIDI), 0, Nothing},
+
+    {oprmreqMIC_UNI, oprimitiveMIC, 0, 0,
+     Switch<&VirtualRobot::microphone_, &Microphone::set_directional, true>},
+    {oprmreqMIC_OMNI, oprimitiveMIC, 0, 0,
+     Switch<&VirtualRobot::microphone_, &Microphone::set_directional, false>},
+    {oprmreqMIC_ALC_ON, oprimitiveMIC, 0, 0,
+     Switch<&VirtualRobot::microphone_, &Microphone::set_level_control, true>},
+    {oprmreqMIC_ALC_OFF, oprimitiveMIC, 0, 0,
+     Switch<&VirtualRobot::microphone_, &Microphone::set_level_control, false>},
+
+    {oprmreqCAM_SET_WHITE_BALANCE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam),
+     0, Choose<&CameraDevice::SetWhiteBalance>},
+    {oprmreqCAM_SET_GAIN, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam), 0,
+     Choose<&CameraDevice::SetGain>},
+    {oprmreqCAM_SET_SHUTTER_SPEED, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam),
+     0, Choose<&CameraDevice::SetShutter>},
+    // How 32 segments are packed into the 100 bytes of the answer is not known.
+    {oprmreqCAM_GET_CDT_TABLE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_Cdt),
+     sizeof(OPrimitiveControl_Cdt), NotSupported},
+    {oprmreqCAM_AE_ON, oprimitiveFBKIMAGESENSOR, 0, 0,
+     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_exposure, true>},
+    {oprmreqCAM_AE_OFF, oprimitiveFBKIMAGESENSOR, 0, 0,
+     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_exposure, false>},
+    {oprmreqCAM_AWB_ON, oprimitiveFBKIMAGESENSOR, 0, 0,
+     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_white_balance, true>},
+    {oprmreqCAM_AWB_OFF, oprimitiveFBKIMAGESENSOR, 0, 0,
+     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_white_balance, false>},
+
+    {oprmreqJOINT2_SET_COMMAND, oprimitiveJOINT2, sizeof(OPrimitiveControl_JointCommandValue2), 0,
+     SetJoint2},
+    {oprmreqJOINT2_GET_VALUE, oprimitiveJOINT2, 0, sizeof(OPrimitiveControl_JointValue), GetJoint2},
+    {oprmreqJOINT4_SET_COMMAND, oprimitiveJOINT4, sizeof(OPrimitiveControl_JointCommandValue4), 0,
+     SetJoint4},
+    {oprmreqLED2_SET_COMMAND, oprimitiveLED2, sizeof(OPrimitiveControl_LEDCommandValue2), 0,
+     SetLed2},
+    {oprmreqLED3_SET_COMMAND, oprimitiveLED3, sizeof(OPrimitiveControl_LEDCommandValue3), 0,
+     SetLed3},
+    // No model has the Bluetooth primitive of oprmreqBT_ATTACH, _DETACH and
+    // oprmreqSENSOR_WATCH_BT_SWITCH: oINVALID_ARG, like every request of another primitive.
+};
+
+const PrimitiveRequests::Row* PrimitiveRequests::Find(OPrimitiveRequest request,
+                                                      OPrimitiveType type) {
+  for (const Row& row : kRows) {
+    if (row.request == request && row.type == type) return &row;
+  }
+  return nullptr;
+}
+
+OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
+                                       size_t param_size, void* result, size_t result_size) {
+  const Primitive* const primitive = primitives_.Find(id);
+  if (primitive == nullptr) return oINVALID_PRIMITIVE_ID;
+  const auto* const row = PrimitiveRequests::Find(request, primitive->type);
+  if (row == nullptr) {
+    Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
+    return oINVALID_ARG;
+  }
+  const auto fits = [](size_t wanted, const void* data, size_t size) {
+    return wanted == PrimitiveRequests::kAnySize || wanted == 0 ||
+           (data != nullptr && size == wanted);
+  };
+  if (!fits(row->param_size, param, param_size) || !fits(row->result_size, result, result_size)) {
+    Warn(
+        fmt::format("ControlPrimitive: request {} of {} takes {} bytes and answers {}, got room "
+                    "for {} and {}",
+                    request, primitive->locator, row->param_size, row->result_size,
+                    param == nullptr ? 0 : param_size, result == nullptr ? 0 : result_size));
+    return oINVALID_ARG;
+  }
+  if (!primitive->opened())
+    Warn(fmt::format("ControlPrimitive: nobody opened {}", primitive->locator));
+  return row->act({*this, *primitive, id, param, result});
+}
+
+}  // namespace openr_host

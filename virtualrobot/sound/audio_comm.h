@@ -1,0 +1,45 @@
+// The system object OVirtualRobotAudioComm, with the services Speaker and Mic.
+//
+// It has no clock of its own: OVirtualRobotComm, whose frames are the robot's, wakes it at
+// the beginning of those frames in which there is something to do, after command vectors
+// had their turn.  So sound and motion with parts of one key begin in the same frame, and
+// a robot without sound pays nothing.
+#pragma once
+
+#include "runtime/core/code_object.h"
+#include "virtualrobot/sound/sound_queue.h"
+
+namespace openr_host {
+
+class VirtualRobot;
+
+class OVirtualRobotAudioComm : public CodeObject {
+ public:
+  explicit OVirtualRobotAudioComm(VirtualRobot* robot);
+  ~OVirtualRobotAudioComm() override;
+
+  OStatus DoStart(const OSystemEvent& event) override;
+  OStatus DoDestroy(const OSystemEvent& event) override;
+  void HashState(Hasher* hasher) const override;
+
+  // For OVirtualRobotComm: tells the keys of a sound vector that has come to the head,
+  // then wakes this object if it has anything to do in the frame that begins.
+  void Announce();
+  void WakeIfNeeded();
+
+ private:
+  void NotifySpeaker(const ONotifyEvent& event);
+  void Frame();
+  void GiveReadies();
+  void PlayFrame();
+  void SendMicVector();
+
+  VirtualRobot* const robot_;
+  OObserver* speaker_;
+  OSubject* mic_;
+  Selector frame_;
+  bool running_ = false;
+  SoundQueue queue_;
+};
+
+}  // namespace openr_host

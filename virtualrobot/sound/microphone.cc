@@ -1,0 +1,49 @@
+#include "virtualrobot/sound/microphone.h"
+
+#include "runtime/core/hasher.h"
+#include "virtualrobot/frame_number.h"
+#include "virtualrobot/sound/sound_sink.h"
+
+namespace openr_host {
+
+Microphone::Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int frames_per_vector)
+    : source_(source ? std::move(source) : std::make_unique<MemorySoundSource>()),
+      id_(id),
+      frames_per_vector_(frames_per_vector) {}
+
+RCRegion* Microphone::FreeVector() {
+  if (RCRegion* const free = pool_.Free()) return free;
+  const size_t bytes = sizeof(OSoundSampleStereo16) * kSoundSamplesPerFrame *
+                       static_cast<size_t>(frames_per_vector_);
+  RCRegion* const region = NewVectorRegion(odataSOUND_VECTOR, sizeof(OSoundInfo), 1, bytes);
+  OSoundInfo& info = *reinterpret_cast<OSoundVectorData*>(region->Base())->GetInfo(0);
+  info.Set(odataSOUND, id_, bytes);
+  info.frameSize = sizeof(OSoundSampleStereo16);
+  info.dataOffset = sizeof(ODataVectorInfo) + sizeof(OSoundInfo);
+  info.maxDataSize = static_cast<longword>(bytes);
+  info.format = osoundformatPCM;
+  info.channel = osoundchannelSTEREO;
+  info.samplingRate = kSoundRate;
+  info.bitsPerSample = 16;
+  info.actualDataSize = static_cast<longword>(bytes);
+  pool_.Add(region);
+  return region;
+}
+
+RCRegion* Microphone::MakeVector(int64_t frame) {
+  RCRegion* const region = FreeVector();
+  auto* const vector = reinterpret_cast<OSoundVectorData*>(region->Base());
+  const int64_t first = frame - frames_per_vector_;
+  vector->GetInfo(0)->frameNumber = FrameNumber(first);
+  source_->Read(first * kSoundSamplesPerFrame,
+                reinterpret_cast<OSoundSampleStereo16*>(vector->GetData(0)),
+                frames_per_vector_ * kSoundSamplesPerFrame);
+  return region;
+}
+
+void Microphone::HashState(Hasher* hasher) const {
+  hasher->Add(directional_);
+  hasher->Add(level_control_);
+}
+
+}  // namespace openr_host

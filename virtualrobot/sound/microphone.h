@@ -1,0 +1,47 @@
+// The microphone pair: 16 kHz, 16 bits, stereo, one vector every 32 ms (ERS-7: 16 ms).
+#pragma once
+
+#include <OPENR/RCRegion.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/sound/sound_source.h"
+#include "virtualrobot/vector_memory.h"
+
+namespace openr_host {
+
+class Hasher;
+
+class Microphone {
+ public:
+  // Without a source there is silence.
+  Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int frames_per_vector);
+
+  // What oprmreqMIC_UNI and its kin set.  Neither changes what the source delivers: how
+  // the robot's circuits did is not known.
+  void set_directional(bool directional) { directional_ = directional; }
+  void set_level_control(bool on) { level_control_ = on; }
+
+  // Whether a vector is complete when frame `frame` begins.
+  bool Due(int64_t frame) const { return frame > 0 && frame % frames_per_vector_ == 0; }
+
+  // The frames before `frame`, in a vector that nobody else refers to.  The region's one
+  // reference stays here.  Runs as code of an object.
+  RCRegion* MakeVector(int64_t frame);
+
+  void HashState(Hasher* hasher) const;
+
+ private:
+  RCRegion* FreeVector();
+
+  std::unique_ptr<SoundSource> source_;
+  const OPrimitiveID id_;
+  const int frames_per_vector_;
+  bool directional_ = false;  // at boot; chosen
+  bool level_control_ = false;
+  VectorPool pool_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,185 @@
+#include "virtualrobot/sound/sound_queue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/core/hasher.h"
+#include "virtualrobot/frame_number.h"
+#include "virtualrobot/optional_bytes.h"
+#include "virtualrobot/sync_keys.h"
+
+namespace openr_host {
+namespace {
+
+// Why the sound cannot be heard; empty when it can.
+std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
+  if (primitive == nullptr || primitive->type != oprimitiveSPEAKER || !primitive->opened()) {
+    return fmt::format("names primitive {:#x}, which {}", info.primitiveID,
+                       primitive == nullptr                   ? "the robot does not have"
+                       : primitive->type != oprimitiveSPEAKER ? "is no speaker"
+                                                              : "nobody opened");
+  }
+  if (info.type != odataSOUND && info.type != odataSOUND_VECTOR)
+    return fmt::format("has data type {}; odataSOUND is {}", info.type, odataSOUND);
+  if (info.format != osoundformatUNDEF && info.format != osoundformatPCM)
+    return fmt::format("has format {}; only PCM ({}) is played", info.format, osoundformatPCM);
+  return "";
+}
+
+// What the vector says of its sound and the speaker plays otherwise.
+std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
+  const auto says = [](word said, int set) { return said != 0 && said != set; };
+  if (!says(info.samplingRate, type.rate_hz()) &&
+      !says(info.bitsPerSample, 8 * type.bytes_per_sample) && !says(info.channel, 1))
+    return "";
+  return fmt::format(
+      "says {} Hz, {} bits, {} channels; the speaker is set to {} Hz, {} bits, mono and plays it "
+      "as "
+      "that (oprmreqSPEAKER_SET_SOUND_TYPE)",
+      info.samplingRate, info.bitsPerSample, info.channel, type.rate_hz(),
+      8 * type.bytes_per_sample);
+}
+
+}  // namespace
+
+bool SoundQueue::Add(const Sent& sent) {
+  if (waiting_.size() >= kMax) return false;
+  waiting_.push_back(sent);
+  return true;
+}
+
+std::optional<SoundQueue::Sent> SoundQueue::TakeFinished() {
+  if (finished_.empty()) return std::nullopt;
+  const Sent sent = finished_.front();
+  finished_.pop_front();
+  return sent;
+}
+
+void SoundQueue::Announce(SyncKeys* sync_keys) {
+  if (playing_.region == nullptr && !waiting_.empty())
+    turn_.Announce(SyncKeyOf(*waiting_.front().region), sync_keys);
+}
+
+void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_number,
+                           const SoundPort& port, std::vector<std::string>* problems) {
+  OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
+  const SoundType& type = port.speaker->sound_type();
+  info.frameNumber = frame_number;
+  size_t bytes = info.dataSize;
+  if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
+    const size_t room = info.dataOffset > vector.bytes ? 0 : vector.bytes - info.dataOffset;
+    bytes = std::min<size_t>({bytes, info.maxDataSize, room});
+    problems->push_back(
+        fmt::format("sound vector: says {} bytes, has room for {}; the rest is "
+                    "ignored",
+                    info.dataSize, bytes));
+  }
+  std::string problem = Objection(info, port.primitives->Find(info.primitiveID));
+  const bool audible = problem.empty();
+  if (!audible) {
+    problem += "; it is silent and takes its time";
+  } else {
+    problem = Mismatch(info, type);
+  }
+  if (!problem.empty()) problems->push_back("sound vector: it " + problem);
+  Sound sound;
+  sound.bytes_per_sample = type.bytes_per_sample;
+  sound.repeat = kSoundSamplesPerFrame / type.samples_per_frame;
+  sound.data = audible ? reinterpret_cast<const byte*>(vector.At(info.dataOffset, bytes)) : nullptr;
+  sound.samples = static_cast<int64_t>(bytes) / type.bytes_per_sample * sound.repeat;
+  info.actualDataSize = audible ? static_cast<longword>(bytes) : 0;
+  if (sound.samples > 0) sounds_.push_back(sound);
+}
+
+void SoundQueue::Start(int64_t frame, bool behind_another, const SoundPort& port,
+                       std::vector<SoundProblem>* problems) {
+  playing_ = waiting_.front();
+  waiting_.pop_front();
+  turn_.Next();
+  sounds_.clear();
+  sound_ = 0;
+  position_ = 0;
+  std::vector<std::string> found;
+  const SentVector vector =
+      ReadSentVector(playing_.region, sizeof(OSoundInfo), "sound vector", *port.regions, &found);
+  const int64_t wait = WaitOf(vector, &found);
+  start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
+  if (vector.header != nullptr && !NamesItsMemory(vector)) {
+    found.push_back(fmt::format(
+        "OSpeakerObserver::DoneWriteAsync() error {} (oINVALID_DATA_VECTOR_ID): memRegionID of the "
+        "sound vector is {:#x}, it came in {:#x} (made without NewSoundVectorData(), or its header "
+        "copied); it is not played",
+        oINVALID_DATA_VECTOR_ID, vector.header->memRegionID, playing_.region->MemID()));
+  } else if (vector.header != nullptr) {
+    port.optional->Take(*vector.header, &found);
+    for (int i = 0; i < vector.elements; ++i)
+      ReadSound(vector, i, FrameNumber(start_), port, &found);
+  }
+  for (std::string& text : found) problems->push_back({playing_.subject, std::move(text)});
+}
+
+int SoundQueue::Copy(int from, SoundFrame* samples) {
+  const Sound& sound = sounds_[sound_];
+  const int end =
+      static_cast<int>(std::min<int64_t>(kSoundSamplesPerFrame, from + sound.samples - position_));
+  for (int i = from; i < end; ++i, ++position_) {
+    if (sound.data == nullptr) continue;
+    const byte* const at = sound.data + position_ / sound.repeat * sound.bytes_per_sample;
+    const int value = sound.bytes_per_sample == 1 ? at[0] << 8 : at[0] | at[1] << 8;
+    (*samples)[static_cast<size_t>(i)] = static_cast<int16_t>(value);
+  }
+  if (position_ == sound.samples) {
+    ++sound_;
+    position_ = 0;
+  }
+  return end;
+}
+
+bool SoundQueue::Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
+                      std::vector<SoundProblem>* problems) {
+  samples->fill(0);
+  bool played = false;
+  std::vector<std::string> waiting_problems;
+  for (int filled = 0; filled < kSoundSamplesPerFrame;) {
+    if (playing_.region == nullptr) {
+      if (waiting_.empty()) break;
+      const Sent& head = waiting_.front();
+      const bool may_start =
+          turn_.MayStart(SyncKeyOf(*head.region), *port.sync_keys, &waiting_problems);
+      for (std::string& text : waiting_problems)
+        problems->push_back({head.subject, std::move(text)});
+      if (!may_start) break;
+      Start(frame, filled > 0, port, problems);
+    }
+    if (frame < start_) break;
+    if (sound_ < sounds_.size()) {
+      filled = Copy(filled, samples);
+      played = true;
+    } else {
+      filled = kSoundSamplesPerFrame;  // without sound: the frame is its length
+    }
+    if (sound_ < sounds_.size()) continue;
+    finished_.push_back(playing_);
+    playing_ = {};
+  }
+  return played;
+}
+
+void SoundQueue::HashState(Hasher* hasher) const {
+  hasher->Add(static_cast<uint64_t>(waiting_.size()));
+  for (const Sent& sent : waiting_) hasher->Add(sent.region->MemID());
+  hasher->Add(turn_.announced());
+  hasher->Add(playing_.region == nullptr ? 0 : playing_.region->MemID());
+  for (const Sound& sound : sounds_) {
+    hasher->Add(sound.data != nullptr);
+    hasher->Add(sound.samples);
+    hasher->Add(sound.repeat);
+  }
+  hasher->Add(start_);
+  hasher->Add(static_cast<uint64_t>(sound_));
+  hasher->Add(position_);
+  hasher->Add(static_cast<uint64_t>(finished_.size()));
+}
+
+}  // namespace openr_host

@@ -1,0 +1,100 @@
+// Sound vectors that wait for the speaker: one queue for all subjects, in the order of
+// their arrival, played without a gap, sample after sample.
+//
+// A vector that finds nothing before it begins with the next frame of 8 ms.  It is over
+// with the frame in which its last sample sounds; then its subject gets its ready (Level 2
+// Reference Guide, 3.2).  A vector without sound, or one that is refused, takes one frame.
+#pragma once
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/ObjcommTypes.h>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "virtualrobot/primitive_table.h"
+#include "virtualrobot/sound/speaker.h"
+#include "virtualrobot/vector_memory.h"
+#include "virtualrobot/vector_turn.h"
+
+namespace openr_host {
+
+class Hasher;
+class OptionalBytes;
+class RegionTable;
+class SyncKeys;
+
+// What sound vectors are played by and what they are checked against.
+struct SoundPort {
+  PrimitiveTable* primitives = nullptr;
+  const Speaker* speaker = nullptr;
+  SyncKeys* sync_keys = nullptr;
+  OptionalBytes* optional = nullptr;
+  const RegionTable* regions = nullptr;
+};
+
+// A problem with a vector, and whose it is.
+struct SoundProblem {
+  SubjectID subject;
+  std::string text;
+};
+
+class SoundQueue {
+ public:
+  // Vectors that may wait; the robot's number is not known, samples need two.
+  static constexpr size_t kMax = 32;
+
+  struct Sent {
+    RCRegion* region = nullptr;
+    SubjectID subject;
+  };
+
+  // Takes the region over with the reference the caller added.  False when full.
+  bool Add(const Sent& sent);
+
+  // A vector that was over before the frame that begins, if any; its region's reference
+  // goes to the caller.
+  std::optional<Sent> TakeFinished();
+
+  // Tells the keys when a vector that carries one has come to the head; before Fill().
+  void Announce(SyncKeys* sync_keys);
+
+  // The samples of frame `frame`; false when nothing plays.
+  bool Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
+            std::vector<SoundProblem>* problems);
+
+  bool busy() const {
+    return !waiting_.empty() || !finished_.empty() || playing_.region != nullptr;
+  }
+  void HashState(Hasher* hasher) const;
+
+ private:
+  // One sound of the vector that plays.
+  struct Sound {
+    const byte* data;  // null: silence
+    int64_t samples;   // of the sink's rate
+    int bytes_per_sample;
+    int repeat;  // samples of the sink per sample of the data
+  };
+
+  // `behind_another`: in the same frame, of which a wait does not count.
+  void Start(int64_t frame, bool behind_another, const SoundPort& port,
+             std::vector<SoundProblem>* problems);
+  void ReadSound(const SentVector& vector, int index, longword frame_number, const SoundPort& port,
+                 std::vector<std::string>* problems);
+  // Fills from `samples[from]` on; where it stopped.
+  int Copy(int from, SoundFrame* samples);
+
+  std::deque<Sent> waiting_;
+  VectorTurn turn_;  // of the first that waits
+  Sent playing_;     // no region: none
+  int64_t start_ = 0;
+  std::vector<Sound> sounds_;
+  size_t sound_ = 0;      // that plays
+  int64_t position_ = 0;  // in it
+  std::deque<Sent> finished_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,42 @@
+// What the microphone hears: nothing, a file, memory.  The seam to real audio.
+#pragma once
+
+#include <OPENR/ODataFormats.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+class SoundSource {
+ public:
+  virtual ~SoundSource() = default;
+
+  // `count` stereo samples of 16 kHz; `first` is the number of the first one since boot.
+  // The same numbers give the same samples, whoever asks and in whatever order.
+  virtual void Read(int64_t first, OSoundSampleStereo16* samples, int count) = 0;
+};
+
+enum class AfterEnd { kSilence, kLoop };
+
+// Samples in memory; silence when there are none.
+class MemorySoundSource : public SoundSource {
+ public:
+  explicit MemorySoundSource(std::vector<OSoundSampleStereo16> samples = {},
+                             AfterEnd after_end = AfterEnd::kSilence)
+      : samples_(std::move(samples)), after_end_(after_end) {}
+
+  void Read(int64_t first, OSoundSampleStereo16* samples, int count) override;
+
+ private:
+  const std::vector<OSoundSampleStereo16> samples_;
+  const AfterEnd after_end_;
+};
+
+// A WAV file (wav_file.h), converted to what the microphone delivers.  Throws
+// std::runtime_error naming the file and what is wrong with it.
+std::unique_ptr<SoundSource> OpenMicrophoneFile(const std::string& file, AfterEnd after_end);
+
+}  // namespace openr_host

@@ -1,0 +1,73 @@
+#include "virtualrobot/sound/speaker.h"
+
+#include <algorithm>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+namespace {
+
+constexpr SoundType kSoundTypes[] = {
+    {ospksndMONO8K8B, 1, 64},
+    {ospksndMONO16K16B, 2, 128},
+};
+
+// 10^(-1/20) and its 256th root: sums of libm's pow() would differ between machines.
+constexpr double kOneDecibel = 0.8912509381337456;
+constexpr double kOneStep = 0.9995503774595479;
+
+constexpr sword Signed(longword volume) { return static_cast<sword>(volume & 0xffff); }
+
+// What is written is full scale at -10 dB, the loudest the circuit is made for.
+double GainOf(longword volume) {
+  if ((volume & 0xffff) == ospkvolinfdB) return 0;
+  int below = Signed(ospkvol10dB) - Signed(volume);  // 1/256 dB
+  double gain = 1;
+  for (; below >= 256; below -= 256) gain *= kOneDecibel;
+  for (; below > 0; --below) gain *= kOneStep;
+  for (; below <= -256; below += 256) gain /= kOneDecibel;
+  for (; below < 0; ++below) gain /= kOneStep;
+  return gain;
+}
+
+}  // namespace
+
+const SoundType* Speaker::FindSoundType(longword type) {
+  for (const SoundType& known : kSoundTypes) {
+    if (known.type == type) return &known;
+  }
+  return nullptr;
+}
+
+void Speaker::SetVolume(longword volume) {
+  volume_ = volume & 0xffff;
+  // Beyond 60 dB there is nothing but full scale left.
+  gain_ = static_cast<int32_t>(std::min(GainOf(volume_), 1000.0) * kFullGain);
+}
+
+bool Speaker::SetSoundType(longword type) {
+  const SoundType* const found = FindSoundType(type);
+  if (found == nullptr) return false;
+  type_ = found;
+  return true;
+}
+
+std::string Speaker::Play(int64_t frame, const SoundFrame& samples, bool motor_power) {
+  if (sink_ == nullptr) return "";
+  SoundFrame out{};
+  if (motor_power && !mute_) {
+    for (size_t i = 0; i < samples.size(); ++i) {
+      out[i] = static_cast<int16_t>(std::clamp(int64_t{samples[i]} * gain_ / kFullGain,
+                                               int64_t{INT16_MIN}, int64_t{INT16_MAX}));
+    }
+  }
+  return sink_->Play(frame, out);
+}
+
+void Speaker::HashState(Hasher* hasher) const {
+  hasher->Add(mute_);
+  hasher->Add(volume_);
+  hasher->Add(type_->type);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,97 @@
+#include "virtualrobot/vector_memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/core/region_table.h"
+#include "virtualrobot/body.h"
+
+namespace openr_host {
+namespace {
+
+constexpr longword kWaitFrames = 1250;  // 10 s; chosen: nobody means to wait longer
+
+// What the sender says its region has, and what there is.
+size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
+  if (region.Base() == nullptr) return 0;
+  const size_t block = regions.SizeOf(region.MemID());
+  if (block == 0) return region.Size();  // memory that is not the robot's
+  return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
+}
+
+}  // namespace
+
+char* SentVector::At(size_t offset, size_t size) const {
+  return offset > bytes || size > bytes - offset ? nullptr : region->Base() + offset;
+}
+
+SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind,
+                          const RegionTable& regions, std::vector<std::string>* problems) {
+  SentVector vector;
+  vector.region = region;
+  vector.bytes = BytesOf(*region, regions);
+  if (vector.bytes < sizeof(ODataVectorInfo)) {
+    problems->push_back(
+        fmt::format("{}: {} bytes hold no vector; it is ignored", kind, vector.bytes));
+    return vector;
+  }
+  vector.header = reinterpret_cast<ODataVectorInfo*>(region->Base());
+  const ODataVectorInfo& header = *vector.header;
+  if (regions.WrittenBeyond(region->MemID())) {
+    problems->push_back(
+        fmt::format("{}: somebody wrote behind its end, over whatever lies there on the robot; "
+                    "element {} is the last",
+                    kind, static_cast<int64_t>(header.maxNumData) - 1));
+  }
+  const size_t room = (vector.bytes - sizeof header) / info_size;
+  const size_t made_for = std::min<size_t>(header.maxNumData, room);
+  if (header.numData > made_for) {
+    problems->push_back(
+        fmt::format("{}: SetNumData({}) on a vector made for {} elements; the rest is ignored",
+                    kind, header.numData, made_for));
+  }
+  vector.elements = static_cast<int>(std::min<size_t>(header.numData, made_for));
+  return vector;
+}
+
+OVRSyncKey SyncKeyOf(const RCRegion& region) {
+  return region.Base() == nullptr || region.Size() < sizeof(ODataVectorInfo)
+             ? ovrsynckeyUNDEF
+             : reinterpret_cast<const ODataVectorInfo*>(region.Base())->syncKey;
+}
+
+int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems) {
+  if (vector.header == nullptr) return 0;
+  const longword wait = vector.header->wait;
+  if (wait > kWaitFrames) {
+    problems->push_back(
+        fmt::format("vector with wait = {}: it starts only after {:.0f} s (frames of 8 ms)", wait,
+                    wait * kFrame_s));
+  }
+  return wait;
+}
+
+RCRegion* VectorPool::Free() const {
+  for (RCRegion* region : regions_) {
+    if (region->NumberOfReference() == 1) return region;
+  }
+  return nullptr;
+}
+
+RCRegion* NewVectorRegion(ODataType type, size_t info_size, size_t elements, size_t data_bytes) {
+  RCRegion* const region =
+      new RCRegion(sizeof(ODataVectorInfo) + elements * info_size + data_bytes);
+  auto& header = *reinterpret_cast<ODataVectorInfo*>(region->Base());
+  header.memRegionID = region->MemID();
+  header.totalSize = static_cast<longword>(region->Size());
+  header.type = type;
+  header.infoOffset = sizeof header;
+  header.infoSize = static_cast<longword>(info_size);
+  header.maxNumData = static_cast<longword>(elements);
+  header.numData = static_cast<longword>(elements);
+  header.syncKey = ovrsynckeyUNDEF;
+  return region;
+}
+
+}  // namespace openr_host
