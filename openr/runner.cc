@@ -12,6 +12,7 @@
 #include "openr/interrupt.h"
 #include "openr/pacing.h"
 #include "openr/simulation.h"
+#include "runtime/core/stalls.h"
 
 namespace openr_host {
 namespace {
@@ -133,6 +134,10 @@ bool Runner::Run() {
     AfterFrame();
   }
   system.trace().set_sink({});
+  if (!system.powered_off()) {
+    const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
+    ReportStalls(&system, is_silent);
+  }
   TakeSnapshots(true);
   wall_time_ns_ += WallClockNs() - begin_ns;
   return good_;

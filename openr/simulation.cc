@@ -21,7 +21,8 @@ namespace {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  if (std::filesystem::is_directory(wanted + "/OPEN-R", error)) return wanted;
+  const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");  // in any case
+  if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   throw std::runtime_error(
       fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
                   "Stick",

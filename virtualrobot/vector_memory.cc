@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "runtime/core/region_table.h"
+#include "runtime/core/system.h"
 #include "virtualrobot/body.h"
 
 namespace openr_host {
@@ -77,6 +77,16 @@ RCRegion* VectorPool::Free() const {
     if (region->NumberOfReference() == 1) return region;
   }
   return nullptr;
+}
+
+void VectorPool::Add(RCRegion* region) {
+  regions_.push_back(region);
+  if (regions_.size() != kMany) return;
+  t_current.system->AddFinding(
+      Severity::kWarning,
+      fmt::format("objects keep {} vectors of one stream: an AddReference() without its "
+                  "RemoveReference()? The robot's memory is full soon",
+                  kMany));
 }
 
 RCRegion* NewVectorRegion(ODataType type, size_t info_size, size_t elements, size_t data_bytes) {

@@ -40,15 +40,19 @@ OVRSyncKey SyncKeyOf(const RCRegion& region);
 // Frames by which a vector is to be delayed; more than 10 s is pointed out.
 int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems);
 
-// Regions that the robot fills for objects.  One to which somebody refers is never
-// filled again.
+// Regions that the robot fills for objects, of one stream.  One to which somebody refers is
+// never filled again.
 class VectorPool {
  public:
   // Null when all are in use: make one and Add() it.
   RCRegion* Free() const;
-  void Add(RCRegion* region) { regions_.push_back(region); }
+
+  // Objects that keep many are a finding.  Runs as code of an object.
+  void Add(RCRegion* region);
 
  private:
+  static constexpr size_t kMany = 64;  // chosen; 2 s of sensors
+
   std::vector<RCRegion*> regions_;
 };
 

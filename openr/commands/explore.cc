@@ -57,7 +57,7 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
-  command->add_option("--cost", flags->stick.cost_file,
+  command->add_option("--cost", simulation.cost_file,
                       "zero, or a file that says how long handlers take (ers210.cost)");
   command
       ->add_option("--property", flags->stick.properties,
@@ -122,15 +122,13 @@ std::function<void(std::string_view)> ConsoleOf(const std::string& file) {
 
 // Completes the plan by what the stick is.
 void SetStick(const ExploredStick& stick, const std::string& console_file, ExplorePlan* plan) {
-  LoadCostFile(stick.cost_file);  // so that a wrong one is reported once, here
+  LoadCostFile(stick.simulation.cost_file);  // so that a wrong one is reported once, here
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;
   plan->run.properties.Make();
   SimulationOptions simulation = stick.simulation;
   simulation.console = ConsoleOf(console_file);
-  plan->make_scene = [simulation, cost_file = stick.cost_file] {
-    return MakeSimulationScene(simulation, cost_file);
-  };
+  plan->make_scene = [simulation] { return MakeSimulationScene(simulation); };
 }
 
 std::function<void(uint64_t)> ProgressOf(uint64_t runs) {
@@ -210,7 +208,7 @@ int Replay(ExploreFlags flags) {
 
 int Explore(ExploreFlags flags) {
   if (!flags.replay_file.empty()) return Replay(std::move(flags));
-  const bool has_cost = !flags.stick.cost_file.empty() && flags.stick.cost_file != "zero";
+  const bool has_cost = LoadCostFile(flags.stick.simulation.cost_file).has_value();
   if (flags.exhaustive && (flags.verify || has_cost)) {
     throw CLI::ValidationError("--exhaustive", "goes neither with --verify nor with --cost");
   }

@@ -7,10 +7,10 @@
 
 namespace openr_host {
 
-Scene MakeSimulationScene(SimulationOptions options, const std::string& cost_file) {
+Scene MakeSimulationScene(SimulationOptions options) {
   Scene scene;
   std::shared_ptr<ExploredCost> cost;
-  if (const auto config = LoadCostFile(cost_file)) {
+  if (const auto config = LoadCostFile(options.cost_file)) {
     cost = std::make_shared<ExploredCost>(*config);
     scene.cost = cost.get();
     options.cost = cost;

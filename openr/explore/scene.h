@@ -23,8 +23,8 @@ struct Scene {
 // Makes the same scene each time it is called; each worker process calls it once.
 using MakeScene = std::function<Scene()>;
 
-// A stick on a body.  Nobody writes to the stick and there is no network outside.  Costs nothing
-// when `cost_file` is "" or "zero".  Throws std::runtime_error when it cannot be put together.
-Scene MakeSimulationScene(SimulationOptions options, const std::string& cost_file);
+// A stick on a body.  Nobody writes to the stick and there is no network outside.  Throws
+// std::runtime_error when it cannot be put together.
+Scene MakeSimulationScene(SimulationOptions options);
 
 }  // namespace openr_host

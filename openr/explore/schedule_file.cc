@@ -52,7 +52,7 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
           {"robots", stick.simulation.robots},
           {"strict", stick.simulation.strict},
           {"guard", stick.simulation.guard_regions},
-          {"cost", stick.cost_file},
+          {"cost", stick.simulation.cost_file},
           {"for_us", stick.for_us},
           {"properties", stick.properties},
           {"seed", failure.at("seed")},
@@ -78,7 +78,7 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.robots = json.at("robots").get<int>();
   simulation.strict = json.at("strict").get<bool>();
   simulation.guard_regions = json.at("guard").get<bool>();
-  schedule.stick.cost_file = json.at("cost").get<std::string>();
+  simulation.cost_file = json.at("cost").get<std::string>();
   schedule.stick.for_us = json.at("for_us").get<int64_t>();
   schedule.stick.properties = json.at("properties").get<std::vector<std::string>>();
   schedule.seed = json.at("seed").get<uint64_t>();

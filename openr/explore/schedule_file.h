@@ -16,8 +16,8 @@ namespace openr_host {
 
 // What was run; seeds and orders aside.
 struct ExploredStick {
-  SimulationOptions simulation;  // stick, robot, world, body, robots, strict, guard_regions
-  std::string cost_file;
+  // stick, robot, world, body, robots, strict, guard_regions, cost_file
+  SimulationOptions simulation;
   int64_t for_us = 20'000'000;
   std::vector<std::string> properties = {"default"};
 };

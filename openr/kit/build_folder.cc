@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -43,7 +44,7 @@ fs::path DefaultWorkFolder(const fs::path& folder) {
   Hasher hasher;
   hasher.AddText(folder.string());
   return CacheFolder() / "build" /
-         fmt::format("{}-{:016x}", folder.filename().string(), hasher.Digest());
+         fmt::format("{}-{:016x}", WithoutOddCharacters(folder.filename()), hasher.Digest());
 }
 
 // Changes with the kit: what another one has built is not mixed with this one's.
@@ -55,7 +56,9 @@ std::string KitIdentity(const std::string& sdk_root) {
     if (fs::is_directory(path)) files = FilesBelow(path);
     for (const fs::path& file : files) newest = std::max(newest, fs::last_write_time(file));
   }
-  return fmt::format("{} {}\n", sdk_root, newest.time_since_epoch().count());
+  return fmt::format("{} {} {} {}\n", sdk_root, newest.time_since_epoch().count(),
+                     fmt::join(HostCompiler(Language::kCxx), " "),
+                     fmt::join(HostCompiler(Language::kC), " "));
 }
 
 class FolderBuild {

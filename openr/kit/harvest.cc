@@ -46,7 +46,8 @@ class StickCompletion {
       : stick_(stick),
         objects_(stick.ObjectsFolder()),
         sdk_root_(sdk_root),
-        built_(ReadBuiltImages(log, project)) {}
+        built_(ReadBuiltImages(log, project)),
+        has_failures_(built_.size() < project.objects.size()) {}
 
   Harvest Run() {
     FindInstalled();
@@ -136,6 +137,7 @@ class StickCompletion {
     const auto record = *std::find_if(stick_.objects.begin(), stick_.objects.end(),
                                       [&](const ObjectRecord& r) { return FileNameOf(r) == name; });
     const char* why = "no object here has such a name";
+    if (has_failures_) why = "an object could not be built, see above";
     if (is_for_robot_[name])
       why = "the file there is for the robot (MIPS), and its sources are not here";
     if (LowerCase(record.path).find("/system/") != std::string::npos)
@@ -172,6 +174,7 @@ class StickCompletion {
   const fs::path objects_;
   const std::string sdk_root_;
   const std::vector<BuiltImage> built_;
+  const bool has_failures_;
   std::set<size_t> used_;  // of built_
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;

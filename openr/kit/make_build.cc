@@ -106,6 +106,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root, const fs:
     }
   }
   plan.variables.emplace_back("OPENRSDK_ROOT", sdk_root);
+  plan.variables.emplace_back(kStickVariable, stick_root);
   for (const MakefileVariable& variable : SdkVariables(all)) {
     const std::string value = sdk_root + variable.folder;
     if (variable.name != "OPENRSDK_ROOT" && !IsAlready(variable, value))
@@ -113,10 +114,6 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root, const fs:
   }
   for (const MakefileVariable& variable : StickVariables(all)) {
     if (LeadsElsewhere(variable)) plan.variables.emplace_back(variable.name, stick_root);
-  }
-  for (const MakefileVariable& variable : StickFolderVariables(all)) {
-    plan.variables.emplace_back(variable.name, stick_root.string() + variable.folder);
-    plan.needed_folders.push_back(stick_root.string() + variable.folder);
   }
   std::vector<fs::path> middleware{stick_root / "OPEN-R/MW"};
   for (const StickFolder& stick : project.sticks)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <regex>
 
+#include "openr/kit/sdk_paths.h"
+
 namespace openr_host {
 namespace {
 
@@ -80,7 +82,9 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
     const std::regex whole("(^|[^\\w./)}-]|-[ILB])" + Escaped(root) + "(?=[^\\w.+-]|$)");
     result = std::regex_replace(result, whole, "$1" + sdk_root);
   }
-  return result;
+  static const std::regex kStick(
+      "(^|[^\\w./)}-])(?!/[mM][sS]/OPEN-R)((?:/[\\w.+-]+)+?)/OPEN-R(?![\\w-])");
+  return std::regex_replace(result, kStick, "$1$${" + std::string(kStickVariable) + "}/OPEN-R");
 }
 
 std::vector<MakefileVariable> SdkVariables(const std::string& text) {
@@ -103,18 +107,6 @@ std::vector<MakefileVariable> StickVariables(const std::string& text) {
   static const std::regex kUse("\\$[({](\\w+)[)}]/(?:OPEN-R|open-r)(?![\\w-])");
   std::vector<MakefileVariable> variables;
   for (const std::string& name : AllMatches(text, kUse)) variables.push_back(Describe(name, text));
-  return variables;
-}
-
-std::vector<MakefileVariable> StickFolderVariables(const std::string& text) {
-  static const std::regex kDefinition(
-      "(?:^|\n)[ \t]*(\\w+)[ \t]*[:?]?=[ \t]*[/~][^ \t#\n]*?(/OPEN-R(?:/[^ \t#\n]*)?)[ "
-      "\t]*(?=[#\n]|$)");
-  std::vector<MakefileVariable> variables;
-  for (std::sregex_iterator it(text.begin(), text.end(), kDefinition), end; it != end; ++it) {
-    variables.push_back(Describe((*it)[1], text));
-    variables.back().folder = (*it)[2];
-  }
   return variables;
 }
 

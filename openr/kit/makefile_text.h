@@ -7,7 +7,9 @@
 namespace openr_host {
 
 // Absolute paths of an SDK ("/usr/local/OPEN_R_SDK" in ".../bin/mipsel-linux-g++" or
-// ".../OPEN_R/include", or standing alone) become `sdk_root`; CR LF becomes LF.
+// ".../OPEN_R/include", or standing alone) become `sdk_root`; those of a Memory Stick
+// ("/mnt/ms" in "/mnt/ms/OPEN-R", but not the robot's own "/MS") become ${OPENR_KIT_STICK}; CR LF
+// becomes LF.
 std::string AdaptMakefile(const std::string& text, const std::string& sdk_root);
 
 struct MakefileVariable {
@@ -23,10 +25,6 @@ std::vector<MakefileVariable> SdkVariables(const std::string& text);
 
 // Variables that stand for the root of a Memory Stick: $(X)/OPEN-R/MW/OBJS.
 std::vector<MakefileVariable> StickVariables(const std::string& text);
-
-// Variables whose value is a folder of a Memory Stick somewhere else, /mnt/ms/OPEN-R/MW/OBJS, and
-// what follows its root: "/OPEN-R/MW/OBJS".
-std::vector<MakefileVariable> StickFolderVariables(const std::string& text);
 
 // File names of images that rules write below OPEN-R/MW/OBJS: "HELLO.BIN".
 std::vector<std::string> InstalledImages(const std::string& text);

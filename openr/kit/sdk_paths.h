@@ -29,6 +29,7 @@ std::vector<std::string> ParseCompileFlags(const std::string& text, Language lan
 // Environment variables through which `openr build` and the tools it starts indirectly know of
 // each other.  All may be missing: the tools then only do what they are named after.
 inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";        // file, see kit_log.h
+inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";    // the stick that rules write to
 inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";  // "copy=original:copy=original"
 
 // What may be set by a person: the compilers of the host, with arguments if need be.

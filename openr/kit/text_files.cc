@@ -70,6 +70,15 @@ std::string LowerCase(std::string text) {
   return text;
 }
 
+std::string WithoutOddCharacters(std::string path) {
+  for (char& c : path) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                          std::string_view("/._+-").find(c) != std::string_view::npos;
+    if (!is_plain) c = '_';
+  }
+  return path;
+}
+
 fs::path FindEntry(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::exists(folder / name, error)) return folder / name;

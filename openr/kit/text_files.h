@@ -15,6 +15,9 @@ std::string WriteText(const std::filesystem::path& file, const std::string& text
 
 std::string LowerCase(std::string text);
 
+// `path` with '_' for every character that make or the shell would take apart.
+std::string WithoutOddCharacters(std::string path);
+
 // The entry of `folder` that is called `name` in any case; an empty path if there is none.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 

@@ -22,16 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr size_t kOutsideFilesMax = 20'000;  // of one folder that is only referred to
 
-// Parts of a path that make and the shell would take apart are renamed.
-std::string Harmless(std::string part) {
-  for (char& c : part) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                          std::string_view("/._+-").find(c) != std::string_view::npos;
-    if (!is_plain) c = '_';
-  }
-  return part;
-}
-
 bool IsElfForRobot(const char* bytes, size_t size) {
   Elf32_Ehdr header;
   if (size < sizeof header) return false;
@@ -124,7 +114,7 @@ fs::path WorkCopy::PlaceOf(const fs::path& original) const {
     if (IsBelow(original, entry.original))
       return fs::path(entry.copy) / original.lexically_relative(entry.original);
   }
-  return work_ / "src" / Harmless(original.relative_path());
+  return work_ / "src" / WithoutOddCharacters(original.relative_path());
 }
 
 bool WorkCopy::IsOriginal(const fs::path& file) const {

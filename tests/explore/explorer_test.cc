@@ -16,9 +16,10 @@ ExplorePlan StickPlan(const std::string& body = "ideal", bool guard = false,
   options.stick = OPENR_STICK;
   options.body = body;
   options.guard_regions = guard;
+  options.cost_file = cost;
   options.console = [](std::string_view) {};
   ExplorePlan plan;
-  plan.make_scene = [options, cost] { return MakeSimulationScene(options, cost); };
+  plan.make_scene = [options] { return MakeSimulationScene(options); };
   plan.runs = 20;
   return plan;
 }

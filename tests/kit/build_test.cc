@@ -113,7 +113,9 @@ TEST(BuildTest, OldCodeCompilesAndDoesWhatItDid) {
   const ProgramResult result = folder.Build();
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("no return statement"));  // warnings stay
-  EXPECT_EQ(folder.Say(), "sum 10   42\nold 1 7 5\ncast\nsame\nkr 23 pi 3.142\nff\n");
+  folder.Write("typed.txt", "hello there\n");
+  EXPECT_EQ(folder.Say("MS", {"--stdin", folder.File("typed.txt")}),
+            "sum 10   42\nold 1 7 5\ncast\nsame\nkr 23 pi 3.142\nff\nanswer hello there\n");
 }
 
 // What only g++ 3.3 took.
@@ -138,6 +140,22 @@ TEST(BuildTest, AProjectFindsCompilerAndStickWhereverItsVariablesLead) {
             "Walker: stride 40 of platform 210\nWalker: stride 55 of platform 210\n"
             "Viewer: stride 40 of platform 210\nViewer: stride 55 of platform 210\n");
   EXPECT_EQ(folder.Read("stick/OPEN-R/MW/DATA/P/WALKER.TXT"), "made for walker\n");
+}
+
+TEST(BuildTest, RulesNeverReachFoldersOutsideOfTheCopy) {
+  const KitFolder folder("handmade");
+  const std::string outside = folder.scratch().File("elsewhere");
+  std::filesystem::create_directories(outside + "/OPEN-R/MW/OBJS");
+  folder.Write("Greeter/Makefile",
+               "DEST = " + outside +
+                   "/OPEN-R/MW/OBJS\n"
+                   "CXX = mipsel-linux-g++\n"
+                   "greeter.bin: Greeter.o GreeterEntries.o greeter.ocf\n\tmkbin -o $@ $^\n"
+                   "install: greeter.bin\n\tgzip -c greeter.bin > $(DEST)/HANDMADE.BIN\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("HANDMADE.BIN greeter                  Makefile\n"));
+  EXPECT_FALSE(std::filesystem::exists(outside + "/OPEN-R/MW/OBJS/HANDMADE.BIN"));
 }
 
 TEST(BuildTest, ACompilersComplaintPassesThroughAndIsSummedUp) {
@@ -199,6 +217,27 @@ TEST(BuildTest, ObjectsWithoutAStickGetOne) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(folder.Read("MS/OPEN-R/MW/CONF/OBJECT.CFG"), "/MS/OPEN-R/MW/OBJS/GREETER.BIN\n");
   EXPECT_EQ(folder.Say(), "handmade: init\nhandmade: start\n");
+}
+
+// As trees look that were copied from a stick on some systems.
+TEST(BuildTest, BlanksInThePathDoNoHarm) {
+  const KitFolder folder("");
+  const std::string odd = folder.File("my $program");
+  std::filesystem::copy(std::string(OPENR_KIT_FIXTURES) + "/handmade", odd,
+                        std::filesystem::copy_options::recursive);
+  const ProgramResult result = RunProgram({"build", odd});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Say("my $program/MS"), "handmade: init\nhandmade: start\n");
+}
+
+TEST(BuildTest, AStickInLowerCaseIsAStick) {
+  const KitFolder folder("handmade");
+  std::filesystem::remove_all(folder.File("MS"));
+  folder.Write("ms/open-r/mw/conf/object.cfg", "/ms/open-r/mw/objs/greeter.bin\n");
+  folder.Write("ms/open-r/mw/conf/connect.cfg", "");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Say("ms"), "handmade: init\nhandmade: start\n");
 }
 
 TEST(BuildTest, OneObjectFindsWhatItsMakefileNamesOutside) {

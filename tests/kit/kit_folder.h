@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/openr/program_run.h"
@@ -41,10 +42,13 @@ class KitFolder {
   }
 
   // What the objects of `stick` said in a second of virtual time; "" when they could not run.
-  std::string Say(const std::string& stick = "MS") const { return SayOf(File(stick)); }
-  static std::string SayOf(const std::string& stick) {
-    const ProgramResult result =
-        RunProgram({"run", "--stick", stick, "--for", "1s", "--rate", "max", "--no-panel"});
+  std::string Say(const std::string& stick = "MS", std::vector<std::string> flags = {}) const {
+    return SayOf(File(stick), std::move(flags));
+  }
+  static std::string SayOf(const std::string& stick, std::vector<std::string> flags = {}) {
+    flags.insert(flags.begin(),
+                 {"run", "--stick", stick, "--for", "1s", "--rate", "max", "--no-panel"});
+    const ProgramResult result = RunProgram(flags);
     if (result.status != 0) return "status " + std::to_string(result.status) + ": " + result.err;
     return WordsOfObjects(result.err);
   }

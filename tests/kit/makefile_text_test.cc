@@ -51,12 +51,13 @@ TEST(MakefileTextTest, VariablesForTheStickAreKnownByTheirUse) {
   EXPECT_THAT(variables[0].values, ElementsAre("../MS"));
 }
 
-TEST(MakefileTextTest, AFolderOfAStickElsewhereIsKnownByItsValue) {
-  const auto variables =
-      StickFolderVariables("OBJS=/mnt/ms/OPEN-R/MW/OBJS # there\nX = ../MS/OPEN-R/MW\n");
-  ASSERT_EQ(variables.size(), 1u);
-  EXPECT_EQ(variables[0].name, "OBJS");
-  EXPECT_EQ(variables[0].folder, "/OPEN-R/MW/OBJS");
+TEST(MakefileTextTest, AStickElsewhereBecomesTheOneOfTheCopy) {
+  EXPECT_EQ(
+      AdaptMakefile("D=/mnt/ms/OPEN-R/MW\n\tcp a /mnt/ms/OPEN-R/x; echo /MS/OPEN-R/MW\n", "/k"),
+      "D=${OPENR_KIT_STICK}/OPEN-R/MW\n\tcp a ${OPENR_KIT_STICK}/OPEN-R/x; echo "
+      "/MS/OPEN-R/MW\n");
+  EXPECT_EQ(AdaptMakefile("X=$(TOP)/ms/OPEN-R ../MS/OPEN-R\n", "/k"),
+            "X=$(TOP)/ms/OPEN-R ../MS/OPEN-R\n");
 }
 
 TEST(MakefileTextTest, InstalledImagesAreNamed) {

@@ -53,6 +53,15 @@ TEST_F(VirtualRobotCommTest, SeveralObserversGetEverySensorVector) {
   EXPECT_EQ(second->count, 10);
 }
 
+TEST_F(VirtualRobotCommTest, AnObjectThatKeepsEveryVectorIsReported) {
+  watcher->on_vector = [](const ONotifyEvent& event) { event.RCData(0)->AddReference(); };
+  Boot();
+  RunToFrame(4 * 63);
+  EXPECT_EQ(Findings(), "");
+  RunToFrame(4 * 64);
+  EXPECT_EQ(CountFindings("objects keep 64 vectors of one stream"), 1);
+}
+
 // BattChecker: a subject that never sends.
 TEST_F(VirtualRobotCommTest, ASilentSubjectOfTheEffectorDisturbsNobody) {
   system.AddObject<Mover>(dog, "silent", "Silent");

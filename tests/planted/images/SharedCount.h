@@ -3,12 +3,11 @@
 #define SharedCount_h_DEFINED
 
 class SharedCount {
-public:
-    static int& Get()
-    {
-        static int count = 0;
-        return count;
-    }
+ public:
+  static int& Get() {
+    static int count = 0;
+    return count;
+  }
 };
 
 #endif  // SharedCount_h_DEFINED

@@ -9,19 +9,19 @@
 #include "def.h"
 
 class Show : public OObject {
-public:
-    Show() {}
-    virtual ~Show() {}
+ public:
+  Show() {}
+  virtual ~Show() {}
 
-    OSubject* subject[numOfSubject];
-    OObserver* observer[numOfObserver];
+  OSubject* subject[numOfSubject];
+  OObserver* observer[numOfObserver];
 
-    virtual OStatus DoInit(const OSystemEvent& event);
-    virtual OStatus DoStart(const OSystemEvent& event);
-    virtual OStatus DoStop(const OSystemEvent& event);
-    virtual OStatus DoDestroy(const OSystemEvent& event);
+  virtual OStatus DoInit(const OSystemEvent& event);
+  virtual OStatus DoStart(const OSystemEvent& event);
+  virtual OStatus DoStop(const OSystemEvent& event);
+  virtual OStatus DoDestroy(const OSystemEvent& event);
 
-    void NotifyChanged(const ONotifyEvent& event);
+  void NotifyChanged(const ONotifyEvent& event);
 };
 
 #endif  // Show_h_DEFINED

@@ -9,17 +9,17 @@
 #include "def.h"
 
 class Tally : public OObject {
-public:
-    Tally() {}
-    virtual ~Tally() {}
+ public:
+  Tally() {}
+  virtual ~Tally() {}
 
-    OSubject* subject[numOfSubject];
-    OObserver* observer[numOfObserver];
+  OSubject* subject[numOfSubject];
+  OObserver* observer[numOfObserver];
 
-    virtual OStatus DoInit(const OSystemEvent& event);
-    virtual OStatus DoStart(const OSystemEvent& event);
-    virtual OStatus DoStop(const OSystemEvent& event);
-    virtual OStatus DoDestroy(const OSystemEvent& event);
+  virtual OStatus DoInit(const OSystemEvent& event);
+  virtual OStatus DoStart(const OSystemEvent& event);
+  virtual OStatus DoStop(const OSystemEvent& event);
+  virtual OStatus DoDestroy(const OSystemEvent& event);
 };
 
 #endif  // Tally_h_DEFINED

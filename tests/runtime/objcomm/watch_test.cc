@@ -100,8 +100,9 @@ TEST_F(WatchTest, DataThatWaitForReadyAreAStallAfterASecond) {
   EXPECT_TRUE(Stalls().empty());
   EXPECT_EQ(Stalls(0).size(), 1u);
   system->RunFor(1'000'000);
-  EXPECT_THAT(Stalls(), testing::ElementsAre(
-                            HasSubstr("sender waits for ready of receiver on Sender.Out.Number.S")));
+  EXPECT_THAT(
+      Stalls(),
+      testing::ElementsAre(HasSubstr("sender waits for ready of receiver on Sender.Out.Number.S")));
 }
 
 TEST_F(WatchTest, ANotificationWithoutReadyIsAStallAfterASecond) {

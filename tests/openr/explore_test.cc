@@ -1,0 +1,142 @@
+// openr explore as a whole.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+ProgramResult Explore(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {"explore", "--for", "200ms", "--jobs", "1"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return RunProgram(all);
+}
+
+// Nothing the default stick ever says.
+constexpr char kNever[] = "eventually objects.JointMover.state == dancing";
+
+TEST(ExploreCommandTest, JsonIsOneObjectAndNothingElse) {
+  const ProgramResult result = Explore({"--runs", "3", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["runs"], 3);
+  EXPECT_EQ(report["broken"], 0);
+  for (const char* field : {"digest", "wall_time_s", "runs_per_s", "first_seed", "jobs"}) {
+    EXPECT_TRUE(report.contains(field)) << field;
+  }
+}
+
+TEST(ExploreCommandTest, VerifyCountsDifferences) {
+  const ProgramResult result = Explore({"--runs", "3", "--verify", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(json::parse(result.out)["differences"], 0);
+}
+
+TEST(ExploreCommandTest, ABrokenPropertyIsShownAndEndsWithOne) {
+  const ProgramResult result = Explore({"--runs", "3", "--property", kNever});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("seed 1 breaks line 1 by t=0.200000 s: not "
+                                    "objects.JointMover.state == dancing ever: it is '"));
+  EXPECT_THAT(result.out, HasSubstr("it does so in the canonical order, too"));
+  EXPECT_THAT(result.out, HasSubstr("the last messages:"));
+}
+
+TEST(ExploreCommandTest, AFailureIsWrittenAndReplaysTheSame) {
+  const ScratchFolder folder;
+  const std::string file = folder.File("failure.json");
+  const ProgramResult found =
+      Explore({"--seed", "2", "--runs", "1", "--body", "ideal", "--property", kNever, "-o", file});
+  EXPECT_THAT(found.err, HasSubstr("openr explore --replay"));
+  const json written = json::parse(folder.Read("failure.json"));
+  EXPECT_EQ(written["openr_explore"], 1);
+  EXPECT_EQ(written["seed"], 2);
+  const ProgramResult replayed = RunProgram({"explore", "--replay", file});
+  EXPECT_EQ(replayed.status, 1);
+  EXPECT_THAT(replayed.out, HasSubstr("the same as in the file"));
+}
+
+TEST(ExploreCommandTest, AReplayThatHoldsNowSaysSoAndEndsWithZero) {
+  const ScratchFolder folder;
+  Explore({"--runs", "1", "--property", kNever, "-o", folder.File("failure.json")});
+  json schedule = json::parse(folder.Read("failure.json"));
+  schedule["properties"] = {"default"};
+  folder.Write("failure.json", schedule.dump());
+  const ProgramResult replayed =
+      RunProgram({"explore", "--replay", folder.File("failure.json"), "--json"});
+  EXPECT_EQ(replayed.status, 0) << replayed.err;
+  EXPECT_FALSE(json::parse(replayed.out)["same"].get<bool>());
+}
+
+TEST(ExploreCommandTest, ACrashNamesTheHandlerAndDoesNotEndTheProgram) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const ProgramResult result = Explore({"--runs", "1", "--stick", stick.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("seed 1 breaks no-crash"));
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_THAT(result.out, HasSubstr("OBJECT Trouble, DoStart"));
+#endif
+}
+
+TEST(ExploreCommandTest, AHandlerThatHangsIsEnded) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("hang");
+  const ProgramResult result =
+      Explore({"--runs", "1", "--stick", stick.path(), "--handler-limit", "100ms"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.out, HasSubstr("breaks handlers-return"));
+  EXPECT_THAT(result.out, HasSubstr("Trouble, DoStart"));
+}
+
+TEST(ExploreCommandTest, AStickThatDoesNotBootIsRefusedWithItsFindings) {
+  const ScratchFolder stick;
+  stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/NOBODY.BIN\n");
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", "");
+  const ProgramResult result = Explore({"--stick", stick.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("the robot does not boot"));
+  EXPECT_THAT(result.err, HasSubstr("NOBODY.BIN"));
+}
+
+TEST(ExploreCommandTest, ExhaustiveTellsHowMuchWasCovered) {
+  const ProgramResult result = Explore({"--exhaustive", "--runs", "30", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["runs"], 30);
+  EXPECT_FALSE(report["complete"].get<bool>());
+  EXPECT_GT(report["covered"].get<double>(), 0);
+  EXPECT_EQ(report["stopped"], "at the bound of 30 runs");
+}
+
+TEST(ExploreCommandTest, WhatDoesNotGoTogetherIsRefused) {
+  EXPECT_EQ(Explore({"--exhaustive", "--verify"}).status, 2);
+  EXPECT_EQ(Explore({"--exhaustive", "--cost", "ers210.cost"}).status, 2);
+  EXPECT_EQ(Explore({"--vary", "weather"}).status, 2);
+  const ProgramResult property = Explore({"--property", "no-drop"});
+  EXPECT_EQ(property.status, 1);
+  EXPECT_THAT(property.err, HasSubstr("did you mean 'no-drops'?"));
+}
+
+TEST(ExploreCommandTest, AWrongCostFileIsShown) {
+  const ScratchFolder folder;
+  folder.Write("a.cost", "* DoStart soon\n");
+  const ProgramResult result = Explore({"--cost", folder.File("a.cost")});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("a.cost:1: 'soon' is no time"));
+}
+
+TEST(ExploreCommandTest, WhatObjectsPrintGoesToAFile) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("print");
+  Explore({"--runs", "2", "--stick", stick.path(), "--console", stick.File("console.txt")});
+  EXPECT_THAT(stick.Read("console.txt"), HasSubstr("said by an object"));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,73 @@
+// Who waits for an answer or for the processor.
+#include "runtime/core/stalls.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/runtime/core/recorder.h"
+
+namespace openr_host {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::string> TextsOf(const System& system, int64_t least_us) {
+  std::vector<std::string> texts;
+  for (const Stall& stall : FindStalls(system, least_us)) texts.push_back(stall.text);
+  return texts;
+}
+
+TEST(StallsTest, ACallWithoutAnswerIsOneAfterASecond) {
+  Log log;
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  Recorder* const caller = system.AddObject<Recorder>(0, "caller", &log);
+  Recorder* const callee = system.AddObject<Recorder>(0, "callee", &log);
+  caller->on_message = [&](int) {
+    int answer = 0;
+    system.Call(callee->host().id, callee->entry, &answer, sizeof answer, &answer, sizeof answer);
+  };
+  PostTo(caller, 1);
+  system.RunFor(999'000);
+  EXPECT_THAT(TextsOf(system, 0), ElementsAre("caller waits for the answer of callee (Entry)"));
+  EXPECT_TRUE(TextsOf(system, kStallUs).empty());
+  system.RunFor(1'000);
+  ReportStalls(&system, false);
+  ASSERT_EQ(system.findings().all().size(), 1u);
+  EXPECT_THAT(system.findings().all()[0].text, HasSubstr("two objects that Call() each other"));
+}
+
+// The one called "hog" costs 1 ms, everybody else 1 us.
+class HogCost : public CostModel {
+ public:
+  int64_t CostUs(const Object& object, uint32_t) override {
+    return object.name == "hog" ? 1000 : 1;
+  }
+};
+
+TEST(StallsTest, AnObjectWithoutProcessorIsOneAndAFindingOnceItRuns) {
+  Log log;
+  System system({.cost = std::make_shared<HogCost>()});
+  system.AddRobot("ERS-210", nullptr);
+  Recorder* const hog = system.AddObject<Recorder>(0, "hog", &log);
+  Recorder* const meek = system.AddObject<Recorder>(0, "meek", &log);
+  hog->host().limits.priority = 144;
+  hog->on_message = [&](int left) {
+    if (left > 0) PostTo(hog, left - 1);
+  };
+  PostTo(hog, 1500);
+  PostTo(meek, 1, 10);
+  system.RunFor(1'200'000);
+  EXPECT_THAT(TextsOf(system, kStallUs),
+              ElementsAre("meek waits for the processor since t=0.000 s"));
+  EXPECT_TRUE(system.findings().all().empty());
+  system.RunFor(1'000'000);
+  EXPECT_TRUE(TextsOf(system, 0).empty());
+  ASSERT_EQ(system.findings().all().size(), 1u);
+  EXPECT_EQ(system.findings().all()[0].object, "meek");
+  EXPECT_THAT(system.findings().all()[0].text, HasSubstr("got no processor time for 1.50"));
+}
+
+}  // namespace
+}  // namespace openr_host
