@@ -114,8 +114,9 @@ TEST(BuildTest, OldCodeCompilesAndDoesWhatItDid) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("no return statement"));  // warnings stay
   folder.Write("typed.txt", "hello there\n");
-  EXPECT_EQ(folder.Say("MS", {"--stdin", folder.File("typed.txt")}),
-            "sum 10   42\nold 1 7 5\ncast\nsame\nkr 23 pi 3.142\nff\nanswer hello there\n");
+  EXPECT_EQ(
+      folder.Say("MS", {"--stdin", folder.File("typed.txt")}),
+      "sum 10   42\nold 1 7 5\ncast\nsame\nkr 23 pi 3.142\nff\nhello there\nanswer hello there\n");
 }
 
 // What only g++ 3.3 took.
@@ -156,6 +157,20 @@ TEST(BuildTest, RulesNeverReachFoldersOutsideOfTheCopy) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("HANDMADE.BIN greeter                  Makefile\n"));
   EXPECT_FALSE(std::filesystem::exists(outside + "/OPEN-R/MW/OBJS/HANDMADE.BIN"));
+}
+
+TEST(BuildTest, RulesFindThemselvesWhereTheirMakefileIs) {
+  const KitFolder folder("handmade");
+  folder.Write("Makefile",
+               "INSTALLDIR = $(PWD)/MS\nexport INSTALLDIR\n"
+               "install:\n\tcd Greeter; make $@\n");
+  folder.Write("Greeter/Makefile",
+               "greeter.bin: Greeter.o GreeterEntries.o greeter.ocf\n\tmkbin -o $@ $^\n"
+               "install: greeter.bin\n"
+               "\tcp greeter.bin $(INSTALLDIR)/OPEN-R/MW/OBJS/HANDMADE.BIN\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("HANDMADE.BIN greeter                  Makefile\n"));
 }
 
 TEST(BuildTest, ACompilersComplaintPassesThroughAndIsSummedUp) {
@@ -208,6 +223,19 @@ TEST(BuildTest, AMakefileThatFailsIsDoneWithout) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("note: the Makefiles made no image of Greeter; built without"));
   EXPECT_EQ(folder.Say(), "handmade: init\nhandmade: start\n");
+}
+
+TEST(BuildTest, AnImageOfAnEarlierBuildIsNotTakenForANewOne) {
+  const KitFolder folder("handmade");
+  folder.Write("Greeter/Makefile",
+               "greeter.bin: Greeter.o GreeterEntries.o greeter.ocf\n\tmkbin -o $@ $^\n");
+  ASSERT_EQ(folder.Build().status, 0);
+  folder.Write("Greeter/Makefile", "all:\n\tno_such_tool\n");
+  folder.Write("Greeter/Greeter.h", folder.Read("Greeter/Greeter.h") + "\n");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("openr build: Greeter: make failed, see above, before it came "
+                                    "to Greeter.h\n"));
 }
 
 TEST(BuildTest, ObjectsWithoutAStickGetOne) {

@@ -66,16 +66,15 @@ Camera::SetUp()
                             0);
 }
 
-// After our picture no further ready is asserted, and no further image comes.
+// The stream goes on after our picture; an observer that stops asserting ready stalls it.
 void
 Camera::NotifyImage(const ONotifyEvent& event)
 {
     OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(0);
-    if (++numSeen_ > NUM_SKIPPED) {
+    if (++numSeen_ == NUM_SKIPPED + 1) {
         Convert(vector);
         OSYSPRINT(("Camera: a picture of %d x %d\n", width_, height_));
         if (WriteFile()) OSYSPRINT(("Camera: wrote %s\n", FILE_NAME));
-        return;
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }
