@@ -83,6 +83,7 @@ class FolderBuild {
   void Build();
   bool TryConvention(const std::vector<ObjectFolder>& objects);
   std::vector<ObjectFolder> NotBuilt() const;
+  void CheckForOldImages();
   bool SomeImageIsMissing() const;
   void Deliver();
   int Conclude() const;
@@ -182,8 +183,12 @@ void FolderBuild::Build() {
     return;
   }
   is_made_ = RunMake(plan, make_);
-  if (!is_made_ && !ReadKitLog(make_.log).failures.empty())
-    return;  // no other way compiles it either
+  const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
+  const bool is_of_object = std::any_of(
+      failures.begin(), failures.end(),
+      [this](const KitLog::Failure& failure) { return !ObjectOf(failure.file).empty(); });
+  if (is_of_object || (!is_made_ && !failures.empty())) return;  // no other way compiles it either
+  if (!is_made_) CheckForOldImages();
   const std::vector<ObjectFolder> rest = NotBuilt();
   if (rest.empty() && !is_made_ && ReadKitLog(make_.log).images.empty())
     problems_.push_back("make failed, see above");
@@ -193,6 +198,21 @@ void FolderBuild::Build() {
     names += (names.empty() ? "" : ", ") + object.folder.filename().string();
   notes_.push_back(fmt::format("the Makefiles made no image of {}; built without them", names));
   TryConvention(rest);
+}
+
+// After make has failed: images that it would have made anew.
+void FolderBuild::CheckForOldImages() {
+  for (const KitLog::Image& image : ReadKitLog(make_.log).images) {
+    const fs::file_time_type time = fs::last_write_time(image.file);
+    const std::string object = ObjectOf(image.ocf);
+    for (const fs::path& file : FilesBelow(fs::path(image.ocf).parent_path())) {
+      const bool is_source = IsSourceName(file) || IsHeaderName(file);
+      if (!is_source || fs::last_write_time(file) <= time) continue;
+      problems_.push_back(fmt::format("{}: make failed, see above, before it came to {}", object,
+                                      file.filename().string()));
+      break;
+    }
+  }
 }
 
 bool FolderBuild::SomeImageIsMissing() const {

@@ -42,13 +42,15 @@ Environment MakeEnvironment(const MakeOptions& options) {
 
 ProcessResult Make(const fs::path& folder, const std::vector<std::string>& arguments, int jobs,
                    bool captures, const MakeOptions& options) {
-  std::vector<std::string> all{"make", "-C", folder, fmt::format("-j{}", jobs)};
+  std::vector<std::string> all{"make", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
   if (captures) all.push_back("--output-sync=target");
   // Recipes of the time were written where sh is bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
-  return RunProcess(all, {MakeEnvironment(options), "", captures, captures, true});
+  Environment environment = MakeEnvironment(options);
+  environment.emplace_back("PWD", folder);  // rules take it for the place of their Makefile
+  return RunProcess(all, {environment, folder, captures, captures, true});
 }
 
 // Makefiles that no other one of the list is above of.
