@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <stdexcept>
 
 #include "openr/kit/check_objects.h"
@@ -70,13 +69,7 @@ Remarks CheckFolder(const std::string& folder) {
   }
   Remarks remarks;
   CheckObjects(project, &remarks);
-  std::set<fs::path> loaded;
-  for (const StickFolder& stick : project.sticks)
-    loaded.merge(CheckStick(stick, project, &remarks));
-  for (const ObjectFolder& object : project.objects) {
-    if (project.sticks.empty() || loaded.contains(object.folder)) continue;
-    remarks.Warning(object.folder, "no OBJECT.CFG names an image of this object; it is not loaded");
-  }
+  for (const StickFolder& stick : project.sticks) CheckStick(stick, project, &remarks);
   return remarks;
 }
 

@@ -28,8 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Services the robot itself registers.
-const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
-                                      ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
+constexpr const char* kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
+                                          ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 // Whatever a gateway is asked for, it has.
 constexpr char kGateway[] = "TCPGateway.";
 
@@ -62,14 +62,13 @@ class StickCheck {
   StickCheck(const StickFolder& stick, const Project& project, Remarks* remarks)
       : stick_(stick), project_(project), remarks_(remarks) {}
 
-  std::set<fs::path> Run() {
+  void Run() {
     for (const char* service : kRobotServices) services_[service] = "the robot";
     CheckObjectConfig();
     CheckConnections();
     CheckDesigns();
     CheckWlan();
     CheckFileNames();
-    return objects_;
   }
 
  private:
@@ -97,7 +96,6 @@ class StickCheck {
   std::map<std::string, std::string> services_;      // by full name: who has it
   std::vector<StubService> declared_;                // in stub.cfg files of objects on the stick
   std::map<std::string, std::string> object_names_;  // of images: by which file
-  std::set<fs::path> objects_;                       // of the project, and on this stick
   bool knows_all_ = true;                            // false: some image could not be looked into
 };
 
@@ -121,10 +119,7 @@ void StickCheck::CheckObjectConfig() {
                     "lower case in a path; the stick keeps names in upper case");
     }
     const fs::path file = OnStick(record.path);
-    // What a build for the robot left will be replaced.
-    const bool is_missing =
-        file.empty() || (!project_.objects.empty() && ReadImageFile(file).is_for_robot);
-    if (is_missing) {
+    if (file.empty()) {
       missing.push_back(record);
     } else {
       CheckImage(record, file);
@@ -209,7 +204,6 @@ void StickCheck::ExpectFromProject(const std::vector<ObjectRecord>& missing) {
 }
 
 void StickCheck::AddStubServices(const ObjectFolder& object) {
-  objects_.insert(object.folder);
   if (object.stub.empty()) {
     knows_all_ = false;
     return;
@@ -310,8 +304,8 @@ void StickCheck::CheckFileNames() {
 
 }  // namespace
 
-std::set<fs::path> CheckStick(const StickFolder& stick, const Project& project, Remarks* remarks) {
-  return StickCheck(stick, project, remarks).Run();
+void CheckStick(const StickFolder& stick, const Project& project, Remarks* remarks) {
+  StickCheck(stick, project, remarks).Run();
 }
 
 std::vector<std::string> ServicesInImage(std::string_view bytes) {

@@ -1,8 +1,6 @@
 // A Memory Stick as it will be read at boot.
 #pragma once
 
-#include <filesystem>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +10,8 @@
 
 namespace openr_host {
 
-// `project`: where objects may come from that are not built yet; perhaps without any.  Returns the
-// folders of those that the stick's OBJECT.CFG names an image of.
-std::set<std::filesystem::path> CheckStick(const StickFolder& stick, const Project& project,
-                                           Remarks* remarks);
+// `project`: where objects may come from that are not built yet; perhaps without any.
+void CheckStick(const StickFolder& stick, const Project& project, Remarks* remarks);
 
 // The names of services among the texts of an image, of whatever machine.
 std::vector<std::string> ServicesInImage(std::string_view bytes);

@@ -55,14 +55,6 @@ TEST(CheckTest, AnImageThatIsNotThereStopsTheRobot) {
   EXPECT_THAT(text, Says("OBJECT.CFG:", "note: no POWERMON.BIN"));
 }
 
-TEST(CheckTest, AnObjectThatNobodyLoadsIsNamed) {
-  const KitFolder folder("makefile");
-  folder.Write(std::string(kConf) + "OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/RECEIVER.BIN\n");
-  const std::string text = Checked(folder);
-  EXPECT_THAT(text, Says("Sender:", "no OBJECT.CFG names an image of this object"));
-  EXPECT_THAT(text, Says("CONNECT.CFG:2:", "no object on this stick has 'Sender.Text.char.S'"));
-}
-
 TEST(CheckTest, AFileThatIsNoImageForThisMachineIsSaidSo) {
   const KitFolder folder("makefile");
   folder.Write("MS/OPEN-R/MW/OBJS/SENDER.BIN", "text");
