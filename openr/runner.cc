@@ -33,9 +33,10 @@ Runner::Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* int
 void Runner::WatchActivity() {
   if (!plan_.until_idle) return;
   System& system = simulation_->system();
-  system.trace().set_sink([this, &system](const TraceRecord& record, const Message& message) {
-    if (IsActivity(system, message)) last_activity_us_ = record.time_us;
-  });
+  activity_sink_ =
+      system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
+        if (IsActivity(system, message)) last_activity_us_ = record.time_us;
+      });
 }
 
 bool Runner::IsOver() const {
@@ -133,7 +134,7 @@ bool Runner::Run() {
     system.RunUntil(stop_us);
     AfterFrame();
   }
-  system.trace().set_sink({});
+  system.trace().RemoveSink(activity_sink_);
   if (!system.powered_off()) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);

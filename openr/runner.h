@@ -61,6 +61,7 @@ class Runner {
   std::vector<StandingMonitor> standing_;
   std::vector<bool> taken_;      // by snapshot
   std::vector<bool> announced_;  // by robot: its port
+  int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
   int64_t paused_us_ = -1;  // when the button was pressed
   bool shutdown_posted_ = false;

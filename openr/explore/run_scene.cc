@@ -54,7 +54,7 @@ class SceneRun {
       const int64_t frames = until_us_ / kFrameUs;
       scene_.robots[i]->set_first_frame(schedule_->FirstFrame(static_cast<int>(i), frames));
     }
-    system_.trace().set_sink(
+    const int sink = system_.trace().AddSink(
         [this](const TraceRecord& record, const Message& message) { Saw(record, message); });
     system_.Boot();
     while (system_.now_us() < until_us_ && !system_.powered_off() && broken_.is_null()) {
@@ -62,7 +62,7 @@ class SceneRun {
       if (WasCut()) break;
       Look();
     }
-    system_.trace().set_sink({});
+    system_.trace().RemoveSink(sink);
     if (broken_.is_null() && !WasCut()) LookAtEnd();
     return Answer();
   }

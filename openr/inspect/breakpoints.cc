@@ -1,20 +1,72 @@
 #include "openr/inspect/breakpoints.h"
 
 #include <sstream>
+#include <stdexcept>
 
 namespace openr_host {
+namespace {
+
+constexpr char kForms[] =
+    "break object NAME, break service TEXT, break state OBJECT TEXT, break finding or break when "
+    "QUANTITY OP VALUE";
+
+struct Words {
+  explicit Words(const std::string& text) {
+    std::istringstream stream(text);
+    stream >> kind >> name;
+    std::getline(stream >> std::ws, rest);
+  }
+  std::string kind, name, rest;
+};
+
+PropertyRule ReadRule(const std::string& condition) {
+  std::vector<Diagnostic> diagnostics;
+  const auto rules = ParseProperties("break when", "always " + condition, &diagnostics);
+  if (rules.size() != 1)
+    throw std::runtime_error("break when QUANTITY OP VALUE, like 'robots[0].pitch_deg > 10'");
+  return rules.front();
+}
+
+}  // namespace
+
+ReplayView::ReplayView(Replayer* replayer) : replayer_(replayer) {
+  scene_.system = &replayer->system();
+  scene_.robots = replayer->simulation().robots();
+  for (const VirtualRobot* robot : scene_.robots) standing_.emplace_back(robot->model());
+  run_ = {&scene_, &standing_, 0};
+}
+
+void ReplayView::Sample() {
+  const int64_t now_us = replayer_->system().now_us();
+  if (now_us / kFrameUs == frame_) return;
+  frame_ = now_us / kFrameUs;
+  for (size_t i = 0; i < standing_.size(); ++i)
+    standing_[i].Sample(scene_.robots[i]->body().state(), now_us);
+}
+
+Breakpoints::Break Breakpoints::Read(const std::string& text) const {
+  const Words words(text);
+  Break one{text, {}, {}};
+  if (words.kind == "when") {
+    one.rule = ReadRule(words.name + " " + words.rest);
+    one.quantity = FindQuantity(one.rule->quantity, view_->run());
+    one.held = Holds(one);
+    return one;
+  }
+  const bool good = (words.kind == "object" && !words.name.empty() && words.rest.empty()) ||
+                    (words.kind == "service" && !words.name.empty()) ||
+                    (words.kind == "state" && !words.name.empty() && !words.rest.empty()) ||
+                    (words.kind == "finding" && words.name.empty());
+  if (!good) throw std::runtime_error(kForms);
+  return one;
+}
 
 std::string Breakpoints::Add(const std::string& text) {
-  std::istringstream words(text);
-  std::string kind, name, rest;
-  words >> kind >> name;
-  std::getline(words >> std::ws, rest);
-  const bool good =
-      (kind == "object" && !name.empty() && rest.empty()) || (kind == "service" && !name.empty()) ||
-      (kind == "state" && !name.empty() && !rest.empty()) || (kind == "finding" && name.empty());
-  if (!good)
-    return "break object NAME, break service TEXT, break state OBJECT TEXT or break finding";
-  all_.push_back(text);
+  try {
+    all_.push_back(Read(text));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
   return "";
 }
 
@@ -24,44 +76,55 @@ bool Breakpoints::Remove(size_t number) {
   return true;
 }
 
-bool Breakpoints::Holds(const std::string& text, Replayer* replayer) {
-  std::istringstream words(text);
-  std::string kind, name, rest;
-  words >> kind >> name;
-  std::getline(words >> std::ws, rest);
-  const TraceRecord& record = replayer->last().record;
-  const TraceReader& reader = replayer->reader();
-  if (kind == "object")
-    return reader.ObjectName(record.sender) == name || reader.ObjectName(record.target) == name;
-  if (kind == "service") {
-    const std::string wanted = text.substr(text.find(name));
+bool Breakpoints::Holds(const Break& one) const {
+  if (!one.rule) return HoldsText(one.text);
+  return Compares(one.quantity(view_->run()), one.rule->op, one.rule->value);
+}
+
+bool Breakpoints::HoldsText(const std::string& text) const {
+  const Words words(text);
+  const TraceRecord& record = replayer_->last().record;
+  const TraceReader& reader = replayer_->reader();
+  if (words.kind == "object") {
+    return reader.ObjectName(record.sender) == words.name ||
+           reader.ObjectName(record.target) == words.name;
+  }
+  if (words.kind == "service") {
+    const std::string wanted = text.substr(text.find(words.name));
     return reader.EntryName(record.target, record.selector).find(wanted) != std::string::npos;
   }
-  if (kind == "state") {
-    const Object* const object = replayer->system().FindObject(0, name);
-    return object != nullptr && object->state == rest && object->id == record.target;
+  if (words.kind == "state") {
+    const Object* const object = replayer_->system().FindObject(0, words.name);
+    return object != nullptr && object->state == words.rest && object->id == record.target;
   }
-  const auto& findings = replayer->system().findings().all();
+  const auto& findings = replayer_->system().findings().all();
   return !findings.empty() && findings.back().message == record.number;
 }
 
-size_t Breakpoints::Hit(Replayer* replayer) const {
+void Breakpoints::Arm() {
+  for (Break& one : all_) one.held = one.rule && Holds(one);
+}
+
+size_t Breakpoints::Hit() {
+  size_t hit = 0;
   for (size_t i = 0; i < all_.size(); ++i) {
-    if (Holds(all_[i], replayer)) return i + 1;
+    const bool holds = Holds(all_[i]);
+    if (holds && !all_[i].held && hit == 0) hit = i + 1;
+    all_[i].held = all_[i].rule && holds;
   }
-  return 0;
+  return hit;
 }
 
 std::string Breakpoints::Save() const {
   std::string text;
-  for (const std::string& one : all_) text += one + "\n";
+  for (const Break& one : all_) text += one.text + "\n";
   return text;
 }
 
 void Breakpoints::Load(const std::string& text) {
   all_.clear();
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) all_.push_back(line);
+  for (std::string line; std::getline(lines, line);) all_.push_back(Read(line));
 }
 
 }  // namespace openr_host

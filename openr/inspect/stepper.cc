@@ -15,6 +15,7 @@
 #include "openr/duration.h"
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/trace_text.h"
+#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -28,9 +29,14 @@ constexpr char kHelp[] =
     "goto N | goto TIME   to a message by its count, or to a time: goto 1.25s (g)\n"
     "run                  to the next break, difference or the end (r)\n"
     "break object NAME | break service TEXT | break state OBJECT TEXT | break finding\n"
+    "break when QUANTITY OP VALUE\n"
+    "                     where it begins to hold: break when robots[0].pitch_deg > 10\n"
     "breaks, delete N     shows breaks, removes one\n"
-    "print queue | waiting | objects | joints | findings | hash (p)\n"
+    "print queue | waiting | objects | joints | findings | hash | QUANTITY (p)\n"
     "quit (q)\n";
+
+const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
+                                         "breaks", "delete", "print", "help", "quit"};
 
 // What all copies of the process share.
 struct Shared {
@@ -55,7 +61,8 @@ bool ReadLine(std::string* line) {
 
 class Stepper {
  public:
-  Stepper(Replayer* replayer, Shared* shared) : replayer_(replayer), shared_(shared) {
+  Stepper(Replayer* replayer, Shared* shared)
+      : replayer_(replayer), view_(replayer), breaks_(replayer, &view_), shared_(shared) {
     breaks_.Load(shared_->breaks);
   }
 
@@ -124,6 +131,7 @@ class Stepper {
       while (replayer_->count() == before) {
         if (!replayer_->Step()) return false;
       }
+      view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
         if (went_back_) return false;  // what was being done is undone
@@ -145,7 +153,8 @@ class Stepper {
     _exit(0);
   }
 
-  void Goto(const std::string& where) {
+  void Goto(std::string where) {
+    if (where.starts_with("t=")) where.erase(0, 2);
     int64_t time_us = 0;
     char* end = nullptr;
     const uint64_t number = std::strtoull(where.c_str(), &end, 10);
@@ -163,9 +172,10 @@ class Stepper {
   }
 
   void RunOn() {
+    breaks_.Arm();
     while (Forward(1)) {
-      if (const size_t hit = breaks_.Hit(replayer_); hit > 0) {
-        fmt::print("break {}: {}\n", hit, breaks_.all()[hit - 1]);
+      if (const size_t hit = breaks_.Hit(); hit > 0) {
+        fmt::print("break {}: {}\n", hit, breaks_.text(hit));
         break;
       }
     }
@@ -196,6 +206,7 @@ class Stepper {
 
   void Print(const std::string& what);
   void PrintQueue();
+  void PrintQuantity(const std::string& name);
 
   // False for "quit".
   bool Obey(const std::string& line) {
@@ -217,8 +228,7 @@ class Stepper {
     } else if (verb == "break") {
       Break(rest);
     } else if (verb == "breaks") {
-      for (size_t i = 0; i < breaks_.all().size(); ++i)
-        fmt::print("{}: {}\n", i + 1, breaks_.all()[i]);
+      for (size_t i = 1; i <= breaks_.size(); ++i) fmt::print("{}: {}\n", i, breaks_.text(i));
     } else if (verb == "delete") {
       if (!breaks_.Remove(count)) fmt::print("there is no break {}\n", rest);
       SaveBreaks();
@@ -226,15 +236,18 @@ class Stepper {
       Print(rest);
     } else if (verb == "quit" || verb == "q") {
       return false;
-    } else if (!verb.empty()) {
+    } else if (verb == "help" || verb == "h") {
       fmt::print("{}", kHelp);
+    } else if (!verb.empty()) {
+      fmt::print("no command '{}'{}; 'help' tells the commands\n", verb, DidYouMean(verb, kVerbs));
     }
     return true;
   }
 
   Replayer* const replayer_;
-  Shared* const shared_;
+  ReplayView view_;
   Breakpoints breaks_;
+  Shared* const shared_;
   bool is_copy_ = false;
   bool went_back_ = false;
   uint64_t last_snapshot_ = 0;
@@ -276,7 +289,17 @@ void Stepper::Print(const std::string& what) {
   } else if (what == "hash") {
     fmt::print("trace {:016x} state {:016x}\n", system.trace_hash(), system.state_hash());
   } else {
-    fmt::print("print queue, waiting, objects, joints, findings or hash\n");
+    PrintQuantity(what);
+  }
+}
+
+void Stepper::PrintQuantity(const std::string& name) {
+  try {
+    const Value value = FindQuantity(name, view_.run())(view_.run());
+    std::visit([&](const auto& known) { fmt::print("{} is {}\n", name, known); }, value);
+  } catch (const std::runtime_error& error) {
+    fmt::print("{}; print queue, waiting, objects, joints, findings, hash or a quantity\n",
+               error.what());
   }
 }
 

@@ -24,7 +24,11 @@ void FindInLink(const Object& object, const SubjectState& subject, const Observe
                        fmt::format("{} waits for ready of {} on {} since t={:.3f} s", object.name,
                                    link.name, subject.service, Seconds(link.waiting_since_us)),
                        kReadyAdvice});
-  } else if (link.ready == 0 && link.sent > 0 && now_us - link.sent_us >= kStallUs) {
+  } else if (link.ready == 0 && link.sent == 0 && now_us >= kStallUs) {
+    stalls->push_back({object.id, 0,
+                       fmt::format("{} has never asserted ready to {}", link.name, subject.service),
+                       kReadyAdvice, true});
+  } else if (link.ready == 0 && now_us - link.sent_us >= kStallUs) {
     stalls->push_back({object.id, link.sent_us,
                        fmt::format("{} has not asserted ready to {} since its notification of "
                                    "t={:.3f} s",
@@ -36,7 +40,8 @@ void FindInLink(const Object& object, const SubjectState& subject, const Observe
 void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
   if (object.blocked != nullptr) {
     stalls->push_back({object.id, object.blocked_since_us,
-                       fmt::format("{} waits for {}", object.name, object.blocked_why),
+                       fmt::format("{} waits for {} since t={:.3f} s", object.name,
+                                   object.blocked_why, Seconds(object.blocked_since_us)),
                        object.blocked_why == ConsoleInput::kWhy
                            ? "nobody has typed one: openr run --stdin FILE"
                            : "two objects that Call() each other wait for ever"});

@@ -59,9 +59,18 @@ std::string PayloadBytes(const Message& message) {
   return bytes;
 }
 
+int Trace::AddSink(Sink sink) {
+  sinks_.emplace_back(++last_sink_, std::move(sink));
+  return last_sink_;
+}
+
+void Trace::RemoveSink(int number) {
+  std::erase_if(sinks_, [number](const auto& sink) { return sink.first == number; });
+}
+
 void Trace::Deliver(const Message& message, int64_t now_us) {
   ++count_;
-  if (!hashing_ && !sink_ && more_sinks_.empty()) return;
+  if (!hashing_ && sinks_.empty()) return;
   TraceRecord& record = buffer_[buffered_];
   record.number = message.number;
   record.cause = message.cause;
@@ -70,8 +79,7 @@ void Trace::Deliver(const Message& message, int64_t now_us) {
   record.target = message.target;
   record.selector = message.is_reply ? UNDEF : message.selector;
   record.payload_hash = PayloadHash(message, &record.size);
-  if (sink_) sink_(record, message);
-  for (const Sink& sink : more_sinks_) sink(record, message);
+  for (const auto& [number, sink] : sinks_) sink(record, message);
   if (++buffered_ == kBuffered) {
     hasher_.AddBytes(buffer_, sizeof buffer_);
     buffered_ = 0;

@@ -29,12 +29,13 @@ class Trace {
  public:
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
-  // Adds the message to the hash and gives it to the sink, if any.
+  // Adds the message to the hash and gives it to the sinks.
   void Deliver(const Message& message, int64_t now_us);
 
-  void set_sink(Sink sink) { sink_ = std::move(sink); }
-  // One more, for good.
-  void AddSink(Sink sink) { more_sinks_.push_back(std::move(sink)); }
+  // `sink` hears of every message, after those added before; the number is for RemoveSink().
+  // Not from within a sink.
+  int AddSink(Sink sink);
+  void RemoveSink(int number);
 
   // Off: messages are counted only and the hash stands still; for benchmarks that
   // ask what it costs.
@@ -45,8 +46,8 @@ class Trace {
  private:
   static constexpr int kBuffered = 64;
 
-  Sink sink_;
-  std::vector<Sink> more_sinks_;
+  std::vector<std::pair<int, Sink>> sinks_;
+  int last_sink_ = 0;
   uint64_t count_ = 0;
   bool hashing_ = true;
   mutable Hasher hasher_;

@@ -53,7 +53,7 @@ struct Talk {
   }
   void Run(std::unique_ptr<ExploreSchedule> schedule) {
     system.set_schedule(schedule.get());
-    system.trace().set_sink([this](const TraceRecord& record, const Message&) {
+    system.trace().AddSink([this](const TraceRecord& record, const Message&) {
       numbers[record.target].push_back(record.number);
     });
     system.Boot();

@@ -259,7 +259,7 @@ TEST_F(ReplayTest, BreaksStopWhereTheySayAndOutliveGoingBack) {
   const std::string text = Step(
       "break state PowerMonitor nonsense\ndelete 1\nbreak service Effector.OCommandVectorData.O "
       "(Notify)\nrun\nback 5\nbreaks\n"
-      "run\nprint waiting\nprint queue\nprint joints\nprint objects\nwhat\nbreak this\nquit\n");
+      "run\nprint waiting\nprint queue\nprint joints\nprint objects\nstop\nbreak this\nquit\n");
   EXPECT_NE(text.find("break 1: service Effector.OCommandVectorData.O (Notify)\n"),
             std::string::npos)
       << text;
@@ -267,6 +267,24 @@ TEST_F(ReplayTest, BreaksStopWhereTheySayAndOutliveGoingBack) {
       << text;
   EXPECT_NE(text.find("neck_pan"), std::string::npos) << text;
   EXPECT_NE(text.find("break object NAME, break service"), std::string::npos) << text;
+  EXPECT_NE(text.find("no command 'stop'; did you mean 'step'?"), std::string::npos) << text;
+}
+
+TEST_F(ReplayTest, AConditionBreaksWhereItBeginsToHold) {
+  Record();
+  const std::string text = Step(
+      "break when robots[0].joint.neck_pan << 3\nbreak when objects.JointMvoer.messages > 3\n"
+      "break when objects.JointMover.messages >= 5\nrun\nprint objects.JointMover.messages\n"
+      "back 1\nprint objects.JointMover.messages\nrun\nprint messages\nrun\nquit\n");
+  EXPECT_NE(text.find("break when QUANTITY OP VALUE, like"), std::string::npos) << text;
+  EXPECT_NE(text.find("did you mean 'JointMover'?"), std::string::npos) << text;
+  const size_t hit = text.find("objects.JointMover.messages is 5\n");
+  ASSERT_NE(hit, std::string::npos) << text;
+  EXPECT_NE(text.find("objects.JointMover.messages is 4\n", hit), std::string::npos) << text;
+  EXPECT_NE(text.find("break 1: ", hit), std::string::npos) << "again after going back\n" << text;
+  EXPECT_NE(text.find("at the end of the recording"), std::string::npos)
+      << "it holds for the rest and does not stop again\n"
+      << text;
 }
 
 }  // namespace

@@ -120,6 +120,16 @@ TEST_F(WatchTest, ANotificationWithoutReadyIsAStallAfterASecond) {
   EXPECT_TRUE(Stalls().empty());
 }
 
+TEST_F(WatchTest, WhoNeverAssertsReadyIsNamedThoughNothingWasSent) {
+  Boot();
+  EXPECT_TRUE(Stalls(0).empty()) << "it may do so later";
+  system->RunFor(1'000'000);
+  EXPECT_THAT(Stalls(),
+              testing::ElementsAre("receiver has never asserted ready to Sender.Out.Number.S"));
+  ReportStalls(system.get(), false);
+  EXPECT_TRUE(findings().empty()) << "it may want nothing";
+}
+
 TEST_F(WatchTest, WhoSaysNotReadyIsNoStall) {
   Boot();
   RunAs(receiver, [&] { receiver->in->DeassertReady(); });
