@@ -65,6 +65,22 @@ TEST_F(PackageTest, CMakeFindsThePackageAndBuildsObjectsAndAStick) {
   EXPECT_EQ(Say("build/stick"), kHeard);
 }
 
+TEST_F(PackageTest, TheTutorialOnTestingBuildsAsItsPageSays) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the installed library wants a program with sanitizers";
+#endif
+  const std::string build = folder_.File("build");
+  const ProcessResult configured = RunProcess(
+      {"cmake", "-S", TUTORIAL, "-B", build, "-DCMAKE_PREFIX_PATH=" + prefix_->path()},
+      {{}, "", true, true});
+  ASSERT_TRUE(configured.good()) << configured.output;
+  const ProcessResult built = RunProcess({"cmake", "--build", build}, {{}, "", true, true});
+  ASSERT_TRUE(built.good()) << built.output;
+  const ProcessResult run = RunProcess({build + "/meter_test"}, {{}, "", true, true});
+  EXPECT_TRUE(run.good()) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("[  PASSED  ] 4 tests."));
+}
+
 TEST_F(PackageTest, AMakefileIncludesTheKitsRules) {
   for (const char* name : {"Sender", "Receiver"}) {
     std::string object = name;
