@@ -30,7 +30,8 @@ TEST(StallsTest, ACallWithoutAnswerIsOneAfterASecond) {
   };
   PostTo(caller, 1);
   system.RunFor(999'000);
-  EXPECT_THAT(TextsOf(system, 0), ElementsAre("caller waits for the answer of callee (Entry) since t=0.000 s"));
+  EXPECT_THAT(TextsOf(system, 0),
+              ElementsAre("caller waits for the answer of callee (Entry) since t=0.000 s"));
   EXPECT_TRUE(TextsOf(system, kStallUs).empty());
   system.RunFor(1'000);
   ReportStalls(&system, false);

@@ -89,7 +89,8 @@ TEST_F(IpStackTest, CallBlocksOnlyItsCaller) {
   });
   EXPECT_FALSE(returned);
   EXPECT_EQ(system.WhoWaits(),
-            std::vector<std::string>{"probe waits for the answer of IPStack (TCP Listen) since t=0.001 s"});
+            std::vector<std::string>{
+                "probe waits for the answer of IPStack (TCP Listen) since t=0.001 s"});
   other->Do([&] { other_ran = true; });
   Frames();
   EXPECT_TRUE(other_ran);
