@@ -70,9 +70,9 @@ TEST_F(PackageTest, TheTutorialOnTestingBuildsAsItsPageSays) {
   GTEST_SKIP() << "the installed library wants a program with sanitizers";
 #endif
   const std::string build = folder_.File("build");
-  const ProcessResult configured = RunProcess(
-      {"cmake", "-S", TUTORIAL, "-B", build, "-DCMAKE_PREFIX_PATH=" + prefix_->path()},
-      {{}, "", true, true});
+  const ProcessResult configured =
+      RunProcess({"cmake", "-S", TUTORIAL, "-B", build, "-DCMAKE_PREFIX_PATH=" + prefix_->path()},
+                 {{}, "", true, true});
   ASSERT_TRUE(configured.good()) << configured.output;
   const ProcessResult built = RunProcess({"cmake", "--build", build}, {{}, "", true, true});
   ASSERT_TRUE(built.good()) << built.output;

@@ -99,7 +99,8 @@ TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   Post(third, 3);
   system.RunFor(100);
   EXPECT_EQ(log, (Log{"caller:1@0", "third:3@0", "callee:7@0"}));
-  EXPECT_EQ(system.WhoWaits(), (Log{"caller waits for the answer of callee (Entry) since t=0.000 s"}));
+  EXPECT_EQ(system.WhoWaits(),
+            (Log{"caller waits for the answer of callee (Entry) since t=0.000 s"}));
   const int answer = 42;
   RunAs(callee, [&] { EXPECT_EQ(system.Reply(ticket, &answer, sizeof answer), sSUCCESS); });
   system.RunFor(100);
