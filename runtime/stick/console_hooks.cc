@@ -63,7 +63,11 @@ int fgetc(FILE* file) {
   return next(Resolve(file));
 }
 
-int getchar() { return getc(stdin); }
+// <stdio.h> defines these two as inline functions, which clang does not let anybody replace.
+int OpenrGetchar() __asm__("getchar");
+ssize_t OpenrGetline(char** line, size_t* size, FILE* file) __asm__("getline");
+
+int OpenrGetchar() { return getc(stdin); }
 
 int ungetc(int c, FILE* file) {
   static const auto next = OPENR_NEXT(ungetc);
@@ -126,7 +130,9 @@ ssize_t getdelim(char** line, size_t* size, int delimiter, FILE* file) {
   return next(line, size, delimiter, Resolve(file));
 }
 
-ssize_t getline(char** line, size_t* size, FILE* file) { return getdelim(line, size, '\n', file); }
+ssize_t OpenrGetline(char** line, size_t* size, FILE* file) {
+  return getdelim(line, size, '\n', file);
+}
 
 int feof(FILE* file) noexcept {
   static const auto next = OPENR_NEXT(feof);
