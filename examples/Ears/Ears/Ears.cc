@@ -113,6 +113,7 @@ Ears::Rest()
     OSYSPRINT(("Ears: at rest\n"));
     OCommandVectorData* vector = (OCommandVectorData*)region_->Base();
     for (int i = 0; i < NUM_EARS; i++) {
-        ((OJointCommandValue3*)vector->GetData(i)->value)->value = ojoint3_STATE0;
+        OJointCommandValue3* value = (OJointCommandValue3*)vector->GetData(i)->value;
+        value->value = ojoint3_STATE0;
     }
 }

@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# The objects on the robot's word size and byte order, as far as that goes without the SDK:
+#
+#   objects/, examples/ and controllers compile as C++98 for 32-bit little-endian MIPS;
+#   the layout of our headers' structs is the robot's;
+#   the tests of the objects' logic pass there (under qemu);
+#   and one text of many values is the same, byte for byte, as on the host with g++ and clang++.
+#
+#   check_mips.sh BUILD [WORK]     BUILD: a build of the host; WORK: default BUILD/../mips
+#
+# The last line is "N passed, M failed".
+set -uo pipefail
+[ $# -gt 0 ] || { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$(cd "$1" && pwd) || exit 2
+mkdir -p "${2:-$build/../mips}"
+work=$(cd "${2:-$build/../mips}" && pwd)
+
+passed=0
+failed=0
+
+# verdict NAME STATUS
+verdict() {
+  if [ "$2" -eq 0 ]; then
+    passed=$((passed + 1))
+    echo "good: $1"
+  else
+    failed=$((failed + 1))
+    echo "FAILED: $1"
+  fi
+}
+
+# total NAME COMMAND...: adds the last line of a test program to the sum.
+total() {
+  local name=$1 last
+  shift
+  "$@" >"$work/$name.log" 2>&1
+  local status=$?
+  last=$(tail -n 1 "$work/$name.log")
+  if [[ $last =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed(,\ [0-9]+\ skipped)?$ ]]; then
+    echo "$name: $last"
+    passed=$((passed + BASH_REMATCH[1]))
+    failed=$((failed + BASH_REMATCH[2]))
+    if [ "$status" -ne 0 ] && [ "${BASH_REMATCH[2]}" -eq 0 ]; then verdict "$name ends with 0" 1; fi
+    [ "${BASH_REMATCH[2]}" -eq 0 ] && return
+  else
+    verdict "$name runs to its end (status $status)" 1
+  fi
+  grep -vE '^\[ +(OK|RUN) ' "$work/$name.log" | head -40
+}
+
+# make_with NAME TARGET OPTION...: configures and builds tests/mips with a compiler.
+make_with() {
+  local name=$1 target=$2
+  shift 2
+  cmake -S "$here" -B "$work/$name" -G Ninja -DOPENR_BUILD="$build" "$@" >"$work/$name.log" 2>&1 &&
+    cmake --build "$work/$name" --target "$target" -- -k 0 >>"$work/$name.log" 2>&1
+  local status=$?
+  [ "$status" -eq 0 ] || grep -E 'error|FAILED|Error|not found' "$work/$name.log" | head -40
+  verdict "$target of $name compiles" "$status"
+}
+
+# same NAME FILE: FILE is what g++ on the host wrote.
+same() {
+  if [ ! -s "$work/host.txt" ] || [ ! -s "$2" ]; then
+    verdict "the values are there: $1" 1
+    return
+  fi
+  if cmp -s "$work/host.txt" "$2"; then
+    verdict "the same $(wc -l <"$2") lines of values: $1" 0
+  else
+    diff "$work/host.txt" "$2" | head -8 | cut -c 1-160
+    verdict "the same values: $1" 1
+  fi
+}
+
+make_with host dump -DCMAKE_BUILD_TYPE=Release
+make_with clang dump -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang
+make_with mipsel all -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$here/mipsel.cmake"
+make_with mipsel-O0 dump -DCMAKE_BUILD_TYPE=Debug -DCMAKE_TOOLCHAIN_FILE="$here/mipsel.cmake"
+
+"$work/host/bin/dump" >"$work/host.txt"
+"$work/clang/bin/dump" >"$work/clang.txt"
+qemu-mipsel-static "$work/mipsel/bin/dump" >"$work/mipsel.txt"
+qemu-mipsel-static "$work/mipsel-O0/bin/dump" >"$work/mipsel-O0.txt"
+same 'clang++ on the host' "$work/clang.txt"
+same 'MIPS' "$work/mipsel.txt"
+same 'MIPS without optimisation' "$work/mipsel-O0.txt"
+
+total abi qemu-mipsel-static "$work/mipsel/bin/abi"
+total logic qemu-mipsel-static "$work/mipsel/bin/logic"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
