@@ -68,6 +68,7 @@ grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.
 files 'cc|h|c|py|sh' openr runtime virtualrobot objects examples testing tools tests bench | xargs -r wc -l |
   awk '$2 != "total" && $1 > 500' | rule 'no file has more than 500 lines'
 
+python3 tools/sdk_surface.py | rule 'objects/ and examples/ use what the robot has (tools/sdk_surface.py)'
 python3 tools/conformance_table.py --check |
   rule 'docs/conformance.md is made of tests/conformance/statements.tsv'
 

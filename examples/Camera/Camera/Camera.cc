@@ -10,6 +10,11 @@
 static const char* const LOCATOR = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 static const char* const FILE_NAME = "/MS/OPEN-R/MW/DATA/P/PHOTO.PPM";
 
+// Parameters of the camera's requests.
+static const longword FLUORESCENT = 3;    // white balance, 4300 K
+static const longword GAIN_0_DB = 2;      // the middle one of three
+static const longword SHUTTER_10_MS = 2;  // 1/100 s
+
 Camera::Camera() : camera_(oprimitiveID_UNDEF), numSeen_(0), rgb_(0), width_(0), height_(0) {}
 
 OStatus
@@ -56,12 +61,12 @@ Camera::DoDestroy(const OSystemEvent&)
 void
 Camera::SetUp()
 {
-    OPrimitiveControl_CameraParam balance(ocamparamWB_FL_MODE);
+    OPrimitiveControl_CameraParam balance(FLUORESCENT);
     OPENR::ControlPrimitive(camera_, oprmreqCAM_SET_WHITE_BALANCE, &balance, sizeof(balance), 0,
                             0);
-    OPrimitiveControl_CameraParam gain(ocamparamGAIN_MID);
+    OPrimitiveControl_CameraParam gain(GAIN_0_DB);
     OPENR::ControlPrimitive(camera_, oprmreqCAM_SET_GAIN, &gain, sizeof(gain), 0, 0);
-    OPrimitiveControl_CameraParam shutter(ocamparamSHUTTER_MID);
+    OPrimitiveControl_CameraParam shutter(SHUTTER_10_MS);
     OPENR::ControlPrimitive(camera_, oprmreqCAM_SET_SHUTTER_SPEED, &shutter, sizeof(shutter), 0,
                             0);
 }

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""tools/sdk_surface.py: what it finds in objects that use more than the robot has, and that it is
+silent otherwise.  The last line is "N passed, N failed"."""
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+TOOL = ROOT / "tools/sdk_surface.py"
+
+GOOD = """
+#include <OPENR/OObject.h>
+#include <stdio.h>
+#include <string>
+#include "def.h"
+// fork() and std::thread in a comment, "fork()" in a string: nobody's business.
+class Dog : public OObject {
+public:
+    OSubject* subject[numOfSubject];
+    virtual OStatus DoInit(const OSystemEvent& event);
+    void Walk(int steps, const char* why);
+private:
+    enum State { IDLE, WALKING } state_;
+    std::string name_;
+    antStackRef ipstack_;
+    int (*callback_)(int);
+};
+OStatus Dog::DoInit(const OSystemEvent& event)
+{
+    OSYSLOG1((osyslogERROR, "fork() %d", (int)state_));
+    int a = 0, *b = &a;
+    TCPEndpointListenMsg listen(*b);
+    listen.Call(ipstack_, sizeof(listen));
+    name_.push_back('x');
+    return OPENR::OpenPrimitive(name_.c_str(), 0) == oSUCCESS ? oSUCCESS : oFAIL;
+}
+"""
+
+# What is put in place of "//HERE" of a good source, and what must be said; line 6 of the file.
+PLANTED = [
+    ("std::thread t(Walk);", "std::thread: not in the robot's C++ library of 1998"),
+    ("if (fork() == 0) return;", "fork(): not there, or without effect, on the robot"),
+    ("::fork();", "fork(): not there, or without effect, on the robot"),
+    ("int now = time(0);", "time(): not there, or without effect, on the robot"),
+    ("usleep(1000);", "usleep(): not there, or without effect, on the robot"),
+    ("pthread_t t = 0; return fork();", "fork(): not there, or without effect, on the robot"),
+    ("int n = getppid();", "getppid: not declared here, and not of the SDK or the robot's C library"),
+    ("std::unordered_map<int, int> m;", "std::unordered_map: not in the robot's C++ library of 1998"),
+    ("openr_host::System* s = 0;", "System: not declared here"),
+    ("longword w = ocamparamWB_FL_MODE;", "ocamparamWB_FL_MODE: only our OPENR/OPrimitiveControl.h has it"),
+    ("uint32_t n = 0;", "uint32_t: not declared here"),
+    ("OPENR::Teleport();", "Teleport: not declared here"),
+    ("a.fallocate(3);", "fallocate: not declared here"),
+]
+INCLUDES = [
+    ('#include "runtime/core/system.h"', '"runtime/core/system.h": neither the SDK nor'),
+    ("#include <sys/socket.h>", "<sys/socket.h>: neither the SDK nor"),
+    ("#include <thread>", "<thread>: neither the SDK nor"),
+    ("#include <stdint.h>", "<stdint.h>: neither the SDK nor"),
+    ("#include <OPENR/formats/sensors.h>", "a header of this project that the SDK does not have"),
+]
+
+passed = 0
+failed = 0
+
+
+def verdict(name, good, said):
+    global passed, failed
+    if good:
+        passed += 1
+    else:
+        failed += 1
+        print(f"FAILED: {name}\n{said}")
+
+
+def check(text):
+    """What the tool says about a folder with one source, without the folder."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "Dog.cc").write_text(text)
+        done = subprocess.run([sys.executable, str(TOOL), folder], capture_output=True, text=True)
+        return done.returncode, done.stdout.replace(folder + "/", "") + done.stderr
+
+
+def main():
+    status, said = check(GOOD)
+    verdict("a good object is passed over in silence", (status, said) == (0, ""), said)
+    for line, words in PLANTED:
+        status, said = check("#include <OPENR/OObject.h>\nint a;\nvoid\nWalk()\n{\n    " + line + "\n}\n")
+        verdict(line, status == 1 and said.startswith("Dog.cc:6: ") and words in said, said)
+    for line, words in INCLUDES:
+        status, said = check("\n" + line + "\n")
+        verdict(line, status == 1 and said.startswith("Dog.cc:2: ") and words in said, said)
+    listed = subprocess.run([sys.executable, str(TOOL), "--list"], capture_output=True, text=True).stdout
+    for name in ("OpenPrimitive", "<OPENR/OObject.h>", "std::vector", "fopen"):
+        verdict(f"--list names {name}", f"\n{name}\t" in "\n" + listed, listed[:500])
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

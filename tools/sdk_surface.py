@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""What objects use of their surroundings, against what there is of it on the robot.
+
+    tools/sdk_surface.py                    checks objects/ and examples/; prints every offence,
+                                            nothing is good
+    tools/sdk_surface.py FOLDER...          checks other folders
+    tools/sdk_surface.py --list [FOLDER]    lists what is used: name, how often, where it is from
+    tools/sdk_surface.py --write REFERENCES makes tools/surface/sdk_surface.tsv of runtime/include
+                                            and the reference texts (*.md) of that folder
+
+The SDK's surface: names that our headers have *and* a reference names.  What only our headers
+have (the table says "-") would be missing on the robot, so objects must not use it.
+"""
+import argparse
+import collections
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tools/surface"))
+from source_names import KEYWORDS, Source  # noqa: E402
+
+HEADERS = ROOT / "runtime/include"
+REFERENCES = ROOT.parent / "shared/openr"  # not part of the project; used where it is there
+TABLE = ROOT / "tools/surface/sdk_surface.tsv"
+LIBRARY = ROOT / "tools/surface/robot_c_library.txt"
+SOURCES = (".cc", ".cpp", ".c", ".h")
+# Made by the stub generator of a stub.cfg (core reference, 4.2 and 4.3), and by tools/genmodel.
+GENERATED_HEADERS = {"def.h", "entry.h", "RobotConstants.h"}
+GENERATED_NAMES = re.compile(r"^(NUM_)?ROBOTS$|^(sbj|obs|entry)[A-Z]\w*$|^Entry_\w+$|^Extra_Entry$|^numOf(Subject|Observer)$")
+
+
+def names_of_headers():
+    """{name: header that has it first}"""
+    names = {}
+    for header in sorted(HEADERS.rglob("*.h")):
+        place = str(header.relative_to(HEADERS))
+        source = Source(header.read_text())
+        for word in sorted(source.defined | {w for w, _ in source.tokens}):
+            if re.match(r"[A-Za-z_]\w*$", word) and word not in KEYWORDS:
+                names.setdefault(word, place)
+        names[place] = place
+    return names
+
+
+class References:
+    """Which names the reference texts know; `prefix{A 0, B 1}` and tables with a prefix count."""
+
+    def __init__(self, folder):
+        self.words = {}
+        for text in sorted(Path(folder).glob("*.md")):
+            content = text.read_text()
+            for word in re.findall(r"[A-Za-z_]\w*", content):
+                self.words.setdefault(word, text.stem)
+            for prefix, body in re.findall(r"(\w+)\{([^{}]*)\}", content):
+                for word in re.findall(r"[A-Za-z_]\w*", body):
+                    self.words.setdefault(prefix + word, text.stem)
+            for header in re.findall(r"[\w/]+\.h\b", content):
+                self.words.setdefault(header, text.stem)
+        self.stems = {}
+        for word, source in self.words.items():
+            if re.match(r"o[a-z]+[A-Z]\w*_", word):
+                self.stems.setdefault(word.rsplit("_", 1)[0], source)
+
+    def source_of(self, name):
+        if name in self.words:
+            return self.words[name]
+        if name.endswith(".h"):
+            return self.words.get(name.split("/")[-1], "-") if "/formats/" not in name else "-"
+        for cut in range(len(name) - 1, 2, -1):  # orsb + PAUSE, oprmreqSPEAKER_MUTE_ON / _OFF
+            left, right = name[:cut].rstrip("_"), name[cut:].lstrip("_")
+            source = self.words.get(left) or self.words.get(left + "_") or self.stems.get(left)
+            if source and (right in self.words or "_" + right in self.words):
+                return source
+        return "-"
+
+
+def write_table(folder):
+    references = References(folder)
+    if not references.words:
+        sys.exit(f"sdk_surface.py: no *.md in {folder}")
+    lines = ["# Made by tools/sdk_surface.py --write of runtime/include and the references; do not edit.",
+             "# name, header of ours, reference that names it (-: none, so the robot may not have it)"]
+    for name, header in sorted(names_of_headers().items()):
+        lines.append(f"{name}\t{header}\t{references.source_of(name)}")
+    TABLE.write_text("\n".join(lines) + "\n")
+
+
+def read_table():
+    table = {}
+    for line in TABLE.read_text().splitlines():
+        if not line.startswith("#"):
+            name, header, reference = line.split("\t")
+            table[name] = (header, reference)
+    return table
+
+
+def read_library():
+    sections = collections.defaultdict(set)
+    title = ""
+    for line in LIBRARY.read_text().splitlines():
+        line = line.split("#")[0].rstrip()
+        if line.endswith(":"):
+            title = line[:-1]
+        else:
+            sections[title].update(line.split())
+    return sections
+
+
+class Surface:
+    def __init__(self):
+        self.table = read_table()
+        self.library = read_library()
+        self.used = collections.Counter()  # (name, where it is from)
+
+    def of_sdk(self, name):
+        return self.table.get(name, ("", "-"))[1] != "-"
+
+    def judge_include(self, what, own_files):
+        """An offence, or None."""
+        name = what[1:-1]
+        if what[0] == '"' and (Path(name).name in own_files or name in GENERATED_HEADERS):
+            return None
+        if name.startswith("device/") and Path(name).name in own_files:
+            return None
+        if name in self.library["c headers"] or name in self.library["c++ headers"]:
+            self.used[f"<{name}>", "C and C++ library"] += 1
+            return None
+        if self.of_sdk(name):
+            self.used[f"<{name}>", "SDK"] += 1
+            return None
+        if name in self.table:
+            return f"{what}: a header of this project that the SDK does not have"
+        return f"{what}: neither the SDK nor the robot's C library has this header"
+
+    def judge_name(self, name, qualifier, is_call, own):
+        if qualifier == "std":
+            self.used[f"std::{name}", "C++ library"] += 1
+            known = self.library["std"] | self.library["functions"]
+            return None if name in known else f"std::{name}: not in the robot's C++ library of 1998"
+        plain = qualifier in ("", "::")
+        if is_call and plain and name in self.library["does not work"]:
+            return f"{name}(): not there, or without effect, on the robot (core reference 8.1)"
+        if name in own or GENERATED_NAMES.match(name) or name == "std":
+            return None
+        if self.of_sdk(name):
+            self.used[name, "SDK"] += 1
+            return None
+        sections = ["functions", "names"] if plain else ["members", "functions", "names"]
+        if any(name in self.library[section] for section in sections):
+            self.used[name, "C and C++ library"] += plain
+            return None
+        if name in self.table:
+            return f"{name}: only our {self.table[name][0]} has it, no reference names it"
+        return f"{name}: not declared here, and not of the SDK or the robot's C library"
+
+    def check_program(self, files, own_files, shared_names):
+        """Offences of sources that belong together; they see each other's names."""
+        sources = {file: Source(file.read_text(errors="replace")) for file in files}
+        own = set(shared_names)
+        for source in sources.values():
+            own |= source.declared()
+        for file, source in sources.items():
+            for line, what in source.includes:
+                offence = self.judge_include(what, own_files)
+                if offence:
+                    yield f"{file}:{line}: {offence}"
+            said = set()
+            for name, line, qualifier, is_call in source.uses():
+                offence = self.judge_name(name, qualifier, is_call, own)
+                if offence and offence not in said:
+                    said.add(offence)
+                    yield f"{file}:{line}: {offence}"
+
+
+def sources_below(folder):
+    return sorted(f for f in folder.rglob("*") if f.suffix in SOURCES and f.is_file())
+
+
+def programs(folder):
+    """Folders whose sources belong together: objects/ as a whole, each example by itself."""
+    if folder.name == "examples":
+        for child in sorted(folder.iterdir()):
+            if child.name == "controllers" and child.is_dir():
+                yield from sorted(f for f in child.iterdir() if f.is_dir())
+            elif child.is_dir():
+                yield child
+    else:
+        yield folder
+
+
+def check(folders, surface):
+    """All offences, in order."""
+    devices = sources_below(ROOT / "objects/Controller/include")
+    interface = set()
+    for header in devices:
+        interface |= Source(header.read_text()).declared()
+    for folder in folders:
+        for program in programs(folder):
+            files = sources_below(program)
+            own_files = {f.name for f in files} | {f.name for f in devices}
+            yield from surface.check_program(files, own_files, interface)
+
+
+def stale_table():
+    """Names that came or went since the table was made, in our headers or in the references."""
+    now, then = names_of_headers(), read_table()
+    if REFERENCES.is_dir():
+        references = References(REFERENCES)
+        for name in sorted(set(now) & set(then)):
+            if references.source_of(name) != then[name][1]:
+                yield (f"{TABLE.name}: {name} is said to be of '{then[name][1]}', the references say "
+                       f"'{references.source_of(name)}'; make it again with --write")
+    for name in sorted(set(now) ^ set(then)):
+        which = "is not in" if name in now else "is still in"
+        yield f"{now.get(name, then.get(name, ('?',))[0])}: {name} {which} {TABLE.name}; make it again with --write"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--write", metavar="REFERENCES")
+    parser.add_argument("folders", nargs="*", type=Path)
+    arguments = parser.parse_args()
+    if arguments.write:
+        write_table(arguments.write)
+        return 0
+    surface = Surface()
+    offences = list(check(arguments.folders or [ROOT / "objects", ROOT / "examples"], surface))
+    if not arguments.folders:
+        offences += list(stale_table())
+    if arguments.list:
+        for (name, origin), count in sorted(surface.used.items(), key=lambda item: (item[0][1], item[0][0])):
+            print(f"{name}\t{count}\t{origin}")
+        return 0
+    for offence in offences:
+        print(offence.replace(str(ROOT) + "/", ""))
+    return 1 if offences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,154 @@
+"""The names in C and C++ sources: which a program declares itself, and which it takes from outside.
+
+No compiler: a name counts as declared where it stands as one does (after a type, in an enum, after
+#define).  That is enough to tell a program's own names from those of its surroundings.
+"""
+import re
+
+KEYWORDS = set("""
+asm auto bool break case catch char class const const_cast continue default delete do double dynamic_cast else enum
+explicit export extern false float for friend goto if inline int long mutable namespace new operator private protected
+public register reinterpret_cast return short signed sizeof static static_cast struct switch template this throw true
+try typedef typeid typename union unsigned using virtual void volatile wchar_t while""".split())
+# After these an expression follows, not the name that is declared.
+EXPRESSION = set("return else case goto new delete throw sizeof do typeid and or not".split())
+BUILTIN = set("bool char const double float int long short signed unsigned void wchar_t struct class enum".split())
+
+TOKEN = re.compile(r"[A-Za-z_]\w*|::|->|\d[\w.]*|[^\s\w]")
+
+
+class Source:
+    """Tokens of a text as (text, line), what it includes, and the macros it defines."""
+
+    def __init__(self, text):
+        self.includes = []  # (line, "<stdio.h>")
+        self.defined = set()
+        text = self._without_attributes(self._without_comments(text))
+        self.tokens = []
+        joined = text.replace("\\\n", "  ")
+        for number, line in enumerate(joined.split("\n"), 1):
+            directive = re.match(r"\s*#\s*(\w+)\s*(.*)", line)
+            if directive:
+                line = self._directive(number, *directive.groups())
+            line = re.sub(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])*\'', " 0 ", line)
+            self.tokens += [(word, number) for word in TOKEN.findall(line)]
+
+    @staticmethod
+    def _without_comments(text):
+        def blank(match):
+            found = match.group(0)
+            return found if found[0] in "\"'" else "\n" * found.count("\n") + " "
+        return re.sub(r'"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])*\'|/\*.*?\*/|//[^\n]*', blank, text, flags=re.S)
+
+    @staticmethod
+    def _without_attributes(text):
+        """What stands in __attribute__ and __asm__ is the compiler's."""
+        return re.sub(r"__attribute__\s*\(\((\([^()]*\)|[^()])*\)\)|__asm__\s*\([^()]*\)",
+                      lambda match: "\n" * match.group(0).count("\n"), text)
+
+    def _directive(self, number, kind, rest):
+        """What of the line is to be looked at."""
+        if kind in ("include", "include_next"):
+            self.includes.append((number, rest.strip()))
+            return ""
+        if kind == "define":
+            macro = re.match(r"(\w+)(\(([^)]*)\))?(.*)", rest)
+            self.defined.add(macro.group(1))
+            self.defined.update(re.findall(r"\w+", macro.group(3) or ""))
+            return macro.group(4)
+        return "" if kind in ("ifdef", "ifndef", "undef", "endif", "else", "error", "pragma", "line") else rest
+
+    def declared(self):
+        names = set(self.defined)
+        words = [word for word, _ in self.tokens]
+        enum_depth, depth = [], 0
+        for i, word in enumerate(words):
+            if word == "{":
+                depth += 1
+                if "enum" in words[max(0, i - 3):i]:
+                    enum_depth.append(depth)
+            elif word == "}":
+                if enum_depth and enum_depth[-1] == depth:
+                    enum_depth.pop()
+                depth -= 1
+            elif self._is_name(word) and i > 0:
+                in_enum = enum_depth and enum_depth[-1] == depth and words[i - 1] in "{,"
+                if in_enum or self._follows_type(words, i):
+                    names.add(word)
+                    names.update(self._others(words, i))
+        return names
+
+    @staticmethod
+    def _is_name(word):
+        return (word[0].isalpha() or word[0] == "_") and word not in KEYWORDS
+
+    @classmethod
+    def _is_type(cls, word):
+        return word in BUILTIN or (cls._is_name(word) and (word[0].isupper() or word in TYPE_NAMES))
+
+    @classmethod
+    def _follows_type(cls, words, i):
+        before = words[i - 1]
+        if before == "(" and words[i - 2] in DECLARING_MACROS:
+            return True
+        if before == "*" and words[i - 2] == "(" and words[i + 1:i + 3] == [")", "("]:
+            return True  # int (*function)(int)
+        if before[0].isalpha() or before[0] == "_":
+            return before not in EXPRESSION
+        if before in "*&" and words[i + 1:i + 2] and words[i + 1] in ";,)=([:{":
+            at = i - 1
+            while at > 0 and words[at] in ("*", "&", "const"):
+                at -= 1
+            return cls._is_type(words[at]) or words[at] == ">"
+        if before == ">":
+            return cls._template_before(words, i - 1)
+        return False
+
+    @staticmethod
+    def _template_before(words, at):
+        depth = 0
+        while at >= 0 and words[at] not in ";{}()":
+            depth += words[at] == ">"
+            depth -= words[at] == "<"
+            if depth == 0:
+                return words[at - 1] in TEMPLATES
+            at -= 1
+        return False
+
+    @classmethod
+    def _others(cls, words, i):
+        """b and c of `int a, *b = 0, c[3];`"""
+        names, depth = set(), 0
+        for j in range(i + 1, min(len(words) - 2, i + 400)):
+            word = words[j]
+            depth += word in "([{"
+            depth -= word in ")]}"
+            if depth < 0 or (depth == 0 and word in ";{"):
+                break
+            if depth == 0 and word == ",":
+                k = j + 1
+                while words[k] in "*&":
+                    k += 1
+                if cls._is_name(words[k]) and words[k + 1] in ";,=[:":
+                    names.add(words[k])
+        return names
+
+    def uses(self):
+        """(name, line, qualifier, is_call) of every name; qualifier "." for members, "::" for ::name."""
+        words = [word for word, _ in self.tokens]
+        for i, (word, line) in enumerate(self.tokens):
+            if not self._is_name(word):
+                continue
+            before = words[i - 1] if i else ""
+            qualifier = ""
+            if before in (".", "->"):
+                qualifier = "."
+            elif before == "::":
+                qualifier = words[i - 2] if i > 1 and self._is_name(words[i - 2]) else "::"
+            is_call = words[i + 1:i + 2] == ["("] and not (i and self._follows_type(words, i))
+            yield word, line, qualifier, is_call
+
+
+TYPE_NAMES = set("byte sbyte word sword longword slongword size_t string int16 int32 uint16 uint32 boolean".split())
+DECLARING_MACROS = {"COMPILE_TIME_CHECK"}  # (name, condition)
+TEMPLATES = set("vector list deque map multimap set multiset pair queue stack bitset auto_ptr".split())
