@@ -50,6 +50,15 @@ std::string DefaultStick() {
       "no default stick in{}; build the target 'stick', or name one with --stick DIR", looked));
 }
 
+std::string ObjectSources() {
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    if (fs::is_directory(folder / "objects" / "stub.cfg", error)) return folder / "objects";
+  }
+  throw std::runtime_error(fmt::format("no sources of objects in {}; install openr-host whole",
+                                       (Prefix() / "share/openr-host/objects").string()));
+}
+
 std::string ModelFile(const std::string& name) {
   std::vector<std::string> known;
   for (const fs::path& folder : DataFolders()) {

@@ -13,6 +13,10 @@ std::string ProgramFolder();
 // looked at when it is nowhere.
 std::string DefaultStick();
 
+// The sources of our objects and, in stub.cfg/, their configuration.  Throws std::runtime_error
+// when the program runs from where they are not.
+std::string ObjectSources();
+
 // File of the robot model `name` ("ers210").  Throws std::runtime_error that lists the models
 // there are.
 std::string ModelFile(const std::string& name);

@@ -32,6 +32,7 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddBuildCommand(app, exit_code);
   AddNewCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
+  AddStickCommand(app, exit_code);
   AddStubgenCommand(app, exit_code);
   AddHelpCommand(app, exit_code);
   AddVersionCommand(app, exit_code);

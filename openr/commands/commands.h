@@ -16,6 +16,7 @@ void AddExploreCommand(CLI::App* app, int* exit_code);
 void AddBuildCommand(CLI::App* app, int* exit_code);
 void AddNewCommand(CLI::App* app, int* exit_code);
 void AddCheckCommand(CLI::App* app, int* exit_code);
+void AddStickCommand(CLI::App* app, int* exit_code);
 void AddStubgenCommand(CLI::App* app, int* exit_code);
 void AddHelpCommand(CLI::App* app, int* exit_code);
 void AddVersionCommand(CLI::App* app, int* exit_code);

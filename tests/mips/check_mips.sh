@@ -4,13 +4,14 @@
 #   objects/, examples/ and controllers compile as C++98 for 32-bit little-endian MIPS;
 #   the layout of our headers' structs is the robot's;
 #   the tests of the objects' logic pass there (under qemu);
+#   openr stick robot makes a stick with a stand-in for the SDK;
 #   and one text of many values is the same, byte for byte, as on the host with g++ and clang++.
 #
 #   check_mips.sh BUILD [WORK]     BUILD: a build of the host; WORK: default BUILD/../mips
 #
 # The last line is "N passed, M failed".
 set -uo pipefail
-[ $# -gt 0 ] || { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] || { sed -n '2,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(cd "$1" && pwd) || exit 2
 mkdir -p "${2:-$build/../mips}"
@@ -88,6 +89,7 @@ same 'MIPS' "$work/mipsel.txt"
 same 'MIPS without optimisation' "$work/mipsel-O0.txt"
 
 total abi qemu-mipsel-static "$work/mipsel/bin/abi"
+total robot_stick python3 "$here/robot_stick_test.py" --build "$build"
 total logic qemu-mipsel-static "$work/mipsel/bin/logic"
 
 echo "$passed passed, $failed failed"

@@ -41,6 +41,14 @@ class Robot : public ControllerPort {
     printf("rounded %d to %d\n", askedMs, usedMs);
   }
 
+  // A controller that loops: there is one stack, as on the robot.
+  virtual void Remark(const char* text) { printf("remark %s\n", text); }
+  virtual void Print(const char* text) { printf("print %s\n", text); }
+  virtual void RunLoop(void (*body)(void*), void* argument) { body(argument); }
+  virtual bool LeaveLoop() { return false; }
+  virtual void ContinueLoop() {}
+  virtual void EndLoop() {}
+
   ControllerCore core;
   Draw draw;
 };

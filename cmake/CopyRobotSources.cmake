@@ -1,0 +1,17 @@
+# What `openr stick robot` compiles (openr/kit/robot_stick.h), at one place:
+#   cmake -DTO=folder to fill -DSOURCE=this source tree -DGENERATED=folder of RobotConstants
+#         -P CopyRobotSources.cmake
+function(copy_files from to)
+  foreach(pattern ${ARGN})
+    file(GLOB_RECURSE files RELATIVE ${from} ${from}/${pattern})
+    foreach(file ${files})
+      get_filename_component(folder ${to}/${file} DIRECTORY)
+      file(MAKE_DIRECTORY ${folder})
+      file(COPY_FILE ${from}/${file} ${to}/${file} ONLY_IF_DIFFERENT)
+    endforeach()
+  endforeach()
+endfunction()
+
+copy_files(${SOURCE}/objects ${TO} *.cc *.c *.h *.ocf)
+copy_files(${GENERATED} ${TO}/common RobotConstants.cc RobotConstants.h)
+copy_files(${SOURCE}/stub.cfg ${TO}/stub.cfg *.cfg *.CFG *.TXT)
