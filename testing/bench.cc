@@ -39,6 +39,7 @@ std::unique_ptr<System> MakeSystem(const BenchOptions& options, std::string* con
   system_options.strict = options.strict;
   system_options.cost = options.cost;
   system_options.guard_regions = options.guard_regions;
+  system_options.measure_stacks = options.measure_stacks;
   system_options.console = [console](std::string_view text) { console->append(text); };
   return std::make_unique<System>(std::move(system_options));
 }

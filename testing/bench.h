@@ -90,7 +90,8 @@ struct BenchOptions {
   // Objects get copies of what they receive, read-only and gone once they have said ready:
   // one that does otherwise is an error finding, or crashes at the line that does it.
   bool guard_regions = false;
-  bool allow_threads = false;  // accepts other threads in the process; they must not touch it
+  bool measure_stacks = false;  // Object::stack_max
+  bool allow_threads = false;   // accepts other threads in the process; they must not touch it
 };
 
 class Bench {

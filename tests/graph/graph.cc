@@ -7,7 +7,10 @@
 namespace openr_host {
 
 Graph::Graph(const GraphOptions& options)
-    : Bench({.stick = options.stick, .body = options.body, .seed = options.seed}),
+    : Bench({.stick = options.stick,
+             .body = options.body,
+             .seed = options.seed,
+             .measure_stacks = options.measure_stacks}),
       pilot_(&Add<Pilot>("pilot")) {
   Pilot::Wire(&system());
   Boot();

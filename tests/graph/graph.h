@@ -25,9 +25,11 @@ struct GraphOptions {
   std::string body = "ode";
   uint64_t seed = 1;
   std::string stick = OPENR_STICK;
+  bool measure_stacks = false;
 };
 
-inline const GraphOptions kIdeal{.body = "ideal", .seed = 1, .stick = OPENR_STICK};
+inline const GraphOptions kIdeal{
+    .body = "ideal", .seed = 1, .stick = OPENR_STICK, .measure_stacks = false};
 
 inline GraphOptions OnStick(const std::string& stick) {
   GraphOptions options;

@@ -5,13 +5,14 @@
 #   the layout of our headers' structs is the robot's;
 #   the tests of the objects' logic pass there (under qemu);
 #   openr stick robot makes a stick with a stand-in for the SDK;
+#   the stacks of the .ocf files suffice;
 #   and one text of many values is the same, byte for byte, as on the host with g++ and clang++.
 #
 #   check_mips.sh BUILD [WORK]     BUILD: a build of the host; WORK: default BUILD/../mips
 #
 # The last line is "N passed, M failed".
 set -uo pipefail
-[ $# -gt 0 ] || { sed -n '2,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] || { sed -n '2,14s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(cd "$1" && pwd) || exit 2
 mkdir -p "${2:-$build/../mips}"
@@ -75,6 +76,19 @@ same() {
   fi
 }
 
+# What lies on a stack besides the objects' logic: stub, handler, the SDK's library below it.
+reserve=1024
+
+# stack OBJECT USED: with the reserve, three quarters of the stack of the .ocf file at most.
+stack() {
+  local ocf size
+  ocf=$here/../../objects/$1/$1.ocf
+  size=$(sed 's/#.*//' "$ocf" | awk '$1 == "object" { print $3 }')
+  echo "stack of $1: $2 bytes used, $size in its .ocf"
+  [ $(($2 + reserve)) -le $((size * 3 / 4)) ]
+  verdict "the stack of $1 suffices" $?
+}
+
 make_with host dump -DCMAKE_BUILD_TYPE=Release
 make_with clang dump -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang
 make_with mipsel all -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$here/mipsel.cmake"
@@ -87,6 +101,11 @@ qemu-mipsel-static "$work/mipsel-O0/bin/dump" >"$work/mipsel-O0.txt"
 same 'clang++ on the host' "$work/clang.txt"
 same 'MIPS' "$work/mipsel.txt"
 same 'MIPS without optimisation' "$work/mipsel-O0.txt"
+
+mkdir -p "$work/stick"
+qemu-mipsel-static "$work/mipsel/bin/stack" "$work/stick" >"$work/stack.txt"
+verdict 'four objects tell their stack' "$([ "$(wc -l <"$work/stack.txt")" -eq 4 ]; echo $?)"
+while read -r object used; do stack "$object" "$used"; done <"$work/stack.txt"
 
 total abi qemu-mipsel-static "$work/mipsel/bin/abi"
 total robot_stick python3 "$here/robot_stick_test.py" --build "$build"

@@ -1,0 +1,121 @@
+// What the four objects take of stack and heap when they are all at work, beside their .ocf files.
+// docs/robot-build.md has the table; it is printed with OPENR_PRINT_LIMITS set.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "RemoteProtocol.h"
+#include "runtime/core/arena.h"
+#include "tests/graph/graph.h"
+
+namespace openr_host {
+namespace {
+
+constexpr const char* kObjects[] = {"PowerMonitor", "JointMover", "RCServer", "Controller"};
+
+std::string Packet(int command, const std::string& payload = "") {
+  uint8_t bytes[RC_MAX_PACKET];
+  RcWriter out(bytes, RC_MAX_PACKET);
+  for (int i = 0; i < RC_HEADER_SIZE; ++i) out.U8(0);
+  for (const char c : payload) out.U8(static_cast<uint8_t>(c));
+  out.PutHeader(command, 1);
+  return {reinterpret_cast<char*>(bytes), static_cast<size_t>(out.Size())};
+}
+
+std::string PlayRequest(const std::string& file) {
+  return static_cast<char>(file.size()) + file + std::string("\1\0\0", 3);
+}
+
+// Stacks are measured in the first handlers of an object and in samples later; this begins anew.
+void MeasureEveryHandler(Graph* graph) {
+  for (const char* name : kObjects) graph->system().FindObject(0, name)->message_count = 0;
+}
+
+// A connection for some packets; returns how many bytes came back.
+size_t Ask(Graph* graph, openr::testing::TcpClient* client, const std::string& packets,
+           std::chrono::milliseconds time) {
+  MeasureEveryHandler(graph);
+  const size_t heard = client->heard().size();
+  client->Connect(RC_PORT).Send(packets);
+  graph->RunFor(time);
+  EXPECT_TRUE(client->done()) << client->WaitsFor();
+  client->Close();
+  graph->RunFor(std::chrono::milliseconds(100));
+  return client->heard().size() - heard;
+}
+
+// Every request of the remote control, with and without arguments, good files and bad.
+void AskEverything(Graph* graph) {
+  auto& client = graph->AddClient();
+  for (int command = 0; command < 0x80; ++command) {
+    for (const char* payload : {"", "\1", "\1\1", "\1\1\1\1\1"}) {
+      const std::string packet = Packet(command, payload);
+      EXPECT_GT(Ask(graph, &client, packet, std::chrono::milliseconds(100)), 0u) << command;
+    }
+  }
+  for (const char* file : {"BOW.MTN", "NONE.MTN", "WALK.MTN", "LIE.MTN"}) {
+    const std::string packets = Packet(rcMTN_PLAY, PlayRequest(file)) + "no packet";
+    EXPECT_GT(Ask(graph, &client, packets, std::chrono::seconds(12)), 0u) << file;
+  }
+}
+
+// PowerMonitor has something to do.
+void ShutDown(Graph* graph) {
+  MeasureEveryHandler(graph);
+  graph->PressPause();
+  graph->RunFor(std::chrono::seconds(1));
+}
+
+class LimitsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "AddressSanitizer's frames are larger, and the heap is the host's";
+#endif
+  }
+  static void SetUpTestSuite() {
+    GraphOptions options = kIdeal;
+    options.measure_stacks = true;
+    Graph graph(options);
+    ASSERT_TRUE(graph.RunToStanding());
+    AskEverything(&graph);
+    ShutDown(&graph);
+    for (const char* name : kObjects) {
+      const Object* const object = graph.system().FindObject(0, name);
+      ASSERT_NE(object, nullptr) << name;
+      marks_.push_back({name, object->stack_max, object->limits.stack_bytes,
+                        object->arena->bytes_in_use_max(), object->limits.heap_bytes});
+    }
+    if (std::getenv("OPENR_PRINT_LIMITS") == nullptr) return;
+    for (const Mark& mark : marks_) {
+      fmt::print("{}: stack {} of {}, heap {} of {}\n", mark.object, mark.stack, mark.stack_ocf,
+                 mark.heap, mark.heap_ocf);
+    }
+  }
+
+  struct Mark {
+    std::string object;
+    size_t stack, stack_ocf, heap, heap_ocf;
+  };
+  inline static std::vector<Mark> marks_;
+};
+
+// Frames of a 64-bit host with its C library and our runtime below the handler are larger than
+// the robot's; what suffices for them leaves room there.  check_mips.sh measures the robot's.
+TEST_F(LimitsTest, EvenTheHostsFramesFitTheStacksOfTheOcfFiles) {
+  ASSERT_EQ(marks_.size(), 4u);
+  for (const Mark& mark : marks_) {
+    EXPECT_GT(mark.stack, 500u) << mark.object << ": was it measured?";
+    EXPECT_LE(mark.stack * 5 / 4, mark.stack_ocf) << mark.object;
+  }
+}
+
+// The heap grows by that much when it is used up; within one step it grows once, at the boot.
+TEST_F(LimitsTest, TheHeapOfEveryObjectStaysWithinOneStepOfGrowth) {
+  ASSERT_EQ(marks_.size(), 4u);
+  for (const Mark& mark : marks_) EXPECT_LE(mark.heap * 5 / 4, mark.heap_ocf) << mark.object;
+}
+
+}  // namespace
+}  // namespace openr_host
