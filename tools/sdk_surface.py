@@ -5,6 +5,7 @@
                                             nothing is good
     tools/sdk_surface.py FOLDER...          checks other folders
     tools/sdk_surface.py --list [FOLDER]    lists what is used: name, how often, where it is from
+    tools/sdk_surface.py --symbols FILE     checks what compiled objects leave undefined (nm -C -u)
     tools/sdk_surface.py --write REFERENCES makes tools/surface/sdk_surface.tsv of runtime/include
                                             and the reference texts (*.md) of that folder
 
@@ -203,6 +204,34 @@ def check(folders, surface):
             yield from surface.check_program(files, own_files, interface)
 
 
+# Of the C++ library of 1998, behind its templates; and the compiler's own.
+LIBRARY_SYMBOLS = re.compile(r"std::(_Rb_tree_|__throw_|ios_base::Init::|allocator<|(__cxx11::)?basic_string<"
+                             r"|(__detail::)?_List_node_base)"
+                             r"|operator (new|delete)|__|_Unwind_|_gp_disp$|_GLOBAL_OFFSET_TABLE_$")
+
+
+def judge_symbol(symbol, surface):
+    """An offence, or None.  `symbol` as nm -C shows it: OPENR::OpenPrimitive(char const*, ...)"""
+    name = re.sub(r"^(vtable|typeinfo|typeinfo name|VTT) for ", "", re.sub(r"\(.*", "", symbol))
+    if LIBRARY_SYMBOLS.match(name):
+        return None
+    parts = [part.strip() for part in re.split(r"::", name) if part.strip()]
+    plain = [part.split()[0].lstrip("~") for part in parts]  # "operator new" of a class
+    if len(plain) == 1 and (plain[0] in surface.library["functions"] or surface.of_sdk(plain[0])):
+        return None
+    if len(plain) > 1 and all(part == "operator" or surface.of_sdk(part) for part in plain):
+        return None
+    return f"{symbol}: called, and neither of the SDK nor of the robot's C library"
+
+
+def symbol_offences(file, surface):
+    for line in Path(file).read_text().splitlines():
+        if line.strip():
+            offence = judge_symbol(line.strip(), surface)
+            if offence:
+                yield offence
+
+
 def stale_table():
     """Names that came or went since the table was made, in our headers or in the references."""
     now, then = names_of_headers(), read_table()
@@ -221,12 +250,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--write", metavar="REFERENCES")
+    parser.add_argument("--symbols", metavar="FILE")
     parser.add_argument("folders", nargs="*", type=Path)
     arguments = parser.parse_args()
     if arguments.write:
         write_table(arguments.write)
         return 0
     surface = Surface()
+    if arguments.symbols:
+        offences = list(symbol_offences(arguments.symbols, surface))
+        print("\n".join(offences), end="\n" if offences else "")
+        return 1 if offences else 0
     offences = list(check(arguments.folders or [ROOT / "objects", ROOT / "examples"], surface))
     if not arguments.folders:
         offences += list(stale_table())

@@ -5,6 +5,7 @@
 #   the layout of our headers' structs is the robot's;
 #   the tests of the objects' logic pass there (under qemu);
 #   openr stick robot makes a stick with a stand-in for the SDK;
+#   what they call is of the SDK or of the robot's C library;
 #   the stacks of the .ocf files suffice;
 #   and one text of many values is the same, byte for byte, as on the host with g++ and clang++.
 #
@@ -12,7 +13,7 @@
 #
 # The last line is "N passed, M failed".
 set -uo pipefail
-[ $# -gt 0 ] || { sed -n '2,14s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] || { sed -n '2,15s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(cd "$1" && pwd) || exit 2
 mkdir -p "${2:-$build/../mips}"
@@ -101,6 +102,16 @@ qemu-mipsel-static "$work/mipsel-O0/bin/dump" >"$work/mipsel-O0.txt"
 same 'clang++ on the host' "$work/clang.txt"
 same 'MIPS' "$work/mipsel.txt"
 same 'MIPS without optimisation' "$work/mipsel-O0.txt"
+
+# What the objects leave to the SDK and the C library once they are compiled.
+names() { mipsel-linux-gnu-nm -C "$1" "${@:2}" 2>/dev/null | sed -nE 's/^[0-9a-f ]* [TtWwVvBbDdRrUuiG] //p' | sort -u; }
+mapfile -t compiled < <(find "$work"/mipsel/CMakeFiles/object_* -name '*.o')
+compiled+=("$work/mipsel/libobjects_common.a")
+comm -23 <(names -u "${compiled[@]}") <(names --defined-only "${compiled[@]}") |
+  grep -v '^controller_main' >"$work/symbols.txt"
+count=$(wc -l <"$work/symbols.txt")
+[ "$count" -gt 40 ] && python3 "$here/../../tools/sdk_surface.py" --symbols "$work/symbols.txt"
+verdict "$count names that the objects leave undefined are the robot's" $?
 
 mkdir -p "$work/stick"
 qemu-mipsel-static "$work/mipsel/bin/stack" "$work/stick" >"$work/stack.txt"

@@ -91,6 +91,17 @@ def main():
     for line, words in INCLUDES:
         status, said = check("\n" + line + "\n")
         verdict(line, status == 1 and said.startswith("Dog.cc:2: ") and words in said, said)
+    good_symbols = ("OPENR::OpenPrimitive(char const*, unsigned int*)\nfopen\noperator new(unsigned int)\n"
+                    "RCRegion::operator new(unsigned int)\nOObject::~OObject()\nstd::__throw_length_error(char const*)\n")
+    for symbols, words in [(good_symbols, ""), ("fork\n", "fork: called"), ("gettimeofday\n", "gettimeofday: called"),
+                           ("std::thread::join()\n", "std::thread::join(): called"),
+                           ("openr_host::System::now_us() const\n", "openr_host::System::now_us() const: called")]:
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "symbols").write_text(symbols)
+            done = subprocess.run([sys.executable, str(TOOL), "--symbols", f"{folder}/symbols"],
+                                  capture_output=True, text=True)
+            good = done.stdout == "" if words == "" else words in done.stdout and done.returncode == 1
+            verdict(f"symbols {symbols}", good, done.stdout + done.stderr)
     listed = subprocess.run([sys.executable, str(TOOL), "--list"], capture_output=True, text=True).stdout
     for name in ("OpenPrimitive", "<OPENR/OObject.h>", "std::vector", "fopen"):
         verdict(f"--list names {name}", f"\n{name}\t" in "\n" + listed, listed[:500])
