@@ -48,6 +48,7 @@ class Robot : public ControllerPort {
   virtual bool LeaveLoop() { return false; }
   virtual void ContinueLoop() {}
   virtual void EndLoop() {}
+  virtual void EnableCamera(bool) {}
 
   ControllerCore core;
   Draw draw;

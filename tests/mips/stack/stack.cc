@@ -187,6 +187,7 @@ class Wrapper : public ControllerPort {
   virtual bool LeaveLoop() { return false; }
   virtual void ContinueLoop() {}
   virtual void EndLoop() {}
+  virtual void EnableCamera(bool) {}
 };
 
 ControllerCore* wrapper;
