@@ -1,5 +1,6 @@
 # Assembles the SDK tree (openr/kit/sdk_paths.h):
-#   cmake -DSDK=folder to fill -DSOURCE=this source tree -DIMAGES=folder of images -P MakeSdkTree.cmake
+#   cmake -DSDK=folder to fill -DSOURCE=this source tree -DIMAGES=folder of images
+#         -DCONTROLLER=controller.o -P MakeSdkTree.cmake
 # Links are relative to the tree's place, PREFIX/share/openr-host/sdk, so it can be installed as it is.
 
 # link(TARGET NAME): unless it is there already; a new link would look like a new tool to make.
@@ -58,3 +59,11 @@ endforeach()
 file(COPY_FILE ${SOURCE}/cmake/compile-flags.txt ${SDK}/compile-flags.txt ONLY_IF_DIFFERENT)
 # Handles the pause button and the battery; programs often rely on one that lies elsewhere.
 file(COPY_FILE ${IMAGES}/POWERMON.BIN ${SDK}/images/POWERMON.BIN ONLY_IF_DIFFERENT)
+
+# What a controller becomes part of, and what it includes.
+copy_folder(${SOURCE}/objects/Controller/include ${SDK}/controller/include)
+foreach(file ${CONTROLLER} ${SOURCE}/objects/Controller/Controller.ocf
+        ${SOURCE}/openr/kit/controller/Makefile.openr)
+  get_filename_component(name ${file} NAME)
+  file(COPY_FILE ${file} ${SDK}/controller/${name} ONLY_IF_DIFFERENT)
+endforeach()

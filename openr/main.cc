@@ -31,6 +31,7 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddExploreCommand(app, exit_code);
   AddBuildCommand(app, exit_code);
   AddNewCommand(app, exit_code);
+  AddControllerCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
   AddStickCommand(app, exit_code);
   AddStubgenCommand(app, exit_code);

@@ -4,13 +4,21 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "ControllerApi.h"
 #include "ControllerMain.h"
+#include "LoopStack.h"
 #include "StickFile.h"
+#include "TextFormat.h"
 
-Controller::Controller() : robot_(0), roundedMs_(0), isStopped_(false), core_(this)
+static const char STEP_IS_NOT_FOR_THE_ROBOT[] =
+    "robot_step() does not work on the robot, whose methods must return; put the loop's body into "
+    "a function that returns the time step, and call robot_run() with it";
+
+Controller::Controller()
+    : robot_(0), roundedMs_(0), hasStepped_(false), isStopped_(false), core_(this)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     for (int i = 0; i < NUM_REGIONS; i++) ledRegion_[i] = earRegion_[i] = 0;
@@ -287,7 +295,48 @@ Controller::TimeStepRounded(int askedMs, int usedMs)
 {
     if (askedMs == roundedMs_) return;
     roundedMs_ = askedMs;
-    OSYSLOG1((osyslogWARNING,
-              "Controller: a time step of %d ms is no multiple of 8; %d ms are used", askedMs,
-              usedMs));
+    Remark(TextFormat("a time step of %d ms is no multiple of 8; %d ms are used", askedMs, usedMs)
+               .c_str());
+}
+
+void
+Controller::Remark(const char* text)
+{
+    OSYSLOG1((osyslogWARNING, "Controller: %s", text));
+    TellRunner(text);
+}
+
+void
+Controller::Print(const char* text)
+{
+    OSYSPRINT(("%s", text));
+}
+
+void
+Controller::RunLoop(void (*body)(void*), void* argument)
+{
+    LoopStackRun(body, argument);
+}
+
+// Said once: a controller that steps does so 15 times a second.
+bool
+Controller::LeaveLoop()
+{
+    if (!hasStepped_) TellRunner(STEP_IS_NOT_FOR_THE_ROBOT);
+    hasStepped_ = true;
+    return LoopStackLeave();
+}
+
+void
+Controller::ContinueLoop()
+{
+    LoopStackContinue();
+}
+
+// exit() ends the method, the object goes on (Programmer's Guide, appendix A.2).
+void
+Controller::EndLoop()
+{
+    OSYSLOG1((osyslogERROR, "Controller: %s; main() ends here", STEP_IS_NOT_FOR_THE_ROBOT));
+    exit(1);
 }

@@ -60,6 +60,12 @@ private:
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
     virtual int BatteryCapacity();
     virtual void TimeStepRounded(int askedMs, int usedMs);
+    virtual void Remark(const char* text);
+    virtual void Print(const char* text);
+    virtual void RunLoop(void (*body)(void*), void* argument);
+    virtual bool LeaveLoop();
+    virtual void ContinueLoop();
+    virtual void EndLoop();
 
     OStatus OpenLights();
     OStatus NewRegions(int numElements, RCRegion** regions);
@@ -74,6 +80,7 @@ private:
     SensorReader sensorReader_;
     SensorValues sensors_;
     int roundedMs_;  // the time step said to be rounded last
+    bool hasStepped_;
     bool isStopped_;
     ControllerCore core_;
 };

@@ -1,9 +1,14 @@
 #include "ControllerApi.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+
+#include <device/accelerometer.h>
 #include <device/distance_sensor.h>
 #include <device/led.h>
 #include <device/robot.h>
 #include <device/servo.h>
+#include <device/thermometer.h>
 #include <device/touch_sensor.h>
 
 static ControllerCore* theCore = 0;
@@ -40,6 +45,12 @@ robot_run(int (*run)(int))
     if (theCore != 0) theCore->Run(run);
 }
 
+int
+robot_step(int ms)
+{
+    return theCore != 0 ? theCore->Step(ms) : 0;
+}
+
 DeviceTag
 robot_get_device(const char* name)
 {
@@ -66,6 +77,18 @@ float
 robot_battery_sensor_get_value(void)
 {
     return theCore != 0 ? (float)theCore->Port()->BatteryCapacity() : 0.0f;
+}
+
+void
+robot_console_printf(const char* format, ...)
+{
+    char text[240];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    text[sizeof(text) - 1] = '\0';
+    if (theCore != 0) theCore->Port()->Print(text);
 }
 
 // ---- led.h ---------------------------------------------------------------------------
@@ -142,7 +165,7 @@ servo_motor_off(DeviceTag tag)
     if (joint >= 0) theCore->MotorOff(joint);
 }
 
-// ---- distance_sensor.h, touch_sensor.h -----------------------------------------------
+// ---- Sensors -------------------------------------------------------------------------
 
 static const SensorConstants*
 SensorOf(DeviceTag tag, Sint32* value)
@@ -188,4 +211,50 @@ touch_sensor_get_value(DeviceTag tag)
     Sint32 value = 0;
     const SensorConstants* sensor = SensorOf(tag, &value);
     return sensor != 0 && sensor->touchLimit >= 0 && value > sensor->touchLimit;
+}
+
+void
+accelerometer_enable(DeviceTag, unsigned short)
+{
+}
+
+void
+accelerometer_disable(DeviceTag)
+{
+}
+
+const float*
+accelerometer_get_values(DeviceTag tag)
+{
+    static float values[3];
+    values[0] = values[1] = values[2] = 0.0f;
+    Sint32 ignored = 0;
+    const SensorConstants* sensor = SensorOf(tag, &ignored);
+    if (sensor == 0 || sensor->kind != sensorkindACCELERATION) return values;
+    const RobotConstants* robot = theCore->Robot();
+    int axis = 0;
+    for (int i = 0; i < robot->numSensors && axis < 3; i++) {
+        if (robot->sensors[i].kind != sensorkindACCELERATION) continue;
+        values[axis++] = (float)(theCore->Sensors().sensor[i] * 1e-6);
+    }
+    return values;
+}
+
+void
+thermometer_enable(DeviceTag, unsigned short)
+{
+}
+
+void
+thermometer_disable(DeviceTag)
+{
+}
+
+float
+thermometer_get_value(DeviceTag tag)
+{
+    Sint32 value = 0;
+    const SensorConstants* sensor = SensorOf(tag, &value);
+    if (sensor == 0 || sensor->kind != sensorkindTEMPERATURE) return 0.0f;
+    return (float)(value * 1e-6);
 }

@@ -17,8 +17,10 @@ ControllerCore::ControllerCore(ControllerPort* port)
     : port_(port),
       robot_(0),
       die_(0),
+      main_(0),
       run_(0),
-      isExecuting_(false),
+      place_(NOWHERE),
+      isStepping_(false),
       stepFrames_(DEFAULT_STEP_FRAMES),
       ledOn_(0),
       earOn_(0),
@@ -45,11 +47,18 @@ ControllerCore::Begin(const RobotConstants* robot)
 // ---- The loop ------------------------------------------------------------------------
 
 void
+ControllerCore::CallMain(void* core)
+{
+    ((ControllerCore*)core)->main_();
+}
+
+void
 ControllerCore::Execute(int (*controllerMain)())
 {
-    isExecuting_ = true;
-    controllerMain();
-    isExecuting_ = false;
+    main_ = controllerMain;
+    place_ = IN_MAIN;
+    port_->RunLoop(CallMain, this);
+    place_ = NOWHERE;
     SendBuffers();
 }
 
@@ -59,17 +68,19 @@ ControllerCore::Live(void (*reset)())
     if (reset != 0) reset();
 }
 
+// A run function may name its successor, which then begins with the next iteration.
 void
 ControllerCore::Run(int (*run)(int))
 {
     run_ = run;
-    if (run_ != 0) CallRun();
+    if (run_ != 0 && place_ != IN_RUN) CallRun();
 }
 
 void
 ControllerCore::Die()
 {
     run_ = 0;
+    isStepping_ = false;
     if (die_ != 0) die_();
     die_ = 0;
 }
@@ -77,10 +88,57 @@ ControllerCore::Die()
 void
 ControllerCore::CallRun()
 {
+    const Place from = place_;
+    place_ = IN_RUN;
     const int asked = run_(0);
-    const int frames = asked > 0 ? Clamp((asked + FRAME_MS / 2) / FRAME_MS, 1, MAX_STEP_FRAMES) : 1;
-    if (frames * FRAME_MS != asked) port_->TimeStepRounded(asked, frames * FRAME_MS);
+    place_ = from;
+    SetTimeStep(asked);
+}
+
+void
+ControllerCore::SetTimeStep(int askedMs)
+{
+    const int frames =
+        askedMs > 0 ? Clamp((Sint32)(((Sint64)askedMs + FRAME_MS / 2) / FRAME_MS), 1, MAX_STEP_FRAMES)
+                    : 1;
+    if (frames * FRAME_MS != askedMs) port_->TimeStepRounded(askedMs, frames * FRAME_MS);
     stepFrames_ = frames;
+}
+
+// Returns when the LED vector that is sent now has ended, always 0 (synchronous mode).
+// After robot_run() it never does: in Webots nothing comes after that, and two loops cannot share
+// the LEDs.
+int
+ControllerCore::Step(int ms)
+{
+    if (place_ != IN_MAIN) {
+        port_->Remark("robot_step() outside of main() does nothing; a run function returns its "
+                      "time step instead");
+        return 0;
+    }
+    if (run_ == 0) {
+        SetTimeStep(ms);
+        isStepping_ = true;
+    } else {
+        port_->Remark("robot_step() after robot_run(): main() ends here, the run function goes on");
+    }
+    place_ = NOWHERE;
+    if (!port_->LeaveLoop()) {
+        isStepping_ = false;
+        port_->EndLoop();
+    }
+    place_ = IN_MAIN;
+    return 0;
+}
+
+// exit() ends the method that calls it and nothing else (Programmer's Guide, appendix A.2); for a
+// controller it is the end, whatever loop it had begun.
+void
+ControllerCore::EndIfItDidNotReturn()
+{
+    if (place_ == NOWHERE) return;
+    place_ = NOWHERE;
+    run_ = 0;
 }
 
 // The LED vector sent last has ended.  Not ready after all means that one that waited has just
@@ -88,13 +146,18 @@ ControllerCore::CallRun()
 void
 ControllerCore::LedReady()
 {
-    if (isExecuting_ || !port_->IsLedReady()) return;
+    if (!port_->IsLedReady()) return;
+    EndIfItDidNotReturn();
     if (run_ != 0) {
         CallRun();
-        SendBuffers();
-    } else if (ledChanged_) {
-        SendBuffers();
+    } else if (isStepping_) {
+        isStepping_ = false;
+        port_->ContinueLoop();
+        place_ = NOWHERE;
+    } else if (!ledChanged_) {
+        return;
     }
+    SendBuffers();
 }
 
 // The LED vector is sent in any case: without it the loop would stand still.
@@ -128,13 +191,13 @@ ControllerCore::SendBatchIfChanged()
 void
 ControllerCore::EarReady()
 {
-    if (run_ == 0 && !isExecuting_) SendEarsIfChanged();
+    if (!HasLoop()) SendEarsIfChanged();
 }
 
 void
 ControllerCore::BatchMoverReady()
 {
-    if (run_ == 0 && !isExecuting_) SendBatchIfChanged();
+    if (!HasLoop()) SendBatchIfChanged();
 }
 
 void
@@ -144,7 +207,8 @@ ControllerCore::RemoteLights(const LedEarState& change)
     if (ears != earOn_) earChanged_ = true;
     earOn_ = ears;
     ledOn_ = (ledOn_ & ~change.ledMask) | (change.ledOn & change.ledMask);
-    if (run_ != 0) return;  // with the next iteration
+    EndIfItDidNotReturn();
+    if (HasLoop()) return;  // with the next iteration
     ledChanged_ = true;
     if (port_->IsLedReady()) SendBuffers();
 }

@@ -7,6 +7,9 @@
 // there into vectors and messages after it.  Values of the remote control go into the
 // same buffers when they arrive, so those of the run function win.
 //
+// A controller that loops by itself calls robot_step() instead; then the end of the LED vector lets
+// robot_step() return.  Only where ControllerPort has a stack for it: not on the robot.
+//
 
 #ifndef ControllerCore_h_DEFINED
 #define ControllerCore_h_DEFINED
@@ -43,6 +46,7 @@ public:
     void Live(void (*reset)());
     void OnDie(void (*die)()) { die_ = die; }
     void Run(int (*run)(int));
+    int Step(int ms);
     void SetLed(int led, bool on);
     void SetEar(int ear, bool on);
     void SetPosition(int joint, double rad);
@@ -51,7 +55,14 @@ public:
     void MotorOff(int joint);
 
 private:
+    // Where the controller's code is running.
+    enum Place { NOWHERE, IN_MAIN, IN_RUN };
+
+    static void CallMain(void* core);
+    bool HasLoop() const { return run_ != 0 || isStepping_; }
     void CallRun();
+    void EndIfItDidNotReturn();
+    void SetTimeStep(int askedMs);
     void SendBuffers();
     void SendBatchIfChanged();
     void SendEarsIfChanged();
@@ -63,9 +74,11 @@ private:
     SensorValues sensors_;
 
     void (*die_)();
+    int (*main_)();
     int (*run_)(int);
-    bool isExecuting_;  // inside the controller's main function
-    int stepFrames_;    // of the LED vectors
+    Place place_;
+    bool isStepping_;  // the main function waits in robot_step()
+    int stepFrames_;   // of the LED vectors
 
     Uint32 ledOn_, earOn_;
     bool ledChanged_;  // by remote control while no loop runs

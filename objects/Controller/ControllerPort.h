@@ -40,6 +40,23 @@ public:
 
     // The controller's time step is no multiple of a frame.
     virtual void TimeStepRounded(int askedMs, int usedMs) = 0;
+
+    // Something the controller does that it would better not.
+    virtual void Remark(const char* text) = 0;
+
+    // What the controller says to whoever watches.
+    virtual void Print(const char* text) = 0;
+
+    // A controller that is an endless loop is left in the middle, in robot_step(), and continued
+    // there; that takes a stack of its own.  RunLoop() calls `body` on it, if there is one, and
+    // returns when body has ended or is in LeaveLoop(); ContinueLoop() goes on there and returns
+    // likewise.  LeaveLoop() returns false at once when there is no such stack.
+    virtual void RunLoop(void (*body)(void*), void* argument) = 0;
+    virtual bool LeaveLoop() = 0;
+    virtual void ContinueLoop() = 0;
+
+    // The loop could not be left: ends it by ending the method that runs.  Does not return.
+    virtual void EndLoop() = 0;
 };
 
 #endif  // ControllerPort_h_DEFINED

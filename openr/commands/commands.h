@@ -15,6 +15,7 @@ void AddReplayCommand(CLI::App* app, int* exit_code);
 void AddExploreCommand(CLI::App* app, int* exit_code);
 void AddBuildCommand(CLI::App* app, int* exit_code);
 void AddNewCommand(CLI::App* app, int* exit_code);
+void AddControllerCommand(CLI::App* app, int* exit_code);
 void AddCheckCommand(CLI::App* app, int* exit_code);
 void AddStickCommand(CLI::App* app, int* exit_code);
 void AddStubgenCommand(CLI::App* app, int* exit_code);

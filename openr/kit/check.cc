@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "openr/kit/check_controller.h"
 #include "openr/kit/check_objects.h"
 #include "openr/kit/check_stick.h"
+#include "openr/kit/controller_sources.h"
 #include "openr/kit/project.h"
 #include "openr/kit/text_files.h"
 
@@ -63,11 +65,14 @@ Remarks CheckFolder(const std::string& folder) {
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
   const Project project = ScanProject({folder});
-  if (project.objects.empty() && project.sticks.empty()) {
+  const bool is_controller = project.objects.empty() && IsControllerFolder(folder);
+  if (project.objects.empty() && project.sticks.empty() && !is_controller) {
     throw std::runtime_error(folder +
-                             ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below");
+                             ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below, "
+                             "nor a controller (Makefile.sources, or sources that include robot.h)");
   }
   Remarks remarks;
+  if (is_controller) CheckController(folder, &remarks);
   CheckObjects(project, &remarks);
   for (const StickFolder& stick : project.sticks) CheckStick(stick, project, &remarks);
   return remarks;

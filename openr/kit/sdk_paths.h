@@ -7,6 +7,7 @@
 //   compat                    headers of C++ before the standard
 //   compile-flags.txt         how old sources are compiled
 //   images                    images that stand in for ones a program did not bring
+//   controller                the Controller object to link controllers with, and their headers
 //
 // It is assembled by cmake/SdkTree.cmake, and lies at share/openr-host/sdk beside the bin/ of the
 // program, built or installed.

@@ -24,8 +24,16 @@ void robot_die(void (*die)(void));
  * Runs the control loop: `run` is called now with 0, and again, always with 0, each time as many
  * milliseconds later as it returned.  Multiples of 8 are exact, others are rounded.
  * On the robot robot_run() returns after the first call and what follows it is carried out.
+ * A run function may call robot_run(): the function given is called the next time.
  */
 void robot_run(int (*run)(int));
+
+/*
+ * For a controller that is an endless loop: advances by so many milliseconds and returns 0.
+ * The robot has no loops that wait: there robot_step() ends main() with a message in the log.
+ * Write robot_run() instead; docs/controllers.md says how.
+ */
+int robot_step(int ms);
 
 /* The device of that name; 0, which no function accepts, if there is none. */
 DeviceTag robot_get_device(const char *name);
@@ -37,6 +45,9 @@ int robot_get_mode(void);
 void robot_battery_sensor_enable(unsigned short ms);
 void robot_battery_sensor_disable(void);
 float robot_battery_sensor_get_value(void);
+
+/* As printf(), to the robot's console; 239 characters at most. */
+void robot_console_printf(const char *format, ...);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,64 @@
+// openr controller: programs in Webots style, as part of the object Controller.
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "openr/commands/commands.h"
+#include "openr/exit_code.h"
+#include "openr/install_paths.h"
+#include "openr/kit/controller_build.h"
+#include "openr/kit/new_controller.h"
+
+namespace openr_host {
+namespace {
+
+struct ControllerFlags {
+  ControllerBuildOptions build;
+  std::string name;
+  std::string folder;
+};
+
+int Build(const ControllerFlags& flags) {
+  ControllerBuildOptions options = flags.build;
+  if (options.template_stick.empty()) options.template_stick = DefaultStick();
+  return BuildController(options);
+}
+
+int New(const ControllerFlags& flags) {
+  const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
+  const std::vector<NewFile> files = MakeNewController(flags.name);
+  const std::string problem = WriteNewObject(files, folder);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
+  fmt::print("\nopenr controller build {0}\nopenr run --stick {0}\n", folder);
+  return kExitGood;
+}
+
+}  // namespace
+
+void AddControllerCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("controller", "Makes and builds controllers in Webots style");
+  command->require_subcommand(1);
+  auto flags = std::make_shared<ControllerFlags>();
+
+  CLI::App* const build =
+      command->add_subcommand("build", "Makes CONTROLL.BIN and puts it on a stick");
+  build->add_option("DIR", flags->build.folder, "Folder of the controller")->required();
+  build->add_option("-o,--output", flags->build.output,
+                    "Folder of the stick (default: DIR); made if it holds no OPEN-R/");
+  build->add_option("--from", flags->build.template_stick,
+                    "Stick that a new one is copied from (default: the one that came along)");
+  build->add_flag("--robot", flags->build.for_robot, "For the dog; needs OPENRSDK_ROOT");
+  build->callback([flags, exit_code] { *exit_code = Build(*flags); });
+
+  CLI::App* const make = command->add_subcommand("new", "Makes a controller that builds and runs");
+  make->add_option("NAME", flags->name, "Of the controller: wave")
+      ->required()
+      ->check(CLI::Validator(&WhyNoControllerName, "NAME"));
+  make->add_option("DIR", flags->folder, "Folder to write to (default: NAME)");
+  make->callback([flags, exit_code] { *exit_code = New(*flags); });
+}
+
+}  // namespace openr_host

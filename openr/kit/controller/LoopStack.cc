@@ -1,0 +1,32 @@
+// LoopStack (objects/Controller/LoopStack.h) for the host, where a controller may be an endless
+// loop: robot_step() leaves its stack, the end of the LED vector continues it.  Part of images, so
+// it is gnu++98.
+#include "LoopStack.h"
+
+#include "runtime/api/second_stack.h"
+
+namespace {
+
+// Goes with the image: on the robot's way of ending, or when another one is put in its place.
+struct Stack {
+  Stack() : stack(0) {}
+  ~Stack() { openr_second_stack_delete(stack); }
+  OpenrSecondStack* stack;
+};
+Stack the_stack;
+
+}  // namespace
+
+void LoopStackRun(void (*body)(void*), void* argument) {
+  if (the_stack.stack == 0) the_stack.stack = openr_second_stack_new();
+  openr_second_stack_run(the_stack.stack, body, argument);
+}
+
+bool LoopStackLeave() {
+  openr_second_stack_leave(the_stack.stack);
+  return true;
+}
+
+void LoopStackContinue() { openr_second_stack_continue(the_stack.stack); }
+
+void TellRunner(const char* text) { openr_finding(text); }
