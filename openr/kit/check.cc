@@ -67,9 +67,10 @@ Remarks CheckFolder(const std::string& folder) {
   const Project project = ScanProject({folder});
   const bool is_controller = project.objects.empty() && IsControllerFolder(folder);
   if (project.objects.empty() && project.sticks.empty() && !is_controller) {
-    throw std::runtime_error(folder +
-                             ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below, "
-                             "nor a controller (Makefile.sources, or sources that include robot.h)");
+    throw std::runtime_error(
+        folder +
+        ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below, "
+        "nor a controller (Makefile.sources, or sources that include robot.h)");
   }
   Remarks remarks;
   if (is_controller) CheckController(folder, &remarks);

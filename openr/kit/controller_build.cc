@@ -58,10 +58,10 @@ class ControllerBuild {
       const std::string object = fmt::format("{}/{}.o", scratch_.path(), objects_.size());
       const bool is_cxx = source.extension() != ".c";
       const fs::path include = part_ / "include";
-      good = RunCompiler({"-O2", "-Dmain=controller_main", "-I" + folder_.string(),
-                          "-I" + include.string(), "-I" + (include / "device").string(), "-c", "-o",
-                          object, source.string()},
-                         is_cxx) == 0 &&
+      good = RunCompiler(
+                 {"-O2", "-Dmain=controller_main", "-I" + folder_.string(), "-I" + include.string(),
+                  "-I" + (include / "device").string(), "-c", "-o", object, source.string()},
+                 is_cxx) == 0 &&
              good;
       objects_.push_back(object);
     }

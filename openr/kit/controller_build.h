@@ -6,8 +6,8 @@
 namespace openr_host {
 
 struct ControllerBuildOptions {
-  std::string folder;    // the controller's
-  std::string output;    // folder of the stick, which holds OPEN-R/; "": `folder` itself
+  std::string folder;          // the controller's
+  std::string output;          // folder of the stick, which holds OPEN-R/; "": `folder` itself
   std::string template_stick;  // what a stick that is not there yet is copied from
   bool for_robot = false;
 };
