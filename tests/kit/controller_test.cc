@@ -1,0 +1,256 @@
+// openr controller: from sources in Webots style to a Memory Stick.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr char kMode[] = "PRM:/r1/c1/c2/c3/l7-LED2:l7";
+
+// A folder that `openr controller build` is for.
+class ControllerFolder : public KitFolder {
+ public:
+  ControllerFolder() : KitFolder("") {}
+
+  ProgramResult BuildController(std::vector<std::string> flags = {}) const {
+    flags.insert(flags.begin(), {"controller", "build", File("")});
+    return RunProgram(flags);
+  }
+  std::string Checked() const { return RunProgram({"check", File("")}).out; }
+
+  // The report of a run in which the dog has stood up and gone on for some seconds.
+  nlohmann::json Run(const std::string& stick = "") const {
+    const ProgramResult result =
+        RunProgram({"run", "--stick", stick.empty() ? File("") : stick, "--for", "16s", "--rate",
+                    "max", "--body", "ideal", "--no-panel", "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  }
+};
+
+int ModeLight(const nlohmann::json& report) { return report["robots"][0]["leds"][kMode]; }
+
+constexpr char kLightsUp[] = R"(
+#include <device/led.h>
+#include <device/robot.h>
+extern void light(void);
+static int run(int ms) { light(); return 64; }
+int main(void) { robot_run(run); return 0; }
+)";
+constexpr char kLight[] = R"(
+#include <led.h>
+#include <robot.h>
+void light(void) { led_set(robot_get_device("PRM:/r1/c1/c2/c3/l7-LED2:l7"), 1); }
+)";
+
+TEST(ControllerBuildTest, ANewControllerBuildsRunsAndPassesTheCheck) {
+  const ControllerFolder folder;
+  const ProgramResult made = RunProgram({"controller", "new", "blink", folder.File("")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(folder.Files(),
+            (std::vector<std::string>{"Makefile.openr", "Makefile.sources", "blink.c"}));
+  const ProgramResult built = folder.BuildController();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(built.err, "");
+  EXPECT_EQ(built.out, "CONTROLL.BIN  program\nopenr run --stick " + folder.File("") + "\n");
+  EXPECT_EQ(folder.Checked(), "0 errors, 0 warnings, 0 notes\n");
+  const nlohmann::json report = folder.Run();
+  EXPECT_TRUE(report["findings"].empty()) << report["findings"];
+  EXPECT_TRUE(report["robots"][0]["standing"]);
+}
+
+TEST(ControllerBuildTest, ANameThatIsNoFileNameIsRefused) {
+  const ProgramResult result = RunProgram({"controller", "new", "a b"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("'a b' cannot be the name of a controller"));
+}
+
+TEST(ControllerBuildTest, WithoutAListAllSourcesOfTheFolderAreTaken) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  folder.Write("light.c", kLight);
+  ASSERT_EQ(folder.BuildController().status, 0);
+  EXPECT_EQ(ModeLight(folder.Run()), 1);
+}
+
+TEST(ControllerBuildTest, MakefileSourcesNamesTheSourcesWhateverItsVariablesAre) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  folder.Write("lib/light.c", kLight);
+  folder.Write("old.c", "this is no C\n");
+  folder.Write(
+      "Makefile.sources",
+      "# what is compiled; not old.c\nC_SOURCES = main.c \\\n  lib/light.c\nCPP_SOURCES =\n");
+  const ProgramResult built = folder.BuildController();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(ModeLight(folder.Run()), 1);
+}
+
+TEST(ControllerBuildTest, CAndCxxSourcesMakeOneController) {
+  const ControllerFolder folder;
+  folder.Write("main.cpp", std::string("extern \"C\" void light(void);\n") +
+                               "#include <device/robot.h>\n"
+                               "struct Lamp { Lamp() : times(0) {} int times; };\n"
+                               "static Lamp lamp;\n"
+                               "static int run(int) { lamp.times++; light(); return 32; }\n"
+                               "int main(int argc, char** argv) {\n"
+                               "  robot_run(argc == 1 && argv[1] == 0 ? run : 0);\n"
+                               "}\n");
+  folder.Write("light.c", kLight);
+  const ProgramResult built = folder.BuildController();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(ModeLight(folder.Run()), 1);
+}
+
+TEST(ControllerBuildTest, AFileTheListNamesInVainIsSaidWithItsPlace) {
+  const ControllerFolder folder;
+  folder.Write("Makefile.sources", "SOURCES = wave.c\n");
+  const ProgramResult built = folder.BuildController();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_EQ(built.err, folder.File("Makefile.sources") +
+                           ":1: there is no file 'wave.c'\nSOURCES = wave.c\n          ^\n");
+}
+
+TEST(ControllerBuildTest, AListWithoutSourcesMakesTheEmptyController) {
+  const ControllerFolder folder;
+  folder.Write("Makefile.sources", "SOURCES =\n");
+  const ProgramResult built = folder.BuildController();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_THAT(built.out, HasSubstr("empty: Makefile.sources names no source"));
+  const nlohmann::json report = folder.Run();
+  EXPECT_TRUE(report["findings"].empty());
+  for (const auto& [name, light] : report["robots"][0]["leds"].items()) EXPECT_EQ(light, 0) << name;
+}
+
+TEST(ControllerBuildTest, AFolderWithoutSourcesIsRefused) {
+  const ControllerFolder folder;
+  const ProgramResult built = folder.BuildController();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("no *.c, *.cc or *.cpp and no Makefile.sources in it"));
+}
+
+TEST(ControllerBuildTest, WhatDoesNotCompileChangesNothing) {
+  const ControllerFolder folder;
+  folder.Write("wave.c", "int main(void) { return wave; }\n");
+  const ProgramResult built = folder.BuildController();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("wave.c:1:"));
+  EXPECT_EQ(folder.Files(), std::vector<std::string>{"wave.c"});
+}
+
+TEST(ControllerBuildTest, AFunctionThatTheControllerObjectLacksIsNamed) {
+  const ControllerFolder folder;
+  folder.Write("wheels.c",
+               "void differential_wheels_set_speed(int, int);\n"
+               "int main(void) { differential_wheels_set_speed(10, 10); return 0; }\n");
+  const ProgramResult built = folder.BuildController();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("differential_wheels_set_speed"));
+}
+
+TEST(ControllerBuildTest, NetworkAndMotionsTravelWithTheController) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  folder.Write("light.c", kLight);
+  folder.Write("WLANCONF.TXT", "HOSTNAME=mine\n");
+  folder.Write("NOD.MTN", "OMTN");
+  const std::string stick = folder.scratch().File("stick");
+  const ProgramResult built = folder.BuildController({"-o", stick});
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.File("OPEN-R")));
+  EXPECT_EQ(folder.scratch().Read("stick/OPEN-R/SYSTEM/CONF/WLANCONF.TXT"), "HOSTNAME=mine\n");
+  EXPECT_EQ(folder.scratch().Read("stick/OPEN-R/MW/DATA/P/NOD.MTN"), "OMTN");
+  EXPECT_EQ(ModeLight(folder.Run(stick)), 1);
+}
+
+TEST(ControllerBuildTest, OnAStickThatIsThereOnlyTheControllerIsReplaced) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  folder.Write("light.c", kLight);
+  ASSERT_EQ(folder.BuildController().status, 0);
+  folder.Write("OPEN-R/SYSTEM/CONF/WLANCONF.TXT", "HOSTNAME=mine\n");
+  folder.Write("light.c", "void light(void) {}\n");
+  ASSERT_EQ(folder.BuildController().status, 0);
+  EXPECT_EQ(folder.Read("OPEN-R/SYSTEM/CONF/WLANCONF.TXT"), "HOSTNAME=mine\n");
+  EXPECT_EQ(ModeLight(folder.Run()), 0);
+}
+
+TEST(ControllerBuildTest, MakefileOpenrBuildsAndCleans) {
+  const ControllerFolder folder;
+  ASSERT_EQ(RunProgram({"controller", "new", "blink", folder.File("")}).status, 0);
+  const std::string make =
+      "make -s -C " + folder.File("") + " -f Makefile.openr OPENR=" + OPENR_PROGRAM;
+  EXPECT_EQ(std::system((make + " > /dev/null").c_str()), 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.File("OPEN-R/MW/OBJS/CONTROLL.BIN")));
+  EXPECT_EQ(std::system((make + " clean").c_str()), 0);
+  EXPECT_EQ(folder.Files(),
+            (std::vector<std::string>{"Makefile.openr", "Makefile.sources", "blink.c"}));
+}
+
+TEST(ControllerBuildTest, TheRobotNeedsTheSdk) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  unsetenv("OPENRSDK_ROOT");
+  const ProgramResult built = folder.BuildController({"--robot"});
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("--robot needs OPENRSDK_ROOT"));
+}
+
+// ---- What the robot cannot do ----------------------------------------------------------
+
+TEST(ControllerCheckTest, AnEndlessLoopIsNamedAndHowToConvertIt) {
+  const ControllerFolder folder;
+  folder.Write("wave.c",
+               "#include <device/robot.h>\n"
+               "/* robot_step(1) */\n"
+               "#define TIME_STEP 50\n"
+               "int main(void)\n"
+               "{\n"
+               "    for (;;) robot_step(TIME_STEP);\n"
+               "}\n");
+  const std::string said = folder.Checked();
+  EXPECT_THAT(said, HasSubstr("wave.c:6: warning: robot_step() works on the host only"));
+  EXPECT_THAT(said, HasSubstr("let it return TIME_STEP where the loop calls "
+                              "robot_step(TIME_STEP), and call robot_run(run)"));
+  EXPECT_THAT(said, HasSubstr("wave.c:6: warning: a time step of 50 ms is no multiple of 8; it "
+                              "becomes 48 ms"));
+  EXPECT_THAT(said, HasSubstr("0 errors, 2 warnings, 0 notes\n"));
+}
+
+TEST(ControllerCheckTest, TheTimeStepOfARunFunctionIsLookedAt) {
+  const ControllerFolder folder;
+  folder.Write("wave.c",
+               "#include <robot.h>\n"
+               "static int helper(void) { return 50; }\n"
+               "static int run(int ms)\n"
+               "{\n"
+               "    if (ms) return 64;\n"
+               "    return 100;\n"
+               "}\n"
+               "int main(void) { robot_run(run); return helper(); }\n");
+  const std::string said = folder.Checked();
+  EXPECT_THAT(said, HasSubstr("wave.c:6: warning: a time step of 100 ms is no multiple of 8; it "
+                              "becomes 104 ms\n    return 100;\n           ^\n"));
+  EXPECT_THAT(said, HasSubstr("0 errors, 1 warnings, 0 notes\n"));
+}
+
+TEST(ControllerCheckTest, AControllerWithoutALoopIsSaidSo) {
+  const ControllerFolder folder;
+  folder.Write("wave.c", "#include <robot.h>\nint main(void) { return robot_get_mode(); }\n");
+  EXPECT_THAT(folder.Checked(), HasSubstr("nobody calls robot_run(): main() runs once"));
+}
+
+TEST(ControllerCheckTest, AControllerWithoutMainIsSaidSo) {
+  const ControllerFolder folder;
+  folder.Write("wave.c", "#include <robot.h>\n");
+  EXPECT_THAT(folder.Checked(), HasSubstr("no main() in any source"));
+}
+
+}  // namespace
+}  // namespace openr_host
