@@ -202,6 +202,26 @@ TEST(ControllerBuildTest, TheRobotNeedsTheSdk) {
   EXPECT_THAT(built.err, HasSubstr("--robot needs OPENRSDK_ROOT"));
 }
 
+// Of a copy: what is built stays out of the sources.
+TEST(ControllerBuildTest, EveryExampleBuildsAndPassesTheCheck) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(OPENR_EXAMPLE_CONTROLLERS)) {
+    if (!entry.is_directory()) continue;
+    const ControllerFolder folder;
+    fs::copy(entry.path(), folder.File(""), fs::copy_options::overwrite_existing);
+    names.push_back(entry.path().filename());
+    SCOPED_TRACE(names.back());
+    const ProgramResult built = folder.BuildController();
+    EXPECT_EQ(built.status, 0);
+    EXPECT_EQ(built.err, "");
+    EXPECT_EQ(folder.Checked(), "0 errors, 0 warnings, 0 notes\n");
+    EXPECT_TRUE(folder.Run()["findings"].empty());
+    EXPECT_TRUE(fs::exists(folder.File("Makefile.openr")));
+  }
+  EXPECT_GE(names.size(), 10u);
+}
+
 // ---- What the robot cannot do ----------------------------------------------------------
 
 TEST(ControllerCheckTest, AnEndlessLoopIsNamedAndHowToConvertIt) {
