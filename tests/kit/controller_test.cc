@@ -209,7 +209,7 @@ TEST(ControllerBuildTest, EveryExampleBuildsAndPassesTheCheck) {
   for (const auto& entry : fs::directory_iterator(OPENR_EXAMPLE_CONTROLLERS)) {
     if (!entry.is_directory()) continue;
     const ControllerFolder folder;
-    fs::copy(entry.path(), folder.File(""), fs::copy_options::overwrite_existing);
+    fs::copy(entry.path(), folder.File(""), fs::copy_options::recursive);
     names.push_back(entry.path().filename());
     SCOPED_TRACE(names.back());
     const ProgramResult built = folder.BuildController();
