@@ -18,7 +18,7 @@ static const char STEP_IS_NOT_FOR_THE_ROBOT[] =
     "a function that returns the time step, and call robot_run() with it";
 
 Controller::Controller()
-    : robot_(0), roundedMs_(0), hasStepped_(false), isStopped_(false), core_(this)
+    : robot_(0), roundedMs_(0), hasStepped_(false), isCameraOn_(false), isStopped_(false), core_(this)
 {
     memset(&sensors_, 0, sizeof(sensors_));
     for (int i = 0; i < NUM_REGIONS; i++) ledRegion_[i] = earRegion_[i] = 0;
@@ -53,6 +53,7 @@ Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
+    observer[obsImage]->DeassertReady();  // until camera_enable()
     OSYSLOG1((osyslogINFO, "state: waiting"));
     return oSUCCESS;
 }

@@ -8,6 +8,7 @@
 //   Controller.LedEar              <- LEDs and ears of the remote control
 //   Controller.SetValue            <- key frames of motions
 //   Controller.Sensor              <- sensor values
+//   Controller.Image               <- images of the camera, if the controller wants them
 //
 // The loop is in ControllerCore; this class turns it into OPEN-R.
 //
@@ -44,6 +45,7 @@ public:
     void NotifyLedEar(const ONotifyEvent& event);
     void NotifySetValue(const ONotifyEvent& event);
     void NotifySensor(const ONotifyEvent& event);
+    void NotifyImage(const ONotifyEvent& event);
 
 private:
     // Vectors of one kind: one is played, another may wait until the effector is ready.
@@ -59,6 +61,7 @@ private:
     virtual void SendMover(const MoverCommand& command);
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
     virtual int BatteryCapacity();
+    virtual void EnableCamera(bool on);
     virtual void TimeStepRounded(int askedMs, int usedMs);
     virtual void Remark(const char* text);
     virtual void Print(const char* text);
@@ -81,6 +84,7 @@ private:
     SensorValues sensors_;
     int roundedMs_;  // the time step said to be rounded last
     bool hasStepped_;
+    bool isCameraOn_;
     bool isStopped_;
     ControllerCore core_;
 };

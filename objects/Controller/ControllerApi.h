@@ -18,4 +18,8 @@ ControllerCore* GetControllerCore();
 // News of JointMover for the motions.
 void SetMotionValues(const SetValueMessage& message);
 
+// Where the next image of the camera is to be written, width x height pixels of 3 bytes, red, green,
+// blue, from the top left; 0 when no controller wants one.
+Uint8* CameraBuffer();
+
 #endif  // ControllerApi_h_DEFINED

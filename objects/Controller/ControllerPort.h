@@ -38,6 +38,9 @@ public:
     // Remaining battery capacity, %.
     virtual int BatteryCapacity() = 0;
 
+    // Whether images shall come, by ReceiveCameraImage().
+    virtual void EnableCamera(bool on) = 0;
+
     // The controller's time step is no multiple of a frame.
     virtual void TimeStepRounded(int askedMs, int usedMs) = 0;
 

@@ -1,5 +1,7 @@
 #include "DeviceTable.h"
 
+#include <string.h>
+
 int
 DeviceTable::Find(const char* locator) const
 {
@@ -11,7 +13,8 @@ DeviceTable::Find(const char* locator) const
     index = FindPlunger(robot_, locator);
     if (index >= 0) return FirstEar() + index;
     index = FindSensor(robot_, locator);
-    return index >= 0 ? FirstSensor() + index : 0;
+    if (index >= 0) return FirstSensor() + index;
+    return strcmp(robot_->camera.locator, locator) == 0 ? CameraTag() : 0;
 }
 
 int
@@ -42,4 +45,10 @@ int
 DeviceTable::Sensor(int tag) const
 {
     return robot_ == 0 ? -1 : InRange(tag, FirstSensor(), robot_->numSensors);
+}
+
+bool
+DeviceTable::IsCamera(int tag) const
+{
+    return robot_ != 0 && tag == CameraTag();
 }

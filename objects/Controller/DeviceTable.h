@@ -1,6 +1,6 @@
 //
 // Numbers for the devices of a robot, as robot_get_device() gives them out: joints, LEDs,
-// ears, sensors, one after the other from 1.
+// ears, sensors, the camera, one after the other from 1.
 //
 
 #ifndef DeviceTable_h_DEFINED
@@ -21,12 +21,14 @@ public:
     int Led(int tag) const;
     int Ear(int tag) const;
     int Sensor(int tag) const;
+    bool IsCamera(int tag) const;
 
 private:
     int InRange(int tag, int first, int count) const;
     int FirstLed() const { return 1 + robot_->numJoints; }
     int FirstEar() const { return FirstLed() + robot_->numLeds; }
     int FirstSensor() const { return FirstEar() + robot_->numPlungers; }
+    int CameraTag() const { return FirstSensor() + robot_->numSensors; }
 
     const RobotConstants* robot_;  // 0: no robot, no devices
 };

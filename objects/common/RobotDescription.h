@@ -74,6 +74,13 @@ struct SensorConstants {
     Sint16 reserved;
 };
 
+struct CameraConstants {
+    const char* locator;
+    Sint32 width;  // of the largest layer, pixels
+    Sint32 height;
+    Sint32 fovUrad;  // from left to right
+};
+
 // Angles in the order of RobotConstants::joints, inside the software limits.
 struct PostureConstants {
     const char* name;  // "stand", "sit", "sleep", "crouch", "broadbase"
@@ -96,6 +103,7 @@ struct RobotConstants {
     Sint32 minAccelerationCdeg;  // 0.01 degree/s^2, of every joint
     Sint32 defaultAccelerationCdeg;
     Sint32 maxAccelerationCdeg;
+    CameraConstants camera;
 };
 
 // All return 0 (or -1) when there is no such thing.  `robot` must not be 0.

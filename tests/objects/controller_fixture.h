@@ -74,6 +74,7 @@ class ControllerTest : public testing::Test, public ControllerPort {
     return true;
   }
   int BatteryCapacity() override { return 87; }
+  void EnableCamera(bool on) override { camera_on = on; }
   void TimeStepRounded(int asked_ms, int used_ms) override {
     rounded.push_back({asked_ms, used_ms});
   }
@@ -140,6 +141,7 @@ class ControllerTest : public testing::Test, public ControllerPort {
   std::map<std::string, std::vector<uint8_t>> files;
   std::vector<std::string> remarks;
   std::string printed;
+  bool camera_on = false;
   bool has_loop_stack = true;  // the host's; the robot has none
   LoopStackOfTest loop_stack;
 };

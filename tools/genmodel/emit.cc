@@ -86,13 +86,16 @@ std::string TableName(const char* prefix, bool empty, const std::string& id) {
 }
 
 std::string RobotRow(const Model& m, const std::string& id) {
-  return fmt::format("    {{\"{}\", {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
-                     m.design, m.joints.size(), TableName("JOINTS_", m.joints.empty(), id),
-                     m.leds.size(), TableName("LEDS_", m.leds.empty(), id), m.plungers.size(),
-                     TableName("PLUNGERS_", m.plungers.empty(), id), m.sensors.size(),
-                     TableName("SENSORS_", m.sensors.empty(), id), m.sensor_elements,
-                     m.postures.size(), TableName("POSTURES_", m.postures.empty(), id),
-                     m.min_acceleration_cdeg, m.default_acceleration_cdeg, m.max_acceleration_cdeg);
+  return fmt::format(
+      "    {{\"{}\", {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {{\"{}\", {}, {}, "
+      "{}}}}},\n",
+      m.design, m.joints.size(), TableName("JOINTS_", m.joints.empty(), id), m.leds.size(),
+      TableName("LEDS_", m.leds.empty(), id), m.plungers.size(),
+      TableName("PLUNGERS_", m.plungers.empty(), id), m.sensors.size(),
+      TableName("SENSORS_", m.sensors.empty(), id), m.sensor_elements, m.postures.size(),
+      TableName("POSTURES_", m.postures.empty(), id), m.min_acceleration_cdeg,
+      m.default_acceleration_cdeg, m.max_acceleration_cdeg, m.camera.locator, m.camera.width,
+      m.camera.height, m.camera.fov_urad);
 }
 
 }  // namespace

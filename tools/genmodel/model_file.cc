@@ -95,6 +95,10 @@ Model Convert(const json& source) {
     model.sensors.push_back(
         {row.at("name"), row.at("locator"), kind, index, TouchLimit(kind, row)});
   }
+  const json& camera = source.at("camera");
+  const json& layer = camera.at("layers").at(0);
+  model.camera = {camera.at("locator"), layer.at(0), layer.at(1),
+                  UradFromDeg(camera.at("fov").at(0))};
   for (const json& row : Rows(source, "postures"))
     model.postures.push_back(ReadPosture(row, model.joints));
   const json& acceleration = source.at("acceleration");

@@ -35,6 +35,12 @@ struct Sensor {
   int32_t touch_limit = -1;          // touched above this; -1: not a touch sensor
 };
 
+struct Camera {
+  std::string locator;
+  int width = 0, height = 0;  // of its largest layer, pixels
+  int32_t fov_urad = 0;       // from left to right
+};
+
 struct Posture {
   std::string name;
   std::vector<int32_t> urad;  // order of joints, inside the software limits
@@ -47,6 +53,7 @@ struct Model {
   std::vector<Plunger> plungers;
   std::vector<Sensor> sensors;  // joints left out
   int sensor_elements = 0;      // joints included
+  Camera camera;
   std::vector<Posture> postures;
   int32_t min_acceleration_cdeg = 0, default_acceleration_cdeg = 0, max_acceleration_cdeg = 0;
 };

@@ -1,0 +1,64 @@
+//
+// Images for the controller: from luminance and differences of colour to red, green and blue.
+//
+
+#include "Controller.h"
+
+#include <OPENR/OFbkImage.h>
+
+#include "ControllerApi.h"
+
+// Images only come while their observer is ready.
+void
+Controller::EnableCamera(bool on)
+{
+    isCameraOn_ = on;
+    if (on) {
+        observer[obsImage]->AssertReady();
+    } else {
+        observer[obsImage]->DeassertReady();
+    }
+}
+
+static Uint8
+Clip(int value)
+{
+    return (Uint8)(value < 0 ? 0 : (value > 255 ? 255 : value));
+}
+
+// Whole numbers only, so that every compiler gives the same picture: green is
+// y - 0.51 cr - 0.19 cb in 256ths.  The last row of Y begins with 16 bytes of other data, so it
+// is taken from the row above.
+static void
+Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
+{
+    OFbkImageInfo* info = vector->GetInfo(ofbkimageLAYER_H);
+    byte* data = vector->GetData(ofbkimageLAYER_H);
+    OFbkImage yImage(info, data, ofbkimageBAND_Y);
+    OFbkImage crImage(info, data, ofbkimageBAND_Cr);
+    OFbkImage cbImage(info, data, ofbkimageBAND_Cb);
+    if (yImage.Width() != width || yImage.Height() != height) return;
+    for (int row = 0; row < height; row++) {
+        const int yRow = row == height - 1 ? row - 1 : row;
+        for (int x = 0; x < width; x++) {
+            const int y = yImage.Pixel(x, yRow);
+            const int cr = crImage.Pixel(x, row) - 128;
+            const int cb = cbImage.Pixel(x, row) - 128;
+            *out++ = Clip(y + cr);
+            *out++ = Clip(y + 128 - (131 * cr + 49 * cb + 128 * 256 + 128) / 256);
+            *out++ = Clip(y + cb);
+        }
+    }
+}
+
+void
+Controller::NotifyImage(const ONotifyEvent& event)
+{
+    if (!isCameraOn_) return;  // one that was on its way
+    Uint8* out = CameraBuffer();
+    if (out != 0) {
+        OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);
+        Convert(vector, robot_->camera.width, robot_->camera.height, out);
+    }
+    observer[event.ObsIndex()]->AssertReady(event.SenderID());
+}
