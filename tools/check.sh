@@ -50,6 +50,11 @@ grep_in '#include *["<](openr|virtualrobot|runtime|fmt|Eigen|nlohmann|ode|boost|
   objects examples | rule 'objects/ and examples/ include SDK headers, the C and C++ library and their own'
 grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__x86_64|__GLIBC__)' objects examples |
   rule 'objects/ and examples/ have no special case for the host'
+# The models (virtualrobot/model) are the one source of what a robot has; tables are made of them.
+# What is left are a controller and the text of a new one.
+grep_in '"PRM:/[^"]*-' openr runtime virtualrobot objects testing tools |
+  grep -vE '^(objects/Controller/ers210/|openr/kit/new_controller\.cc)|^[^:]+:[0-9]+:( *\*|.*//.*"PRM)' |
+  rule 'robot constants are in virtualrobot/model only'
 files 'cc|h|c' openr runtime virtualrobot objects testing tools | grep -v '^virtualrobot/ode/' |
   xargs -r grep -nE '#include *[<"]ode/' /dev/null | rule 'only virtualrobot/ode includes ODE'
 # process_hooks.cc and file_hooks.cc define these calls for objects; host_*.cc and ipstack are
