@@ -256,5 +256,26 @@ TEST(ControllerStylesTest, ALoopThatIsReplacedBeginsAnew) {
   }
 }
 
+// The loop's stack is its own: what it has caught stays caught while it waits; exit() there ends
+// the method that went there, and the object goes on without a controller.
+TEST(ControllerStylesTest, ALoopMayStepInACatchBlockAndEndByExit) {
+  Bench bench(
+      {.stick = OPENR_STICK,
+       .replace = {"JointMover", "RCServer",
+                   StandIn("Controller", [](Bench& b) { b.AddImage(OPENR_IMAGES "/ENDING.BIN"); })},
+       .body = "ideal"});
+  bench.Boot();
+  bench.probe("JointMover").subject("MainExecution").Send(MainExecutionMessage{});
+  bench.RunFor(std::chrono::seconds(1));
+  EXPECT_THAT(bench.console(), HasSubstr("caught 1\ncaught 2\ncaught 3\n"));
+  EXPECT_NE(bench.LedIntensity("PRM:/r1/c1/c2/c3/l1-LED2:l1"), 0);
+  bench.probe("RCServer").subject("LedEar").Send(LedEarState{1, 0, 0, 0});
+  bench.RunFor(std::chrono::milliseconds(100));
+  EXPECT_EQ(bench.LedIntensity("PRM:/r1/c1/c2/c3/l1-LED2:l1"), 0);
+  bench.PressPause();
+  bench.RunFor(std::chrono::seconds(1));
+  EXPECT_TRUE(bench.system().powered_off());
+}
+
 }  // namespace
 }  // namespace openr_host
