@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "openr/exit_code.h"
+#include "openr/kit/controller_sources.h"
 #include "openr/kit/convention_build.h"
 #include "openr/kit/harvest.h"
 #include "openr/kit/kit_log.h"
@@ -139,6 +140,10 @@ int FolderBuild::Run() {
   make_.copies = ToEnvironment(copies_);
   for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
   project_ = ScanProject(copied_folders_);
+  if (project_.objects.empty() && IsControllerFolder(folder_)) {
+    throw std::runtime_error(fmt::format(
+        "{0}: a controller, not an OPEN-R object; openr controller build {0}", folder_.string()));
+  }
   if (project_.objects.empty() && project_.makefiles.empty()) {
     throw std::runtime_error(fmt::format(
         "{}: no stub.cfg, no entry table and no Makefile in it or below; 'openr new' makes an "

@@ -202,6 +202,15 @@ TEST(ControllerBuildTest, TheRobotNeedsTheSdk) {
   EXPECT_THAT(built.err, HasSubstr("--robot needs OPENRSDK_ROOT"));
 }
 
+TEST(ControllerBuildTest, BuildSaysWhatAControllerIsBuiltWith) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  const ProgramResult built = folder.Build();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("a controller, not an OPEN-R object; openr controller build " +
+                                   folder.File("")));
+}
+
 // Of a copy: what is built stays out of the sources.
 TEST(ControllerBuildTest, EveryExampleBuildsAndPassesTheCheck) {
   namespace fs = std::filesystem;
