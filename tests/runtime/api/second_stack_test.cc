@@ -61,8 +61,7 @@ TEST_F(SecondStackTest, ItIsContinuedFromAnyDepthOfTheOtherStack) {
     for (;;) Leave();
   });
   const std::function<void(int)> deep = [&](int levels) {
-    volatile char room[256] = {};
-    room[0] = 1;
+    [[maybe_unused]] const volatile char room[256] = {};
     if (levels > 0) return deep(levels - 1);
     Continue();
     said += "back";
