@@ -1,6 +1,7 @@
 #include "openr/kit/project.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
@@ -106,7 +107,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
   for (const fs::path& folder : folders) {
-    FindSticks(folder, &project.sticks);
+    // A neighbour that is referred to may have a stick of its own: not ours to write to.
+    if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder)) files_of[file.parent_path()].push_back(file);
   }
   std::set<fs::path> object_folders;
@@ -115,6 +117,12 @@ Project ScanProject(const std::vector<fs::path>& folders) {
     project.objects.push_back(DescribeObject(folder, files));
     object_folders.insert(folder);
   }
+  const auto is_ours = [&](const ObjectFolder& object) {
+    return IsBelow(object.folder, project.root);
+  };
+  // Nor are its objects ours to build, if there are some here.
+  if (std::any_of(project.objects.begin(), project.objects.end(), is_ours))
+    std::erase_if(project.objects, std::not_fn(is_ours));
   for (const auto& [folder, files] : files_of) {
     if (IsInStick(folder, project)) continue;
     bool has_header = false;

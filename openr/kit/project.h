@@ -38,7 +38,8 @@ struct Project {
   std::vector<std::filesystem::path> header_folders;  // outside of objects' own folders
 };
 
-// Reads `folders` (the first is the project's root).
+// Reads `folders`: the first is the project's root, the others are what it refers to, of which
+// objects and sticks count only if the root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
 // The file name of a robot path: "/MS/OPEN-R/MW/OBJS/HELLO.BIN" is HELLO.BIN.

@@ -124,7 +124,7 @@ bool WorkCopy::IsOriginal(const fs::path& file) const {
 
 fs::path WorkCopy::Add(const fs::path& original) {
   AddFolder(original);
-  for (size_t i = 0; i < copies_.size(); ++i) AddOutside(copies_[i].original);
+  for (size_t i = 0; i < copies_.size(); ++i) AddOutside(fs::path(copies_[i].original));
   RemoveVanished();
   Save();
   return copies_[0].copy;
@@ -163,7 +163,8 @@ void WorkCopy::AddOutside(const fs::path& original) {
     const std::string text = ReadText(file).value_or("");
     if (text.find("..") == std::string::npos) continue;
     for (const std::string& path : UpwardPaths(text)) {
-      const fs::path target = (file.parent_path() / path).lexically_normal();
+      fs::path target = (file.parent_path() / path).lexically_normal();
+      if (!target.has_filename()) target = target.parent_path();  // "a/.." ends in a slash
       std::error_code error;
       if (!fs::exists(target, error) || IsCovered(target)) continue;
       if (std::any_of(copies_.begin(), copies_.end(),

@@ -275,6 +275,24 @@ TEST(BuildTest, OneObjectFindsWhatItsMakefileNamesOutside) {
   EXPECT_THAT(result.err, HasSubstr("OBJECT.CFG:3: /MS/OPEN-R/MW/OBJS/RECEIVER.BIN was not built"));
 }
 
+// ".." in a common Makefile is the folder of the object whose Makefile includes it: here it seemed
+// to be the one around everything, and neighbours were built and their sticks written.
+TEST(BuildTest, NeighboursOfTheFolderAreLeftAlone) {
+  const KitFolder folder("handmade");
+  folder.scratch().Write("neighbour/stub.cfg", "not a stub\n");
+  folder.scratch().Write("neighbour/MS/OPEN-R/MW/CONF/OBJECT.CFG",
+                         "/MS/OPEN-R/MW/OBJS/GREETER.BIN\n");
+  folder.Write("Makefile.common", "ROOT = ..\ninclude $(ROOT)/rules.mk\n");
+  folder.Write("Greeter.h", "#include \"../neighbour/nothing.h\"\n");
+  folder.scratch().Write("neighbour/nothing.h", "");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("neighbour")));
+  EXPECT_THAT(result.out, Not(HasSubstr("neighbour")));
+  EXPECT_FALSE(
+      std::filesystem::exists(folder.scratch().File("neighbour/MS/OPEN-R/MW/OBJS/GREETER.BIN")));
+}
+
 TEST(BuildTest, AFolderWithNothingToBuildIsSaidSo) {
   const KitFolder folder("");
   const ProgramResult result = folder.Build();
