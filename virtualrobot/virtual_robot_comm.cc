@@ -58,7 +58,7 @@ void OVirtualRobotComm::Frame() {
   ApplyCommands();
   if (vector_complete && HasListener(*sensor_))
     SendToListeners(sensor_, robot_->sensors_.MakeVector(robot_->optional_));
-  SendImage();
+  ReadCamera();
   if (sound_ != nullptr) sound_->WakeIfNeeded();
   if (running_) PostNextFrame();
 }
@@ -92,14 +92,24 @@ void OVirtualRobotComm::ApplyCommands() {
   }
 }
 
-void OVirtualRobotComm::SendImage() {
-  if (image_->NumberOfObservers() == 0 || !robot_->camera_.Due(robot_->frame_) ||
-      !HasListener(*image_))
-    return;
+// An image leaves when the next one is taken.  Nobody says how long reading it out takes, but
+// BallTrackingHead finds the angles that belong to it in the two newest sensor vectors (robot.md
+// 14): it comes 4 to 8 frames after the frame it shows.
+void OVirtualRobotComm::ReadCamera() {
+  if (image_->NumberOfObservers() == 0 || !robot_->camera_.Due(robot_->frame_)) return;
+  SendImage();
+  if (!HasListener(*image_)) return;
   std::string problem;
-  RCRegion* const vector = robot_->camera_.MakeVector(robot_->frame_, *robot_->body_, &problem);
+  exposed_ = robot_->camera_.MakeVector(robot_->frame_, *robot_->body_, &problem);
+  exposed_->AddReference();
   if (!problem.empty()) system().AddFinding(Severity::kError, "camera: " + problem);
-  SendToListeners(image_, vector);
+}
+
+void OVirtualRobotComm::SendImage() {
+  if (exposed_ == nullptr) return;
+  SendToListeners(image_, exposed_);
+  exposed_->RemoveReference();
+  exposed_ = nullptr;
 }
 
 void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {

@@ -39,6 +39,7 @@ class OVirtualRobotComm : public CodeObject {
   void PostNextFrame();
   void FinishVectors();
   void ApplyCommands();
+  void ReadCamera();
   void SendImage();
   // Findings about whoever sent the vector.
   void Report(const SubjectID& subject, std::vector<std::string>* problems);
@@ -48,6 +49,7 @@ class OVirtualRobotComm : public CodeObject {
   OObserver* effector_;
   OSubject* sensor_;
   OSubject* image_;
+  RCRegion* exposed_ = nullptr;  // the image that is being read out; one reference is ours
   Selector frame_;
   bool running_ = false;
   std::vector<Source> sources_;  // in order of first appearance
