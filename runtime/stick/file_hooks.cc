@@ -41,7 +41,8 @@ bool HasShortNames(std::string_view path) {
   for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
-    if (!part.empty() && !openr_host::IsShortName(part)) return false;
+    const bool is_dots = part == "." || part == "..";  // entries of every folder but the first
+    if (!part.empty() && !is_dots && !openr_host::IsShortName(part)) return false;
     path.remove_prefix(part.size());
   }
   return true;

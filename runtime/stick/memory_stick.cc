@@ -42,7 +42,7 @@ std::string FindEntry(const std::string& folder, const std::string& part) {
   return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
 }
 
-// The parts after /MS; nullopt for a name that is not below it.
+// The parts after /MS, those that "." and ".." leave; nullopt for a name that is not below it.
 std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
   if (name.size() < 3 || strncasecmp(name.data(), "/MS", 3) != 0) return std::nullopt;
   name.remove_prefix(3);
@@ -51,8 +51,14 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
   while (!name.empty()) {
     name.remove_prefix(1);
     const size_t end = std::min(name.find('/'), name.size());
-    if (end > 0) parts.emplace_back(name.substr(0, end));
+    const std::string_view part = name.substr(0, end);
     name.remove_prefix(end);
+    if (part == "..") {
+      if (parts.empty()) return std::nullopt;  // the first folder has no such entry
+      parts.pop_back();
+    } else if (!part.empty() && part != ".") {
+      parts.emplace_back(part);
+    }
   }
   return parts;
 }
@@ -94,8 +100,7 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   std::string path = root_;
   for (size_t i = 0; i < parts->size(); ++i) {
     const std::string& part = (*parts)[i];
-    if (part == "." || part == ".." || part.find('\0') != std::string::npos)
-      return {"", false, EINVAL};
+    if (part.find('\0') != std::string::npos) return {"", false, EINVAL};
     const std::string entry = FindEntry(path, part);
     const bool is_last = i + 1 == parts->size();
     if (entry.empty() && !is_last) return {"", false, ENOENT};

@@ -3,6 +3,8 @@
 // processes.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/select.h>
@@ -49,6 +51,18 @@ OPENR_REFUSE(pid_t, fork, -1, () noexcept, ())
 OPENR_REFUSE(int, execve, -1,
              (const char* path, char* const* arguments, char* const* environment) noexcept,
              (path, arguments, environment))
+OPENR_REFUSE(int, execv, -1, (const char* path, char* const* arguments) noexcept, (path, arguments))
+OPENR_REFUSE(int, execvp, -1, (const char* file, char* const* arguments) noexcept,
+             (file, arguments))
+OPENR_REFUSE(pid_t, getpid, -1, () noexcept, ())
+OPENR_REFUSE(int, kill, -1, (pid_t process, int number) noexcept, (process, number))
+OPENR_REFUSE(int, raise, -1, (int number) noexcept, (number))
+OPENR_REFUSE(sighandler_t, signal, SIG_ERR, (int number, sighandler_t handler) noexcept,
+             (number, handler))
+OPENR_REFUSE(int, sigaction, -1,
+             (int number, const struct sigaction* wanted, struct sigaction* former) noexcept,
+             (number, wanted, former))
+OPENR_REFUSE(unsigned, alarm, 0, (unsigned seconds) noexcept, (seconds))
 OPENR_REFUSE(pid_t, wait, -1, (int* status), (status))
 OPENR_REFUSE(FILE*, tmpfile, nullptr, (), ())
 OPENR_REFUSE(char*, tmpnam, nullptr, (char* name) noexcept, (name))
@@ -71,3 +85,14 @@ OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 #endif
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
+
+// Its third argument, whatever it is, passes as a pointer does.
+extern "C" int fcntl(int descriptor, int command, ...) {
+  static const auto next =
+      static_cast<decltype(&fcntl)>(openr_host::NextSymbol<decltype(fcntl)>("fcntl"));
+  va_list arguments;
+  va_start(arguments, command);
+  void* const argument = va_arg(arguments, void*);
+  va_end(arguments);
+  return Refuses("fcntl") ? -1 : next(descriptor, command, argument);
+}

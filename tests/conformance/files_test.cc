@@ -53,6 +53,12 @@ TEST_F(FilesConformance, ReaddirShows682EntriesWithUpperCaseNames) {
   EXPECT_TRUE(Found("readdir() shows the first 682")) << Findings();
 }
 
+TEST_F(FilesConformance, TheFolderItselfAndTheOneAroundItCanBeAskedFor) {
+  Start();
+  EXPECT_EQ(Answer("dots"), "T . 40777 .. 40777 file 11 around the stick -1\n");
+  EXPECT_EQ(Findings(), "");
+}
+
 TEST_F(FilesConformance, AWriteProtectedStickRefusesWritersAndSaysSo) {
   Start();
   EXPECT_EQ(Answer("status"), "T stick 2 design ERS-210\n");
@@ -64,6 +70,8 @@ TEST_F(FilesConformance, AWriteProtectedStickRefusesWritersAndSaysSo) {
 TEST_F(FilesConformance, CallsThatTheRobotLacksFailAndAreReported) {
   Start();
   EXPECT_EQ(Answer("refused"), "T system -1 tmpfile 0 chdir -1 fork -1\n");
+  EXPECT_EQ(Answer("signals"), "T raise -1 kill -1 getpid -1 signal 1 fcntl -1\n");
+  EXPECT_TRUE(Found("raise() fails: there is no such thing on the robot")) << Findings();
   EXPECT_TRUE(Found("system() fails: there is no such thing on the robot")) << Findings();
 }
 

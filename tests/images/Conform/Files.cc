@@ -5,6 +5,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <time.h>
@@ -62,6 +63,26 @@ Modes()
     close(descriptor);
     OSYSPRINT(("T file %o %d folder %o fstat %o time %d\n", (int)file.st_mode, (int)file.st_size, (int)folder.st_mode,
                (int)open_file.st_mode, (int)file.st_mtime));
+}
+
+// What an FTP server does with each entry of a folder.
+static void
+Dots()
+{
+    struct stat self, parent, file;
+    stat("/MS/OPEN-R/MW/DATA/P/.", &self);
+    stat("/MS/OPEN-R/MW/DATA/P/..", &parent);
+    stat("/MS/OPEN-R/MW/CONF/../DATA/./P/HELLO.TXT", &file);
+    OSYSPRINT(("T . %o .. %o file %d around the stick %d\n", (int)self.st_mode, (int)parent.st_mode, (int)file.st_size,
+               stat("/MS/..", &file)));
+}
+
+static void
+Signals()
+{
+    const bool is_refused = signal(SIGTERM, SIG_IGN) == SIG_ERR;
+    OSYSPRINT(("T raise %d kill %d getpid %d signal %d fcntl %d\n", raise(SIGTERM), kill(0, SIGTERM), (int)getpid(),
+               is_refused, fcntl(0, F_GETFD)));
 }
 
 static void
@@ -177,6 +198,10 @@ FileCommand(const std::string& command)
         List(FOLDER "MANY");
     } else if (command == "refused") {
         Refused();
+    } else if (command == "signals") {
+        Signals();
+    } else if (command == "dots") {
+        Dots();
     } else if (command == "clocks") {
         Clocks();
     } else if (command == "atexit") {
