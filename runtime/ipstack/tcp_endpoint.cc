@@ -172,7 +172,25 @@ void TcpEndpoint::Send(const Operation& operation) {
                     message.size, pool_bytes_));
     return Refuse(operation, TCP_FAIL);
   }
+  WarnOfRobotTiming(operation, message.size);
   send_ = accepted;
+}
+
+// What is fine here and was not there.  Not imitated: programs must not depend on it.
+void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
+  if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
+    stack_->Warn(
+        operation,
+        fmt::format("TCP Send of {} to {} bytes: the robot sends {} at once and the rest up "
+                    "to 200 ms later; send fewer bytes or more at a time",
+                    kRobotFastBytes + 1, kRobotSplitBytes, kRobotFastBytes));
+  }
+  if (size > kRobotSendBytes) {
+    stack_->Warn(operation,
+                 fmt::format("TCP Send of more than {} bytes: slow and often failing on the robot; "
+                             "2 to 32 kB at a time were found best",
+                             kRobotSendBytes));
+  }
 }
 
 void TcpEndpoint::Receive(const Operation& operation) {

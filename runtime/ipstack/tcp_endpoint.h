@@ -24,6 +24,12 @@ class TcpEndpoint : public Endpoint {
   // the body after it do not cost a frame each.
   static constexpr size_t kReadAheadBytes = 16384;
 
+  // A send of more than the first and at most the second leaves the robot in two pieces, the later
+  // one up to 200 ms after the other (network.md, 4.3); more than the third is slow (BBS 254).
+  static constexpr int kRobotFastBytes = 1024;
+  static constexpr int kRobotSplitBytes = 3072;
+  static constexpr int kRobotSendBytes = 32 * 1024;
+
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
   void AnswerReady() override;
@@ -38,6 +44,7 @@ class TcpEndpoint : public Endpoint {
   void Listen(const Operation& operation);
   void Connect(const Operation& operation);
   void Send(const Operation& operation);
+  void WarnOfRobotTiming(const Operation& operation, int size);
   void Receive(const Operation& operation);
   void Close(const Operation& operation);
   void Address(Operation operation);

@@ -45,6 +45,34 @@ TEST_F(NetworkConformance, ABufferWrittenAfterTheAnswerIsNot) {
   EXPECT_FALSE(Found("was written between"));
 }
 
+// network.md, 4.3; field-notes.md, 11.4: 1024 bytes go at once, the rest 200 ms later
+TEST_F(NetworkConformance, ASendThatTheRobotSplitsIsReported) {
+  Send(std::string(1024, 'a'));
+  Frames();
+  Send(std::string(3073, 'a'));
+  Frames();
+  EXPECT_FALSE(Found("the robot sends 1024 at once"));
+  Send(std::string(1025, 'a'));
+  EXPECT_TRUE(
+      Found("TCP Send of 1025 to 3072 bytes: the robot sends 1024 at once and the rest up "
+            "to 200 ms later"));
+}
+
+// network.md, 4.3; field-notes.md, 11.5
+TEST_F(NetworkConformance, ASendTooLargeForTheRobotIsReported) {
+  Do([&] { probe->Send(TCPEndpointCloseMsg(endpoint)); });
+  Frames(4);
+  TakeReplies();
+  Accept(100'000);
+  byte* data = nullptr;
+  Do([&] { data = probe->NewBuffer(40'000); });
+  Do([&] { probe->Send(TCPEndpointSendMsg(endpoint, data, 32'768)); });
+  Frames(4);
+  EXPECT_FALSE(Found("slow and often failing"));
+  Do([&] { probe->Send(TCPEndpointSendMsg(endpoint, data, 32'769)); });
+  EXPECT_TRUE(Found("TCP Send of more than 32768 bytes"));
+}
+
 // network.md, 5; field-notes.md, 11.7
 TEST_F(NetworkConformance, ADatagramThatCrashedTheRobotsStackIsReported) {
   Do([&] {
