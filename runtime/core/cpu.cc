@@ -1,5 +1,6 @@
 #include "runtime/core/cpu.h"
 
+#include <OPENR/OPENR.h>
 #include <fmt/format.h>
 
 #include <utility>
@@ -31,7 +32,15 @@ void Cpu::Grant(Object* object, int64_t now_us) {
   }
 }
 
-void Cpu::Begin(Object* object, int64_t cost_us, int64_t now_us) {
+void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us) {
+  if (cost_us > kLongHandlerUs && selector > oentryDESTROY) {
+    system_->AddFindingAbout(
+        object, Severity::kWarning,
+        fmt::format("{} takes longer than the {} ms between two sensor vectors: this object loses "
+                    "some, and those of its priority or a lower one stand still; do the work in "
+                    "parts",
+                    object->EntryName(selector), kLongHandlerUs / 1000));
+  }
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->is_busy = true;

@@ -42,14 +42,17 @@ class Cpu {
   // An object that has waited longer for the processor is reported.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
+  // So is a handler that takes longer: sensor vectors come as often (field-notes.md, 1.12).
+  static constexpr int64_t kLongHandlerUs = 32'000;
+
   // Keeps `message`, for `object`, until the processor is free.
   void Wait(Object* object, Message* message, int64_t now_us);
 
   // `object` gets the processor for a handler, whatever it costs.
   void Grant(Object* object, int64_t now_us);
 
-  // The handler takes `cost_us` > 0.
-  void Begin(Object* object, int64_t cost_us, int64_t now_us);
+  // The handler of entry `selector` takes `cost_us` > 0.
+  void Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us);
 
   // When the running handler ends if nothing comes between; INT64_MAX when none runs.
   int64_t EndUs() const;

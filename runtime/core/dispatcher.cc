@@ -134,7 +134,7 @@ bool Dispatcher::MayRun(Object* object, Message* message) {
   }
   cpu->Grant(object, system_->now_us_);
   const int64_t cost_us = system_->options_.cost->CostUs(*object, message->selector);
-  if (cost_us > 0) cpu->Begin(object, cost_us, system_->now_us_);
+  if (cost_us > 0) cpu->Begin(object, message->selector, cost_us, system_->now_us_);
   return true;
 }
 

@@ -70,5 +70,34 @@ TEST(StallsTest, AnObjectWithoutProcessorIsOneAndAFindingOnceItRuns) {
   EXPECT_THAT(system.findings().all()[0].text, HasSubstr("got no processor time for 1.50"));
 }
 
+// "long" takes what it is told to.
+class ToldCost : public CostModel {
+ public:
+  explicit ToldCost(int64_t cost_us) : cost_us_(cost_us) {}
+  int64_t CostUs(const Object&, uint32_t) override { return cost_us_; }
+
+ private:
+  const int64_t cost_us_;
+};
+
+std::vector<std::string> FindingsWithHandlersOf(int64_t cost_us) {
+  Log log;
+  System system({.cost = std::make_shared<ToldCost>(cost_us)});
+  system.AddRobot("ERS-210", nullptr);
+  PostTo(system.AddObject<Recorder>(0, "worker", &log), 1);
+  system.RunFor(100'000);
+  std::vector<std::string> texts;
+  for (const Finding& finding : system.findings().all())
+    texts.push_back(finding.object + ": " + finding.text);
+  return texts;
+}
+
+TEST(StallsTest, AHandlerThatTakesLongerThanASensorPeriodIsReported) {
+  EXPECT_TRUE(FindingsWithHandlersOf(32'000).empty());
+  EXPECT_THAT(FindingsWithHandlersOf(32'001),
+              ElementsAre(testing::HasSubstr("takes longer than the 32 ms between two sensor "
+                                             "vectors: this object loses some")));
+}
+
 }  // namespace
 }  // namespace openr_host
