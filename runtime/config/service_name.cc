@@ -66,4 +66,9 @@ std::string Compose(const ServiceName& name) {
   return fmt::format("{}.{}.{}.{}", name.object, name.service, name.data, name.direction);
 }
 
+bool DifferInDataOnly(const ServiceName& one, const ServiceName& other) {
+  return one.object == other.object && one.service == other.service &&
+         one.direction == other.direction && one.data != other.data;
+}
+
 }  // namespace openr_host

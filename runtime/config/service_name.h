@@ -34,4 +34,7 @@ std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFa
 // The inverse: ParseServiceName(Compose(n)) == n.
 std::string Compose(const ServiceName& name);
 
+// Whether both are the same service, but with other data.
+bool DifferInDataOnly(const ServiceName& one, const ServiceName& other);
+
 }  // namespace openr_host

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "runtime/config/service_name.h"
 #include "runtime/config/spelling.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
@@ -159,15 +160,22 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
+  std::string why =
+      "no object registered it in DoInit (REGISTER_ALL_ENTRY missing, or the object is not in "
+      "OBJECT.CFG)";
   std::vector<std::string> known;
-  for (const auto& [name, entry] : system().robot(connection.robot).directory)
+  const auto wanted = ParseServiceName(service, nullptr);
+  for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-  system().findings_.Add(
-      {Severity::kError, connection.robot, "", 0, system().now_us(),
-       fmt::format(
-           "{}: OServiceManager::Connect() : {} NOT FOUND{}: no object registered it in DoInit "
-           "(REGISTER_ALL_ENTRY missing, or the object is not in OBJECT.CFG); the line is skipped",
-           connection.where, service, DidYouMean(service, known))});
+    const auto registered = ParseServiceName(name, nullptr);
+    if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
+    why = fmt::format("syntax error, the object registered it with data '{}', not '{}'",
+                      registered->data, wanted->data);
+  }
+  system().findings_.Add({Severity::kError, connection.robot, "", 0, system().now_us(),
+                          fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; the "
+                                      "line is skipped",
+                                      connection.where, service, DidYouMean(service, known), why)});
 }
 
 void ObjectManager::Connect(const Connection& connection) {

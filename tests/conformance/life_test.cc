@@ -57,6 +57,21 @@ TEST_F(LifeConformance, ALineWhoseDataTypesDifferIsSkippedWithItsNumber) {
   EXPECT_NE(Said().find("H in 3"), std::string::npos);
 }
 
+// measured.md:14: "or whose data type is not the registered one"
+TEST_F(LifeConformance, ALineWithDataThatWereNotRegisteredIsASyntaxError) {
+  Config("CONNECT.CFG",
+         "Teller.Out.Text.S Hearer.In.Text.O\nTeller.Out.Number.S Hearer.In.Number.O\n");
+  Start();
+  EXPECT_TRUE(Found("CONNECT.CFG:1: OServiceManager::Connect() : Teller.Out.Text.S NOT FOUND"));
+  EXPECT_TRUE(
+      Found("syntax error, the object registered it with data 'Number', not 'Text'; the "
+            "line is skipped"))
+      << Findings();
+  Hear("assert");
+  Tell("send 3");
+  EXPECT_NE(Said().find("H in 3"), std::string::npos);
+}
+
 // core.md 1.5, step 7; 10.1 17
 TEST_F(LifeConformance, ShutdownStopsAllThenDestroysAll) {
   Start();
