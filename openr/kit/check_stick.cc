@@ -145,7 +145,8 @@ void StickCheck::CheckImage(const ObjectRecord& record, const fs::path& file) {
     const std::string name = ObjectNameIn(image.bytes);
     if (name.empty()) return;
     const auto [first, is_new] = object_names_.emplace(name, FileNameOf(record));
-    if (!is_new) {
+    // Sections of several robots may name the same image.
+    if (!is_new && !EqualsIgnoringCase(first->second, FileNameOf(record))) {
       remarks_->Add(
           Remark::Kind::kError, record.place,
           fmt::format("its object is named '{}' like that of {}; names in .ocf files must "
@@ -224,9 +225,7 @@ void StickCheck::CheckService(const ServiceName& name, const Place& place) {
   for (const auto& [service, owner] : services_) {
     known.push_back(service);
     const auto other = ParseServiceName(service, nullptr);
-    if (!other || other->object != name.object || other->service != name.service ||
-        other->direction != name.direction)
-      continue;
+    if (!other || !DifferInDataOnly(*other, name)) continue;
     remarks_->Add(Remark::Kind::kError, place,
                   fmt::format("'{}' has the data type '{}' in {}, not '{}'; the line is skipped",
                               full, other->data, owner, name.data));

@@ -55,6 +55,15 @@ TEST(CheckTest, AnImageThatIsNotThereStopsTheRobot) {
   EXPECT_THAT(text, Says("OBJECT.CFG:", "note: no POWERMON.BIN"));
 }
 
+TEST(CheckTest, SectionsOfSeveralRobotsMayNameTheSameImage) {
+  const KitFolder folder("handmade");
+  ASSERT_EQ(folder.Build().status, 0);
+  folder.Write(std::string(kConf) + "OBJECT.CFG",
+               "[ERS-210]\n/MS/OPEN-R/MW/OBJS/HANDMADE.BIN\n"
+               "[ERS-7]\n/MS/OPEN-R/MW/OBJS/HANDMADE.BIN\n");
+  EXPECT_THAT(Checked(folder, 0), HasSubstr("0 errors"));
+}
+
 TEST(CheckTest, AFileThatIsNoImageForThisMachineIsSaidSo) {
   const KitFolder folder("makefile");
   folder.Write("MS/OPEN-R/MW/OBJS/SENDER.BIN", "text");
