@@ -130,7 +130,7 @@ HttpServer::Answer(const char* request, char* answer) const
     return headerSize + size;
 }
 
-// At most 60 bytes a joint, so a page has less than 1400.
+// At most 35 bytes a joint, so a page and its header have less than 1024: see Send().
 int
 HttpServer::WriteJoints(bool isPage, char* text) const
 {
@@ -140,7 +140,7 @@ HttpServer::WriteJoints(bool isPage, char* text) const
                                : "frame %u\n", (unsigned)frame_);
     for (int j = 0; j < NUM_JOINTS; j++) {
         if (element_[j] < 0) continue;
-        end += sprintf(end, isPage ? "<tr><td>%s</td><td align=\"right\">%.1f</td></tr>\n"
+        end += sprintf(end, isPage ? "<tr><td>%s<td>%.1f\n"
                                    : "%s: %.1f\n", JOINTS[j].name,
                        degrees(angle_[j] / 1000000.0));
     }

@@ -94,8 +94,8 @@ HttpServer::ReceiveCont(ANTENVMSG msg)
     }
 }
 
-// One send for header and page.  On the robot the part beyond 1024 bytes leaves up to 200 ms
-// later (Nagle's algorithm); two sends would wait as long.
+// One send for header and page, of 1024 bytes at most: on the robot what is beyond leaves up to
+// 200 ms later (Nagle's algorithm), and a second send would wait as long.
 void
 HttpServer::Send(int index, int size)
 {
