@@ -155,5 +155,22 @@ TEST_F(LifeConformance, ADoStartThatDoesNotReturnIsReportedWithError28) {
   EXPECT_NE(Said().find("H start"), std::string::npos);
 }
 
+// field-notes.md, 1.2: "the same object later reports the same for selector 2"; 17.  The robot
+// goes on, with --strict as without.
+TEST_F(LifeConformance, ADoStopThatDoesNotReturnIsReportedAndThePowerStillGoes) {
+  for (const bool is_strict : {false, true}) {
+    SCOPED_TRACE(is_strict);
+    Data("TSTOP.TXT", "gets\n");
+    Start({.strict = is_strict});
+    system->Shutdown(0);
+    system->RunFor(25'000'000);
+    EXPECT_TRUE(
+        Found("DoStop did not return within 10 s: OObjectRegistry::SendWithRBoxObjects() : "
+              "Receive() oid 80000043 selector 2 error 28"))
+        << Findings();
+    EXPECT_TRUE(system->powered_off());
+  }
+}
+
 }  // namespace
 }  // namespace openr_host

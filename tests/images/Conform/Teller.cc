@@ -40,6 +40,7 @@ Teller::DoStop(const OSystemEvent& event)
     OSYSPRINT(("T stop %d\n", (int)event.Reason()));
     DISABLE_ALL_SUBJECT;
     DEASSERT_TO_ALL_OBSERVER;
+    RunFile("/MS/OPEN-R/MW/DATA/P/TSTOP.TXT");
     return oSUCCESS;
 }
 
