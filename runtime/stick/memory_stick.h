@@ -20,7 +20,7 @@ class MemoryStick {
   virtual ~MemoryStick() = default;
 
   // Where the file or folder lies on the host.  `error` is 0 or an errno: ENOENT
-  // (also for names outside of /MS), EINVAL (".." or an empty part), EACCES, EIO.
+  // (also for names outside of /MS), EINVAL (a zero in it), EACCES, EIO.
   // For a file that does not exist but whose folder does, `path` is where to create
   // it, `exists` is false and error is 0.
   struct Location {
