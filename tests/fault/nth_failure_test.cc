@@ -101,6 +101,14 @@ using openr::testing::Snapshot;
 
 constexpr std::chrono::seconds kLongEnoughToStand(20);
 
+// One in how many is tried: of the first 300 posts (the boot and the first commands), and of those
+// that repeat themselves afterwards.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr uint64_t kEarlyStride = 13, kLateStride = 307;
+#else
+constexpr uint64_t kEarlyStride = 1, kLateStride = 23;
+#endif
+
 // Messages of the graph until the dog stands.
 uint64_t CountPosts() {
   Bench bench({.stick = OPENR_STICK, .body = "ideal"});
@@ -127,8 +135,7 @@ TEST(NthFailureTest, PostsOfTheGraph) {
   });
   const uint64_t count = CountPosts();
   ASSERT_GT(count, 1000u);
-  // All of the boot and the first commands; then what repeats itself, in part.
-  for (uint64_t n = 1; n <= count; n += n < 300 ? 1 : 23) {
+  for (uint64_t n = 1; n <= count; n += n < 300 ? kEarlyStride : kLateStride) {
     SCOPED_TRACE(n);
     unbooted.Run([&](Bench& bench) {
       const RefusedMessage& refused = bench.Refuse(AnyMessage(), n);

@@ -167,10 +167,10 @@ TEST(CheckTest, ABuiltStickIsCheckedByWhatItsImagesSay) {
 }
 
 TEST(CheckTest, ServicesAreFoundAmongTheTextsOfAnImage) {
-  const std::string image(
+  constexpr char kImage[] =
       "\x7f"
-      "ELF\0\0A.Text.char.S\0some text.S\0B.In.int.O\0x.y.S\0",
-      54);
+      "ELF\0\0A.Text.char.S\0some text.S\0B.In.int.O\0x.y.S\0";
+  const std::string image(kImage, sizeof kImage);
   EXPECT_THAT(ServicesInImage(image), ElementsAre("A.Text.char.S", "B.In.int.O"));
 }
 
