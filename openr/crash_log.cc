@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "openr/exit_code.h"
+#include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
 #include "runtime/core/dispatcher.h"
@@ -82,6 +83,7 @@ void Crashed(int signal, siginfo_t* info, void*) {
   const int robot = t_current.object->robot;
   t_current = {};
   WriteRecord(text, robot);
+  SayLastWords();
   text.WriteAsJsonTo(g_answer);
   _exit(kExitWrong);
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "openr/exit_code.h"
+#include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
 #include "runtime/core/system.h"
@@ -37,6 +38,8 @@ void Tick(int) {
   text.Add("; it has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
   text.AddNumber(g_limit_s_tenths % 10);
   text.Add(" s of processor time (--handler-limit)\n").WriteTo(STDERR_FILENO);
+  t_current = {};
+  SayLastWords();
   text.WriteAsJsonTo(g_answer);
   _exit(kExitWrong);
 }

@@ -77,6 +77,8 @@ Bench::Bench(BenchOptions options, Place place)
       system_(MakeSystem(options_, &console_)),
       schedule_(system_.get(), options_.seed),
       doors_(system_.get()) {
+  story_teller_ =
+      std::make_unique<StoryTeller>([this] { return Story(); }, options_.handler_limit.count());
   system_->set_schedule(&schedule_);
   system_->set_gate(&doors_);
   system_->trace().AddSink([this](const TraceRecord&, const Message& message) { See(message); });
@@ -92,6 +94,11 @@ Bench::~Bench() {
       std::uncaught_exceptions() == 0) {
     Verify();
   }
+}
+
+void Bench::OnCopied() {
+  stick_->MoveToCopy();
+  story_teller_->OnCopied();
 }
 
 void Bench::AddBody() {

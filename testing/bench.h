@@ -42,6 +42,7 @@
 #include "testing/message_spec.h"
 #include "testing/place.h"
 #include "testing/probe.h"
+#include "testing/story_teller.h"
 #include "testing/tcp_client.h"
 
 namespace openr_host {
@@ -92,6 +93,10 @@ struct BenchOptions {
   bool guard_regions = false;
   bool measure_stacks = false;  // Object::stack_max
   bool allow_threads = false;   // accepts other threads in the process; they must not touch it
+  bool allow_threads = false;  // accepts other threads in the process; they must not touch it
+  // A handler that uses more processor time ends the process with a failure that names it; 0s:
+  // never, for a debugger.
+  std::chrono::microseconds handler_limit = std::chrono::seconds(10);
 };
 
 class Bench {
@@ -270,7 +275,7 @@ class Bench {
   std::string Story() const;
 
   // Called in a copy of the process; see snapshot.h.
-  void OnCopied() { stick_->MoveToCopy(); }
+  void OnCopied();
 
  private:
   struct ExpectedFinding {
@@ -295,6 +300,7 @@ class Bench {
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }
   bool Miss(const Place& place, const std::string& what);  // a failure with the story; false
+  bool IsRunning(const Place& place);                      // false, and a failure, before Boot()
   void See(const openr_host::Message& message);
 
   // A failure, now or after Boot(), when `spec` names objects or services there are not.
@@ -304,6 +310,7 @@ class Bench {
   bool InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place);
   bool InjectReady(const MessageSpec& spec, const Place& place);
   bool InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place);
+  bool AreConnected(const ServiceEnd& subject, const ServiceEnd& observer, const Place& place);
   std::optional<ServiceEnd> FindService(const std::string& name, const char* kind,
                                         const Place& place);
 
@@ -332,7 +339,8 @@ class Bench {
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;
-  std::set<size_t> told_;  // findings the test knows of already
+  std::set<size_t> told_;                      // findings the test knows of already
+  std::unique_ptr<StoryTeller> story_teller_;  // the first to go: it looks at the others
 };
 
 }  // namespace openr::testing

@@ -8,6 +8,7 @@
 
 #include "runtime/config/spelling.h"
 #include "runtime/core/api.h"
+#include "runtime/objcomm/state.h"
 #include "testing/bench.h"
 
 namespace openr::testing {
@@ -46,6 +47,21 @@ void Bench::CheckName(const std::string& name, const Place& place) {
 
 // ---- Injecting
 
+// Whether the subject with that Ready entry is connected with the observer with that Notify entry;
+// a failure otherwise.
+bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
+                         const Place& place) {
+  const OServiceEntry observer_id(OidOf(observer.object), observer.selector);
+  for (const auto& each : system_->object(subject.object)->subjects) {
+    if (each->id.selector != subject.selector) continue;
+    if (each->Find(observer_id) != nullptr) return true;
+    Fail(place, fmt::format("Inject: {} is not connected with {}", each->service,
+                            system_->object(observer.object)->EntryName(observer.selector)));
+    return false;
+  }
+  return true;
+}
+
 std::optional<Bench::ServiceEnd> Bench::FindService(const std::string& name, const char* kind,
                                                     const Place& place) {
   for (const auto& object : system_->objects()) {
@@ -72,7 +88,7 @@ bool Bench::InjectBytes(const MessageSpec& spec, std::string_view bytes, Place p
 bool Bench::InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place) {
   const auto from = FindService(spec.from(), " (Ready)", place);
   const auto to = FindService(spec.to(), " (Notify)", place);
-  if (!from || !to) return false;
+  if (!from || !to || !AreConnected(*from, *to, place)) return false;
   const CurrentScope scope(system_.get(), system_->object(from->object));
   RCRegion* const region = new RCRegion(bytes.size());
   std::memcpy(region->Base(), bytes.data(), bytes.size());
@@ -96,7 +112,7 @@ bool Bench::InjectNotify(const MessageSpec& spec, std::string_view bytes, const 
 bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
   const auto from = FindService(spec.from(), " (Notify)", place);
   const auto to = FindService(spec.to(), " (Ready)", place);
-  if (!from || !to) return false;
+  if (!from || !to || !AreConnected(*to, *from, place)) return false;
   const CurrentScope scope(system_.get(), system_->object(from->object));
   Message* const message = system_->NewMessage(to->object, to->selector);
   auto& ready = *new (message->payload) OReadyMessage;

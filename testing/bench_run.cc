@@ -35,6 +35,11 @@ bool Bench::Miss(const Place& place, const std::string& what) {
   return false;
 }
 
+bool Bench::IsRunning(const Place& place) {
+  if (system_->message_count() > 0 || system_->queue().size() > 0) return true;
+  return Miss(place, "The robot is off: Boot() the bench first");
+}
+
 bool Bench::Control(const Place& place, const std::function<void()>& run) {
   if (const int threads = options_.allow_threads ? 1 : ThreadCount(); threads > 1) {
     return Miss(place,
@@ -95,6 +100,7 @@ bool Bench::Boot(Place place) {
 }
 
 bool Bench::Step(Place place) {
+  if (!IsRunning(place)) return false;
   bool stepped = false;
   return Control(place, [&] { stepped = system_->Step(); }) && stepped;
 }
@@ -104,6 +110,7 @@ bool Bench::StepTo(const std::string& end, Duration budget, Place place) {
 }
 
 bool Bench::StepTo(const MessageSpec& spec, Duration budget, Place place) {
+  if (!IsRunning(place)) return false;
   CheckNames(spec, place);
   goal_ = spec;
   goal_reached_ = false;
@@ -125,10 +132,14 @@ bool Bench::StepToMessage(uint64_t number, Place place) {
 }
 
 bool Bench::RunFor(Duration duration, Place place) {
+  if (duration < Duration::zero())
+    return Miss(place, "RunFor: " + Seconds(duration) + "; time does not run backwards");
+  if (!IsRunning(place)) return false;
   return Control(place, [&] { system_->RunFor(duration.count()); });
 }
 
 bool Bench::RunUntil(const std::function<bool()>& predicate, Duration budget, Place place) {
+  if (!IsRunning(place)) return false;
   bool holds = false;
   const bool good = Control(place, [&] { holds = system_->RunUntil(predicate, budget.count()); });
   if (holds) return good;
@@ -147,6 +158,7 @@ bool Bench::RunUntilMet(Duration budget, Place place) {
 }
 
 bool Bench::Frame(int count, Place place) {
+  if (!IsRunning(place)) return false;
   const int64_t frame_us = system_->frame_us();
   const int64_t end_us = (system_->now_us() / frame_us + count) * frame_us;
   return Control(place, [&] { system_->RunUntil(end_us); });

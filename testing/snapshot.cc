@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "testing/control.h"
+#include "testing/story_teller.h"
 
 namespace openr::testing {
 namespace {
@@ -49,11 +50,13 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
   void ReportTestPartResult(const TestPartResult& result) override {
     if (result.fatally_failed()) NoteFatalFailure();
     const std::string file = result.file_name() == nullptr ? "" : result.file_name();
-    const ResultHeader header{result.type(), result.line_number(), file.size(),
-                              std::strlen(result.message())};
+    // The story of this copy; the original's would be another one.
+    const std::string message =
+        result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
+    const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
     WriteAll(pipe_, &header, sizeof header);
     WriteAll(pipe_, file.data(), file.size());
-    WriteAll(pipe_, result.message(), header.message_size);
+    WriteAll(pipe_, message.data(), message.size());
   }
 
  private:

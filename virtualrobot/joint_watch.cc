@@ -84,8 +84,10 @@ void JointWatch::LookForRadians(size_t joint, const CommandElement& element,
     const slongword urad = element.Urad(i);
     const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
     watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
+    // Nobody who takes radians for micro-radians ever gets further than 4.
+    watched.was_in_urad = watched.was_in_urad || urad < -kTinyUrad || urad > kTinyUrad;
   }
-  if (watched.tiny_frames < kTinyFrames || watched.told_radians) return;
+  if (watched.tiny_frames < kTinyFrames || watched.told_radians || watched.was_in_urad) return;
   watched.told_radians = true;
   problems->push_back(
       fmt::format("{}: set points within +-{} are micro-radians and as good as 0; radians are "

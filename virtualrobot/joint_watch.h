@@ -43,7 +43,8 @@ class JointWatch {
     bool told_jump = false;
     bool told_effect = false;
     bool told_radians = false;
-    int tiny_frames = 0;  // successive set points that look like radians
+    bool was_in_urad = false;  // a set point that no radian reaches
+    int tiny_frames = 0;       // successive set points that look like radians
     int loaded_frames = 0;
   };
 

@@ -1,5 +1,9 @@
 #include "openr/commands/common_flags.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
+
 #include "openr/duration.h"
 #include "openr/output_file.h"
 
@@ -12,7 +16,9 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
       ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))
       ->capture_default_str();
   command->add_option("--world", options->world, "World file (default: a flat floor)");
-  command->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
+  command->add_option("--seed", options->seed, "Of everything random")
+      ->check(IsCount())
+      ->capture_default_str();
 }
 
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
@@ -32,6 +38,17 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t
   return AddDurationFlag(
              command, name, [us](int64_t given_us) { *us = given_us; }, description)
       ->default_str(FormatDuration(*us));
+}
+
+CLI::Validator IsCount() {
+  const auto problem = [](const std::string& text) -> std::string {
+    uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && stop == end) return "";
+    return fmt::format("'{}' is no number from 0 to {}", text, UINT64_MAX);
+  };
+  return CLI::Validator(problem, "UINT");
 }
 
 CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }

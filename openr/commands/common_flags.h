@@ -23,6 +23,9 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
+// Refuses what is not a whole number of 64 bits.
+CLI::Validator IsCount();
+
 // Refuses files that cannot be written, before the command begins.
 CLI::Validator IsWritable();
 

@@ -19,6 +19,7 @@
 #include "openr/exit_code.h"
 #include "openr/explore/explorer.h"
 #include "openr/explore/schedule_file.h"
+#include "openr/json_text.h"
 #include "openr/output_file.h"
 #include "openr/pacing.h"
 
@@ -28,6 +29,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int64_t kProgressNs = 5'000'000'000;
+constexpr uint64_t kRunsMax = 1'000'000'000;
 
 struct ExploreFlags {
   ExploredStick stick;
@@ -68,28 +70,39 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
 
 void DescribeHow(CLI::App* command, ExploreFlags* flags) {
   command->add_option("--runs", flags->plan.runs, "Number of seeds; of --exhaustive the most runs")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(uint64_t{1}, kRunsMax))
       ->capture_default_str();
   command
       ->add_option("--vary", flags->vary,
                    "What seeds may change: starts,ties,delays,network,costs,frames (all)")
       ->delimiter(',')
       ->check(CLI::IsMember({"starts", "ties", "delays", "network", "costs", "frames"}));
-  command->add_flag("--exhaustive", flags->exhaustive,
-                    "All orders of starts and ties, depth first");
-  command->add_flag("--no-reduction", flags->no_reduction,
-                    "With --exhaustive: also orders that nobody could tell from others");
-  command->add_flag("--verify", flags->verify, "Each seed twice; count differing hashes");
+  CLI::Option* const exhaustive = command->add_flag("--exhaustive", flags->exhaustive,
+                                                    "All orders of starts and ties, depth first");
+  exhaustive->excludes(command->get_option("--vary"));
+  command
+      ->add_flag("--no-reduction", flags->no_reduction,
+                 "With --exhaustive: also orders that nobody could tell from others")
+      ->needs(exhaustive);
+  command
+      ->add_flag("--verify", flags->verify,
+                 "Each seed twice, in two processes; count differing hashes")
+      ->excludes(exhaustive);
   command->add_flag("--keep-going", flags->keep_going, "Do not stop at the first failure");
-  command->add_flag("--guard", flags->guard,
-                    "Watch received data in --verify and --exhaustive too");
-  command->add_flag("--no-guard", flags->no_guard, "Do not watch received data");
+  CLI::Option* const guard = command->add_flag(
+      "--guard", flags->guard, "Watch received data in --verify and --exhaustive too");
+  command->add_flag("--no-guard", flags->no_guard, "Do not watch received data")->excludes(guard);
   command->add_option("--jobs", flags->plan.jobs, "Worker processes (default: one per core)")
       ->check(CLI::Range(1, 256));
   AddDurationFlag(command, "--handler-limit", &flags->plan.limits.handler_us,
                   "Processor time of one handler");
-  command->add_option("--replay", flags->replay_file, "Run a failure again that -o wrote")
-      ->check(CLI::ExistingFile);
+  CLI::Option* const replay =
+      command->add_option("--replay", flags->replay_file, "Run a failure again that -o wrote")
+          ->check(CLI::ExistingFile);
+  for (const char* other : {"--runs", "--vary", "--exhaustive", "--verify", "--keep-going",
+                            "--guard", "--seed", "--for", "--property"}) {
+    replay->excludes(command->get_option(other));
+  }
   command->add_option("--console", flags->console_file, "File for what objects print")
       ->check(IsWritable());
   command->add_option("-o,--output", flags->file, "File for the failing order, if there is one")
@@ -161,9 +174,13 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
 
 // False after a complaint.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
-  if (flags.file.empty() || !result.contains("failure")) return true;
+  if (flags.file.empty()) return true;
+  if (!result.contains("failure")) {
+    unlink(flags.file.c_str());  // one of an earlier exploration would be taken for this one's
+    return true;
+  }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
-  const std::string problem = WriteFile(flags.file, schedule.dump(2) + "\n");
+  const std::string problem = WriteFile(flags.file, JsonText(schedule, 2) + "\n");
   fmt::print(stderr, "openr explore: {}\n",
              problem.empty()
                  ? fmt::format("wrote {}; again: openr explore --replay {}", flags.file, flags.file)
@@ -172,8 +189,7 @@ bool WriteFailure(const Json& result, const ExploreFlags& flags) {
 }
 
 void Tell(const Json& result, const std::string& text, bool as_json) {
-  const auto replace = Json::error_handler_t::replace;
-  if (as_json) fmt::print("{}\n", result.dump(-1, ' ', false, replace));
+  if (as_json) fmt::print("{}\n", JsonText(result));
   fmt::print(as_json ? stderr : stdout, "{}", text);
 }
 
@@ -198,8 +214,17 @@ int Replay(ExploreFlags flags) {
   }
   const bool same = broken && answer["broken"]["property"] == schedule.property &&
                     answer["broken"]["text"] == schedule.text;
-  text += same ? "the same as in the file\n"
-               : fmt::format("the file says: {}: {}\n", schedule.property, schedule.text);
+  if (same) {
+    text += "the same as in the file\n";
+  } else {
+    text += fmt::format("{}the file says: {}: {}\n", broken ? "" : "no property is broken now; ",
+                        schedule.property, schedule.text);
+  }
+  const size_t applied = answer["deviations"].size();
+  if (applied < deviations.size()) {
+    text += fmt::format("{} of {} deviations did not come up\n", deviations.size() - applied,
+                        deviations.size());
+  }
   Json result = answer;
   result["same"] = same;
   Tell(result, text, flags.json);
@@ -209,8 +234,8 @@ int Replay(ExploreFlags flags) {
 int Explore(ExploreFlags flags) {
   if (!flags.replay_file.empty()) return Replay(std::move(flags));
   const bool has_cost = LoadCostFile(flags.stick.simulation.cost_file).has_value();
-  if (flags.exhaustive && (flags.verify || has_cost)) {
-    throw CLI::ValidationError("--exhaustive", "goes neither with --verify nor with --cost");
+  if (flags.exhaustive && has_cost) {
+    throw CLI::ValidationError("--exhaustive", "does not go with --cost");
   }
   flags.stick.simulation.guard_regions =
       flags.guard || !(flags.no_guard || flags.verify || flags.exhaustive);

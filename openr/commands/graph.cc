@@ -13,6 +13,7 @@
 #include "openr/exit_code.h"
 #include "openr/filter_process.h"
 #include "openr/graph_view.h"
+#include "openr/json_text.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
 
@@ -29,7 +30,7 @@ struct GraphFlags {
 };
 
 std::string Rendered(const GraphView& graph, const std::string& format) {
-  if (format == "json") return GraphToJson(graph).dump(2) + "\n";
+  if (format == "json") return JsonText(GraphToJson(graph), 2) + "\n";
   const std::string dot = GraphToDot(graph);
   if (format == "dot") return dot;
   if (const std::optional<std::string> svg = Filter({"dot", "-Tsvg"}, dot)) return *svg;

@@ -9,12 +9,18 @@
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/crash_log.h"
 #include "openr/exit_code.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/stepper.h"
+#include "openr/json_text.h"
+#include "openr/last_words.h"
+#include "openr/watchdog.h"
 
 namespace openr_host {
 namespace {
+
+constexpr int64_t kHandlerLimitUs = 10'000'000;  // as in openr run
 
 struct ReplayFlags {
   ReplayOptions replay;
@@ -30,8 +36,12 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   const bool equal = replayer->difference().empty();
   const double time_s = static_cast<double>(replayer->system().now_us()) / 1e6;
   if (!equal) fmt::print(stderr, "openr: difference: {}\n", replayer->difference());
+  const char* const how_far = !replayer->problems().empty()
+                                  ? ", as far as the recording can be read"
+                              : equal && replayer->at_end() ? ", to the end of the recording"
+                                                            : "";
   fmt::print(stderr, "openr: {} messages equal, {:.3f} s of virtual time{}\n", replayer->count(),
-             time_s, equal && replayer->at_end() ? ", to the end of the recording" : "");
+             time_s, how_far);
   if (flags.json) {
     const nlohmann::ordered_json answer = {{"equal", equal && replayer->problems().empty()},
                                            {"messages", replayer->count()},
@@ -39,7 +49,7 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
                                            {"at_end", replayer->at_end()},
                                            {"difference", replayer->difference()},
                                            {"problems", replayer->problems()}};
-    fmt::print("{}\n", answer.dump());
+    fmt::print("{}\n", JsonText(answer));
   }
   return equal && replayer->problems().empty() ? kExitGood : kExitWrong;
 }
@@ -51,8 +61,13 @@ int Replay(ReplayFlags flags) {
       std::fwrite(text.data(), 1, text.size(), stderr);
     };
   }
+  const CrashLog crash_log({});
+  const Watchdog watchdog(flags.step ? 0 : kHandlerLimitUs);
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
   Replayer replayer(flags.replay);
+  const LastWords last_words([&replayer] {
+    fmt::print(stderr, "openr: {} messages were equal up to here\n", replayer.count());
+  });
   replayer.RunUntil(flags.until_us.value_or(INT64_MAX));
   return Finish(&replayer, flags);
 }
@@ -71,10 +86,11 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
   AddDurationFlag(
       command, "--until", [flags](int64_t us) { flags->until_us = us; },
       "Stop at this virtual time");
-  command->add_flag("--step", flags->step,
-                    "A prompt that steps forward and back, breaks and shows queues");
+  CLI::Option* const step = command->add_flag(
+      "--step", flags->step, "A prompt that steps forward and back, breaks and shows queues");
   command->add_flag("--console", flags->console, "Print what objects print");
-  command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON");
+  command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON")
+      ->excludes(step);
   command->callback([flags, exit_code] { *exit_code = Replay(*flags); });
 }
 

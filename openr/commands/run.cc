@@ -2,10 +2,13 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "openr/commands/commands.h"
@@ -16,6 +19,7 @@
 #include "openr/exit_code.h"
 #include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
+#include "openr/json_text.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
 #include "openr/runner.h"
@@ -90,8 +94,10 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->add_option("--record", flags->record_file,
                    "Write inputs and messages to this file, for openr replay and openr trace")
       ->check(IsWritable());
-  command->add_flag("--no-payloads", flags->no_payloads,
-                    "Record hashes of messages instead of their bytes");
+  command
+      ->add_flag("--no-payloads", flags->no_payloads,
+                 "Record hashes of messages instead of their bytes")
+      ->needs(command->get_option("--record"));
   command->add_option("--log", flags->log, "Lines of objects to print")
       ->check(CLI::IsMember({"error", "warning", "info"}))
       ->capture_default_str();
@@ -169,9 +175,9 @@ RunPlan PlanOf(const RunFlags& flags) {
 
 // False after a complaint.
 bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags, Console* console) {
-  if (flags.json) console->Answer(report.dump() + "\n");
+  if (flags.json) console->Answer(JsonText(report) + "\n");
   if (flags.report_file.empty()) return true;
-  const std::string problem = WriteFile(flags.report_file, report.dump(2) + "\n");
+  const std::string problem = WriteFile(flags.report_file, JsonText(report, 2) + "\n");
   if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
   return problem.empty();
 }
@@ -196,7 +202,27 @@ bool FinishRecording(Recorder* recorder, Simulation* simulation) {
   return problem.empty();
 }
 
+// Each output is written from its beginning.
+void CheckThatFilesDiffer(const RunFlags& flags) {
+  std::vector<std::pair<std::string, std::string>> named = {
+      {"--report", flags.report_file},   {"--record", flags.record_file},
+      {"--console", flags.console_file}, {"--speaker", flags.simulation.speaker},
+      {"--stdin", flags.stdin_file},     {"--mic", flags.simulation.microphone}};
+  for (const std::string& file : flags.snapshot_files) named.emplace_back("-o", file);
+  std::map<std::string, std::string> flag_of;
+  for (const auto& [flag, file] : named) {
+    if (file.empty() || file == "-" || file == "/dev/null") continue;
+    const auto [first, is_new] =
+        flag_of.emplace(std::filesystem::weakly_canonical(file).string(), flag);
+    if (!is_new) {
+      throw CLI::ValidationError(flag,
+                                 fmt::format("{} is the file of {} already", file, first->second));
+    }
+  }
+}
+
 int Run(RunFlags flags) {
+  CheckThatFilesDiffer(flags);
   if (flags.panel->count() > 0) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }

@@ -28,6 +28,8 @@ int ShowTrace(const TraceFlags& flags) {
   if (flags.format == "csv") WriteTraceCsv(&reader, flags.filter, out);
   if (flags.format == "perfetto") WriteTracePerfetto(&reader, flags.filter, out);
   for (const std::string& problem : reader.problems()) fmt::print(stderr, "openr: {}\n", problem);
+  const std::string nothing = reader.WhyNothing(flags.filter.object, flags.filter.service);
+  if (!nothing.empty()) fmt::print(stderr, "openr: {}: {}\n", flags.file, nothing);
   return reader.problems().empty() ? kExitGood : kExitWrong;
 }
 

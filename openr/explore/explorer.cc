@@ -119,12 +119,13 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 }
 
 Json VerifySeeds(const ExplorePlan& plan) {
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs);
+  WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
   uint64_t differences = 0;
   Json different = Json::array();
   InOrder in_order([&](const Json& answer) {
-    if (answer["differs"] && ++differences <= kSeedsNamed) different.push_back(answer["seed"]);
+    if (sum.wants_more() && answer["differs"] && ++differences <= kSeedsNamed)
+      different.push_back(answer["seed"]);
     sum.Add(answer);
   });
   uint64_t next_seed = plan.first_seed;
@@ -142,7 +143,7 @@ Json VerifySeeds(const ExplorePlan& plan) {
 
 Json ReplayDeviations(const ExplorePlan& plan, const Json& script, uint64_t seed) {
   WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
-  return pool.RunOne({{"seed", seed}, {"script", script}, {"tail", kTail}});
+  return pool.RunOne({{"seed", seed}, {"script", script}, {"tail", kTail}, {"deviations", true}});
 }
 
 }  // namespace openr_host

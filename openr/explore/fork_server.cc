@@ -18,14 +18,13 @@
 
 #include "openr/console.h"
 #include "openr/crash_log.h"
+#include "openr/json_text.h"
 #include "openr/watchdog.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int64_t kOddSliceUs = 50'021;  // of the second run: no multiple of anything
 
 // All that comes from `descriptor`; false when it does not end within `wall_s` of silence.
 bool ReadAll(int descriptor, int wall_s, std::string* text) {
@@ -96,24 +95,12 @@ void ForkServer::RunInCopy(const Json& plan, int answer) {
   } catch (const std::exception& error) {
     result = {{"problem", error.what()}};
   }
-  const auto replace = Json::error_handler_t::replace;  // objects may print anything
-  WriteAll(answer, result.dump(-1, ' ', false, replace));
+  WriteAll(answer, JsonText(result));
   std::fflush(nullptr);
   _exit(0);
 }
 
 Json ForkServer::Run(const Json& plan) {
-  Json answer = RunOnce(plan);
-  if (!plan.value("twice", false) || answer.contains("problem")) return answer;
-  Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
-  if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
-  const Json second = RunOnce(again);
-  answer["differs"] = answer.value("state", "") != second.value("state", "") ||
-                      answer.value("trace", "") != second.value("trace", "");
-  return answer;
-}
-
-Json ForkServer::RunOnce(const Json& plan) {
   int channel[2];
   if (pipe2(channel, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a copy of the process");
   std::fflush(nullptr);

@@ -27,12 +27,10 @@ class ForkServer {
 
   // The answer of RunScene() in a copy.  A copy that crashes answers with the property no-crash
   // broken, one that has to be ended with handlers-return; both name the handler.  A plan that
-  // does not fit gives {"problem": text}.  A plan with "twice" is run once more, sliced
-  // differently: "differs" in the answer says whether state or trace did.
+  // does not fit gives {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:
-  nlohmann::ordered_json RunOnce(const nlohmann::ordered_json& plan);
   nlohmann::ordered_json AnswerOfTheDead(const nlohmann::ordered_json& plan,
                                          const std::string& said, int status);
   nlohmann::ordered_json Broken(const nlohmann::ordered_json& plan, const char* property,

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -118,6 +120,7 @@ class RuleProperty : public Property {
   std::string Check(const RunView& view) override {
     const int64_t now_us = view.scene->system->now_us();
     if (rule_.when == When::kFinally || has_been_ || now_us < rule_.from_us) return "";
+    was_looked_at_ = true;
     const bool holds = Holds(view);
     if (rule_.when == When::kAlways) return holds ? "" : Say("");
     has_been_ = holds;
@@ -127,6 +130,11 @@ class RuleProperty : public Property {
   }
 
   std::string CheckEnd(const RunView& view) override {
+    if (rule_.when != When::kFinally && !was_looked_at_) {
+      throw std::runtime_error(
+          Render(ErrorAt(rule_.place, fmt::format("the run ends before {}: this is never looked at",
+                                                  FormatDuration(rule_.from_us)))));
+    }
     if (rule_.when == When::kAlways || has_been_) return "";
     return Holds(view) ? "" : Say(rule_.when == When::kFinally ? " at the end" : " ever");
   }
@@ -150,6 +158,7 @@ class RuleProperty : public Property {
   Quantity quantity_;
   Value last_;
   bool has_been_ = false;  // of kEventually
+  bool was_looked_at_ = false;
 };
 
 template <typename T>
@@ -170,7 +179,7 @@ bool Compares(const Value& actual, const std::string& op, const std::string& exp
   }
   char* end = nullptr;
   const double number = std::strtod(expected.c_str(), &end);
-  if (expected.empty() || *end != 0) {
+  if (expected.empty() || *end != 0 || std::isnan(number)) {
     throw std::runtime_error(fmt::format("'{}' is no number, the quantity is one", expected));
   }
   return CompareAs(std::get<double>(actual), op, number);
@@ -187,15 +196,32 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
   return rules;
 }
 
+namespace {
+
+// Failures are told by name.
+void CheckNames(const std::vector<PropertyRule>& rules, std::vector<Diagnostic>* diagnostics) {
+  std::set<std::string> names = {kNoCrash, kHandlersReturn};
+  for (const PropertyEntry& entry : PropertyTable()) names.insert(entry.name);
+  for (const PropertyRule& rule : rules) {
+    if (names.insert(rule.name).second) continue;
+    diagnostics->push_back(
+        ErrorAt(rule.place, fmt::format("there is a property '{}' already", rule.name)));
+  }
+}
+
+}  // namespace
+
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text) {
   std::vector<Diagnostic> diagnostics;
   std::vector<PropertyRule> rules = ParseProperties(file, text, &diagnostics);
+  CheckNames(rules, &diagnostics);
   if (!diagnostics.empty()) {
     std::string problems = Render(diagnostics);
     problems.pop_back();  // the last newline
     throw std::runtime_error(problems);
   }
+  if (rules.empty()) throw std::runtime_error(fmt::format("{}: has no property", file));
   std::vector<std::unique_ptr<Property>> properties;
   for (PropertyRule& rule : rules) {
     properties.push_back(std::make_unique<RuleProperty>(std::move(rule)));

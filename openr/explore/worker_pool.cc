@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,11 +12,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
+
+#include "openr/json_text.h"
 
 namespace openr_host {
 namespace {
@@ -23,6 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
+constexpr int64_t kOddSliceUs = 50'021;  // of second runs: no multiple of anything
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -43,8 +49,40 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
+// Moves all that is allocated from here on: what depends on an address comes out differently.
+void MoveMemory() {
+  constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
+  mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1)) return;  // the heap goes on behind it
+  static void* volatile hole = malloc(4099);
+  (void)hole;
+}
+
+// Runs plans, those with "twice" a second time elsewhere.
+class PlanServer {
+ public:
+  PlanServer(Scene scene, const RunOptions& options, const ForkLimits& limits,
+             WorkerPool* elsewhere)
+      : server_(std::move(scene), options, limits), elsewhere_(elsewhere) {}
+
+  Json Run(const Json& plan) {
+    Json answer = server_.Run(plan);
+    if (!plan.value("twice", false) || answer.contains("problem")) return answer;
+    Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
+    if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
+    const Json second = elsewhere_->RunOne(again);
+    answer["differs"] = answer.value("state", "") != second.value("state", "") ||
+                        answer.value("trace", "") != second.value("trace", "");
+    return answer;
+  }
+
+ private:
+  ForkServer server_;
+  WorkerPool* const elsewhere_;
+};
+
 // Lines of plans in, lines of answers out, until the other side closes.
-void Serve(ForkServer* server, int channel) {
+void Serve(PlanServer* server, int channel) {
   std::string heard;
   char buffer[65536];
   for (;;) {
@@ -56,28 +94,46 @@ void Serve(ForkServer* server, int channel) {
     if (end == std::string::npos) continue;
     const Json plan = Json::parse(heard.substr(0, end));
     heard.erase(0, end + 1);
-    if (!Send(channel, server->Run(plan).dump() + "\n")) return;
+    if (!Send(channel, JsonText(server->Run(plan)) + "\n")) return;
   }
-}
-
-// The folder of the images' copies goes with the scene; that is why this returns normally.
-void Work(const MakeScene& make_scene, const RunOptions& options, const ForkLimits& limits,
-          int channel) try {
-  SilenceOutput();
-  Scene scene = make_scene();
-  if (!scene.problem.empty()) throw std::runtime_error(scene.problem);
-  ForkServer server(std::move(scene), options, limits);
-  Send(channel, Json(kReady).dump() + "\n");
-  Serve(&server, channel);
-} catch (const std::exception& error) {
-  Send(channel, Json{{"problem", error.what()}}.dump() + "\n");
 }
 
 }  // namespace
 
+struct WorkerPool::Job {
+  const MakeScene& make_scene;
+  const RunOptions& options;
+  const ForkLimits& limits;
+  bool twice;
+  Memory memory;
+  int outer_channel;
+
+  // The folder of the images' copies goes with the scene; that is why this returns normally.
+  void Work(int channel) const;
+};
+
+void WorkerPool::Job::Work(int channel) const try {
+  SilenceOutput();
+  std::unique_ptr<WorkerPool> elsewhere;
+  if (twice) {
+    elsewhere = std::make_unique<WorkerPool>(make_scene, options, limits, 1, false,
+                                             Memory::kElsewhere, channel);
+  }
+  if (memory == Memory::kElsewhere) MoveMemory();
+  Scene scene = make_scene();
+  if (!scene.problem.empty()) throw std::runtime_error(scene.problem);
+  PlanServer server(std::move(scene), options, limits, elsewhere.get());
+  Send(channel, Json(kReady).dump() + "\n");
+  Serve(&server, channel);
+} catch (const std::exception& error) {
+  Send(channel, JsonText(Json{{"problem", error.what()}}) + "\n");
+}
+
 WorkerPool::WorkerPool(const MakeScene& make_scene, const RunOptions& options,
-                       const ForkLimits& limits, int workers) {
-  for (int i = 0; i < workers; ++i) Start(make_scene, options, limits);
+                       const ForkLimits& limits, int workers, bool twice, Memory memory,
+                       int outer_channel) {
+  for (int i = 0; i < workers; ++i)
+    Start({make_scene, options, limits, twice, memory, outer_channel});
   for (Worker& worker : workers_) {
     const Json hello = Json::parse(WaitForLine(&worker));
     if (hello != kReady) throw std::runtime_error(hello.value("problem", "a worker is lost"));
@@ -92,8 +148,7 @@ WorkerPool::~WorkerPool() {
   }
 }
 
-void WorkerPool::Start(const MakeScene& make_scene, const RunOptions& options,
-                       const ForkLimits& limits) {
+void WorkerPool::Start(const Job& job) {
   int channel[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0) {
     throw std::runtime_error("no channel to a worker process");
@@ -103,8 +158,10 @@ void WorkerPool::Start(const MakeScene& make_scene, const RunOptions& options,
   if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
   if (pid == 0) {
     close(channel[0]);
-    for (const Worker& other : workers_) close(other.channel);  // or it would never end
-    Work(make_scene, options, limits, channel[1]);
+    // Or those at the other ends would never learn that this end is gone.
+    for (const Worker& other : workers_) close(other.channel);
+    if (job.outer_channel >= 0) close(job.outer_channel);
+    job.Work(channel[1]);
     std::fflush(nullptr);
     _exit(0);
   }
@@ -144,7 +201,7 @@ void WorkerPool::Run(const std::function<std::optional<Json>()>& next,
     worker->is_busy = plan.has_value();
     if (!plan) return;
     worker->number = number++;
-    if (!Send(worker->channel, plan->dump() + "\n")) {
+    if (!Send(worker->channel, JsonText(*plan) + "\n")) {
       throw std::runtime_error("a worker process has ended before its work");
     }
   };

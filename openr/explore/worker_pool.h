@@ -13,12 +13,22 @@
 
 namespace openr_host {
 
+// Where a worker's memory lies.
+enum class Memory {
+  kAsItComes,
+  kElsewhere,  // heap, stacks and images at other addresses than in workers as they come
+};
+
 class WorkerPool {
  public:
-  // Starts `workers` processes and waits until each has its scene.  Throws std::runtime_error when
-  // one cannot make it.  REQUIRES: the process has one thread.
+  // Starts `workers` processes and waits until each has its scene.  A plan with "twice" is run a
+  // second time by a process with its memory elsewhere, sliced differently: "differs" in the answer
+  // says whether state or trace did; `twice` says that such plans will come.  `outer_channel` is
+  // closed in the workers.  Throws std::runtime_error when a worker cannot make its scene.
+  // REQUIRES: the process has one thread.
   WorkerPool(const MakeScene& make_scene, const RunOptions& options, const ForkLimits& limits,
-             int workers);
+             int workers, bool twice = false, Memory memory = Memory::kAsItComes,
+             int outer_channel = -1);
   ~WorkerPool();  // ends them
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -39,7 +49,8 @@ class WorkerPool {
     size_t number = 0;  // of its plan
     std::string heard;  // not a whole line yet
   };
-  void Start(const MakeScene& make_scene, const RunOptions& options, const ForkLimits& limits);
+  struct Job;  // what a worker process is made with
+  void Start(const Job& job);
   // The next line of a worker, when there is one without waiting.
   std::optional<std::string> ReadLine(Worker* worker);
   std::string WaitForLine(Worker* worker);

@@ -1,7 +1,11 @@
 #include "openr/inspect/breakpoints.h"
 
+#include <fmt/format.h>
+
 #include <sstream>
 #include <stdexcept>
+
+#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -58,7 +62,31 @@ Breakpoints::Break Breakpoints::Read(const std::string& text) const {
                     (words.kind == "state" && !words.name.empty() && !words.rest.empty()) ||
                     (words.kind == "finding" && words.name.empty());
   if (!good) throw std::runtime_error(kForms);
+  if (words.kind == "object" || words.kind == "state") CheckObject(words.name);
+  if (words.kind == "service") CheckService(text.substr(text.find(words.name)));
   return one;
+}
+
+void Breakpoints::CheckObject(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const auto& object : replayer_->system().objects()) {
+    if (object == nullptr) continue;
+    if (object->name == name) return;
+    known.push_back(object->name);
+  }
+  throw std::runtime_error(fmt::format("there is no object '{}'{}", name, DidYouMean(name, known)));
+}
+
+// Services are known once somebody has booted.
+void Breakpoints::CheckService(const std::string& part) const {
+  for (const auto& object : replayer_->system().objects()) {
+    if (object == nullptr) continue;
+    if (object->entry_names.empty()) return;
+    for (const auto& [selector, name] : object->entry_names) {
+      if (name.find(part) != std::string::npos) return;
+    }
+  }
+  throw std::runtime_error(fmt::format("no entry of an object has '{}' in its name", part));
 }
 
 std::string Breakpoints::Add(const std::string& text) {

@@ -59,6 +59,9 @@ class Breakpoints {
   };
 
   Break Read(const std::string& text) const;
+  // Throw std::runtime_error when there is none such.
+  void CheckObject(const std::string& name) const;
+  void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;
   bool HoldsText(const std::string& text) const;
 

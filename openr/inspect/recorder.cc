@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "openr/inspect/recorded_network.h"
+#include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 
@@ -35,6 +36,13 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options) {
   system.OnConsoleInput([this, &system](int robot, std::string_view text) {
     writer_->AddConsole(robot, text, system.now_us());
   });
+  if (options.robots == 1) {  // several share a stick and cannot write to it
+    const std::string root = simulation->stick() + "/";
+    system.robot(0).stick->OnFirstChange([this, root](const MemoryStick::Location& location) {
+      writer_->AddStick(location.path.substr(root.size()), location.path);
+    });
+  }
+  last_words_ = std::make_unique<LastWords>([this] { writer_->Flush(); });
   system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
     writer_->AddMessage(system, record, message);
   });

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "openr/inspect/trace_file.h"
+#include "openr/last_words.h"
 #include "openr/simulation.h"
 
 namespace openr_host {
@@ -30,6 +31,7 @@ class Recorder {
   const std::string file_;
   const bool payloads_;
   std::unique_ptr<TraceWriter> writer_;
+  std::unique_ptr<LastWords> last_words_;
 };
 
 }  // namespace openr_host

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -34,8 +36,41 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   return options;
 }
 
-Replayer::Replayer(const ReplayOptions& replay) : reader_(replay.file) {
+// What objects changed later is put back, the last change first.
+std::string Replayer::StickOfThen(const std::string& now) {
+  namespace fs = std::filesystem;
+  const fs::path stick = fs::path(folder_.path()) / "stick";
+  fs::copy(now, stick, fs::copy_options::recursive);
+  std::vector<TraceEntry> changes;
+  for (TraceReader reader(file_); reader.Peek() != nullptr;) {
+    if (reader.Peek()->kind == Kind::kStick) changes.push_back(*reader.Peek());
+    reader.Take();
+  }
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change) {
+    const fs::path path = (stick / change->name).lexically_normal();
+    if (!path.string().starts_with(stick.string() + "/"))
+      throw std::runtime_error(fmt::format("{}: '{}' is not on the stick", file_, change->name));
+    if (change->what == TraceEntry::OnStick::kFolder) {
+      fs::create_directories(path);
+      continue;
+    }
+    fs::remove_all(path);
+    if (change->what == TraceEntry::OnStick::kFile)
+      std::ofstream(path, std::ios::binary) << change->payload;
+  }
+  return stick;
+}
+
+Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(replay.file) {
   SimulationOptions options = OptionsOf(reader_.header(), replay);
+  const std::string stick = options.stick;
+  if (options.robots == 1) {  // several cannot write
+    if (!std::filesystem::is_directory(stick)) {
+      throw std::runtime_error(
+          fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
+    }
+    options.stick = StickOfThen(stick);
+  }
   options.network_filter = [this](int robot, std::unique_ptr<Network>) {
     return std::make_unique<ReplayedNetwork>([this, robot] { return SayNetwork(robot); });
   };
@@ -44,7 +79,7 @@ Replayer::Replayer(const ReplayOptions& replay) : reader_(replay.file) {
     throw std::runtime_error(
         fmt::format("{}: was recorded with other files on the stick than {} has now; give the "
                     "stick of then with --stick",
-                    replay.file, simulation_->stick()));
+                    file_, stick));
   }
   system().trace().AddSink(
       [this](const TraceRecord& record, const Message& message) { Compare(record, message); });
@@ -55,7 +90,8 @@ Replayer::~Replayer() = default;
 
 void Replayer::SkipNames() {
   for (const TraceEntry* next = reader_.Peek();
-       next != nullptr && (next->kind == Kind::kObject || next->kind == Kind::kEntry);
+       next != nullptr &&
+       (next->kind == Kind::kObject || next->kind == Kind::kEntry || next->kind == Kind::kStick);
        next = reader_.Peek()) {
     reader_.Take();
   }
@@ -176,6 +212,16 @@ bool Replayer::ApplyInput() {
     for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
   }
   return true;
+}
+
+std::optional<uint64_t> Replayer::CountUpTo(uint64_t number) const {
+  uint64_t count = 0;
+  for (TraceReader reader(file_); reader.Peek() != nullptr;) {
+    const TraceEntry entry = reader.Take();
+    count += entry.kind == Kind::kMessage;
+    if (entry.kind == Kind::kMessage && entry.record.number == number) return count;
+  }
+  return {};
 }
 
 int64_t Replayer::NextTimeUs() {

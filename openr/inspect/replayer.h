@@ -11,6 +11,7 @@
 
 #include "openr/inspect/trace_file.h"
 #include "openr/simulation.h"
+#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 
@@ -22,8 +23,9 @@ struct ReplayOptions {
 
 class Replayer {
  public:
-  // Builds the run up to Boot().  Throws std::runtime_error when the recording or what it was
-  // made of cannot be used, or the stick has changed.
+  // Builds the run up to Boot(), on a copy of the stick as it was then.  Throws std::runtime_error
+  // when the recording or what it was made of cannot be used, or somebody else than the recorded
+  // run has changed the stick.
   explicit Replayer(const ReplayOptions& options);
   ~Replayer();
   Replayer(const Replayer&) = delete;
@@ -43,6 +45,9 @@ class Replayer {
   // When the next message or input of the recording comes; INT64_MAX at its end.
   int64_t NextTimeUs();
   uint64_t count() const { return count_; }  // messages that were equal
+  // How many messages the recording has up to the one of that number; nullopt when it has none
+  // such.
+  std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
 
   // The first difference, with number, time, port and byte; "" while there is none.
@@ -53,6 +58,7 @@ class Replayer {
 
  private:
   static SimulationOptions OptionsOf(const TraceHeader& header, const ReplayOptions& options);
+  std::string StickOfThen(const std::string& now);
   std::vector<NetworkEvent> SayNetwork(int robot);
   void SkipNames();
   void Compare(const TraceRecord& record, const Message& message);
@@ -62,7 +68,9 @@ class Replayer {
   bool ApplyInput();
   void CompareEnd(const TraceEntry& end);
 
+  const std::string file_;
   TraceReader reader_;
+  TempFolder folder_;  // of the copy of the stick
   std::unique_ptr<Simulation> simulation_;
   TraceEntry last_;
   uint64_t count_ = 0;

@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <sstream>
 
 #include "openr/duration.h"
@@ -26,7 +28,8 @@ constexpr size_t kBreaksBytes = 16 << 10;
 constexpr char kHelp[] =
     "step [N]             N messages forward (s)\n"
     "back [N]             N messages back (b)\n"
-    "goto N | goto TIME   to a message by its count, or to a time: goto 1.25s (g)\n"
+    "goto N | goto TIME   to message N, as traces and differences number them, or to a time:\n"
+    "                     goto 1.25s; goto 0 is the start (g)\n"
     "run                  to the next break, difference or the end (r)\n"
     "break object NAME | break service TEXT | break state OBJECT TEXT | break finding\n"
     "break when QUANTITY OP VALUE\n"
@@ -47,6 +50,14 @@ struct Shared {
   bool differs;
   char breaks[kBreaksBytes];
 };
+
+// nullopt when `text` is not digits alone, or too many.
+std::optional<uint64_t> NumberIn(const std::string& text) {
+  uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return number;
+}
 
 // A line of descriptor 0, read byte by byte: copies of the process share its position, but would
 // not share a buffer.
@@ -94,9 +105,9 @@ class Stepper {
       }
       int status = 0;
       if (copy < 0 || waitpid(copy, &status, 0) != copy) return false;
-      if (!WIFEXITED(status)) {
-        fmt::print("the replay died of signal {} after message {}\n", WTERMSIG(status), here);
-        shared_->ends = true;
+      if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        fmt::print("the replay has ended here, as the run did; start again to step up to it\n");
+        shared_->ends = shared_->differs = true;
       }
       if (shared_->ends) return false;
       if (shared_->target < here && is_copy_) _exit(0);  // the one before goes back further
@@ -119,7 +130,11 @@ class Stepper {
   }
 
   bool Prompt(std::string* line) {
-    fmt::print("(replay {}) ", replayer_->count());
+    if (replayer_->count() == 0) {
+      fmt::print("(start) ");
+    } else {
+      fmt::print("(message {}) ", replayer_->last().record.number);
+    }
     std::fflush(stdout);
     return ReadLine(line);
   }
@@ -156,19 +171,26 @@ class Stepper {
   void Goto(std::string where) {
     if (where.starts_with("t=")) where.erase(0, 2);
     int64_t time_us = 0;
-    char* end = nullptr;
-    const uint64_t number = std::strtoull(where.c_str(), &end, 10);
-    if (!where.empty() && *end == 0) {
-      if (number < replayer_->count()) Back(number);
-      Forward(number - replayer_->count());
-      Show();
+    if (const auto number = NumberIn(where)) {
+      GotoMessage(*number);
     } else if (ParseDuration(where, &time_us).empty()) {
       if (time_us < replayer_->system().now_us()) Back(0, time_us);
       ForwardTo(time_us);
       Show();
     } else {
-      fmt::print("'{}' is neither a count of messages nor a time like 1.25s\n", where);
+      fmt::print("'{}' is neither a number of a message nor a time like 1.25s\n", where);
     }
+  }
+
+  void GotoMessage(uint64_t number) {
+    const auto count = number == 0 ? std::optional<uint64_t>(0) : replayer_->CountUpTo(number);
+    if (!count) {
+      fmt::print("the recording has no message {}\n", number);
+      return;
+    }
+    if (*count < replayer_->count()) Back(*count);
+    Forward(*count - replayer_->count());
+    Show();
   }
 
   void RunOn() {
@@ -200,13 +222,32 @@ class Stepper {
 
   void Break(const std::string& text) {
     const std::string problem = breaks_.Add(text);
-    if (!problem.empty()) fmt::print("{}\n", problem);
+    fmt::print("{}\n", problem.empty() ? fmt::format("break {}", breaks_.size()) : problem);
     SaveBreaks();
   }
 
   void Print(const std::string& what);
   void PrintQueue();
   void PrintQuantity(const std::string& name);
+
+  // Steps, back and deletes want a number.  False when `verb` is none of these.
+  bool ObeyWithNumber(const std::string& verb, const std::string& rest) {
+    const bool steps = verb == "step" || verb == "s", backs = verb == "back" || verb == "b";
+    if (!steps && !backs && verb != "delete") return false;
+    const auto number = rest.empty() ? std::optional<uint64_t>(1) : NumberIn(rest);
+    if (!number) {
+      fmt::print("'{}' is no number\n", rest);
+    } else if (steps) {
+      Forward(*number);
+      Show();
+    } else if (backs) {
+      Back(replayer_->count() - std::min(*number, replayer_->count()));
+    } else {
+      if (!breaks_.Remove(*number)) fmt::print("there is no break {}\n", *number);
+      SaveBreaks();
+    }
+    return true;
+  }
 
   // False for "quit".
   bool Obey(const std::string& line) {
@@ -215,13 +256,9 @@ class Stepper {
     std::string verb, rest;
     words >> verb;
     std::getline(words >> std::ws, rest);
-    const uint64_t count = rest.empty() ? 1 : std::strtoull(rest.c_str(), nullptr, 10);
-    if (verb == "step" || verb == "s") {
-      Forward(count);
-      Show();
-    } else if (verb == "back" || verb == "b") {
-      Back(replayer_->count() - std::min(count, replayer_->count()));
-    } else if (verb == "goto" || verb == "g") {
+    rest.erase(rest.find_last_not_of(" \t\r") + 1);
+    if (ObeyWithNumber(verb, rest)) return true;
+    if (verb == "goto" || verb == "g") {
       Goto(rest);
     } else if (verb == "run" || verb == "r") {
       RunOn();
@@ -229,9 +266,6 @@ class Stepper {
       Break(rest);
     } else if (verb == "breaks") {
       for (size_t i = 1; i <= breaks_.size(); ++i) fmt::print("{}: {}\n", i, breaks_.text(i));
-    } else if (verb == "delete") {
-      if (!breaks_.Remove(count)) fmt::print("there is no break {}\n", rest);
-      SaveBreaks();
     } else if (verb == "print" || verb == "p") {
       Print(rest);
     } else if (verb == "quit" || verb == "q") {
@@ -268,7 +302,9 @@ void Stepper::Print(const std::string& what) {
   if (what == "queue") {
     PrintQueue();
   } else if (what == "waiting") {
-    for (const std::string& line : system.WhoWaits()) fmt::print("{}\n", line);
+    const std::vector<std::string> waits = system.WhoWaits();
+    for (const std::string& line : waits) fmt::print("{}\n", line);
+    if (waits.empty()) fmt::print("nobody\n");
   } else if (what == "objects") {
     for (const auto& object : system.objects()) {
       if (object != nullptr)
@@ -286,6 +322,7 @@ void Stepper::Print(const std::string& what) {
   } else if (what == "findings") {
     for (const Finding& finding : system.findings().all())
       fmt::print("{}: {}\n", finding.object, finding.text);
+    if (system.findings().all().empty()) fmt::print("none so far\n");
   } else if (what == "hash") {
     fmt::print("trace {:016x} state {:016x}\n", system.trace_hash(), system.state_hash());
   } else {

@@ -142,6 +142,11 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Text(entry.name);
       return;
+    case TraceEntry::Kind::kStick:
+      out->U8(static_cast<uint8_t>(entry.what));
+      out->Text(entry.name);
+      out->Text(entry.payload);
+      return;
     case TraceEntry::Kind::kEnd:
       out->Zigzag(entry.time_us);
       out->U64(entry.trace_hash);
@@ -152,7 +157,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kConsole);
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kStick);
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
@@ -179,6 +184,11 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
       entry.time_us = in->Zigzag();
       entry.robot = static_cast<int32_t>(in->Varint());
       entry.name = in->Text();
+      return entry;
+    case TraceEntry::Kind::kStick:
+      entry.what = ReadEnum(in, TraceEntry::OnStick::kFolder);
+      entry.name = in->Text();
+      entry.payload = in->Text();
       return entry;
     case TraceEntry::Kind::kEnd:
       entry.time_us = in->Zigzag();

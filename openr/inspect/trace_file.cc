@@ -1,12 +1,20 @@
 #include "openr/inspect/trace_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "openr/json_text.h"
+#include "runtime/config/spelling.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 
@@ -20,20 +28,19 @@ constexpr size_t kBlockBytes = 64 << 10;
 constexpr size_t kBlockHead = 4 + 8;  // size, checksum
 
 std::string HeaderText(const TraceHeader& h) {
-  return Json{{"program", h.program},
-              {"stick", h.stick},
-              {"stick_hash", h.stick_hash},
-              {"robot", h.robot},
-              {"body", h.body},
-              {"world", h.world},
-              {"cost", h.cost},
-              {"robots", h.robots},
-              {"seed", h.seed},
-              {"microphone", h.microphone},
-              {"images", h.images},
-              {"strict", h.strict},
-              {"payloads", h.payloads}}
-      .dump();
+  return JsonText(Json{{"program", h.program},
+                       {"stick", h.stick},
+                       {"stick_hash", h.stick_hash},
+                       {"robot", h.robot},
+                       {"body", h.body},
+                       {"world", h.world},
+                       {"cost", h.cost},
+                       {"robots", h.robots},
+                       {"seed", h.seed},
+                       {"microphone", h.microphone},
+                       {"images", h.images},
+                       {"strict", h.strict},
+                       {"payloads", h.payloads}});
 }
 
 TraceHeader HeaderOf(std::string_view text) {
@@ -61,24 +68,34 @@ TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
     : file_(file),
       payloads_(header.payloads),
       coder_(header.payloads),
-      out_(file, std::ios::binary | std::ios::trunc) {
+      descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
   ByteWriter head;
   head.U32(kTraceVersion);
   head.Text(HeaderText(header));
-  out_ << kMagic << head.bytes();
-  out_.flush();
-  if (!out_) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
+  WriteOut(std::string(kMagic) + head.bytes());
 }
 
-TraceWriter::~TraceWriter() { Flush(); }
+TraceWriter::~TraceWriter() {
+  Flush();
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+void TraceWriter::WriteOut(const std::string& bytes) {
+  for (size_t done = 0; done < bytes.size() && error_ == 0;) {
+    const ssize_t size = write(descriptor_, bytes.data() + done, bytes.size() - done);
+    if (size < 0 && errno != EINTR) error_ = errno;
+    if (size > 0) done += static_cast<size_t>(size);
+  }
+}
 
 void TraceWriter::Flush() {
   if (block_.bytes().empty()) return;
   ByteWriter head;
   head.U32(static_cast<uint32_t>(block_.bytes().size()));
   head.U64(HashBytes(block_.bytes().data(), block_.bytes().size()));
-  out_ << head.bytes() << block_.bytes();
-  out_.flush();
+  WriteOut(head.bytes());
+  WriteOut(block_.bytes());
   block_.Clear();
 }
 
@@ -141,6 +158,22 @@ void TraceWriter::AddConsole(int robot, std::string_view text, int64_t time_us) 
   Add(entry);
 }
 
+void TraceWriter::AddStick(const std::string& name, const std::string& path) {
+  namespace fs = std::filesystem;
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kStick;
+  entry.name = name;
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    entry.what = TraceEntry::OnStick::kFolder;
+  } else if (fs::exists(path, error)) {
+    std::ifstream file(path, std::ios::binary);
+    entry.what = TraceEntry::OnStick::kFile;
+    entry.payload.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  Add(entry);
+}
+
 std::string TraceWriter::Finish(System* system) {
   TraceEntry entry;
   entry.kind = TraceEntry::Kind::kEnd;
@@ -149,16 +182,17 @@ std::string TraceWriter::Finish(System* system) {
   entry.state_hash = system->state_hash();
   Add(entry);
   Flush();
-  out_.close();
-  return out_ ? "" : fmt::format("{}: could not be written whole (disk full?)", file_);
+  if (error_ == 0) return "";
+  return fmt::format("{}: could not be written whole: {}", file_, std::strerror(error_));
 }
 
 TraceReader::TraceReader(const std::string& file) : file_(file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
+  if (!in) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
+  text << in.rdbuf();
   bytes_ = text.str();
+  if (bytes_.empty()) throw std::runtime_error(fmt::format("{}: is empty, or a folder", file));
   if (!bytes_.starts_with(kMagic))
     throw std::runtime_error(fmt::format("{}: is no trace (openr run --record makes them)", file));
   ByteReader reader(std::string_view(bytes_).substr(kMagic.size()));
@@ -174,6 +208,20 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   }
   at_ = kMagic.size() + reader.at();
   coder_.emplace(header_.payloads);
+}
+
+// "after message 500 (t=1.248000 s, Controller -> JointMover "...")"
+std::string TraceReader::AfterWhat() const {
+  if (last_.number == 0) return "before the first message";
+  return fmt::format("after message {} (t={:.6f} s, {} -> {} \"{}\")", last_.number,
+                     static_cast<double>(last_.time_us) / 1e6, ObjectName(last_.sender),
+                     ObjectName(last_.target), EntryName(last_.target, last_.selector));
+}
+
+void TraceReader::Damaged(const std::string& what) {
+  problems_.push_back(fmt::format("{}: block {}, byte {} of the file, {}: {}", file_,
+                                  block_count_ - 1, at_ - block_size_ + block_->at(), AfterWhat(),
+                                  what));
 }
 
 bool TraceReader::NextBlock() {
@@ -201,6 +249,7 @@ bool TraceReader::NextBlock() {
     problems_.push_back(where() + fmt::format(": checksum of its {} bytes is wrong", size));
   block_.emplace(block);
   at_ += kBlockHead + size;
+  block_size_ = size;
   ++block_count_;
   return true;
 }
@@ -217,13 +266,15 @@ const TraceEntry* TraceReader::Peek() {
   try {
     next_ = coder_->Read(&*block_);
   } catch (const std::exception& e) {
-    problems_.push_back(
-        fmt::format("{}: block {}: cannot be read: {}", file_, block_count_ - 1, e.what()));
+    Damaged(fmt::format("{}; what follows cannot be read", e.what()));
     ended_ = true;
     return nullptr;
   }
   Learn(*next_);
-  if (next_->kind == TraceEntry::Kind::kEnd) ended_ = true;
+  if (next_->kind == TraceEntry::Kind::kEnd) {
+    ended_ = true;
+    if (!block_->AtEnd() || at_ < bytes_.size()) Damaged("there are bytes after the end");
+  }
   return &*next_;
 }
 
@@ -235,6 +286,7 @@ TraceEntry TraceReader::Take() {
 }
 
 void TraceReader::Learn(const TraceEntry& entry) {
+  if (entry.kind == TraceEntry::Kind::kMessage) last_ = entry.record;
   if (entry.kind == TraceEntry::Kind::kObject) objects_[entry.id] = {entry.robot, entry.name};
   if (entry.kind == TraceEntry::Kind::kEntry) entries_[{entry.id, entry.selector}] = entry.name;
 }
@@ -248,6 +300,17 @@ std::string TraceReader::ObjectName(int32_t id) const {
 int TraceReader::RobotOf(int32_t id) const {
   const auto found = objects_.find(id);
   return found == objects_.end() ? 0 : found->second.first;
+}
+
+std::string TraceReader::WhyNothing(const std::string& object, const std::string& service) const {
+  std::vector<std::string> known;
+  bool has_service = service.empty();
+  for (const auto& [id, named] : objects_) known.push_back(named.second);
+  for (const auto& [id, name] : entries_)
+    has_service = has_service || name.find(service) != std::string::npos;
+  if (!object.empty() && std::find(known.begin(), known.end(), object) == known.end())
+    return fmt::format("there is no object '{}'{}", object, DidYouMean(object, known));
+  return has_service ? "" : fmt::format("no entry has '{}' in its name", service);
 }
 
 std::string TraceReader::EntryName(int32_t id, uint32_t selector) const {

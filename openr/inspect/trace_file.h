@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,7 +20,7 @@ namespace openr_host {
 
 class System;
 
-constexpr uint32_t kTraceVersion = 1;
+constexpr uint32_t kTraceVersion = 2;
 
 // What a run is a function of, besides the recorded input.
 struct TraceHeader {
@@ -47,7 +46,9 @@ struct TraceEntry {
     kShutdown = 6,  // time_us: nobody handled it, the program asked for the shutdown
     kEnd = 7,       // time_us, trace_hash, state_hash
     kConsole = 8,   // time_us, robot, name: what was typed
+    kStick = 9,     // what, name, payload: a file or folder before objects change it
   };
+  enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
   int32_t id = 0;
   int32_t robot = 0;
@@ -55,6 +56,7 @@ struct TraceEntry {
   std::string name;
   TraceRecord record{};
   std::string payload;
+  OnStick what = OnStick::kNothing;
   std::vector<NetworkEvent> events;
   int64_t time_us = 0;
   uint64_t trace_hash = 0;
@@ -94,6 +96,11 @@ class TraceWriter {
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
   void AddConsole(int robot, std::string_view text, int64_t time_us);
+  // `path` on the host is about to change; `name` is what it is below the stick's folder.
+  void AddStick(const std::string& name, const std::string& path);
+
+  // Writes what has been added.  Fit for a signal handler that ends the process.
+  void Flush();
 
   // The last entry.  Returns what went wrong with the file, or "".
   std::string Finish(System* system);
@@ -101,12 +108,13 @@ class TraceWriter {
  private:
   void AddNames(const System& system, const TraceRecord& record);
   void Add(const TraceEntry& entry);
-  void Flush();
+  void WriteOut(const std::string& bytes);
 
   const std::string file_;
   const bool payloads_;
   TraceCoder coder_;
-  std::ofstream out_;
+  int descriptor_ = -1;
+  int error_ = 0;  // the first of writing
   ByteWriter block_;
   std::set<int32_t> objects_;
   std::set<std::pair<int32_t, uint32_t>> entries_;
@@ -131,20 +139,26 @@ class TraceReader {
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
+  // At the end: "there is no object 'JointMvoer'; did you mean ...", or "".  Empty names are there.
+  std::string WhyNothing(const std::string& object, const std::string& service) const;
 
  private:
   bool NextBlock();
+  void Damaged(const std::string& what);
+  std::string AfterWhat() const;
   void Learn(const TraceEntry& entry);
 
   const std::string file_;
   std::string bytes_;
   size_t at_ = 0;
   int block_count_ = 0;
+  size_t block_size_ = 0;  // of the last one
   TraceHeader header_;
   std::optional<TraceCoder> coder_;
   std::optional<ByteReader> block_;
   std::optional<TraceEntry> next_;
   bool ended_ = false;
+  TraceRecord last_{};  // the message before
   std::vector<std::string> problems_;
   std::map<int32_t, std::pair<int, std::string>> objects_;  // robot, name
   std::map<std::pair<int32_t, uint32_t>, std::string> entries_;

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "openr/json_text.h"
+
 namespace openr_host {
 namespace {
 
@@ -137,7 +139,7 @@ class PerfettoWriter {
   }
 
   void Emit(const nlohmann::ordered_json& event) {
-    out_(is_first_ ? event.dump() : ",\n" + event.dump());
+    out_((is_first_ ? "" : ",\n") + JsonText(event));
     is_first_ = false;
   }
 

@@ -28,8 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Services the robot itself registers.
-constexpr const char* kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
-                                          ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
+const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
+                                      ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 // Whatever a gateway is asked for, it has.
 constexpr char kGateway[] = "TCPGateway.";
 

@@ -3,6 +3,7 @@
 #include <elf.h>
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -33,7 +34,7 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   Elf64_Ehdr header{};
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
-    return "is not an object image";
+    return "is not an object image; build the object for the host (openr build)";
   *is_for_robot = header.e_machine == EM_MIPS;  // where it is for 32 bits, too
   if (*is_for_robot) return kForRobot;
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
@@ -47,8 +48,9 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
 ImageFile ReadImageFile(const std::string& path) {
   ImageFile image;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    image.problem = "cannot be read";
+  std::error_code error;
+  if (!stream || !std::filesystem::is_regular_file(path, error)) {
+    image.problem = stream ? "is no file" : "cannot be read";
     return image;
   }
   image.bytes.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());

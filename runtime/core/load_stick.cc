@@ -28,7 +28,7 @@ std::string NearestName(const std::string& path) {
   std::vector<std::string> names;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path(), none)) {
-    names.push_back(entry.path().filename());
+    if (entry.path().extension() != ".DBG") names.push_back(entry.path().filename());
   }
   std::sort(names.begin(), names.end());
   return DidYouMean(FileName(path), names);

@@ -17,6 +17,8 @@
 namespace openr_host {
 namespace {
 
+constexpr char kCrashRecord[] = "EMON.LOG";
+
 bool Exists(const std::string& path) {
   struct stat status;
   return lstat(path.c_str(), &status) == 0;
@@ -78,7 +80,9 @@ bool IsBelow(const std::string& path, const std::string& folder) {
 
 std::optional<std::string> MemoryStick::ReadFile(std::string_view name) {
   const Location location = Locate(name);
-  if (location.error != 0 || !location.exists) return std::nullopt;
+  std::error_code error;
+  if (location.error != 0 || !std::filesystem::is_regular_file(location.path, error))
+    return std::nullopt;
   std::ifstream file(location.path, std::ios::binary);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf())) {
@@ -111,6 +115,13 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   return {path, true, 0};
 }
 
+void MemoryStick::NoteWritten(std::string_view name) {
+  written_.insert(std::string(name));
+  if (!listener_) return;
+  const Location location = Locate(name);
+  if (location.error == 0 && changed_.insert(location.path).second) listener_(location);
+}
+
 uint64_t FolderStick::ContentHash() {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -118,7 +129,8 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG")
+    const bool is_left_behind = UpperCase(it->path().filename().string()) == kCrashRecord;
+    if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG" && !is_left_behind)
       names.push_back(it->path().lexically_relative(root_).string());
   }
   if (names.empty()) return 0;

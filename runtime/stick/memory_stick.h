@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace openr_host {
 
@@ -34,12 +36,16 @@ class MemoryStick {
   std::optional<std::string> ReadFile(std::string_view name);
 
   // Names (below /MS) and contents of all files but images, which differ from build to
-  // build; what they do is in the trace.  0 without files.
+  // build (what they do is in the trace), and the record of a crash.  0 without files.
   virtual uint64_t ContentHash() = 0;
 
-  // Called when an object opens `name` for writing: from then on its content is part
-  // of the state.
-  void NoteWritten(std::string_view name) { written_.insert(std::string(name)); }
+  // Called when an object is about to make, write, rename or remove `name`: from then on its
+  // content is part of the state.
+  void NoteWritten(std::string_view name);
+
+  // `listener` hears of each file or folder before an object changes it for the first time.
+  using ChangeListener = std::function<void(const Location&)>;
+  void OnFirstChange(ChangeListener listener) { listener_ = std::move(listener); }
 
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
@@ -50,6 +56,8 @@ class MemoryStick {
  private:
   bool writable_ = true;
   std::set<std::string> written_;
+  ChangeListener listener_;
+  std::set<std::string> changed_;  // paths `listener_` has heard of
 };
 
 // A folder of the host that holds OPEN-R/.

@@ -287,5 +287,50 @@ TEST_F(ReplayTest, AConditionBreaksWhereItBeginsToHold) {
       << text;
 }
 
+TEST_F(ReplayTest, GotoTakesTheNumbersThatTracesShow) {
+  Record();
+  const std::string text =
+      Step("goto 300\ngoto 0\ngoto 300\ngoto 99999999\ngoto -1\nback -5\nstep abc\nquit\n");
+  const std::string shown = ") " + std::string(4, ' ') + "300 t=";
+  const size_t first = text.find(shown);
+  ASSERT_NE(first, std::string::npos) << text;
+  EXPECT_NE(text.find(shown, first + 1), std::string::npos) << text;
+  EXPECT_NE(text.find("the recording has no message 99999999"), std::string::npos) << text;
+  EXPECT_NE(text.find("'-1' is neither a number of a message nor"), std::string::npos) << text;
+  EXPECT_NE(text.find("'-5' is no number"), std::string::npos) << text;
+  EXPECT_NE(text.find("'abc' is no number"), std::string::npos) << text;
+}
+
+TEST_F(ReplayTest, AThousandMessagesBackIsTheExactState) {
+  MakeKeepersStick();
+  Record(true, 10'000'000);
+  const std::string text =
+      Step("step 1200\nprint hash\nstep 1000\nprint hash\nback 1000\nprint hash\nquit\n");
+  std::vector<std::string> hashes;
+  for (size_t at = text.find("trace "); at != std::string::npos; at = text.find("trace ", at + 1))
+    hashes.push_back(text.substr(at, 45));
+  ASSERT_EQ(hashes.size(), 3u) << text;
+  EXPECT_NE(hashes[1], hashes[0]);
+  EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+// The run writes to the stick; the stick is then another one than it began with.
+TEST_F(ReplayTest, WhatTheRunChangedOnTheStickIsPutBack) {
+  MakeKeepersStick();
+  const fs::path data = fs::path(stick_) / "OPEN-R/MW/DATA/P";
+  fs::create_directories(data);
+  std::ofstream(data / "KEPT.TXT") << "before\n";
+  Record();
+  std::ifstream kept(data / "KEPT.TXT");
+  std::string line;
+  std::getline(kept, line);
+  ASSERT_EQ(line, "1") << "the keeper writes what it keeps";
+  EXPECT_EQ(Replay(), "");
+  EXPECT_EQ(count_, messages_);
+  EXPECT_TRUE(fs::exists(data / "KEPT.TXT"));
+  std::ofstream(data / "OTHER.TXT") << "somebody else's\n";
+  EXPECT_THROW(Replay(), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace openr_host

@@ -6,6 +6,22 @@
 
 static int heard = 0;
 
+// Puts a 1 in place of what was in the file, if there is one, and returns that.
+static unsigned int
+ReplaceFile()
+{
+    const char* const name = "/MS/OPEN-R/MW/DATA/P/KEPT.TXT";
+    FILE* file = fopen(name, "r");
+    if (file == NULL) return 0;
+    unsigned int sum = 0;
+    for (int c = getc(file); c != EOF; c = getc(file)) sum = sum * 31 + c;
+    fclose(file);
+    file = fopen(name, "w");
+    fprintf(file, "1\n");
+    fclose(file);
+    return sum;
+}
+
 OStatus
 Keeper::DoInit(const OSystemEvent&)
 {
@@ -45,7 +61,7 @@ Keeper::NotifySensor(const ONotifyEvent& event)
     sprintf(text, "vector %d", ++heard);
     kept_[heard * 7919 % 101] = text;
     // A sum over all that is kept.
-    unsigned int sum = 0;
+    unsigned int sum = heard == 1 ? ReplaceFile() : 0;
     for (std::map<int, std::string>::iterator it = kept_.begin(); it != kept_.end(); ++it) {
         for (size_t i = 0; i < it->second.size(); i++) sum = sum * 31 + it->second[i];
     }

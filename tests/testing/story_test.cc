@@ -1,0 +1,55 @@
+// What a test program says when an object brings it down, and when a test asks for what cannot be.
+#include "tests/testing/doubler.h"
+
+namespace openr::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ExitedWithCode;
+using ::testing::HasSubstr;
+
+#if !defined(__SANITIZE_ADDRESS__)  // whose own report says more
+void BootTrouble(const char* what) {
+  Bench bench({.handler_limit = 200ms});
+  bench.AddImage(OPENR_IMAGES "/TROUBLE.BIN");
+  bench.stick().Write("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", what);
+  bench.Boot();
+}
+
+TEST(StoryTest, ACrashOfAnObjectEndsWithTheStory) {
+  EXPECT_EXIT(BootTrouble("crash"), ExitedWithCode(1),
+              AllOf(HasSubstr("EXCEPTION SIGSEGV"), HasSubstr("OBJECT Trouble, DoStart"),
+                    HasSubstr("Last messages:"), HasSubstr("To see it again: OPENR_SEED=1 ")));
+}
+
+TEST(StoryTest, AHandlerWithoutEndIsEndedWithTheStory) {
+  EXPECT_EXIT(BootTrouble("hang"), ExitedWithCode(1),
+              AllOf(HasSubstr("a handler does not return: Trouble, DoStart"),
+                    HasSubstr("To see it again: OPENR_SEED=1 ")));
+}
+#endif
+
+TEST(StoryTest, ABenchThatIsOffCannotRun) {
+  Bench bench;
+  EXPECT_NONFATAL_FAILURE(bench.RunFor(1ms), "The robot is off: Boot() the bench first");
+  EXPECT_NONFATAL_FAILURE(bench.Step(), "The robot is off: Boot() the bench first");
+}
+
+class RefusalTest : public DoublerTest {
+ protected:
+  RefusalTest() { BuildAndBoot(); }
+};
+
+TEST_F(RefusalTest, TimeDoesNotRunBackwards) {
+  EXPECT_NONFATAL_FAILURE(bench().RunFor(-1ms), "time does not run backwards");
+}
+
+TEST_F(RefusalTest, NothingIsInjectedBetweenEndsThatAreNotConnected) {
+  EXPECT_NONFATAL_FAILURE(
+      bench().Inject(Notify("Doubler.Out", "Doubler.In"), 1),
+      "Inject: Doubler.Out.int.S is not connected with Doubler.In.int.O (Notify)");
+  EXPECT_NONFATAL_FAILURE(bench().Inject(Ready("Test2.Out", "Test1.In")), "is not connected with");
+}
+
+}  // namespace
+}  // namespace openr::testing
