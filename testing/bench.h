@@ -93,7 +93,6 @@ struct BenchOptions {
   bool guard_regions = false;
   bool measure_stacks = false;  // Object::stack_max
   bool allow_threads = false;   // accepts other threads in the process; they must not touch it
-  bool allow_threads = false;  // accepts other threads in the process; they must not touch it
   // A handler that uses more processor time ends the process with a failure that names it; 0s:
   // never, for a debugger.
   std::chrono::microseconds handler_limit = std::chrono::seconds(10);
