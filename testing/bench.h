@@ -309,6 +309,7 @@ class Bench {
   bool InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place);
   bool InjectReady(const MessageSpec& spec, const Place& place);
   bool InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place);
+  static std::string CommandOf(uint64_t seed);
   bool AreConnected(const ServiceEnd& subject, const ServiceEnd& observer, const Place& place);
   std::optional<ServiceEnd> FindService(const std::string& name, const char* kind,
                                         const Place& place);
@@ -339,6 +340,7 @@ class Bench {
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;
   std::set<size_t> told_;                      // findings the test knows of already
+  std::string command_;                        // that runs the test again
   std::unique_ptr<StoryTeller> story_teller_;  // the first to go: it looks at the others
 };
 

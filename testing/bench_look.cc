@@ -32,16 +32,16 @@ size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const 
       fmt::format("no {} '{}'{}", kind, name, openr_host::DidYouMean(name, known)));
 }
 
+}  // namespace
+
 // The command that runs this test again, with this seed.
-std::string Command(uint64_t seed) {
+std::string Bench::CommandOf(uint64_t seed) {
   const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
   std::string command = fmt::format("OPENR_SEED={} {}", seed, program_invocation_name);
   if (test != nullptr)
     command += fmt::format(" --gtest_filter={}.{}", test->test_suite_name(), test->name());
   return command;
 }
-
-}  // namespace
 
 std::string Bench::Story() const {
   std::string text = fmt::format("t={:.6f} s.  ", static_cast<double>(now_us()) * 1e-6);
@@ -52,7 +52,7 @@ std::string Bench::Story() const {
   for (const std::string& line : waits) text += "  " + line + "\n";
   const std::string held = doors_.Text();
   if (!held.empty()) text += "Behind doors of the test:\n" + held;
-  text += "To see it again: " + Command(system_->options().seed);
+  text += "To see it again: " + command_;
   if (history_.last_number() != 0) {
     text +=
         fmt::format("\n  up to the last message: bench.StepToMessage({})", history_.last_number());

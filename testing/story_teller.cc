@@ -16,11 +16,17 @@ namespace {
 constexpr char kMark[] = "To see it again: ";
 
 StoryTeller* g_newest = nullptr;
+// Asking for it while a failure is reported would wait for ever: GoogleTest holds its lock.
+const ::testing::TestInfo* g_test = nullptr;
 
 // After the first failure of each test.
 class Listener : public ::testing::EmptyTestEventListener {
  public:
-  void OnTestStart(const ::testing::TestInfo&) override { has_told_ = false; }
+  void OnTestStart(const ::testing::TestInfo& test) override {
+    g_test = &test;
+    has_told_ = false;
+  }
+  void OnTestEnd(const ::testing::TestInfo&) override { g_test = nullptr; }
   void OnTestPartResult(const ::testing::TestPartResult& result) override {
     const std::string message = result.message() == nullptr ? "" : result.message();
     if (!result.failed() || std::exchange(has_told_, result.failed())) return;
@@ -36,7 +42,9 @@ class Listener : public ::testing::EmptyTestEventListener {
 
 void Listen() {
   static const bool once = [] {
-    ::testing::UnitTest::GetInstance()->listeners().Append(new Listener);
+    ::testing::UnitTest* const all = ::testing::UnitTest::GetInstance();
+    g_test = all->current_test_info();
+    all->listeners().Append(new Listener);
     return true;
   }();
   (void)once;
@@ -44,6 +52,7 @@ void Listen() {
 
 }  // namespace
 
+// Against crashes and endless handlers, in this process.
 struct StoryTeller::Guards {
   explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
 
@@ -53,6 +62,8 @@ struct StoryTeller::Guards {
     std::fprintf(stderr, "%s\n", WithStory("").c_str());
     std::fflush(nullptr);
   }};
+
+  static inline std::unique_ptr<Guards> now;  // those of the newest bench
 };
 
 StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_limit_us)
@@ -60,22 +71,29 @@ StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_lim
       handler_limit_us_(handler_limit_us),
       outer_(std::exchange(g_newest, this)) {
   Listen();
-  if (outer_ == nullptr) guards_ = std::make_unique<Guards>(handler_limit_us_);
+  OnCopied();
 }
 
+// Benches of one test go in any order, so this need not be the newest.
 StoryTeller::~StoryTeller() {
-  if (g_newest == this) g_newest = outer_;
+  StoryTeller** link = &g_newest;
+  while (*link != this) link = &(*link)->outer_;
+  *link = outer_;
+  Guards::now.reset();
+  if (g_newest != nullptr) Guards::now = std::make_unique<Guards>(g_newest->handler_limit_us_);
 }
 
 void StoryTeller::OnCopied() {
-  if (guards_ == nullptr) return;
-  guards_.reset();
-  guards_ = std::make_unique<Guards>(handler_limit_us_);
+  test_ = g_test;
+  Guards::now.reset();
+  Guards::now = std::make_unique<Guards>(handler_limit_us_);
 }
 
 std::string StoryTeller::WithStory(const std::string& failure) {
-  if (g_newest == nullptr || failure.find(kMark) != std::string::npos) return failure;
-  return failure + (failure.empty() || failure.ends_with('\n') ? "" : "\n") + g_newest->story_();
+  const StoryTeller* teller = g_newest;
+  while (teller != nullptr && teller->test_ != g_test) teller = teller->outer_;
+  if (teller == nullptr || failure.find(kMark) != std::string::npos) return failure;
+  return failure + (failure.empty() || failure.ends_with('\n') ? "" : "\n") + teller->story_();
 }
 
 }  // namespace openr::testing

@@ -4,37 +4,39 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
+
+namespace testing {
+class TestInfo;
+}
 
 namespace openr::testing {
 
 // One per bench, as long as it lives.
 class StoryTeller {
  public:
-  // `story`: what Bench::Story() says.  A handler that uses more than `handler_limit_us` of
-  // processor time (0: never) ends the process, as a crash of an object does.
+  // `story`: what Bench::Story() says; it is told while GoogleTest reports, and must ask it
+  // nothing. A handler that uses more than `handler_limit_us` of processor time (0: never) ends the
+  // process, as a crash of an object does.
   StoryTeller(std::function<std::string()> story, int64_t handler_limit_us);
   ~StoryTeller();
   StoryTeller(const StoryTeller&) = delete;
   StoryTeller& operator=(const StoryTeller&) = delete;
 
-  // In a copy of the process, which has inherited no timer.
+  // In a copy of the process, which has inherited no timer, and may be another test's.
   void OnCopied();
 
-  // `failure` with the story of the newest bench, unless it has a story already; as it is when
-  // there is no bench.
+  // `failure` with the story of the test's newest bench, unless it has a story already; as it is
+  // when the test has no bench.  Those of a Snapshot belong to the test only in its copy.
   static std::string WithStory(const std::string& failure);
 
  private:
-  struct Guards;  // against crashes and endless handlers: of the process, the first bench's
-
-  void Arm();
+  struct Guards;
 
   const std::function<std::string()> story_;
   const int64_t handler_limit_us_;
-  StoryTeller* const outer_;
-  std::unique_ptr<Guards> guards_;
+  StoryTeller* outer_;                         // the one before
+  const ::testing::TestInfo* test_ = nullptr;  // whose bench it is
 };
 
 }  // namespace openr::testing

@@ -9,17 +9,34 @@
 #include "openr/install_paths.h"
 #include "openr/kit/controller_build.h"
 #include "openr/kit/new_controller.h"
+#include "openr/kit/robot_stick.h"
 
 namespace openr_host {
 namespace {
 
 struct ControllerFlags {
   ControllerBuildOptions build;
+  bool for_robot = false;
   std::string name;
   std::string folder;
 };
 
+// CONTROLL.BIN of the robot is linked with the object around it, so a whole stick is made.
+int BuildForRobot(const ControllerBuildOptions& build) {
+  if (build.output.empty()) {
+    throw std::runtime_error("--robot makes a whole stick: name a new folder for it with -o");
+  }
+  RobotStickOptions options;
+  options.output = build.output;
+  options.controller = build.folder;
+  options.sources = ObjectSources();
+  options.stick = DefaultStick();
+  MakeRobotStick(options);
+  return kExitGood;
+}
+
 int Build(const ControllerFlags& flags) {
+  if (flags.for_robot) return BuildForRobot(flags.build);
   ControllerBuildOptions options = flags.build;
   if (options.template_stick.empty()) options.template_stick = DefaultStick();
   return BuildController(options);
@@ -48,9 +65,13 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
   build->add_option("DIR", flags->build.folder, "Folder of the controller")->required();
   build->add_option("-o,--output", flags->build.output,
                     "Folder of the stick (default: DIR); made if it holds no OPEN-R/");
-  build->add_option("--from", flags->build.template_stick,
-                    "Stick that a new one is copied from (default: the one that came along)");
-  build->add_flag("--robot", flags->build.for_robot, "For the dog; needs OPENRSDK_ROOT");
+  CLI::Option* const from =
+      build->add_option("--from", flags->build.template_stick,
+                        "Stick that a new one is copied from (default: the one that came along)");
+  build
+      ->add_flag("--robot", flags->for_robot,
+                 "For the dog, as openr stick robot --controller DIR; needs OPENRSDK_ROOT and -o")
+      ->excludes(from);
   build->callback([flags, exit_code] { *exit_code = Build(*flags); });
 
   CLI::App* const make = command->add_subcommand("new", "Makes a controller that builds and runs");

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <vector>
@@ -113,13 +112,6 @@ class ControllerBuild {
 }  // namespace
 
 int BuildController(const ControllerBuildOptions& options) {
-  if (options.for_robot) {
-    const char* const root = std::getenv("OPENRSDK_ROOT");
-    throw std::runtime_error(
-        root == nullptr || *root == '\0'
-            ? "--robot needs OPENRSDK_ROOT: the folder of the OPEN-R SDK with its MIPS compiler"
-            : "--robot: this version builds controllers for the host only");
-  }
   std::error_code error;
   if (!fs::is_directory(options.folder, error)) {
     throw std::runtime_error(

@@ -9,7 +9,6 @@ struct ControllerBuildOptions {
   std::string folder;          // the controller's
   std::string output;          // folder of the stick, which holds OPEN-R/; "": `folder` itself
   std::string template_stick;  // what a stick that is not there yet is copied from
-  bool for_robot = false;
 };
 
 // Builds, puts CONTROLL.BIN, WLANCONF.TXT and *.MTN of the folder on the stick, says so, and

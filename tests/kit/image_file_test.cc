@@ -72,7 +72,8 @@ TEST(ImageFileTest, WhatWasCutOffOrDamagedIsSaidSo) {
   std::string damaged = packed;
   for (size_t i = 40; i < 80; ++i) damaged[i] = static_cast<char>(~damaged[i]);
   EXPECT_THAT(Read(folder, damaged).problem, HasSubstr("damaged gzip file"));
-  EXPECT_EQ(Read(folder, Compressed("text")).problem, "is not an object image");
+  EXPECT_EQ(Read(folder, Compressed("text")).problem,
+            "is not an object image; build the object for the host (openr build)");
   EXPECT_EQ(ReadImageFile(folder.File("NONE.BIN")).problem, "cannot be read");
 }
 
