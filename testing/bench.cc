@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 
@@ -60,10 +62,12 @@ std::string DefaultStick() { return openr_host::DefaultStick(); }
 uint64_t SeedOfEnvironment() {
   const char* const text = std::getenv(kSeedVariable);
   if (text == nullptr || *text == 0) return SystemOptions().seed;
-  char* end = nullptr;
-  const uint64_t seed = std::strtoull(text, &end, 10);
-  if (*end == 0) return seed;
-  throw std::invalid_argument(fmt::format("{}='{}' is no number", kSeedVariable, text));
+  uint64_t seed = 0;
+  const char* const end = text + std::strlen(text);
+  const auto [stop, error] = std::from_chars(text, end, seed);
+  if (error == std::errc() && stop == end) return seed;
+  throw std::invalid_argument(
+      fmt::format("{}='{}' is no number from 0 to {}", kSeedVariable, text, UINT64_MAX));
 }
 
 Bench::Bench(BenchOptions options, Place place)

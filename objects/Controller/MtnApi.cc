@@ -65,11 +65,17 @@ mtn_delete(MTN* motion)
 }
 
 // Counts as playing from here on, although JointMover may first have to go to the first key frame.
+// JointMover would refuse a motion while another one plays, and its refusal could not be told from
+// the end of that one if both are of the same file.
 void
 mtn_play(MTN* motion)
 {
     ControllerCore* core = GetControllerCore();
     if (motion == 0 || core == 0) return;
+    if (thePlaying != 0 && !mtn_is_over(thePlaying)) {
+        core->Port()->Remark("mtn_play: the motion before is not over; ignored");
+        return;
+    }
     if (thePlaying != 0) thePlaying->keyFrame = -1;
     thePlaying = motion;
     motion->keyFrame = 0;

@@ -101,8 +101,9 @@ class NotStuck : public Property {
     if (system.powered_off() || system.now_us() - view.last_activity_us < kStallUs) return "";
     const auto stalls = FindStalls(system, kStallUs);
     if (stalls.empty()) return "";
-    return fmt::format("nobody has sent anything since t={:.3f} s, and {}",
-                       static_cast<double>(view.last_activity_us) * 1e-6, stalls[0].text);
+    return fmt::format(
+        "nobody has sent anything but sensor values and readies for them since t={:.3f} s, and {}",
+        static_cast<double>(view.last_activity_us) * 1e-6, stalls[0].text);
   }
 };
 

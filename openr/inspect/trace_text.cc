@@ -154,9 +154,11 @@ class PerfettoWriter {
 }  // namespace
 
 std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record) {
-  return fmt::format("{:>7} t={:.6f} {} -> {} \"{}\" {} bytes, cause {}, hash {:016x}",
-                     record.number, Seconds(record.time_us), reader.ObjectName(record.sender),
-                     reader.ObjectName(record.target),
+  const std::string robot =
+      reader.header().robots == 1 ? "" : fmt::format("robot {} ", reader.RobotOf(record.target));
+  return fmt::format("{:>7} t={:.6f} {}{} -> {} \"{}\" {} bytes, cause {}, hash {:016x}",
+                     record.number, Seconds(record.time_us), robot,
+                     reader.ObjectName(record.sender), reader.ObjectName(record.target),
                      reader.EntryName(record.target, record.selector), record.size, record.cause,
                      record.payload_hash);
 }

@@ -2,15 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "openr/exit_code.h"
 #include "openr/kit/controller_sources.h"
+#include "openr/kit/process.h"
 #include "openr/kit/project.h"
 #include "openr/kit/sdk_paths.h"
 #include "openr/kit/sdk_tools.h"
+#include "openr/kit/stick_merge.h"
 #include "openr/kit/text_files.h"
 #include "runtime/core/temp_folder.h"
 
@@ -40,7 +46,9 @@ class ControllerBuild {
                       folder_.string()));
     }
     if (scratch_.path().empty()) throw std::runtime_error("no room for temporary files");
-    if (!Compile(sources.files) || !Link()) return kExitWrong;
+    if (!Compile(sources.files)) return kExitWrong;
+    if (!sources.files.empty() && !HasOneMain()) return kExitWrong;
+    if (!HasGoodFiles() || !Link()) return kExitWrong;
     Deliver();
     fmt::print("{}  {}\n", kImage,
                sources.files.empty() ? "empty: Makefile.sources names no source"
@@ -67,12 +75,57 @@ class ControllerBuild {
     return good;
   }
 
+  // From C++ a main() with other arguments is another function, which nobody calls.
+  bool HasOneMain() const {
+    static const std::set<std::string> kKnown = {"controller_main", "_Z15controller_mainv",
+                                                 "_Z15controller_mainiPPc",
+                                                 "_Z15controller_mainiPPKc"};
+    Arguments command = {"nm", "-P", "--defined-only", "--extern-only"};
+    command.insert(command.end(), objects_.begin(), objects_.end());
+    std::istringstream lines(RunProcess(command, {{}, "", true, true, true}).output);
+    size_t known = 0, unknown = 0;
+    for (std::string line; std::getline(lines, line);) {
+      const std::string name = line.substr(0, line.find(' '));
+      if (kKnown.contains(name)) ++known;
+      if (name.starts_with("_Z15controller_main") && !kKnown.contains(name)) ++unknown;
+    }
+    if (known == 1 && unknown == 0) return true;
+    fmt::print(stderr, "{}: {}\n", folder_.string(),
+               unknown > 0  ? "main() has arguments that nobody gives; write int main(void)"
+               : known == 0 ? "no source has a main()"
+                            : "main() is in more than one source");
+    return false;
+  }
+
   bool Link() {
     Arguments arguments = {"-o", Made(), (part_ / "Controller.ocf").string(),
                            (part_ / "controller.o").string()};
     arguments.insert(arguments.end(), objects_.begin(), objects_.end());
     return RunMkbin(arguments) == 0;
   }
+
+  // What travels along must be such that the robot's stick can hold it and boots with it.
+  bool HasGoodFiles() const {
+    std::vector<Diagnostic> diagnostics;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename();
+      if (LowerCase(name) == "wlanconf.txt")
+        diagnostics = CheckWlanConfig(entry.path(), ReadText(entry.path()).value_or(""));
+      const std::string problem = IsMotion(entry.path()) ? WhyNotShortName(name) : "";
+      if (!problem.empty())
+        diagnostics.push_back({Severity::kError, entry.path(), 0, 0, problem, ""});
+    }
+    std::fputs(Render(diagnostics).c_str(), stderr);
+    return !HasErrors(diagnostics);
+  }
+
+  static std::string NameOnStick(const fs::path& file) {
+    std::string name = file.filename();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    return name;
+  }
+  static bool IsMotion(const fs::path& file) { return LowerCase(file.extension()) == ".mtn"; }
 
   void Deliver() {
     if (FindBelow(stick_, "OPEN-R/MW").empty()) {
@@ -89,8 +142,8 @@ class ControllerBuild {
     for (const auto& entry : fs::directory_iterator(folder_)) {
       const std::string name = LowerCase(entry.path().filename());
       if (name == "wlanconf.txt") Put(entry.path(), open_r / "SYSTEM/CONF/WLANCONF.TXT");
-      if (entry.path().extension() == ".MTN")
-        Put(entry.path(), open_r / "MW/DATA/P" / entry.path().filename());
+      if (IsMotion(entry.path()))
+        Put(entry.path(), open_r / "MW/DATA/P" / NameOnStick(entry.path()));
     }
   }
 

@@ -6,57 +6,88 @@
 #include <regex>
 #include <sstream>
 
+#include "openr/kit/process.h"
 #include "openr/kit/text_files.h"
 #include "runtime/config/line_file.h"
+#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
 
+bool IsControllerSource(const fs::path& file) {
+  const std::string extension = file.extension();
+  return extension == ".c" || extension == ".cc" || extension == ".cpp";
+}
+
 std::vector<fs::path> SourcesIn(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.is_regular_file(error) && IsSourceName(entry.path())) found.push_back(entry.path());
+    if (entry.is_regular_file(error) && IsControllerSource(entry.path()))
+      found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
   return found;
 }
 
-// The part of a line that says what a variable is, or goes on doing so; without a comment.
-std::string Value(const std::string& line, bool goes_on) {
-  static const std::regex kAssignment("^[ \t]*[A-Za-z_][A-Za-z0-9_.]*[ \t]*[:+?]?=(.*)$");
-  const std::string text = line.substr(0, line.find('#'));
-  std::smatch match;
-  if (goes_on) return text;
-  return std::regex_match(text, match, kAssignment) ? match[1].str() : "";
+// All variables that the file sets, as make understands them.
+constexpr char kPrintVariables[] =
+    "include $(LIST)\n"
+    "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"
+    "$(if $(filter file,$(origin $(v))),$(info = $($(v)))))\n"
+    "openr-nothing:;\n";
+
+// Where the list names it, or else its first line.
+Diagnostic AtWord(const fs::path& list, const std::string& text, const std::string& word,
+                  std::string message) {
+  std::vector<Diagnostic> ignored;
+  Place place{list, 1, 1, ""};
+  for (const Place& line : SplitLines(list, text, &ignored)) {
+    const size_t at = line.text.find(word);
+    if (line.line > 1 && at == std::string::npos) continue;
+    place = line;
+    place.column = at == std::string::npos ? 1 : static_cast<int>(at) + 1;
+    if (at != std::string::npos) break;
+  }
+  return ErrorAt(place, std::move(message));
 }
 
 void ReadList(const fs::path& folder, ControllerSources* sources) {
   const std::string text = ReadText(sources->list).value_or("");
-  bool goes_on = false;
-  for (const Place& line : SplitLines(sources->list, text, &sources->diagnostics)) {
-    std::string value = Value(line.text, goes_on);
-    goes_on = !value.empty() && value.find_last_not_of(" \t\r") != std::string::npos &&
-              value[value.find_last_not_of(" \t\r")] == '\\';
-    if (value.find("$(wildcard") != std::string::npos) {
-      sources->files = SourcesIn(folder);
-      return;
-    }
-    std::replace(value.begin(), value.end(), '\\', ' ');
-    std::istringstream words(value);
+  const TempFolder scratch;
+  const std::string makefile = scratch.path() + "/print.mk";
+  if (!WriteText(makefile, kPrintVariables).empty()) return;
+  const ProcessResult made =
+      RunProcess({"make", "-s", "-f", makefile, "-C", folder,
+                  "LIST=" + sources->list.filename().string(), "openr-nothing"},
+                 {{{"MAKEFLAGS", ""}, {"MAKELEVEL", ""}}, "", true, true, true});
+  if (!made.good()) {
+    sources->diagnostics.push_back(AtWord(sources->list, text, "", "make says: " + made.output));
+    return;
+  }
+  bool has_words = false;
+  std::istringstream lines(made.output);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("= ")) continue;
+    std::istringstream words(line.substr(2));
     for (std::string word; words >> word;) {
-      if (!IsSourceName(word)) continue;
+      has_words = true;
+      if (!IsControllerSource(word)) continue;
       const fs::path file = (folder / word).lexically_normal();
       if (std::find(sources->files.begin(), sources->files.end(), file) != sources->files.end())
         continue;
       sources->files.push_back(file);
       if (fs::is_regular_file(file)) continue;
-      const int column = static_cast<int>(line.text.find(word)) + 1;
-      sources->diagnostics.push_back({Severity::kError, line.file, line.line, column,
-                                      fmt::format("there is no file '{}'", word), line.text});
+      sources->diagnostics.push_back(
+          AtWord(sources->list, text, word, fmt::format("there is no file '{}'", word)));
     }
+  }
+  if (has_words && sources->files.empty()) {
+    sources->diagnostics.push_back(
+        AtWord(sources->list, text, "",
+               "names no source (*.c, *.cc, *.cpp); 'SOURCES =' makes the empty controller"));
   }
 }
 

@@ -173,6 +173,7 @@ void TcpEndpoint::Send(const Operation& operation) {
     return Refuse(operation, TCP_FAIL);
   }
   WarnOfRobotTiming(operation, message.size);
+  WarnOfSmallSends(operation, message.size);
   send_ = accepted;
 }
 
@@ -191,6 +192,19 @@ void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
                              "2 to 32 kB at a time were found best",
                              kRobotSendBytes));
   }
+}
+
+void TcpEndpoint::WarnOfSmallSends(const Operation& operation, int size) {
+  const int64_t now_us = stack_->system().now_us();
+  const bool goes_on = small_row_ > 0 && now_us - last_send_us_ < kRobotAcknowledgeUs;
+  small_row_ = size > kRobotFastBytes ? 0 : goes_on ? small_row_ + 1 : 1;
+  last_send_us_ = now_us;
+  if (small_row_ != kRobotRow) return;
+  stack_->Warn(operation,
+               fmt::format("{} small TCP Sends in a row with nothing received in between: on the "
+                           "robot Nagle's algorithm holds them back, up to 200 ms each; put them "
+                           "into one Send",
+                           kRobotRow));
 }
 
 void TcpEndpoint::Receive(const Operation& operation) {

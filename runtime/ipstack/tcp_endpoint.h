@@ -29,6 +29,10 @@ class TcpEndpoint : public Endpoint {
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
+  // Small sends in a row, each so soon after the last, with nothing received in between: Nagle's
+  // algorithm keeps the next one until the peer acknowledges, which it may put off that long.
+  static constexpr int kRobotRow = 3;
+  static constexpr int64_t kRobotAcknowledgeUs = 200'000;
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
@@ -45,6 +49,7 @@ class TcpEndpoint : public Endpoint {
   void Connect(const Operation& operation);
   void Send(const Operation& operation);
   void WarnOfRobotTiming(const Operation& operation, int size);
+  void WarnOfSmallSends(const Operation& operation, int size);
   void Receive(const Operation& operation);
   void Close(const Operation& operation);
   void Address(Operation operation);
@@ -71,12 +76,14 @@ class TcpEndpoint : public Endpoint {
   NetAddress wanted_;                     // the only peer a Listen takes; 0: any
   TCPEndpointError error_ = TCP_SUCCESS;  // why the connection is broken
 
-  std::string in_;                // received, not delivered
-  bool asked_ = false;            // a Network::Receive() is out
-  bool ended_ = false;            // the peer sends no more
-  bool closed_ = false;           // both sides have ended
-  int64_t unsent_ = 0;            // bytes given to the network that it has not taken
-  uint64_t sent_hash_ = 0;        // of all bytes sent
+  std::string in_;          // received, not delivered
+  bool asked_ = false;      // a Network::Receive() is out
+  bool ended_ = false;      // the peer sends no more
+  bool closed_ = false;     // both sides have ended
+  int64_t unsent_ = 0;      // bytes given to the network that it has not taken
+  uint64_t sent_hash_ = 0;  // of all bytes sent
+  int small_row_ = 0;       // small sends since the object received something
+  int64_t last_send_us_ = 0;
   int64_t closing_since_us_ = 0;  // Close, or the last progress since
 
   std::optional<Operation> opening_;  // Listen or Connect

@@ -72,6 +72,7 @@ void TcpEndpoint::FinishReceive() {
   std::memcpy(data, in_.data(), count);
   message.sizeMin = message.sizeMax = static_cast<int>(count);
   in_.erase(0, count);
+  small_row_ = 0;
   Finish(&receive_, TCP_SUCCESS, data, count);
 }
 

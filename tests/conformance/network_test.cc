@@ -58,6 +58,29 @@ TEST_F(NetworkConformance, ASendThatTheRobotSplitsIsReported) {
             "to 200 ms later"));
 }
 
+// network.md, 4.3: no option switches Nagle's algorithm off
+TEST_F(NetworkConformance, SmallSendsThatTheRobotHoldsBackAreReported) {
+  for (int i = 0; i < 3; ++i) {
+    Send("question");
+    Frames();
+    peer.Say("answer");
+    Receive(1, 6);
+    Frames(2);
+    TakeReplies();
+  }
+  Send("one");
+  Frames();
+  Send("two");
+  Frames(26);  // 208 ms
+  Send("three");
+  EXPECT_FALSE(Found("Nagle"));
+  Frames();
+  Send("four");
+  Frames();
+  Send("five");
+  EXPECT_TRUE(Found("3 small TCP Sends in a row with nothing received in between"));
+}
+
 // network.md, 4.3; field-notes.md, 11.5
 TEST_F(NetworkConformance, ASendTooLargeForTheRobotIsReported) {
   Do([&] { probe->Send(TCPEndpointCloseMsg(endpoint)); });

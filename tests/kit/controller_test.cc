@@ -117,6 +117,50 @@ TEST(ControllerBuildTest, AFileTheListNamesInVainIsSaidWithItsPlace) {
                            ":1: there is no file 'wave.c'\nSOURCES = wave.c\n          ^\n");
 }
 
+TEST(ControllerBuildTest, TheListIsReadAsMakeReadsIt) {
+  const ControllerFolder folder;
+  folder.Write("src/main.c", kLightsUp);
+  folder.Write("lib/light.c", kLight);
+  folder.Write("old.c", "this is no C\n");
+  folder.Write("Makefile.sources",
+               "LIB = lib\nSOURCES = $(wildcard src/*.c) $(addprefix $(LIB)/,light.c)\n");
+  const ProgramResult built = folder.BuildController();
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(ModeLight(folder.Run()), 1);
+}
+
+TEST(ControllerBuildTest, AListThatNamesNoSourceIsAMistake) {
+  const ControllerFolder folder;
+  folder.Write("Makefile.sources", "OBJS = blink.o\n");
+  const ProgramResult built = folder.BuildController();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("Makefile.sources:1: names no source (*.c, *.cc, *.cpp)"));
+}
+
+TEST(ControllerBuildTest, AMainThatNobodyWouldCallIsRefused) {
+  const ControllerFolder folder;
+  folder.Write("main.cc", "int main(int, char**, char**) { return 0; }\n");
+  EXPECT_THAT(folder.BuildController().err, HasSubstr("main() has arguments that nobody gives"));
+  folder.Write("main.cc", "int helper() { return 0; }\n");
+  EXPECT_THAT(folder.BuildController().err, HasSubstr("no source has a main()"));
+  folder.Write("main.cc", "int main() { return 0; }\n");
+  folder.Write("other.c", "int main(void) { return 0; }\n");
+  EXPECT_THAT(folder.BuildController().err, HasSubstr("main() is in more than one source"));
+}
+
+TEST(ControllerBuildTest, MotionsTravelAlongUnderTheRobotsNames) {
+  const ControllerFolder folder;
+  folder.Write("main.c", kLightsUp);
+  folder.Write("light.c", kLight);
+  folder.Write("nod.mtn", "no motion, but that is not looked at here");
+  ASSERT_EQ(folder.BuildController().status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.File("OPEN-R/MW/DATA/P/NOD.MTN")));
+  folder.Write("toolongname.mtn", "");
+  const ProgramResult refused = folder.BuildController();
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("toolongname.mtn"));
+}
+
 TEST(ControllerBuildTest, AListWithoutSourcesMakesTheEmptyController) {
   const ControllerFolder folder;
   folder.Write("Makefile.sources", "SOURCES =\n");

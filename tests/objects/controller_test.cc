@@ -320,6 +320,27 @@ TEST_F(ControllerTest, ARefusedMotionIsOver) {
   mtn_delete(motion);
 }
 
+TEST_F(ControllerTest, AMotionIsNotStartedWhileAnotherPlays) {
+  AddMotion("NOD.MTN", MtnBytes::OneJoint(kTilt, {0, 10, 20}));
+  AddMotion("BOW.MTN", MtnBytes::OneJoint(kTilt, {0, 5}));
+  MTN* nod = mtn_new("NOD.MTN");
+  MTN* bow = mtn_new("BOW.MTN");
+  mtn_play(nod);
+  Tell("NOD.MTN", moverMTN, 1);
+  mtn_play(bow);
+  mtn_play(nod);
+  EXPECT_EQ(movers.size(), 1u);
+  EXPECT_EQ(remarks.size(), 2u);
+  EXPECT_EQ(mtn_is_over(nod), 0);
+  EXPECT_EQ(mtn_is_over(bow), 1) << "it does not play";
+  Tell("NOD.MTN", moverMTN, 2);
+  mtn_play(bow);
+  EXPECT_EQ(movers.size(), 2u) << "the last key frame is reached";
+  EXPECT_EQ(mtn_is_over(bow), 0);
+  mtn_delete(nod);
+  mtn_delete(bow);
+}
+
 TEST_F(ControllerTest, AMotionDeletedWhilePlayingIsForgotten) {
   AddMotion("NOD.MTN", MtnBytes::OneJoint(kTilt, {0, 10, 20}));
   MTN* motion = mtn_new("NOD.MTN");

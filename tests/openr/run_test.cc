@@ -189,6 +189,17 @@ TEST(CrashTest, AStackOverflowIsCalledByItsName) {
   EXPECT_NE(RecordOf("recurse").find("STACK overflow"), std::string::npos);
 }
 
+TEST(CrashTest, AHandlerThatWouldOverflowTheRobotsStackIsAWarning) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("deep");
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("a handler used at least 32768 bytes of stack, the .ocf file "
+                            "gives"),
+            std::string::npos)
+      << result.err;
+}
+
 TEST(CrashTest, ADivisionByZeroIsCalledByItsName) {
   EXPECT_NE(RecordOf("divide").find("a division by zero"), std::string::npos);
 }

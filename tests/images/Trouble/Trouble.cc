@@ -19,6 +19,15 @@ Recurse(int depth)
     return Recurse(depth + 1) + frame[0];
 }
 
+// Takes much of the stack at once.
+static void
+TakeRoom()
+{
+    volatile char room[40000];
+    for (unsigned i = 0; i < sizeof(room); i++) room[i] = (char)i;
+    sink = room[sizeof(room) - 1];
+}
+
 OStatus
 Trouble::DoInit(const OSystemEvent&)
 {
@@ -46,6 +55,8 @@ Trouble::DoStart(const OSystemEvent&)
         sink = 100 / sink;
     } else if (strcmp(word, "recurse") == 0) {
         sink = Recurse(0);
+    } else if (strcmp(word, "deep") == 0) {
+        TakeRoom();
     } else if (strcmp(word, "print") == 0) {
         printf("printed by an object\n");
         fflush(stdout);
