@@ -265,7 +265,8 @@ TEST(SeedTest, TheEnvironmentGivesTheSeedThatATestDoesNot) {
   EXPECT_EQ(BenchOptions().seed, 5u);
   EXPECT_EQ((BenchOptions{.seed = 3}).seed, 3u);
   setenv("OPENR_SEED", "five", 1);
-  EXPECT_THAT(ErrorOf([] { SeedOfEnvironment(); }), "OPENR_SEED='five' is no number");
+  EXPECT_THAT(ErrorOf([] { SeedOfEnvironment(); }),
+              "OPENR_SEED='five' is no number from 0 to 18446744073709551615");
   unsetenv("OPENR_SEED");
   EXPECT_EQ(BenchOptions().seed, 1u);
 }
