@@ -1,6 +1,8 @@
 #include "runtime/core/system.h"
 
 #include <fmt/format.h>
+#include <stdio_ext.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -41,8 +43,21 @@ void AssertFailed(const char* file, int line, const char* condition, const std::
   std::abort();
 }
 
+namespace {
+
+// The C library allocates the buffer of stdout when it is first used.  That must not be on the heap
+// of the object that happens to print first, which goes with the object.
+void AllocateStandardOutput() {
+  if (__fbufsize(stdout) > 0) return;
+  setvbuf(stdout, nullptr, _IOFBF, 0);
+  if (isatty(STDOUT_FILENO)) setvbuf(stdout, nullptr, _IOLBF, 0);
+}
+
+}  // namespace
+
 System::System(SystemOptions options)
     : options_(std::move(options)), dispatcher_(std::make_unique<Dispatcher>(this)) {
+  AllocateStandardOutput();
   if (options_.guard_regions) guard_pages_ = std::make_unique<GuardPages>();
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;

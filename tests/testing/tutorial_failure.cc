@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -30,6 +31,12 @@ TEST(TutorialTest, TheFailureOfThePageIsTheRealOne) {
   EXPECT_THAT(output, HasSubstr(page));
   EXPECT_THAT(output, HasSubstr("Last messages:"));
   EXPECT_THAT(output, HasSubstr("bench.StepToMessage("));
+}
+
+// There GoogleTest is not the first to write to standard output: an object is.
+TEST(BriefTest, TestsOfTheLibraryPassWhenNobodyPrintsBeforeTheObjects) {
+  EXPECT_EQ(std::system(TESTING_TESTS " --gtest_brief=1 > brief.txt 2>&1"), 0)
+      << FileText("brief.txt");
 }
 
 }  // namespace
