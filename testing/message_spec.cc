@@ -9,20 +9,8 @@ bool NamesEnd(const std::string& name, const SeenMessage::End& end) {
 }
 
 const char* WordFor(const std::optional<MessageKind>& kind) {
-  if (!kind) return "message";
-  switch (*kind) {
-    case MessageKind::kNotify:
-      return "notify";
-    case MessageKind::kReady:
-      return "ready";
-    case MessageKind::kNotReady:
-      return "not ready";
-    case MessageKind::kReply:
-      return "reply";
-    case MessageKind::kOther:
-      break;
-  }
-  return "message";
+  const char* const word = kind ? WordFor(*kind) : nullptr;
+  return word == nullptr ? "message" : word;
 }
 
 class TextMatcher : public ::testing::MatcherInterface<const SeenMessage&> {

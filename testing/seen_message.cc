@@ -92,8 +92,8 @@ SeenMessage::End SeenMessage::to() const {
   return EndOf(*system_, target_, selector_, kind_ != MessageKind::kReply);
 }
 
-std::string SeenMessage::entry() const {
-  switch (kind_) {
+const char* WordFor(MessageKind kind) {
+  switch (kind) {
     case MessageKind::kNotify:
       return "notify";
     case MessageKind::kReady:
@@ -105,6 +105,11 @@ std::string SeenMessage::entry() const {
     case MessageKind::kOther:
       break;
   }
+  return nullptr;
+}
+
+std::string SeenMessage::entry() const {
+  if (const char* const word = WordFor(kind_)) return word;
   const Object* const object = system_->object(target_);
   return object == nullptr ? fmt::format("selector {}", selector_) : object->EntryName(selector_);
 }

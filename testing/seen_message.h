@@ -21,6 +21,9 @@ enum class MessageKind : uint8_t {
   kOther,     // DoInit and its kin, extra entries, messages of the system
 };
 
+// "notify", "ready" and so on; null for kOther, which goes by its entry.
+const char* WordFor(MessageKind kind);
+
 class SeenMessage {
  public:
   // `system` must outlive this; `message` may go, see Past().
