@@ -32,14 +32,18 @@ void IdealBody::Advance(const std::vector<JointCommand>& commands) {
   }
 }
 
+void IdealBody::Place() const {
+  X_WL_ = LinkPoses(model_, Angles());
+  const RestingPose pose = PlaceOnFloor(model_, X_WL_);
+  state_.X_WB = pose.X_WB;
+  state_.paws = pose.paws;
+  state_.gravity_B = pose.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
+  for (Isometry3d& X : X_WL_) X = pose.X_WB * X;
+  placed_ = true;
+}
+
 const BodyState& IdealBody::state() const {
-  if (!placed_) {
-    const RestingPose pose = PlaceOnFloor(model_, Angles());
-    state_.X_WB = pose.X_WB;
-    state_.paws = pose.paws;
-    state_.gravity_B = pose.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
-    placed_ = true;
-  }
+  if (!placed_) Place();
   return state_;
 }
 
@@ -49,9 +53,8 @@ double IdealBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W,
 }
 
 std::vector<Isometry3d> IdealBody::BodyPoses() const {
-  std::vector<Isometry3d> X_WL = LinkPoses(model_, Angles());
-  for (Isometry3d& X : X_WL) X = state().X_WB * X;
-  return X_WL;
+  if (!placed_) Place();
+  return X_WL_;
 }
 
 void IdealBody::HashState(Hasher* hasher) const {

@@ -32,11 +32,13 @@ class IdealBody : public Body {
 
  private:
   std::vector<double> Angles() const;
+  void Place() const;
 
   const RobotModel& model_;
   const World world_;
   mutable BodyState state_;
-  mutable bool placed_ = false;  // state_'s base and paws belong to its joint angles
+  mutable std::vector<Eigen::Isometry3d> X_WL_;  // as BodyPoses() says
+  mutable bool placed_ = false;  // state_'s base and paws, and X_WL_, belong to its joint angles
 };
 
 }  // namespace openr_host

@@ -187,7 +187,10 @@ Vector3d CentreOfMass(const RobotModel& model, const std::vector<Isometry3d>& X_
 }
 
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad) {
-  const std::vector<Isometry3d> X_BL = LinkPoses(model, angles_rad);
+  return PlaceOnFloor(model, LinkPoses(model, angles_rad));
+}
+
+RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Isometry3d>& X_BL) {
   const Hull hull(model, X_BL);
   const Vector3d centre_B = SupportedPoint(model, X_BL);
   Matrix3d R = Matrix3d::Identity();

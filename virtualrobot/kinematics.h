@@ -39,6 +39,8 @@ struct RestingPose {
 // centre of mass over the support: the face of its lower hull that lies under the centre.
 // Looks for the face near the attitude it would have upright; a robot is not turned over.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
+// The same for parts at `X_BL`, as LinkPoses() returns them.
+RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
 // Height of the lowest point of any box or paw over z = 0, for a robot at `X_WB`.
 double LowestPoint(const RobotModel& model, const std::vector<double>& angles_rad,
