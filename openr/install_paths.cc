@@ -32,12 +32,14 @@ std::vector<fs::path> DataFolders() {
 
 }  // namespace
 
-std::string ProgramFolder() {
+std::string ProgramFile() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   if (error) throw std::runtime_error("/proc/self/exe: " + error.message());
-  return self.parent_path();
+  return self;
 }
+
+std::string ProgramFolder() { return fs::path(ProgramFile()).parent_path(); }
 
 std::string DefaultStick() {
   std::string looked;

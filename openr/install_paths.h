@@ -9,6 +9,9 @@ namespace openr_host {
 // The folder of the running program.
 std::string ProgramFolder();
 
+// The running program itself.
+std::string ProgramFile();
+
 // The default stick: a folder that holds OPEN-R/.  Throws std::runtime_error naming the places
 // looked at when it is nowhere.
 std::string DefaultStick();

@@ -18,17 +18,6 @@
 namespace openr_host {
 namespace {
 
-std::string StickFolder(const std::string& wanted) {
-  if (wanted.empty()) return DefaultStick();
-  std::error_code error;
-  const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");  // in any case
-  if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
-  throw std::runtime_error(
-      fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
-                  "Stick",
-                  wanted));
-}
-
 World WorldOf(const std::string& file) {
   if (file.empty()) return {};
   const std::string problem = WhyNoFile(file, "world file (docs/worlds.md)", ".json");
@@ -71,6 +60,17 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options) {
 
 }  // namespace
 
+std::string StickFolder(const std::string& wanted) {
+  if (wanted.empty()) return DefaultStick();
+  std::error_code error;
+  const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");  // in any case
+  if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
+  throw std::runtime_error(
+      fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
+                  "Stick",
+                  wanted));
+}
+
 Simulation::Simulation(const SimulationOptions& options)
     : model_(LoadRobotModel(ModelFile(options.robot))),
       world_(WorldOf(options.world)),
@@ -92,7 +92,9 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
                                       : MakeLonelyNetwork();
   if (options.network_filter) network = options.network_filter(robot, std::move(network));
   networks_.push_back(AddIpStack(system_.get(), robot, std::move(network)));
-  if (!system_->LoadStick(robot)) loaded_ = false;
+  const System::StandIns stand_ins =
+      options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
+  if (!system_->LoadStick(robot, stand_ins)) loaded_ = false;
 }
 
 uint16_t Simulation::RcPort(int robot) const {

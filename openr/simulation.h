@@ -41,9 +41,14 @@ struct SimulationOptions {
   // if it is free, else any.
   int rc_port = -1;
   std::function<void(std::string_view)> console;
+  // Objects that are not images of the stick; see System::LoadStick().
+  std::function<System::StandIns(System*, int robot)> stand_ins;
   // Puts something between a robot's IPStack and its network.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
+
+// The folder of the stick that is meant by SimulationOptions::stick.  Throws std::runtime_error.
+std::string StickFolder(const std::string& wanted);
 
 class Simulation {
  public:

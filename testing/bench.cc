@@ -125,7 +125,7 @@ void Bench::LoadStick() {
   for (const StandIn& stand_in : options_.replace) {
     const std::string& name = stand_in.object;
     used[name] = false;
-    stand_ins[name] = [this, &stand_in, &name, &used] {
+    stand_ins[name] = [this, &stand_in, &name, &used](const std::string&) {
       used[name] = true;
       stand_in.make ? stand_in.make(*this) : void(AddProbe(name, ServicesOf(name)));
     };

@@ -13,6 +13,7 @@
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/distribution_flags.h"
 #include "openr/console.h"
 #include "openr/crash_log.h"
 #include "openr/duration.h"
@@ -31,6 +32,7 @@ namespace {
 
 struct RunFlags {
   SimulationOptions simulation;
+  PlacementFlags placement;
   std::optional<int64_t> for_us;
   bool until_idle = false;
   std::string rate = "1";
@@ -84,6 +86,7 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
                       "(default: a test pattern)");
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the run when a handler uses more processor time; 0s: never");
+  AddPlacementFlags(command, &flags->placement);
 }
 
 void DescribeOutput(CLI::App* command, RunFlags* flags) {
@@ -221,6 +224,18 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
+nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
+  auto processes = nlohmann::ordered_json::array();
+  for (const Fleet::ProcessFacts& facts : fleet.Describe()) {
+    processes.push_back({{"name", facts.name},
+                         {"pid", facts.pid},
+                         {"host", facts.host},
+                         {"objects", facts.objects},
+                         {"lost", facts.lost}});
+  }
+  return processes;
+}
+
 int Run(RunFlags flags) {
   CheckThatFilesDiffer(flags);
   if (flags.panel->count() > 0) {
@@ -235,10 +250,24 @@ int Run(RunFlags flags) {
   Recorder recorder(flags.record_file, !flags.no_payloads);
   const bool records = !flags.record_file.empty();
   if (records) recorder.Listen(&flags.simulation);
+  const std::unique_ptr<Fleet> fleet =
+      MakeFleet(flags.placement, StickFolder(flags.simulation.stick), flags.handler_limit_us);
+  if (fleet != nullptr) {
+    flags.simulation.stand_ins = [&fleet](System* system, int robot) {
+      return fleet->StandInsFor(system, robot);
+    };
+  }
   Simulation simulation(flags.simulation);
   console.Print(DescribeObjects(&simulation));
   const System& system = simulation.system();
   bool good = simulation.loaded() && !(flags.simulation.strict && system.findings().HasError());
+  if (good && fleet != nullptr) {
+    const std::string problem = fleet->Connect();
+    if (!problem.empty()) {
+      fmt::print(stderr, "openr: {}\n", problem);
+      good = false;
+    }
+  }
   bool boots = good;
   RunFacts facts;
   facts.seed = flags.simulation.seed;
@@ -262,7 +291,11 @@ int Run(RunFlags flags) {
     facts.standing.assign(simulation.robots().size(), StandingMonitor(simulation.model()));
   }
   if (!boots) fmt::print(stderr, "openr: the robot does not boot\n");
-  const nlohmann::ordered_json report = MakeReport(&simulation, facts);
+  nlohmann::ordered_json report = MakeReport(&simulation, facts);
+  if (fleet != nullptr) {
+    report["processes"] = DescribeProcesses(*fleet);
+    fleet->End();
+  }
   fmt::print(stderr, "{}{}", DescribeFindings(&simulation), Summary(report));
   good = WriteReport(report, flags, &console) && good;
   return good && !system.findings().HasError() ? kExitGood : kExitWrong;

@@ -30,14 +30,16 @@ struct ImageInfo {
     const char* ocf;
 };
 
-extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;
-const struct ImageInfo openr_image_info = { 1, 0,
+/* In a section of its own, for those who ask a file who it is without loading it. */
+static __attribute__((section("openr_ocf"), used)) const char openr_ocf[] =
     )";
 
 // A function that ends without the value it should return is compiled with calls at its begin and
 // end (compile_tool.cc); the last call leaves its own 0 where the value is looked for.
-constexpr std::string_view kRest = R"(
-};
+constexpr std::string_view kRest = R"(;
+
+extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;
+const struct ImageInfo openr_image_info = { 1, 0, openr_ocf };
 
 /* Linked last, so the constructor without a priority is the last of all. */
 void openr_image_constructors(int begin);

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "runtime/api/mcoop_limits.h"
 #include "runtime/core/api.h"
@@ -34,6 +37,13 @@ sError CheckBox(const RID& rbox) {
 // Names of Register(), for the current object's robot.
 std::map<std::string, ObjectId>& Names() {
   return t_current.system->robot(t_current.object->robot).names;
+}
+
+// What another process answers that keeps the names; null: it is kept here.
+std::optional<Answer> AskNames(QuestionKind kind, std::vector<uint64_t> numbers, const char* name) {
+  Uplink* const uplink = t_current.system->uplink();
+  if (uplink == nullptr) return std::nullopt;
+  return uplink->Ask({kind, std::move(numbers), name});
 }
 
 openr_host::Object* FindByName(const char* name) {
@@ -72,6 +82,10 @@ sError WhoAmI(OID* oid) {
 sError Find(const char* name, OID* oid) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || oid == nullptr) return sINVALIDARG;
+  if (const auto answer = AskNames(QuestionKind::kFindName, {}, name)) {
+    if (answer->status == sSUCCESS) *oid = OidOf(static_cast<ObjectId>(answer->number(0)));
+    return static_cast<sError>(answer->status);
+  }
   const openr_host::Object* const found = FindByName(name);
   if (found == nullptr) return sOBJNOTFOUND;
   *oid = OidOf(found->id);
@@ -84,6 +98,8 @@ sError Register(OID oid, const char* name) {
   if (std::strlen(name) > kObjectNameMax) return sOBLETNAMETOOLONG;
   const ObjectId id = ObjectIdOf(oid);
   if (t_current.system->object(id) == nullptr) return sINVALIDOID;
+  if (const auto answer = AskNames(QuestionKind::kRegisterName, {static_cast<uint64_t>(id)}, name))
+    return static_cast<sError>(answer->status);
   if (FindByName(name) != nullptr) return sFAIL;
   Names()[name] = id;
   return sSUCCESS;
@@ -92,6 +108,8 @@ sError Register(OID oid, const char* name) {
 sError Unregister(const char* name) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr) return sINVALIDARG;
+  if (const auto answer = AskNames(QuestionKind::kUnregisterName, {}, name))
+    return static_cast<sError>(answer->status);
   return Names().erase(name) == 1 ? sSUCCESS : sOBJNOTFOUND;
 }
 
@@ -173,6 +191,8 @@ sError CleanRBox(RID rbox) {
   if (error != sSUCCESS) return error;
   openr_host::Object* const self = t_current.object;
   self->boxes.erase(rbox.GetValue());
+  if (Uplink* const uplink = t_current.system->uplink())
+    uplink->Tell(NoteKind::kCloseBox, {rbox.GetValue()});
   if (const auto arrived = self->replies.find(rbox.GetValue()); arrived != self->replies.end()) {
     t_current.system->queue().Release(arrived->second);
     self->replies.erase(arrived);

@@ -71,6 +71,8 @@ sError SetResourceValue(sResource resource, slongword value) {
   if (resource != rMAXQUEUESIZE) return sNOTSUPPORTED;
   if (value <= 0) return sINVALIDARG;
   t_current.object->queue_max = value;
+  if (Uplink* const uplink = t_current.system->uplink())
+    uplink->Tell(NoteKind::kQueueMax, {static_cast<uint64_t>(value)});
   return sSUCCESS;
 }
 

@@ -1,5 +1,6 @@
 // The Aperios calls of MCOOP.h for memory.
 #include <MCOOP.h>
+#include <fmt/format.h>
 
 #include <cstring>
 #include <memory>
@@ -77,6 +78,13 @@ sError AttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, void** b
   *base = error == sSUCCESS || error == sALREADYATTACHEDSHAREDMEM
               ? t_current.system->regions().BaseOf(id)
               : nullptr;
+  if (error == sSUCCESS && *base == nullptr) {
+    t_current.system->AddFinding(
+        Severity::kError, fmt::format("AttachMemoryRegion({:#x}): the memory is in another process "
+                                      "of a distributed run; place both objects in one",
+                                      id));
+    return sINVALIDSHAREDMEMID;
+  }
   return error;
 }
 

@@ -58,6 +58,7 @@ class ConsoleInput {
   };
 
   void WakeNext(Terminal* terminal);
+  size_t ReadElsewhere(char* buffer, size_t size);
 
   System* const system_;
   std::map<int, Terminal> terminals_;  // by robot

@@ -13,7 +13,10 @@ Hasher::Hasher() : state_(XXH3_createState()) {
 
 Hasher::~Hasher() { XXH3_freeState(state_); }
 
-void Hasher::AddBytes(const void* data, size_t size) { XXH3_64bits_update(state_, data, size); }
+void Hasher::AddBytes(const void* data, size_t size) {
+  XXH3_64bits_update(state_, data, size);
+  if (copy_ != nullptr) copy_->append(static_cast<const char*>(data), size);
+}
 
 void Hasher::AddText(std::string_view text) {
   Add(static_cast<uint64_t>(text.size()));

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -16,6 +17,8 @@ namespace openr_host {
 class Hasher {
  public:
   Hasher();
+  // Keeps what is added, too: for a hash that is made in another process.
+  explicit Hasher(std::string* copy) : Hasher() { copy_ = copy; }
   ~Hasher();
   Hasher(const Hasher&) = delete;
   Hasher& operator=(const Hasher&) = delete;
@@ -34,6 +37,7 @@ class Hasher {
 
  private:
   XXH3_state_s* state_;
+  std::string* copy_ = nullptr;
 };
 
 // XXH3 of one block of bytes.

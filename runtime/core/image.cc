@@ -34,8 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kSelectorMax = 64;  // entries of an object on the robot
-
 }  // namespace
 
 std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr char kForRobot[] =
     "is a binary for the robot (MIPS); build the object for the host (openr build)";
+constexpr char kOcfSection[] = "openr_ocf";  // of image_source.cc
 constexpr char kCutOff[] = "ends too early: the file was cut off; copy it again";
 
 // Whether everything the dynamic linker maps is there; it dies of a file that was cut off.
@@ -43,7 +44,35 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   return IsWhole(bytes, header) ? "" : kCutOff;
 }
 
+// `count` values of type T at `at`; false when the file ends before.
+template <typename T>
+bool ReadAt(const std::string& bytes, uint64_t at, T* value) {
+  if (at > bytes.size() || sizeof(T) > bytes.size() - at) return false;
+  std::memcpy(value, bytes.data() + at, sizeof(T));
+  return true;
+}
+
 }  // namespace
+
+std::string OcfTextOf(const std::string& bytes) {
+  Elf64_Ehdr header;
+  Elf64_Shdr names;
+  if (!ReadAt(bytes, 0, &header)) return "";
+  const auto section_at = [&](uint64_t i) { return header.e_shoff + i * sizeof(Elf64_Shdr); };
+  if (!ReadAt(bytes, section_at(header.e_shstrndx), &names)) return "";
+  for (uint64_t i = 0; i < header.e_shnum; ++i) {
+    Elf64_Shdr section;
+    if (!ReadAt(bytes, section_at(i), &section)) return "";
+    const uint64_t name = names.sh_offset + section.sh_name;
+    if (name >= bytes.size() ||
+        bytes.compare(name, sizeof kOcfSection, kOcfSection, sizeof kOcfSection))
+      continue;
+    if (section.sh_offset > bytes.size()) return "";
+    const std::string text = bytes.substr(section.sh_offset, section.sh_size);
+    return text.substr(0, text.find('\0'));
+  }
+  return "";
+}
 
 ImageFile ReadImageFile(const std::string& path) {
   ImageFile image;

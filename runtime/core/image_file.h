@@ -16,4 +16,7 @@ struct ImageFile {
 // another machine, cut off, no image at all.
 ImageFile ReadImageFile(const std::string& path);
 
+// The .ocf text of a host image, without loading it; "" when it has none.
+std::string OcfTextOf(const std::string& bytes);
+
 }  // namespace openr_host

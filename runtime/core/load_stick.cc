@@ -7,8 +7,10 @@
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/object_config.h"
+#include "runtime/config/ocf.h"
 #include "runtime/config/spelling.h"
 #include "runtime/core/image.h"
+#include "runtime/core/image_file.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -73,7 +75,7 @@ std::unique_ptr<ImageObject> System::OpenImage(int robot_index, ObjectId id,
 
 Object* System::LoadImage(int robot_index, const std::string& path, const std::string& where) {
   auto image = OpenImage(robot_index, static_cast<ObjectId>(objects_.size()), path, where);
-  return image == nullptr ? nullptr : AdoptObject(std::move(image));
+  return image == nullptr ? nullptr : Adopt(std::move(image));
 }
 
 std::unique_ptr<Object> System::LoadAgain(const Object& object) {
@@ -83,6 +85,18 @@ std::unique_ptr<Object> System::LoadAgain(const Object& object) {
 std::optional<std::string> System::ReadConfig(int robot_index, const char* name) {
   MemoryStick* const stick = robot(robot_index).stick.get();
   return stick == nullptr ? std::nullopt : stick->ReadFile(kConfFolder + std::string(name));
+}
+
+// The name of the object whose image it is, which is not loaded; "" when that cannot be told.
+std::string System::NameInImage(int robot_index, const std::string& path) {
+  MemoryStick* const stick = robot(robot_index).stick.get();
+  if (stick == nullptr) return "";
+  const MemoryStick::Location location = stick->Locate(path);
+  if (location.error != 0 || !location.exists) return "";
+  const ImageFile image = ReadImageFile(location.path);
+  if (!image.problem.empty()) return "";
+  const OcfResult ocf = ParseOcf(path, OcfTextOf(image.bytes));
+  return ocf.ocf ? ocf.ocf->name : "";
 }
 
 bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
@@ -103,18 +117,22 @@ bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
   bool good = true;
   for (const ObjectRecord& record : config.objects) {
     if (const auto found = stand_ins.find(FileName(record.path)); found != stand_ins.end()) {
-      found->second();
+      found->second(record.path);
+      continue;
+    }
+    if (const auto found = stand_ins.empty()
+                               ? stand_ins.end()
+                               : stand_ins.find(NameInImage(robot_index, record.path));
+        found != stand_ins.end()) {
+      found->second(record.path);
       continue;
     }
     auto image = OpenImage(robot_index, static_cast<ObjectId>(objects_.size()), record.path,
                            fmt::format("{}:{}", record.place.file, record.place.line));
     if (image == nullptr) {
       good = false;
-    } else if (const auto found = stand_ins.find(image->name); found != stand_ins.end()) {
-      image.reset();
-      found->second();
     } else {
-      AdoptObject(std::move(image));
+      Adopt(std::move(image));
     }
   }
   return good;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "runtime/core/system.h"
 #include "runtime/objcomm/state.h"
 
 namespace openr_host {
@@ -51,6 +52,8 @@ std::string Object::NameService(uint32_t selector, const char* kind) {
   const auto found = services.find(entry);
   const std::string service = found == services.end() ? name : found->second;
   entry_names[selector] = fmt::format("{} ({})", service, kind);
+  if (system->uplink() != nullptr)
+    system->uplink()->Tell(NoteKind::kEntryName, {selector}, entry_names[selector]);
   return service;
 }
 

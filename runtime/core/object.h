@@ -27,6 +27,8 @@ struct ObjectLimits {
   uint32_t heap_bytes = 0;
 };
 
+constexpr uint32_t kSelectorMax = 64;  // entries of an object on the robot
+
 class Object {
  public:
   Object(System* system, ObjectId id, int robot);
@@ -97,6 +99,7 @@ class Object {
   int64_t blocked_since_us = 0;          // virtual time
   std::string blocked_why;               // for messages to people
   std::deque<Message*> held;             // came while it waited
+  uint64_t last_box = 0;                 // the last number NewReplyBox() gave
   std::set<uint64_t> boxes;              // of replies that may come or have come
   std::map<uint64_t, Message*> replies;  // arrived, not received yet
   // A nested call of one of its own entries (self connection) answers here.

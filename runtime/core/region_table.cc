@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "runtime/core/hasher.h"
+#include "runtime/core/uplink.h"
 
 namespace openr_host {
 namespace {
@@ -22,26 +23,97 @@ RegionTable::~RegionTable() {
   for (Slot& slot : slots_) std::free(slot.base);
 }
 
-uint32_t RegionTable::New(size_t size, ObjectId owner) {
+// Fresh memory of a slot; null, and nothing changed, when there is none.
+char* RegionTable::Fill(Slot* slot, size_t size) {
   const size_t bytes = size + kGuardBytes;
   char* const base =
       bytes < size ? nullptr : static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));
-  if (base == nullptr) return kNoRegion;
+  if (base == nullptr) return nullptr;
   std::memset(base + size, kGuard, kGuardBytes);
+  slot->base = base;
+  slot->size = slot->capacity = size;
+  return base;
+}
+
+uint32_t RegionTable::New(size_t size, ObjectId owner) {
+  if (uplink_ != nullptr) {
+    const auto id = static_cast<uint32_t>(
+        uplink_->Ask({QuestionKind::kNewRegion, {size, static_cast<uint64_t>(owner)}}).number(0));
+    return AdoptOwn(id, size, owner) == nullptr ? kNoRegion : id;
+  }
+  Slot fresh;
+  if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
+  if (Fill(&fresh, size) == nullptr) return kNoRegion;
   if (free_.empty()) {
-    if (slots_.size() >= 0xffff) {
-      std::free(base);
-      return kNoRegion;
-    }
     free_.push_back(static_cast<uint32_t>(slots_.size()));
     slots_.emplace_back();
   }
   const uint32_t index = free_.back();
   free_.pop_back();
   Slot& slot = slots_[index];
-  slot = {base, size, owner, 0, static_cast<uint16_t>(slot.generation + 1), true, size};
+  fresh.owner = owner;
+  fresh.generation = static_cast<uint16_t>(slot.generation + 1);
+  fresh.live = true;
+  slot = fresh;
   ++live_count_;
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
+}
+
+RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
+  const uint32_t index = (id & 0xffff) - 1;
+  if (index >= 0xffff) return nullptr;
+  if (index >= slots_.size()) slots_.resize(index + 1);
+  Slot& slot = slots_[index];
+  std::free(slot.base);  // of a block whose id nobody uses any more
+  slot = Slot();
+  slot.generation = static_cast<uint16_t>(id >> 16);
+  return &slot;
+}
+
+char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
+  Slot* const slot = SlotFor(id);
+  if (slot == nullptr || Fill(slot, size) == nullptr) return nullptr;
+  slot->owner = owner;
+  slot->live = true;
+  ++live_count_;
+  return slot->base;
+}
+
+char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
+  Slot* const slot = SlotFor(id);
+  return slot == nullptr ? nullptr : Fill(slot, size);
+}
+
+void RegionTable::KeepCopy(uint32_t id) {
+  if (Slot* const slot = Find(id)) ++slot->pins;
+}
+
+void RegionTable::DropCopy(uint32_t id) {
+  Slot* const slot = Find(id);
+  if (slot == nullptr || slot->pins == 0) return;
+  --slot->pins;
+  FreeIfUnused(slot);
+}
+
+void RegionTable::Lose(uint32_t id) {
+  Slot* const slot = Find(id);
+  if (slot == nullptr || !slot->live) return;
+  slot->live = false;
+  --live_count_;
+  FreeIfUnused(slot);
+}
+
+bool RegionTable::Locate(const void* address, uint32_t* id, size_t* offset) const {
+  const auto at = reinterpret_cast<uintptr_t>(address);
+  for (size_t i = 0; i < slots_.size(); ++i) {
+    const Slot& slot = slots_[i];
+    const auto base = reinterpret_cast<uintptr_t>(slot.base);
+    if (base == 0 || at < base || at - base >= slot.size) continue;
+    *id = static_cast<uint32_t>(slot.generation) << 16 | static_cast<uint32_t>(i + 1);
+    *offset = at - base;
+    return true;
+  }
+  return false;
 }
 
 RegionTable::Slot* RegionTable::Find(uint32_t id) {
@@ -55,7 +127,7 @@ void RegionTable::FreeIfUnused(Slot* slot) {
   if (slot->live || slot->pins > 0) return;
   std::free(slot->base);
   slot->base = nullptr;
-  free_.push_back(static_cast<uint32_t>(slot - slots_.data()));
+  if (uplink_ == nullptr) free_.push_back(static_cast<uint32_t>(slot - slots_.data()));
 }
 
 bool RegionTable::Delete(uint32_t id) {
@@ -63,6 +135,7 @@ bool RegionTable::Delete(uint32_t id) {
   if (slot == nullptr || !slot->live) return false;
   slot->live = false;
   --live_count_;
+  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kDeleteRegion, {id});
   FreeIfUnused(slot);
   return true;
 }
@@ -92,12 +165,17 @@ ObjectId RegionTable::OwnerOf(uint32_t id) const {
 }
 
 void RegionTable::SetOwner(uint32_t id, ObjectId owner) {
-  if (Slot* const slot = Find(id)) slot->owner = owner;
+  Slot* const slot = Find(id);
+  if (slot == nullptr) return;
+  slot->owner = owner;
+  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kOwner, {id, static_cast<uint64_t>(owner)});
 }
 
 bool RegionTable::Resize(uint32_t id, size_t size) {
   Slot* const slot = Find(id);
   if (slot == nullptr || size == 0 || size > slot->capacity) return false;
+  if (uplink_ != nullptr && uplink_->Ask({QuestionKind::kResizeRegion, {id, size}}).status == 0)
+    return false;
   slot->size = size;
   std::memset(slot->base + size, kGuard, kGuardBytes);
   return true;
@@ -111,20 +189,32 @@ bool RegionTable::WrittenBeyond(uint32_t id) const {
 }
 
 void RegionTable::Pin(uint32_t id) {
-  if (Slot* const slot = Find(id)) ++slot->pins;
+  if (Find(id) == nullptr) return;
+  KeepCopy(id);
+  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kPin, {id});
 }
 
 void RegionTable::Unpin(uint32_t id) {
-  Slot* const slot = Find(id);
+  const Slot* const slot = Find(id);
   if (slot == nullptr || slot->pins == 0) return;
-  --slot->pins;
-  FreeIfUnused(slot);
+  DropCopy(id);
+  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kUnpin, {id});
 }
 
 int RegionTable::CountOf(ObjectId owner) const {
   int count = 0;
   for (const Slot& slot : slots_) count += slot.live && slot.owner == owner;
   return count;
+}
+
+void RegionTable::ForEachOf(ObjectId owner,
+                            const std::function<void(uint32_t, char*, size_t)>& visit) const {
+  for (size_t i = 0; i < slots_.size(); ++i) {
+    const Slot& slot = slots_[i];
+    if (!slot.live || slot.owner != owner) continue;
+    visit(static_cast<uint32_t>(slot.generation) << 16 | static_cast<uint32_t>(i + 1), slot.base,
+          slot.size);
+  }
 }
 
 void RegionTable::HashState(Hasher* hasher) const {

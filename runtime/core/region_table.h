@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "runtime/core/message.h"
@@ -15,6 +16,7 @@
 namespace openr_host {
 
 class Hasher;
+class Uplink;
 
 class RegionTable {
  public:
@@ -24,6 +26,22 @@ class RegionTable {
   RegionTable& operator=(const RegionTable&) = delete;
 
   static constexpr uint32_t kNoRegion = 0;
+
+  // Of a System that runs handlers for another one, which gives the ids and counts as well: it is
+  // told of every change.
+  void set_uplink(Uplink* uplink) { uplink_ = uplink; }
+
+  // The block of an id given there; null when there is no memory.  One that belongs to an object
+  // elsewhere is a copy and lasts while it is pinned, with KeepCopy() first of all.
+  char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
+  char* AdoptCopy(uint32_t id, size_t size);
+  void KeepCopy(uint32_t id);
+  void DropCopy(uint32_t id);
+  // An own block that was deleted there.
+  void Lose(uint32_t id);
+
+  // The block that `address` lies in; false when it lies in none.
+  bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
   // A block of `size` bytes owned by `owner`; kNoRegion when there is no memory.
   uint32_t New(size_t size, ObjectId owner);
@@ -57,6 +75,10 @@ class RegionTable {
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
 
+  // Calls `visit` for every live block of `owner`.
+  void ForEachOf(ObjectId owner,
+                 const std::function<void(uint32_t id, char* base, size_t size)>& visit) const;
+
   // Ids, owners, sizes and bytes of all live blocks.
   void HashState(Hasher* hasher) const;
 
@@ -74,10 +96,13 @@ class RegionTable {
   Slot* Find(uint32_t id);
   const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
   void FreeIfUnused(Slot* slot);
+  char* Fill(Slot* slot, size_t size);
+  Slot* SlotFor(uint32_t id);
 
   std::vector<Slot> slots_;
   std::vector<uint32_t> free_;  // indices
   int live_count_ = 0;
+  Uplink* uplink_ = nullptr;
 };
 
 }  // namespace openr_host

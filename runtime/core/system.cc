@@ -58,6 +58,8 @@ void AllocateStandardOutput() {
 System::System(SystemOptions options)
     : options_(std::move(options)), dispatcher_(std::make_unique<Dispatcher>(this)) {
   AllocateStandardOutput();
+  regions_.set_uplink(options_.uplink);
+  region_shares_.set_uplink(options_.uplink);
   if (options_.guard_regions) guard_pages_ = std::make_unique<GuardPages>();
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
@@ -86,7 +88,7 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
   return robot_count() - 1;
 }
 
-Object* System::AdoptObject(std::unique_ptr<Object> object) {
+Object* System::Adopt(std::unique_ptr<Object> object) {
   ASSERT(object->id == static_cast<ObjectId>(objects_.size()));
   objects_.push_back(std::move(object));
   return objects_.back().get();
@@ -95,7 +97,7 @@ Object* System::AdoptObject(std::unique_ptr<Object> object) {
 Object* System::NewCodeHost(int robot, const std::string& name) {
   auto host = std::make_unique<CodeHost>(this, static_cast<ObjectId>(objects_.size()), robot);
   host->name = name;
-  return AdoptObject(std::move(host));
+  return Adopt(std::move(host));
 }
 
 CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code) {
@@ -118,7 +120,13 @@ Object* System::FindObject(int robot, std::string_view name) const {
 }
 
 void System::Boot() { manager_->PostBoot(); }
-void System::Shutdown(int robot) { manager_->PostShutdown(robot); }
+void System::Shutdown(int robot) {
+  if (uplink() != nullptr) {
+    uplink()->Tell(NoteKind::kShutdown, {static_cast<uint64_t>(robot)});
+  } else {
+    manager_->PostShutdown(robot);
+  }
+}
 
 void System::Reseed(uint64_t seed) {
   ASSERT(last_number_ == 0, "a run that has begun has drawn its numbers");
@@ -131,6 +139,7 @@ void System::Shutdown() {
 }
 
 void System::PowerOff(int index) {
+  if (uplink() != nullptr) uplink()->Tell(NoteKind::kPowerOff, {static_cast<uint64_t>(index)});
   if (index < robot_count()) robot(index).powered_off = true;
   for (const auto& object : objects_) {
     if (object != nullptr && object->robot == index && object.get() != &manager_->host())
@@ -190,6 +199,7 @@ int32_t System::Post(Message* message, int64_t delay_us) {
     queue_.Release(message);
     return sINVALIDOID;
   }
+  if (uplink() != nullptr) return uplink()->Post(message, delay_us);
   if (Object* const self = t_current.object; self != nullptr && self->is_busy) {
     self->outbox.push_back({message, delay_us});
     return sSUCCESS;
@@ -254,8 +264,10 @@ void System::DoWhatIsDue() {
 
 uint64_t System::NewReplyBox() {
   ASSERT(t_current.object != nullptr, "only an object waits for a reply");
-  t_current.object->boxes.insert(++last_box_);
-  return last_box_;
+  Object* const self = t_current.object;
+  self->boxes.insert(++self->last_box);
+  if (uplink() != nullptr) uplink()->Tell(NoteKind::kOpenBox, {self->last_box});
+  return self->last_box;
 }
 
 int32_t System::SendWithReply(Message* message, uint64_t* box) {
@@ -266,12 +278,14 @@ int32_t System::SendWithReply(Message* message, uint64_t* box) {
   return error;
 }
 
-int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
-                             int64_t timeout_us, std::string_view why) {
+Message* System::AwaitReply(uint64_t box, int64_t timeout_us, std::string_view why,
+                            bool* timed_out) {
   Object* const self = t_current.object;
   self->blocked_why = why;
   Message* wake = nullptr;  // an empty answer from ourselves, should nothing else come
-  if (timeout_us >= 0) {
+  if (uplink() != nullptr) {
+    uplink()->Waits(box, timeout_us, why);
+  } else if (timeout_us >= 0) {
     wake = NewMessage(self->id, 0);
     wake->is_reply = true;
     wake->reply_box = box;
@@ -281,16 +295,23 @@ int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_
   }
   Message* const message = dispatcher_->WaitFor(box);
   self->blocked_why.clear();
-  const bool timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
+  *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
+  if (*timed_out) return message;  // the reply may still come
+  if (wake != nullptr)
+    queue_.RemoveIf([wake](const Message& m) { return &m == wake; }, [](const Message&) {});
+  self->boxes.erase(box);
+  return message;
+}
+
+int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
+                             int64_t timeout_us, std::string_view why) {
+  bool timed_out = false;
+  Message* const message = AwaitReply(box, timeout_us, why, &timed_out);
   const size_t size = std::min<size_t>(message->size, reply_size);
   if (reply != nullptr) std::memcpy(reply, message->payload, size);
   if (got != nullptr) *got = size;
   queue_.Release(message);
-  if (timed_out) return sTIMEOUT;  // the reply may still come
-  if (wake != nullptr)
-    queue_.RemoveIf([wake](const Message& m) { return &m == wake; }, [](const Message&) {});
-  self->boxes.erase(box);
-  return sSUCCESS;
+  return timed_out ? sTIMEOUT : sSUCCESS;
 }
 
 int32_t System::Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
@@ -321,7 +342,9 @@ int32_t System::Reply(const ReplyTicket& ticket, const void* data, size_t size,
   if (ticket.box == 0) return sINVALIDRID;
   if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
   const Object* const asker = object(ticket.to);
-  if (asker == nullptr || !asker->boxes.contains(ticket.box)) return sRBOXWASCLEANED;
+  if (asker == nullptr) return sRBOXWASCLEANED;
+  // Whose boxes are elsewhere, the uplink looks.
+  if (uplink() == nullptr && !asker->boxes.contains(ticket.box)) return sRBOXWASCLEANED;
   Message* const message = NewMessage(ticket.to, 0);
   message->is_reply = true;
   message->reply_box = ticket.box;
@@ -350,6 +373,12 @@ void System::AddFindingAbout(const Object* object, Severity severity, std::strin
       current == nullptr || current->running == nullptr ? 0 : current->running->number;
   finding.time_us = now_us_;
   finding.text = std::move(text);
+  if (uplink() != nullptr) {
+    uplink()->Tell(NoteKind::kFinding,
+                   {static_cast<uint64_t>(severity),
+                    static_cast<uint64_t>(object == nullptr ? 0 : object->id + 1)},
+                   finding.text);
+  }
   findings_.Add(std::move(finding));
 }
 

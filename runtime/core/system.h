@@ -34,6 +34,7 @@
 #include "runtime/core/schedule.h"
 #include "runtime/core/time_events.h"
 #include "runtime/core/trace.h"
+#include "runtime/core/uplink.h"
 
 namespace openr_host {
 
@@ -78,6 +79,8 @@ struct SystemOptions {
   // asserted ready; data changed on their way become an error finding.  Costs some us a
   // notification.
   bool guard_regions = false;
+  // Of a System that runs handlers for another one.  Must outlive this one.
+  Uplink* uplink = nullptr;
 };
 
 // A wire of CONNECT.CFG, or one made in code.
@@ -122,12 +125,15 @@ class System {
   //
   // A stand-in is called in place of an image, named by its object ("JointMover") or its
   // file ("JOINTMOV.BIN"), and may add other objects.
-  using StandIns = std::map<std::string, std::function<void()>>;
+  using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
   bool LoadStick(int robot, const StandIns& stand_ins = {});
 
   // Loads one image, e.g. "/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN".  Null, and a finding
   // that begins with `where`, when it cannot be loaded.
   Object* LoadImage(int robot, const std::string& path, const std::string& where);
+
+  // Takes in an object made elsewhere, whose id is the next: objects().size().
+  Object* Adopt(std::unique_ptr<Object> object);
 
   // Makes an object of class T (a CodeObject) with the arguments given.  Its
   // constructor runs as code of the new object.
@@ -208,6 +214,10 @@ class System {
   int32_t WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
                        int64_t timeout_us, std::string_view why);
 
+  // What WaitForReply() does before it looks at the reply: the reply itself, for the caller to
+  // release; `*timed_out` when the time was over first.
+  Message* AwaitReply(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
+
   // A number for a reply to the current object; WaitForReply() ends it.
   uint64_t NewReplyBox();
 
@@ -256,6 +266,7 @@ class System {
   const Findings& findings() const { return findings_; }
   const SystemOptions& options() const { return options_; }
   MessageQueue& queue() { return queue_; }
+  Uplink* uplink() const { return options_.uplink; }  // null in a run of one process
   Dispatcher& dispatcher() { return *dispatcher_; }
 
   uint64_t trace_hash() const { return trace_.hash(); }
@@ -282,6 +293,7 @@ class System {
   void LoadConnections(int robot);
   std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
                                          const std::string& where);
+  std::string NameInImage(int robot, const std::string& path);
   std::unique_ptr<Object> LoadAgain(const Object& object);
   // An observer that was ready for a subject of an object that is being replaced.
   struct StandingReady {
@@ -291,7 +303,6 @@ class System {
   };
   std::vector<StandingReady> Replace(ObjectId id, std::unique_ptr<Object> fresh);
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
-  Object* AdoptObject(std::unique_ptr<Object> object);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
@@ -306,7 +317,6 @@ class System {
   SystemOptions options_;
   int64_t now_us_ = 0;
   uint64_t last_number_ = 0;
-  uint64_t last_box_ = 0;
   bool booted_ = false;
   bool powered_off_ = false;
 

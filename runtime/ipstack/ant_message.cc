@@ -313,6 +313,29 @@ AntData DataToSend(const antEnvMsg& message) {
   return {};
 }
 
+AntBuffer BufferOf(antEnvMsg* message) {
+  if (message->dstSelector != Entry_antEnv_External) return {};
+  const int32_t protocol = ProtocolOf(message->dstModule);
+  const int32_t operation = message->dstOperation;
+  if (protocol == EndpointType_TCP && operation == TCPEndpoint_Operation_Send) {
+    auto& m = static_cast<TCPEndpointSendMsg&>(*message);
+    return {&m.buffer, m.size, 0};
+  }
+  if (protocol == EndpointType_TCP && operation == TCPEndpoint_Operation_Receive) {
+    auto& m = static_cast<TCPEndpointReceiveMsg&>(*message);
+    return {&m.buffer, 0, m.sizeMax};
+  }
+  if (protocol == EndpointType_UDP && operation == UDPEndpoint_Operation_Send) {
+    auto& m = static_cast<UDPEndpointSendMsg&>(*message);
+    return {&m.buffer, m.size, 0};
+  }
+  if (protocol == EndpointType_UDP && operation == UDPEndpoint_Operation_Receive) {
+    auto& m = static_cast<UDPEndpointReceiveMsg&>(*message);
+    return {&m.buffer, 0, m.size};
+  }
+  return {};
+}
+
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size) {
   Hasher hasher;
   hasher.Add(message.dstSelector);

@@ -44,4 +44,13 @@ struct AntData {
 };
 AntData DataToSend(const antEnvMsg& message);
 
+// Where `message` points into a shared buffer; null when it has no such pointer.  `sent` and
+// `received` are bytes there that belong to the request, and to the answer.
+struct AntBuffer {
+  byte** pointer = nullptr;
+  int sent = 0;
+  int received = 0;
+};
+AntBuffer BufferOf(antEnvMsg* message);
+
 }  // namespace openr_host

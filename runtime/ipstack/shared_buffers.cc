@@ -17,6 +17,10 @@ antError SharedBuffers::Create(uint32_t bytes, ObjectId owner, antSharedBuffer* 
   return ANT_SUCCESS;
 }
 
+void SharedBuffers::Adopt(const antSharedBuffer& buffer, ObjectId owner) {
+  buffers_[buffer.GetCookie()] = {buffer.GetRegion(), buffer.GetSize(), owner, false};
+}
+
 SharedBuffers::Buffer* SharedBuffers::Find(const antSharedBuffer& buffer) {
   const auto found = buffers_.find(buffer.GetCookie());
   if (found == buffers_.end() || found->second.region != buffer.GetRegion()) return nullptr;

@@ -34,6 +34,10 @@ class SharedBuffers {
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
 
+  // Of a stack that stands for one in another process: what that one made and destroyed.
+  void Adopt(const antSharedBuffer& buffer, ObjectId owner);
+  void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
+
   // Whether `size` > 0 bytes from `begin` on lie wholly in one mapped buffer.
   bool Contains(const void* begin, int64_t size) const;
 

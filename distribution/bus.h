@@ -1,0 +1,104 @@
+// The only place where Cyclone DDS is set up and spoken to.
+//
+// A process that takes part in a distributed run has one participant.  Master and process talk over
+// a Line of their own: two topics in a partition with the names of run and process, reliable,
+// nothing thrown away.  Participants find each other at addresses that were given to them, without
+// multicast; the default is this machine alone (127.0.0.1).
+#pragma once
+
+#include <dds/dds.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "distribution/wire.h"
+
+namespace openr_host {
+
+struct BusOptions {
+  std::string run;                    // name of the run, the first part of partitions
+  int domain = 0;                     // DDS domain
+  std::string address = "127.0.0.1";  // of this host's network interface
+  std::vector<std::string> peers;     // addresses of other hosts; this one's is known
+  std::string config_file;            // settings of Cyclone DDS that are added (security)
+  int participants_max = 120;         // on one host
+};
+
+class Bus {
+ public:
+  // Throws std::runtime_error that says what Cyclone DDS says.
+  explicit Bus(const BusOptions& options);
+  ~Bus();
+  Bus(const Bus&) = delete;
+  Bus& operator=(const Bus&) = delete;
+
+  dds_entity_t participant() const { return participant_; }
+  const std::string& run() const { return run_; }
+
+ private:
+  const std::string run_;
+  dds_entity_t domain_ = 0;
+  dds_entity_t participant_ = 0;
+};
+
+// One direction of a Line.
+enum class LineEnd { kMaster, kProcess };
+
+// Untyped half of Line.
+class LineBase {
+ public:
+  LineBase(Bus* bus, const std::string& process, LineEnd end);
+  ~LineBase();
+  LineBase(const LineBase&) = delete;
+  LineBase& operator=(const LineBase&) = delete;
+
+  // Whether the other end is there.
+  bool IsConnected() const;
+
+ protected:
+  void Write(const void* sample);
+  // The next sample, to be given to Return(); null when none came within `timeout_ms`.
+  void* Take(int timeout_ms);
+  void Return(void* sample);
+
+ private:
+  dds_entity_t writer_ = 0;
+  dds_entity_t reader_ = 0;
+  dds_entity_t waitset_ = 0;
+};
+
+template <typename Out, typename In>
+class Line : public LineBase {
+ public:
+  using LineBase::LineBase;
+
+  void Send(const Out& sample) { Write(&sample); }
+
+  // A sample on loan.
+  class Loan {
+   public:
+    Loan(Line* line, In* sample) : line_(line), sample_(sample) {}
+    Loan(Loan&& other) noexcept
+        : line_(other.line_), sample_(std::exchange(other.sample_, nullptr)) {}
+    Loan& operator=(Loan&&) = delete;
+    ~Loan() {
+      if (sample_ != nullptr) line_->Return(sample_);
+    }
+    explicit operator bool() const { return sample_ != nullptr; }
+    const In& operator*() const { return *sample_; }
+    const In* operator->() const { return sample_; }
+
+   private:
+    Line* const line_;
+    In* sample_;
+  };
+
+  Loan Receive(int timeout_ms) { return Loan(this, static_cast<In*>(Take(timeout_ms))); }
+};
+
+using MasterLine = Line<openr_wire_Down, openr_wire_Up>;
+using ProcessLine = Line<openr_wire_Up, openr_wire_Down>;
+
+}  // namespace openr_host

@@ -1,0 +1,77 @@
+#include "distribution/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <stdexcept>
+
+extern char** environ;
+
+namespace openr_host {
+
+ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& command,
+                           bool is_interactive)
+    : name_(std::move(name)) {
+  std::vector<char*> words;
+  words.reserve(command.size() + 1);
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  if (!is_interactive)
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  if (!is_interactive) {  // Ctrl-C is for the program, which ends the others
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+  }
+  const int error = posix_spawnp(&pid_, words[0], &actions, &attributes, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0)
+    throw std::runtime_error(
+        fmt::format("process '{}': {} cannot be started: {}", name_, command[0], strerror(error)));
+}
+
+ChildProcess::~ChildProcess() {
+  if (Look(false)) return;
+  kill(pid_, SIGKILL);
+  Look(true);
+}
+
+bool ChildProcess::Look(bool waits) {
+  if (!ended_ && waitpid(pid_, &status_, waits ? 0 : WNOHANG) == pid_) {
+    ended_ = true;
+    const int signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
+    has_crashed_ = signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL ||
+                   signal == SIGABRT || WIFEXITED(status_);
+  }
+  return ended_;
+}
+
+std::string ChildProcess::HowItEnded() {
+  if (!Look(false)) return "";
+  if (WIFSIGNALED(status_))
+    return fmt::format("process '{}' (pid {}) was killed by signal {} ({})", name_, pid_,
+                       WTERMSIG(status_), strsignal(WTERMSIG(status_)));
+  return fmt::format("process '{}' (pid {}) ended with status {}", name_, pid_,
+                     WEXITSTATUS(status_));
+}
+
+void ChildProcess::WaitForEnd(int64_t limit_ms) {
+  for (int64_t waited_ms = 0; waited_ms < limit_ms; waited_ms += 2) {
+    if (Look(false)) return;
+    usleep(2000);
+  }
+  kill(pid_, SIGKILL);
+  Look(true);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,81 @@
+// Messages to and from another process.
+//
+// Most of a message is bytes.  What is not: the RCRegions of notifications and readies, which
+// travel as tokens with the memory's bytes beside them, and pointers of network messages into
+// shared buffers, which travel as region and offset.
+//
+// For a region that came in, a stand-in is made here: an RCRegion of the same memory id.
+// Readies give it back, and it goes the way it came.  Tokens are counted up and looked up, so that
+// nothing from the network is ever taken for an address.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "distribution/wire.h"
+#include "runtime/core/message.h"
+
+class RCRegion;
+
+namespace openr_host {
+
+class System;
+
+class Courier {
+ public:
+  // What the other side has: regions whose bytes need not be sent.  Null: none.
+  using HasMemory = std::function<bool(uint32_t region)>;
+
+  // `makes_copies`: memory that comes in may be new to the region table.
+  Courier(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
+  ~Courier();
+  Courier(const Courier&) = delete;
+  Courier& operator=(const Courier&) = delete;
+
+  // `out` points into `arena` and into the memory of regions.
+  void Encode(const Message& message, const HasMemory& other_has, WireArena* arena,
+              openr_wire_Message* out);
+
+  // `message` has been taken by the other side: what a ready gave back is not here any more.
+  void Sent(const Message& message);
+
+  // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`.
+  std::string Decode(const openr_wire_Message& in, Message* out);
+
+  // Whether data of this region came in and have not been given back: it is the newer memory.
+  bool HasBorrowed(uint32_t region) const;
+
+  // Notifications sent whose regions have not come back.
+  size_t lent_count() const { return lent_.size(); }
+
+ private:
+  void EncodeNotify(const Message& message, const HasMemory& other_has, WireArena* arena,
+                    openr_wire_Notify* out);
+  void EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out);
+  void EncodeAnt(const Message& message, WireArena* arena, openr_wire_Ant* out);
+  std::string DecodeNotify(const openr_wire_Notify& in, Message* out);
+  std::string DecodeReady(const openr_wire_Ready& in, Message* out);
+  std::string DecodeAnt(const openr_wire_Ant& in, Message* out);
+  std::string DecodePart(const openr_wire_Part& in, RCRegion** region);
+  char* MemoryFor(const openr_wire_Part& in);
+  void DropStandIn(RCRegion* region);
+
+  System* const system_;
+  const bool makes_copies_;
+  struct Lent {
+    RCRegion* region;
+    size_t size;
+  };
+  struct Borrowed {
+    uint64_t token;  // theirs
+    uint64_t hash;   // of the bytes as they came
+  };
+
+  uint64_t last_token_ = 0;
+  std::map<uint64_t, Lent> lent_;           // by our token
+  std::map<RCRegion*, Borrowed> borrowed_;  // looked up only, by stand-in
+};
+
+}  // namespace openr_host

@@ -1,0 +1,149 @@
+#include "distribution/fleet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "distribution/remote_object.h"
+#include "runtime/config/spelling.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kEndMs = 5'000;  // for a process to end when it is told
+
+}  // namespace
+
+Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(options_.bus) {
+  for (const std::string& name : options_.placement.Processes()) {
+    Member& member = members_[name];
+    ChildProcess* child = nullptr;
+    if (!options_.placement.host_of.contains(name)) {
+      std::vector<std::string> command = options_.wrapper;
+      command.insert(command.end(), options_.command.begin(), options_.command.end());
+      command.insert(command.end(), {"--process", name});
+      member.child = std::make_unique<ChildProcess>(name, command, !options_.wrapper.empty());
+      child = member.child.get();
+    }
+    member.process = std::make_unique<RemoteProcess>(
+        &bus_, name, [child] { return child == nullptr ? "" : child->HowItEnded(); }, options_.say);
+  }
+}
+
+Fleet::~Fleet() = default;
+
+System::StandIns Fleet::StandInsFor(System* system, int robot) {
+  system_ = system;
+  System::StandIns stand_ins;
+  for (const auto& [object_name, process_name] : options_.placement.process_of) {
+    stand_ins[object_name] = [this, robot, name = object_name,
+                              member = &members_[process_name]](const std::string& path) {
+      const auto id = static_cast<ObjectId>(system_->objects().size());
+      auto object = std::make_unique<RemoteObject>(
+          system_, id, robot, member->process.get(),
+          [this](RemoteObject* about, const std::string& why) { Lost(about, why); });
+      object->name = name;
+      object->path = path;
+      member->objects[id] = object.get();
+      placed_.push_back(name);
+      system_->Adopt(std::move(object));
+    };
+  }
+  return stand_ins;
+}
+
+std::string Fleet::UnknownObjects() const {
+  std::vector<std::string> known;
+  for (const auto& object : system_->objects()) {
+    if (!object->is_system) known.push_back(object->name);
+  }
+  for (const auto& [name, process] : options_.placement.process_of) {
+    if (std::find(placed_.begin(), placed_.end(), name) != placed_.end()) continue;
+    return fmt::format(
+        "{} is placed in process '{}', but OBJECT.CFG names no object of that name{}", name,
+        process, DidYouMean(name, known));
+  }
+  return "";
+}
+
+std::string Fleet::Connect() {
+  std::string problem = UnknownObjects();
+  if (!problem.empty()) return problem;
+  try {
+    for (auto& [name, member] : members_) {
+      member.process->WaitForHello(options_.wait_ms);
+      Welcome(&member);
+    }
+  } catch (const ProcessLost& lost) {
+    return lost.what();
+  }
+  return "";
+}
+
+void Fleet::Welcome(Member* member) {
+  WireArena arena;
+  openr_wire_Welcome welcome{};
+  const SystemOptions& options = system_->options();
+  welcome.version = openr_wire_VERSION;
+  welcome.seed = options.seed;
+  welcome.strict = options.strict;
+  welcome.guard = options.guard_regions;
+  welcome.measure = options.measure_stacks;
+  welcome.log_level = options.log_level;
+  welcome.stick = arena.Text(options_.stick);
+  std::vector<openr_wire_RobotEntry> robots;
+  std::vector<openr_wire_DesignEntry> designs;
+  for (int i = 0; i < system_->robot_count(); ++i) {
+    const Robot& robot = system_->robot(i);
+    robots.push_back({arena.Text(robot.design), robot.stick != nullptr,
+                      robot.stick != nullptr && robot.stick->writable()});
+    if (i == 0) welcome.stick_hash = robot.stick_hash;
+    for (const auto& [keyword, path] : robot.design_data)
+      designs.push_back({i, arena.Text(keyword), arena.Text(path)});
+  }
+  std::vector<openr_wire_ObjectEntry> objects;
+  for (const auto& object : system_->objects()) {
+    objects.push_back({object->id, object->robot, arena.Text(object->name),
+                       arena.Text(object->path), object->is_system, object->name == IpStack::kName,
+                       member->objects.contains(object->id)});
+  }
+  welcome.robots = arena.Sequence<decltype(welcome.robots)>(std::move(robots));
+  welcome.designs = arena.Sequence<decltype(welcome.designs)>(std::move(designs));
+  welcome.objects = arena.Sequence<decltype(welcome.objects)>(std::move(objects));
+  member->process->Welcome(system_, welcome, member->objects);
+}
+
+// A run in lockstep cannot go on without one of its processes: the clock would have to stop for
+// ever.
+void Fleet::Lost(RemoteObject* about, const std::string& why) {
+  about->process()->set_lost();
+  Member& member = members_[about->process()->name()];
+  member.lost = why;
+  system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", why));
+  for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+}
+
+std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
+  std::vector<ProcessFacts> all;
+  for (const auto& [name, member] : members_) {
+    ProcessFacts facts{
+        name, member.process->facts().host, member.process->facts().pid, {}, member.lost};
+    for (const auto& [id, object] : member.objects) facts.objects.push_back(object->name);
+    all.push_back(std::move(facts));
+  }
+  return all;
+}
+
+void Fleet::End() {
+  for (auto& [name, member] : members_) {
+    if (!member.process->is_lost()) member.process->End();
+  }
+  for (auto& [name, member] : members_) {
+    if (member.child != nullptr) member.child->WaitForEnd(kEndMs);
+  }
+}
+
+}  // namespace openr_host

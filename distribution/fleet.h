@@ -1,0 +1,79 @@
+// All processes of a distributed run, seen from the master: started, greeted, watched, ended.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "distribution/bus.h"
+#include "distribution/child_process.h"
+#include "distribution/placement.h"
+#include "distribution/remote_process.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+class RemoteObject;
+
+struct FleetOptions {
+  BusOptions bus;
+  Placement placement;
+  // Command line of a process here, to which its name is added.
+  std::vector<std::string> command;
+  // What it begins with, for a debugger or Valgrind.
+  std::vector<std::string> wrapper;
+  std::string stick;                                 // folder of the master's stick
+  int64_t wait_ms = 60'000;                          // for a process to come
+  std::function<void(const std::string& line)> say;  // for people
+};
+
+class Fleet {
+ public:
+  // Starts the processes of this host.  Throws std::runtime_error.
+  explicit Fleet(FleetOptions options);
+  ~Fleet();  // whoever has not ended yet is killed
+  Fleet(const Fleet&) = delete;
+  Fleet& operator=(const Fleet&) = delete;
+
+  // For System::LoadStick(): stand-ins for the objects that live elsewhere.
+  System::StandIns StandInsFor(System* system, int robot);
+
+  // Waits for all processes and lets them load their objects.  Before Boot(), when all robots
+  // have been loaded.  "" or what went wrong.
+  std::string Connect();
+
+  struct ProcessFacts {
+    std::string name;
+    std::string host;
+    int64_t pid = 0;
+    std::vector<std::string> objects;
+    std::string lost;  // why it is not there any more; ""
+  };
+  std::vector<ProcessFacts> Describe() const;
+
+  // The run is over: the processes end.
+  void End();
+
+ private:
+  struct Member {
+    std::unique_ptr<ChildProcess> child;  // null: on another host
+    std::unique_ptr<RemoteProcess> process;
+    std::map<ObjectId, RemoteObject*> objects;
+    std::string lost;
+  };
+
+  void Welcome(Member* member);
+  void Lost(RemoteObject* object, const std::string& why);
+  std::string UnknownObjects() const;
+
+  const FleetOptions options_;
+  Bus bus_;
+  std::map<std::string, Member> members_;
+  System* system_ = nullptr;
+  std::vector<std::string> placed_;  // objects that were found
+};
+
+}  // namespace openr_host

@@ -1,0 +1,74 @@
+#include "distribution/placement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "runtime/config/line_file.h"
+
+namespace openr_host {
+namespace {
+
+// Names of processes become partitions of DDS, where '*' and '?' stand for others.
+bool IsName(std::string_view text) {
+  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
+  });
+}
+
+std::string Add(const std::string& object, const std::string& process, Placement* placement) {
+  if (!IsName(process))
+    return fmt::format("'{}' is no name for a process: letters, digits, '_', '-' and '.'", process);
+  const auto [known, is_new] = placement->process_of.emplace(object, process);
+  if (is_new || known->second == process) return "";
+  return fmt::format("{} is placed in '{}' already", object, known->second);
+}
+
+}  // namespace
+
+std::vector<std::string> Placement::Processes() const {
+  std::set<std::string> names;
+  for (const auto& [object, process] : process_of) names.insert(process);
+  return {names.begin(), names.end()};
+}
+
+Placement ParsePlacement(const std::string& file, std::string_view text,
+                         std::vector<Diagnostic>* diagnostics) {
+  Placement placement;
+  std::map<std::string, Place> host_lines;
+  for (const RecordLine& line : ReadRecords(file, text, kEveryDesign, diagnostics)) {
+    if (line.words.size() != 2) {
+      diagnostics->push_back(ErrorAt(line.place,
+                                     "a line has two words: an object and its process, "
+                                     "or @process and the address of its host"));
+      continue;
+    }
+    const std::string& first = line.words[0].text;
+    const std::string& second = line.words[1].text;
+    std::string problem;
+    if (first[0] != '@') {
+      problem = Add(first, second, &placement);
+    } else if (!placement.host_of.emplace(first.substr(1), second).second) {
+      problem = fmt::format("process '{}' has a host already", first.substr(1));
+    } else {
+      host_lines.emplace(first.substr(1), line.place);
+    }
+    if (!problem.empty()) diagnostics->push_back(ErrorAt(line.At(line.words[1]), problem));
+  }
+  const std::vector<std::string> processes = placement.Processes();
+  for (const auto& [process, place] : host_lines) {
+    if (std::find(processes.begin(), processes.end(), process) == processes.end())
+      diagnostics->push_back(ErrorAt(place, fmt::format("no object is placed in '{}'", process)));
+  }
+  return placement;
+}
+
+std::string AddPlace(const std::string& text, Placement* placement) {
+  const size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) return "it is OBJECT=PROCESS";
+  return Add(text.substr(0, equals), text.substr(equals + 1), placement);
+}
+
+}  // namespace openr_host

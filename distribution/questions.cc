@@ -1,0 +1,134 @@
+#include "distribution/questions.h"
+
+#include <MCOOP.h>
+#include <OPENR/OPENR.h>
+
+#include <cstring>
+#include <set>
+#include <vector>
+
+#include "distribution/remote_object.h"
+#include "distribution/remote_services.h"
+#include "runtime/api/mcoop_limits.h"
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+#include "runtime/ipstack/ip_stack.h"
+
+namespace openr_host {
+namespace {
+
+uint64_t Number(const Question& question, size_t i) {
+  return i < question.numbers.size() ? question.numbers[i] : 0;
+}
+
+Answer NewRegion(System* system, const Question& question) {
+  if (Number(question, 0) > kRobotMemoryBytes) return {0, {RegionTable::kNoRegion}};
+  return {0,
+          {system->regions().New(Number(question, 0), static_cast<ObjectId>(Number(question, 1)))}};
+}
+
+// As OObject::RegisterServiceEntry().
+Answer RegisterService(System* system, Object* self, const Question& question) {
+  const auto target = static_cast<ObjectId>(Number(question, 0));
+  const auto selector = static_cast<uint32_t>(Number(question, 1));
+  auto& directory = system->robot(self->robot).directory;
+  if (!directory.emplace(question.text, std::pair(target, selector)).second)
+    return {oALREADY_EXIST};
+  self->services[selector] = question.text;
+  return {oSUCCESS};
+}
+
+TimeEvents::Letter LetterOf(Object* self, const Question& question) {
+  const std::string bytes = question.bytes.substr(0, Message::kPayloadMax);
+  return {self->id,
+          static_cast<ObjectId>(Number(question, 0)),
+          static_cast<uint32_t>(Number(question, 1)),
+          {bytes.begin(), bytes.end()}};
+}
+
+Answer AnswerEvents(System* system, Object* self, const Question& question) {
+  TimeEvents& events = system->time_events();
+  switch (question.kind) {
+    case QuestionKind::kTimedEvent:
+      return {0,
+              {events.AddTimed(LetterOf(self, question), static_cast<int64_t>(Number(question, 2)),
+                               static_cast<int64_t>(Number(question, 3)))}};
+    case QuestionKind::kReplyEvent:
+      return {0, {events.AddReply(LetterOf(self, question), Number(question, 2))}};
+    case QuestionKind::kCancelEvent:
+      return {events.Cancel(self->id, static_cast<uint32_t>(Number(question, 0))) ? 1 : 0};
+    default:
+      return {0, {static_cast<uint64_t>(events.CountOf(self->id))}};
+  }
+}
+
+Answer AnswerNames(const Question& question) {
+  OID oid;
+  switch (question.kind) {
+    case QuestionKind::kRegisterName:
+      return {Register(OidOf(static_cast<ObjectId>(Number(question, 0))), question.text.c_str())};
+    case QuestionKind::kFindName: {
+      const sError error = Find(question.text.c_str(), &oid);
+      return {error, {static_cast<uint64_t>(ObjectIdOf(oid))}};
+    }
+    default:
+      return {Unregister(question.text.c_str())};
+  }
+}
+
+}  // namespace
+
+Answer AnswerQuestion(System* system, Object* self, const Question& question) {
+  switch (question.kind) {
+    case QuestionKind::kNewRegion:
+      return NewRegion(system, question);
+    case QuestionKind::kResizeRegion:
+      return {
+          system->regions().Resize(static_cast<uint32_t>(Number(question, 0)), Number(question, 1))
+              ? 1
+              : 0};
+    case QuestionKind::kRegisterService:
+      return RegisterService(system, self, question);
+    case QuestionKind::kTimedEvent:
+    case QuestionKind::kReplyEvent:
+    case QuestionKind::kCancelEvent:
+    case QuestionKind::kEventCount:
+      return AnswerEvents(system, self, question);
+    case QuestionKind::kRegisterName:
+    case QuestionKind::kFindName:
+    case QuestionKind::kUnregisterName:
+      return AnswerNames(question);
+    case QuestionKind::kCheckShare:
+      return {system->region_shares().Serve(self->id, question.numbers)};
+    case QuestionKind::kService:
+      return ServeRobotCall(system, self->robot, question);
+  }
+  return {oNOT_SUPPORTED};
+}
+
+void MapBuffer(Object* self, uint32_t cookie, uint32_t region, bool mapped) {
+  const CurrentScope scope(self->system, self);
+  IpStack* const stack = IpStack::OfCurrent();
+  if (stack == nullptr) return;
+  const antSharedBuffer buffer(region, 0, cookie);
+  void* base = nullptr;
+  if (mapped) {
+    stack->buffers().Map(buffer, &base);
+  } else {
+    stack->buffers().UnMap(buffer);
+  }
+}
+
+void TakeDescription(const openr_wire_LoadedObject& in, RemoteObject* object) {
+  object->limits.priority = in.priority;
+  object->limits.stack_bytes = in.stack_bytes;
+  object->limits.heap_bytes = in.heap_bytes;
+  std::set<uint32_t> selectors;
+  for (uint32_t i = 0; i < in.selectors._length; ++i)
+    selectors.insert(static_cast<uint32_t>(in.selectors._buffer[i]));
+  object->set_selectors(std::move(selectors));
+  for (uint32_t i = 0; i < in.names._length; ++i)
+    object->entry_names[in.names._buffer[i].selector] = in.names._buffer[i].name;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,102 @@
+// The master's side of one process of a distributed run.
+//
+// Handlers of its objects are run one at a time, each to its end or to where it waits; what they
+// did is done here again, in the same order, as by their stand-ins (RemoteObject).  So numbers,
+// order and trace are those of a run in one process.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "distribution/bus.h"
+#include "distribution/courier.h"
+#include "runtime/core/uplink.h"
+
+namespace openr_host {
+
+class Object;
+class RemoteObject;
+class System;
+
+// The process is gone or talks nonsense; what() says so to people.
+struct ProcessLost : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class RemoteProcess {
+ public:
+  struct Facts {  // as it says of itself
+    std::string host;
+    int64_t pid = 0;
+  };
+
+  // `health` says what is wrong with the process, or ""; `say` speaks to people.
+  RemoteProcess(Bus* bus, std::string name, std::function<std::string()> health,
+                std::function<void(const std::string&)> say);
+
+  const std::string& name() const { return name_; }
+  const Facts& facts() const { return facts_; }
+  bool is_lost() const { return is_lost_; }
+  void set_lost() { is_lost_ = true; }
+
+  // Everything here throws ProcessLost.
+
+  // The process has come, within `limit_ms`.
+  void WaitForHello(int64_t limit_ms);
+
+  // It loads its objects, which then know what they are.  `objects` are the stand-ins, by id.
+  void Welcome(System* system, const openr_wire_Welcome& welcome,
+               const std::map<ObjectId, RemoteObject*>& objects);
+
+  // Runs the handler of `message`, which is being delivered to `object`.
+  void RunHandler(RemoteObject* object, const Message& message);
+
+  // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
+  std::string FetchState(ObjectId object);
+
+  // It may end.
+  void End();
+
+ private:
+  using Loan = MasterLine::Loan;
+
+  // What RunHandler() came to.
+  struct Stop {
+    openr_wire_StopKind kind = openr_wire_STOP_DONE;
+    uint64_t box = 0;
+    int64_t timeout_us = -1;
+    uint32_t size = 0;
+    std::string why;
+  };
+
+  openr_wire_Down NewDown(openr_wire_DownKind kind);
+  Loan Next();
+  Stop WaitForStop(RemoteObject* object);
+  bool Serve(const openr_wire_Up& up);
+  void SendAnswer(const Answer& answer);
+  void Apply(const openr_wire_Up& up, Object* self);
+  void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
+  int32_t Post(const openr_wire_Posted& posted, Object* self);
+  void ResumeWithReply(RemoteObject* object, const Stop& stop);
+  void ResumeWithLine(RemoteObject* object, const Stop& stop);
+  Object* ObjectOf(ObjectId id);
+  [[noreturn]] void Refuse(const std::string& what);
+
+  const std::string name_;
+  const std::function<std::string()> health_;
+  const std::function<void(const std::string&)> say_;
+  MasterLine line_;
+  System* system_ = nullptr;
+  std::unique_ptr<Courier> courier_;
+  std::map<ObjectId, RemoteObject*> objects_;
+  uint64_t turn_ = 0;
+  Facts facts_;
+  bool is_lost_ = false;
+};
+
+}  // namespace openr_host

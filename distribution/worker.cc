@@ -1,0 +1,383 @@
+#include "distribution/worker.h"
+
+#include <OPENR/ObjcommMessages.h>
+#include <fmt/format.h>
+#include <sError.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "distribution/remote_services.h"
+#include "runtime/ipstack/ant_message.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/ipstack/loopback_network.h"
+#include "runtime/objcomm/state.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kSliceMs = 500;  // between looks at whether the master is there
+
+// Stands for an object of another process.
+class AbsentObject : public Object {
+ public:
+  using Object::Object;
+  bool HasEntry(uint32_t) const override { return true; }
+  bool Dispatch(uint32_t, void*) override { return false; }
+};
+
+std::string HostName() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+}  // namespace
+
+Worker::Worker(WorkerOptions options)
+    : options_(std::move(options)),
+      bus_(options_.bus),
+      line_(&bus_, options_.process, LineEnd::kProcess) {}
+
+Worker::~Worker() = default;
+
+openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
+  openr_wire_Up up{};
+  up.turn = ++turn_;
+  up.body._d = kind;
+  return up;
+}
+
+void Worker::Send(const openr_wire_Up& up) { line_.Send(up); }
+
+Worker::Loan Worker::Next(bool answer) {
+  if (!answer && !early_.empty()) {
+    Loan loan = std::move(early_.front());
+    early_.pop_front();
+    return loan;
+  }
+  for (;;) {
+    Loan loan = line_.Receive(kSliceMs);
+    if (!loan) {
+      if (!line_.IsConnected()) return loan;
+      continue;
+    }
+    if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
+    early_.push_back(std::move(loan));
+  }
+}
+
+std::string Worker::Join() {
+  for (int64_t waited_ms = 0; !line_.IsConnected(); waited_ms += 5) {
+    if (waited_ms > options_.master_wait_ms)
+      return fmt::format("no run '{}' that has a place for process '{}' was found within {} s",
+                         options_.bus.run, options_.process, options_.master_wait_ms / 1000);
+    usleep(5000);
+  }
+  openr_wire_Up up = NewUp(openr_wire_UP_HELLO);
+  up.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process), arena_.Text(HostName()),
+                      getpid()};
+  Send(up);
+  const Loan welcome = Next(false);
+  if (!welcome) return "the master is gone";
+  if (welcome->body._d != openr_wire_DOWN_WELCOME)
+    return "the master does not welcome this process";
+  return SetUp(welcome->body._u.welcome);
+}
+
+std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
+  if (welcome.version != openr_wire_VERSION)
+    return fmt::format("the master speaks version {}, this is version {}; use the same openr",
+                       welcome.version, openr_wire_VERSION);
+  SystemOptions options;
+  options.seed = welcome.seed;
+  options.strict = welcome.strict;
+  options.guard_regions = welcome.guard;
+  options.measure_stacks = welcome.measure;
+  options.log_level = welcome.log_level;
+  options.free_deliveries = INT64_MAX;  // the master counts them
+  options.uplink = this;
+  options.console = [this](std::string_view text) {
+    WireArena arena;
+    openr_wire_Up up = NewUp(openr_wire_UP_SAID);
+    up.body._u.said = arena.Text(text);
+    Send(up);
+  };
+  system_ = std::make_unique<System>(std::move(options));
+  courier_ = std::make_unique<Courier>(system_.get(), true);
+  const std::string stick = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
+  AddRobots(welcome, stick);
+  if (system_->robot_count() > 0 && system_->robot(0).stick != nullptr &&
+      system_->robot(0).stick->ContentHash() != welcome.stick_hash)
+    return fmt::format("{}: is not the stick of the run: its files differ from the master's",
+                       stick);
+  std::vector<openr_wire_LoadedObject> loaded;
+  for (uint32_t i = 0; i < welcome.objects._length; ++i)
+    AddObject(welcome.objects._buffer[i], &loaded);
+  SendLoaded(std::move(loaded));
+  if (options_.begins) options_.begins(stick);
+  return "";
+}
+
+void Worker::AddRobots(const openr_wire_Welcome& welcome, const std::string& folder) {
+  for (uint32_t i = 0; i < welcome.robots._length; ++i) {
+    const openr_wire_RobotEntry& entry = welcome.robots._buffer[i];
+    std::shared_ptr<FolderStick> stick;
+    if (entry.has_stick) {
+      stick = std::make_shared<FolderStick>(folder);
+      stick->set_writable(entry.writable);
+    }
+    Robot& robot = system_->robot(system_->AddRobot(StringOf(entry.design), std::move(stick)));
+    robot.services = std::make_unique<RemoteServices>(system_.get());
+  }
+  for (uint32_t i = 0; i < welcome.designs._length; ++i) {
+    const openr_wire_DesignEntry& entry = welcome.designs._buffer[i];
+    system_->robot(entry.robot).design_data[StringOf(entry.keyword)] = StringOf(entry.path);
+  }
+}
+
+// In the order of ids, so that each object gets its own.
+void Worker::AddObject(const openr_wire_ObjectEntry& entry,
+                       std::vector<openr_wire_LoadedObject>* loaded) {
+  const auto next = static_cast<ObjectId>(system_->objects().size());
+  if (entry.id < next) return;  // the object manager, which every system has
+  if (entry.is_stack) {
+    AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
+    return;
+  }
+  if (entry.is_yours) {
+    const Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
+    if (object != nullptr) {
+      loaded->push_back(Describe(*object));
+      return;
+    }
+    openr_wire_LoadedObject bad{};
+    bad.id = entry.id;
+    bad.name = arena_.Text(StringOf(entry.name));
+    const auto& findings = system_->findings().all();
+    bad.problem = arena_.Text(findings.empty() ? "cannot be loaded" : findings.back().text);
+    loaded->push_back(bad);
+  }
+  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot);
+  absent->name = StringOf(entry.name);
+  absent->is_system = entry.is_system;
+  system_->Adopt(std::move(absent));
+}
+
+openr_wire_LoadedObject Worker::Describe(const Object& object) {
+  openr_wire_LoadedObject out{};
+  out.id = object.id;
+  out.name = arena_.Text(object.name);
+  out.problem = arena_.Text("");
+  out.priority = object.limits.priority;
+  out.stack_bytes = object.limits.stack_bytes;
+  out.heap_bytes = object.limits.heap_bytes;
+  std::vector<uint64_t> selectors;
+  for (uint32_t i = 0; i < kSelectorMax; ++i) {
+    if (object.HasEntry(i)) selectors.push_back(i);
+  }
+  out.selectors = arena_.Numbers(std::move(selectors));
+  std::vector<openr_wire_EntryName> names;
+  for (const auto& [selector, name] : object.entry_names)
+    names.push_back({selector, arena_.Text(name)});
+  out.names = arena_.Sequence<decltype(out.names)>(std::move(names));
+  return out;
+}
+
+void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
+  openr_wire_Up up = NewUp(openr_wire_UP_LOADED);
+  auto& objects = up.body._u.loaded.objects;
+  objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(std::move(loaded));
+  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  Send(up);
+  arena_.Clear();
+}
+
+std::string Worker::Run() {
+  const std::string problem = Join();
+  return problem.empty() ? Serve() : problem;
+}
+
+std::string Worker::Serve() {
+  for (;;) {
+    const Loan down = Next(false);
+    if (!down) return "the master is gone";
+    switch (down->body._d) {
+      case openr_wire_DOWN_DELIVER:
+        Deliver(down->body._u.deliver.now_us, down->body._u.deliver.message, false);
+        break;
+      case openr_wire_DOWN_RESUME:
+        Deliver(down->body._u.resume.now_us, down->body._u.resume.reply,
+                down->body._u.resume.timed_out);
+        break;
+      case openr_wire_DOWN_ASK_STATE:
+        SendState(down->body._u.state_of);
+        break;
+      case openr_wire_DOWN_END:
+        return "";
+      case openr_wire_DOWN_WELCOME:
+      case openr_wire_DOWN_ANSWER:
+        return "the master says what was not asked";
+    }
+  }
+}
+
+void Worker::Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out) {
+  Object* const object = system_->object(in.target);
+  if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
+  if (now_us > system_->now_us()) system_->RunUntil(now_us);
+  Message* const message = system_->queue().Allocate();
+  const std::string problem = courier_->Decode(in, message);
+  if (!problem.empty()) throw std::runtime_error("a malformed message: " + problem);
+  FollowBuffers(*object, *message);
+  if (timed_out) {
+    message->kind = PayloadKind::kHashed;
+    message->sender = message->target;
+  }
+  message->due_us = system_->now_us();
+  if (!message->is_reply) ++object->waiting;
+  waits_.erase(object->id);
+  system_->queue().Push(message, object->limits.priority);
+  system_->RunMessages(1);
+  SendStopped(object);
+}
+
+// Shared buffers are made and destroyed by the master's network stack; its stand-in here knows them
+// from the answers.
+void Worker::FollowBuffers(const Object& object, const Message& message) {
+  const Object* const sender = system_->object(message.sender);
+  if (sender == nullptr || sender->name != IpStack::kName || message.size < sizeof(antEnvMsg))
+    return;
+  const auto& ant = *reinterpret_cast<const antEnvMsg*>(message.payload);
+  if (ProtocolOf(ant.dstModule) != 0 || ant.dstSelector != Entry_antEnv_External) return;
+  const CurrentScope scope(system_.get(), system_->object(object.id));
+  SharedBuffers& buffers = IpStack::OfCurrent()->buffers();
+  if (ant.dstOperation == antEnv_Operation_CreateSharedBuffer) {
+    const auto& create = static_cast<const antEnvCreateSharedBufferMsg&>(ant);
+    if (create.error != ANT_SUCCESS) return;
+    system_->regions().AdoptOwn(create.buffer.GetRegion(), create.buffer.GetSize(), object.id);
+    buffers.Adopt(create.buffer, object.id);
+  } else if (ant.dstOperation == antEnv_Operation_DestroySharedBuffer) {
+    const auto& destroy = static_cast<const antEnvDestroySharedBufferMsg&>(ant);
+    if (destroy.error != ANT_SUCCESS) return;
+    system_->regions().Lose(destroy.buffer.GetRegion());
+    buffers.Forget(destroy.buffer);
+  }
+}
+
+void Worker::SendStopped(Object* object) {
+  openr_wire_Up up = NewUp(openr_wire_UP_STOPPED);
+  openr_wire_Stopped& stopped = up.body._u.stopped;
+  stopped.object = object->id;
+  stopped.kind = openr_wire_STOP_DONE;
+  stopped.timeout_us = -1;
+  stopped.why = arena_.Text("");
+  if (const auto found = waits_.find(object->id); found != waits_.end()) {
+    stopped.kind = found->second.kind;
+    stopped.box = found->second.box;
+    stopped.timeout_us = found->second.timeout_us;
+    stopped.size = static_cast<uint32_t>(found->second.size);
+    stopped.why = arena_.Text(found->second.why);
+  }
+  stopped.state = arena_.Text(object->state);
+  stopped.dropped = object->dropped_count;
+  stopped.stack_max = object->stack_max;
+  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  Send(up);
+  for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
+  pinned_.clear();
+  arena_.Clear();
+}
+
+void Worker::SendState(ObjectId id) {
+  WireArena arena;
+  std::string subjects;
+  Hasher hasher(&subjects);
+  std::vector<openr_wire_RegionBytes> regions;
+  if (const Object* const object = system_->object(id)) {
+    for (const auto& subject : object->subjects) subject->HashState(&hasher);
+    system_->regions().ForEachOf(id, [&](uint32_t region, char* base, size_t size) {
+      regions.push_back({region, WireArena::View(base, size)});
+    });
+  }
+  openr_wire_Up up = NewUp(openr_wire_UP_STATE);
+  up.body._u.state.subjects = WireArena::View(subjects.data(), subjects.size());
+  auto& bytes = up.body._u.state.regions;
+  bytes = arena.Sequence<std::remove_reference_t<decltype(bytes)>>(std::move(regions));
+  Send(up);
+}
+
+openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
+  openr_wire_Posted posted{};
+  posted.delay_us = delay_us;
+  courier_->Encode(message, nullptr, &arena_, &posted.message);
+  if (message.kind == PayloadKind::kNotify) {
+    const auto& parts = posted.message.payload._u.notify.parts;
+    for (uint32_t i = 0; i < parts._length; ++i) {
+      system_->regions().KeepCopy(parts._buffer[i].region);
+      pinned_.push_back(parts._buffer[i].region);
+    }
+  }
+  return posted;
+}
+
+int32_t Worker::Post(Message* message, int64_t delay_us) {
+  const openr_wire_Posted posted = Encode(*message, delay_us);
+  int32_t error = sSUCCESS;
+  // Whether it is taken matters at once; else it goes with everything else the handler does.
+  if (message->is_reply || system_->options().strict) {
+    openr_wire_Up up = NewUp(openr_wire_UP_POST);
+    up.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id, posted};
+    up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+    Send(up);
+    error = static_cast<int32_t>(WaitForAnswer().status);
+  } else {
+    openr_wire_Effect effect{};
+    effect._d = openr_wire_EFFECT_POST;
+    effect._u.posted = posted;
+    effects_.push_back(effect);
+  }
+  if (error == sSUCCESS) courier_->Sent(*message);
+  system_->queue().Release(message);
+  return error;
+}
+
+void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
+  openr_wire_Effect effect{};
+  effect._d = openr_wire_EFFECT_NOTE;
+  effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
+                    arena_.Text(text)};
+  effects_.push_back(effect);
+}
+
+Answer Worker::Ask(const Question& question) {
+  openr_wire_Up up = NewUp(openr_wire_UP_QUESTION);
+  up.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
+                         static_cast<uint32_t>(question.kind), arena_.Numbers(question.numbers),
+                         arena_.Text(question.text),
+                         WireArena::View(question.bytes.data(), question.bytes.size())};
+  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  Send(up);
+  return WaitForAnswer();
+}
+
+Answer Worker::WaitForAnswer() {
+  const Loan down = Next(true);
+  if (!down) {  // in the middle of a handler, which cannot go on
+    options_.say("the master is gone");
+    _exit(1);
+  }
+  const openr_wire_Answer& answer = down->body._u.answer;
+  return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
+}
+
+void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
+  waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
+}
+
+void Worker::WaitsForLine(uint64_t box, size_t size) {
+  waits_[t_current.object->id] = {openr_wire_STOP_READS, box, -1, size, ""};
+}
+
+}  // namespace openr_host

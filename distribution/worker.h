@@ -1,0 +1,95 @@
+// A process that runs the handlers of some objects for a master elsewhere.
+//
+// It has a System whose tables name all objects of the run under the same ids; only its own have
+// code.  One thing is done at a time: the master delivers a message, the handler runs, what it did
+// goes back in one sample.  Questions in between are answered before the handler goes on.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "distribution/bus.h"
+#include "distribution/courier.h"
+#include "runtime/core/system.h"
+#include "runtime/core/uplink.h"
+
+namespace openr_host {
+
+struct WorkerOptions {
+  BusOptions bus;
+  std::string process;                               // its name in the placement
+  std::string stick;                                 // instead of the master's path; "": that one
+  int64_t master_wait_ms = 60'000;                   // for the master to show up
+  std::function<void(const std::string& line)> say;  // for people
+  // Called when the objects are loaded, with the folder of the stick.
+  std::function<void(const std::string& stick)> begins;
+};
+
+class Worker : public Uplink {
+ public:
+  explicit Worker(WorkerOptions options);
+  ~Worker() override;
+
+  // Until the master says that it is over.  "" or what went wrong.
+  std::string Run();
+
+  // ---- Uplink
+  int32_t Post(Message* message, int64_t delay_us) override;
+  void Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) override;
+  Answer Ask(const Question& question) override;
+  void Waits(uint64_t box, int64_t timeout_us, std::string_view why) override;
+  void WaitsForLine(uint64_t box, size_t size) override;
+
+ private:
+  using Loan = ProcessLine::Loan;
+
+  // What a handler that has not returned waits for.
+  struct Wait {
+    openr_wire_StopKind kind = openr_wire_STOP_DONE;
+    uint64_t box = 0;
+    int64_t timeout_us = -1;
+    size_t size = 0;
+    std::string why;
+  };
+
+  std::string Join();
+  std::string SetUp(const openr_wire_Welcome& welcome);
+  void AddRobots(const openr_wire_Welcome& welcome, const std::string& stick);
+  void AddObject(const openr_wire_ObjectEntry& entry, std::vector<openr_wire_LoadedObject>* loaded);
+  openr_wire_LoadedObject Describe(const Object& object);
+  void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
+  std::string Serve();
+  void Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out);
+  void SendStopped(Object* object);
+  void SendState(ObjectId id);
+
+  openr_wire_Up NewUp(openr_wire_UpKind kind);
+  void Send(const openr_wire_Up& up);
+  // The next sample, of the kind given if it is an answer that is waited for; empty when the
+  // master is gone.
+  Loan Next(bool answer);
+  Answer WaitForAnswer();
+  void FollowBuffers(const Object& object, const Message& message);
+  openr_wire_Posted Encode(const Message& message, int64_t delay_us);
+
+  const WorkerOptions options_;
+  Bus bus_;
+  ProcessLine line_;
+  std::unique_ptr<System> system_;
+  std::unique_ptr<Courier> courier_;
+  uint64_t turn_ = 0;
+  std::deque<Loan> early_;  // came while an answer was waited for
+  // Of the handler that runs.
+  WireArena arena_;
+  std::vector<openr_wire_Effect> effects_;
+  std::vector<uint32_t> pinned_;  // regions whose bytes are to be sent
+  std::map<ObjectId, Wait> waits_;
+};
+
+}  // namespace openr_host

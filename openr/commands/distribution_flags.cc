@@ -1,0 +1,109 @@
+#include "openr/commands/distribution_flags.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "openr/commands/common_flags.h"
+#include "openr/input_file.h"
+#include "openr/install_paths.h"
+
+namespace openr_host {
+
+void AddBusFlags(CLI::App* command, BusOptions* bus) {
+  command->add_option("--dds-domain", bus->domain, "DDS domain")
+      ->check(CLI::Range(0, 230))
+      ->capture_default_str();
+  command->add_option("--dds-address", bus->address, "Address of this host's network interface")
+      ->capture_default_str();
+  command->add_option("--dds-peer", bus->peers, "Address of another host of the run; repeatable");
+  command->add_option("--dds-config", bus->config_file,
+                      "File with settings of Cyclone DDS that are added (security)");
+}
+
+void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
+  command->add_option("--place", flags->places,
+                      "OBJECT=PROCESS: run an object in a process of this name; repeatable");
+  command->add_option("--placement", flags->file, "File that says where objects run");
+  command->add_option("--isolate", flags->isolated,
+                      "Run this object in a process of its own; repeatable");
+  command->add_option("--wrap", flags->wrapper,
+                      "What the processes are started with: 'gdb --args', 'valgrind -q'");
+  command->add_option("--run-name", flags->bus.run,
+                      "Name of the run, for openr join (default: one of its own; openr when a "
+                      "process is on another host)");
+  AddDurationFlag(command, "--join-wait", &flags->wait_us, "How long to wait for a process");
+  AddBusFlags(command, &flags->bus);
+}
+
+namespace {
+
+Placement ReadPlacement(const std::string& file) {
+  const std::string problem = WhyNoFile(file, "placement file (docs/distribution.md)", "");
+  if (!problem.empty())
+    throw CLI::ValidationError("--placement", fmt::format("{}: {}", file, problem));
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::vector<Diagnostic> diagnostics;
+  Placement placement = ParsePlacement(file, text, &diagnostics);
+  if (!diagnostics.empty()) throw CLI::ValidationError("--placement", Render(diagnostics));
+  return placement;
+}
+
+Placement PlacementOf(const PlacementFlags& flags) {
+  Placement placement = flags.file.empty() ? Placement() : ReadPlacement(flags.file);
+  for (const std::string& place : flags.places) {
+    const std::string problem = AddPlace(place, &placement);
+    if (!problem.empty()) throw CLI::ValidationError("--place", place + ": " + problem);
+  }
+  for (const std::string& object : flags.isolated) {
+    const std::string problem = AddPlace(object + "=" + object, &placement);
+    if (!problem.empty()) throw CLI::ValidationError("--isolate", object + ": " + problem);
+  }
+  return placement;
+}
+
+std::vector<std::string> WordsOf(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
+}
+
+}  // namespace
+
+std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
+                                 int64_t handler_limit_us) {
+  FleetOptions options;
+  options.placement = PlacementOf(flags);
+  if (options.placement.empty()) return nullptr;
+  options.bus = flags.bus;
+  if (options.bus.run.empty())
+    options.bus.run =
+        options.placement.host_of.empty() ? fmt::format("openr-{}", getpid()) : "openr";
+  for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
+  options.stick = std::filesystem::absolute(stick).lexically_normal();
+  options.wait_ms = flags.wait_us / 1000;
+  options.wrapper = WordsOf(flags.wrapper);
+  options.command = {ProgramFile(),
+                     "join",
+                     "--child",
+                     "--run-name",
+                     options.bus.run,
+                     "--dds-domain",
+                     std::to_string(options.bus.domain),
+                     "--dds-address",
+                     options.bus.address,
+                     "--handler-limit",
+                     fmt::format("{}us", handler_limit_us)};
+  if (!options.bus.config_file.empty()) {
+    options.bus.config_file = std::filesystem::absolute(options.bus.config_file);
+    options.command.insert(options.command.end(), {"--dds-config", options.bus.config_file});
+  }
+  options.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  return std::make_unique<Fleet>(std::move(options));
+}
+
+}  // namespace openr_host

@@ -1,0 +1,34 @@
+// Flags of runs in several processes: openr run and openr join.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "distribution/bus.h"
+#include "distribution/fleet.h"
+
+namespace openr_host {
+
+// --dds-domain, --dds-address, --dds-peer, --dds-config.
+void AddBusFlags(CLI::App* command, BusOptions* bus);
+
+struct PlacementFlags {
+  std::vector<std::string> places;  // OBJECT=PROCESS
+  std::string file;
+  std::vector<std::string> isolated;  // objects
+  std::string wrapper;                // command line of a debugger
+  BusOptions bus;
+  int64_t wait_us = 60'000'000;
+};
+
+// --place, --placement, --isolate, --wrap, --run-name, --join-wait and those of AddBusFlags().
+void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
+
+// What they mean; null when all is in one process.  `stick` is the folder of the run's.  Throws
+// CLI::ValidationError.
+std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
+                                 int64_t handler_limit_us);
+
+}  // namespace openr_host
