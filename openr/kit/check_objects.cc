@@ -55,7 +55,8 @@ class ObjectCheck {
   // Returns the names of its .ocf files, with their places.
   std::vector<Ocf> Run() {
     if (!object_.stub.empty()) CheckStub();
-    CheckPaths();
+    for (const fs::path& file : object_.sources)
+      CheckStickPaths(file, ReadText(file).value_or(""), remarks_);
     return CheckOcfs();
   }
 
@@ -94,25 +95,6 @@ class ObjectCheck {
     }
     for (const StubExtra& extra : config.extras)
       CheckFunction(extra.function, extra.place, "void*");
-  }
-
-  // Files an object means to open.
-  void CheckPaths() {
-    static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
-    for (const fs::path& file : object_.sources) {
-      const std::string text = ReadText(file).value_or("");
-      std::vector<Diagnostic> ignored;
-      for (const Place& line : SplitLines(file, text, &ignored)) {
-        std::smatch match;
-        if (!std::regex_search(line.text, match, kPath)) continue;
-        for (const fs::path& part : fs::path(match[1].str())) {
-          const std::string name = part;
-          if (name == "/" || name.empty() || IsShortName(name)) continue;
-          remarks_->Add(Remark::Kind::kWarning, line,
-                        fmt::format("'{}' is not an 8.3 name; the robot cannot open it", name));
-        }
-      }
-    }
   }
 
   // Forgotten lines of DoInit and DoStart, which no compiler misses.
@@ -215,6 +197,21 @@ void CheckMotors(const Project& project, Remarks* remarks) {
 bool IsDummy(const StubService& service) {
   const std::string data = LowerCase(service.name.data);
   return data == "donotconnect" || data == "dontconnect" || data == "notconnect";
+}
+
+void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks) {
+  static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
+  std::vector<Diagnostic> ignored;
+  for (const Place& line : SplitLines(file, text, &ignored)) {
+    std::smatch match;
+    if (!std::regex_search(line.text, match, kPath)) continue;
+    for (const fs::path& part : fs::path(match[1].str())) {
+      const std::string name = part;
+      if (name == "/" || name.empty() || IsShortName(name)) continue;
+      remarks->Add(Remark::Kind::kWarning, line,
+                   fmt::format("'{}' is not an 8.3 name; the robot cannot open it", name));
+    }
+  }
 }
 
 void CheckObjects(const Project& project, Remarks* remarks) {

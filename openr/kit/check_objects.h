@@ -13,4 +13,7 @@ void CheckObjects(const Project& project, Remarks* remarks);
 // ever connected to it.
 bool IsDummy(const StubService& service);
 
+// Names of Memory Stick files in the text of a source that the robot cannot open.
+void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks);
+
 }  // namespace openr_host

@@ -275,55 +275,5 @@ TEST(ControllerBuildTest, EveryExampleBuildsAndPassesTheCheck) {
   EXPECT_GE(names.size(), 10u);
 }
 
-// ---- What the robot cannot do ----------------------------------------------------------
-
-TEST(ControllerCheckTest, AnEndlessLoopIsNamedAndHowToConvertIt) {
-  const ControllerFolder folder;
-  folder.Write("wave.c",
-               "#include <device/robot.h>\n"
-               "/* robot_step(1) */\n"
-               "#define TIME_STEP 50\n"
-               "int main(void)\n"
-               "{\n"
-               "    for (;;) robot_step(TIME_STEP);\n"
-               "}\n");
-  const std::string said = folder.Checked();
-  EXPECT_THAT(said, HasSubstr("wave.c:6: warning: robot_step() works on the host only"));
-  EXPECT_THAT(said, HasSubstr("let it return TIME_STEP where the loop calls "
-                              "robot_step(TIME_STEP), and call robot_run(run)"));
-  EXPECT_THAT(said, HasSubstr("wave.c:6: warning: a time step of 50 ms is no multiple of 8; it "
-                              "becomes 48 ms"));
-  EXPECT_THAT(said, HasSubstr("0 errors, 2 warnings, 0 notes\n"));
-}
-
-TEST(ControllerCheckTest, TheTimeStepOfARunFunctionIsLookedAt) {
-  const ControllerFolder folder;
-  folder.Write("wave.c",
-               "#include <robot.h>\n"
-               "static int helper(void) { return 50; }\n"
-               "static int run(int ms)\n"
-               "{\n"
-               "    if (ms) return 64;\n"
-               "    return 100;\n"
-               "}\n"
-               "int main(void) { robot_run(run); return helper(); }\n");
-  const std::string said = folder.Checked();
-  EXPECT_THAT(said, HasSubstr("wave.c:6: warning: a time step of 100 ms is no multiple of 8; it "
-                              "becomes 104 ms\n    return 100;\n           ^\n"));
-  EXPECT_THAT(said, HasSubstr("0 errors, 1 warnings, 0 notes\n"));
-}
-
-TEST(ControllerCheckTest, AControllerWithoutALoopIsSaidSo) {
-  const ControllerFolder folder;
-  folder.Write("wave.c", "#include <robot.h>\nint main(void) { return robot_get_mode(); }\n");
-  EXPECT_THAT(folder.Checked(), HasSubstr("nobody calls robot_run(): main() runs once"));
-}
-
-TEST(ControllerCheckTest, AControllerWithoutMainIsSaidSo) {
-  const ControllerFolder folder;
-  folder.Write("wave.c", "#include <robot.h>\n");
-  EXPECT_THAT(folder.Checked(), HasSubstr("no main() in any source"));
-}
-
 }  // namespace
 }  // namespace openr_host
