@@ -1,13 +1,21 @@
 #include "openr/console.h"
 
 #include <fcntl.h>
+#include <stdio_ext.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace openr_host {
+namespace {
+
+// Whether what was printed last through the system had no end of line.
+bool g_is_open_line = false;
+
+}  // namespace
 
 void WriteAll(int descriptor, std::string_view text) {
   while (!text.empty()) {
@@ -33,7 +41,7 @@ Console::Console(const std::string& file) {
 }
 
 Console::~Console() {
-  std::fflush(stdout);
+  EndConsoleLine();
   if (saved_ < 0) return;
   dup2(saved_, STDOUT_FILENO);
   close(saved_);
@@ -42,8 +50,17 @@ Console::~Console() {
 void Console::Print(std::string_view text) {
   std::fflush(stdout);
   WriteAll(STDOUT_FILENO, text);
+  if (!text.empty()) g_is_open_line = text.back() != '\n';
 }
 
 void Console::Answer(std::string_view text) { WriteAll(saved_, text); }
+
+// What objects print without the system waits in the C library's buffer until its line ends.
+void EndConsoleLine() {
+  const char* const end = stdout->_IO_write_ptr;
+  if (__fpending(stdout) > 0) g_is_open_line = end[-1] != '\n';
+  std::fflush(stdout);
+  if (std::exchange(g_is_open_line, false)) WriteAll(STDOUT_FILENO, "\n");
+}
 
 }  // namespace openr_host

@@ -28,6 +28,10 @@ class Console {
   int saved_ = -1;  // the former descriptor 1
 };
 
+// What objects print goes out at once, a line that is not ended with an end of its own: something
+// else is about to be said.
+void EndConsoleLine();
+
 // Writes all of `text` to `descriptor`; what cannot be written is lost.
 void WriteAll(int descriptor, std::string_view text);
 

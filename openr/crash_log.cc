@@ -5,13 +5,10 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <cstring>
-
-#include "openr/exit_code.h"
 #include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
-#include "runtime/core/dispatcher.h"
+#include "runtime/core/fiber.h"
 #include "runtime/core/system.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -29,11 +26,10 @@ namespace openr_host {
 namespace {
 
 constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-constexpr size_t kAlternateStackBytes = 64 << 10;
+constexpr size_t kAlternateStackBytes = 256 << 10;  // a report is made on it
 
 // Paths of the files, by robot; fixed before the run.
 std::vector<std::string>* g_files = nullptr;
-int g_answer = -1;
 char g_stack[kAlternateStackBytes];
 
 const char* NameOf(int signal) {
@@ -64,7 +60,8 @@ void WriteRecord(const SignalText& text, int robot) {
 }
 
 void Crashed(int signal, siginfo_t* info, void*) {
-  SignalText text;
+  Ending ending;
+  SignalText& text = ending.record;
   text.Add("EXCEPTION ").Add(NameOf(signal));
   text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16).Add("\n");
   text.Add("OBJECT ");
@@ -75,17 +72,19 @@ void Crashed(int signal, siginfo_t* info, void*) {
     return;  // the instruction fails again, now as the system wants it
   }
   text.Add("\n");
-  const Fiber* const fiber = t_current.system->dispatcher().running_fiber();
-  if (fiber != nullptr && fiber->GuardContains(info->si_addr)) {
-    text.Add("STACK overflow: the handler used more than ").AddNumber(Fiber::kStackBytes >> 10);
+  ending.finding.Add("crash: ").Add(NameOf(signal)).Add(" in ");
+  AddCurrentEntry(&ending.finding);
+  if (Fiber::AnyGuardContains(info->si_addr)) {
+    const uint64_t kib = Fiber::kStackBytes >> 10;
+    text.Add("STACK overflow: the handler used more than ").AddNumber(kib);
     text.Add(" KiB of stack\n");
+    ending.finding.Add(", a stack overflow: more than ").AddNumber(kib).Add(" KiB");
   }
+  ending.finding.Add("; on the robot this stops all objects");
   const int robot = t_current.object->robot;
-  t_current = {};
+  BeginEnding(&ending);
   WriteRecord(text, robot);
-  SayLastWords();
-  text.WriteAsJsonTo(g_answer);
-  _exit(kExitWrong);
+  FinishEnding();
 }
 
 void UseAlternateStack(bool on) {
@@ -98,8 +97,7 @@ void UseAlternateStack(bool on) {
 
 }  // namespace
 
-CrashLog::CrashLog(const std::vector<std::string>& sticks, int answer) {
-  g_answer = answer;
+CrashLog::CrashLog(const std::vector<std::string>& sticks) {
   g_files = new std::vector<std::string>;
   for (const std::string& stick : sticks) {
     g_files->push_back(stick.empty() ? "" : stick + "/OPEN-R/EMON.LOG");

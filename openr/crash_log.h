@@ -16,9 +16,8 @@ namespace openr_host {
 // done: its own report says more.
 class CrashLog {
  public:
-  // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.  `answer`: descriptor
-  // of the JSON answer that a crash keeps from being given, or -1.
-  explicit CrashLog(const std::vector<std::string>& sticks, int answer = -1);
+  // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.
+  explicit CrashLog(const std::vector<std::string>& sticks);
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;

@@ -1,28 +1,60 @@
-// What is still to be done when an object brings the process down.
+// What is still to be done when an object brings the process down: by a crash, or by a handler that
+// does not return.
+//
+// It is done in a signal handler, on top of the object's handler.  Nothing of the program is in the
+// middle of anything then, but for what the object had just called.  So most is done as
+// always; should that fail, or hang, the process says the rest with what a signal handler may do.
 #pragma once
 
 #include <functional>
+#include <string>
+
+#include "openr/signal_text.h"
 
 namespace openr_host {
 
-// While it lives: CrashLog and Watchdog call `say` before they end the process.  It runs in a
-// signal handler, on top of an object's handler: nothing of the program is in the middle of
-// anything, the object may be.
+class Object;
+
+// How the process comes to its end.
+struct Ending {
+  SignalText record;         // for people, in lines
+  SignalText finding;        // one sentence, for the report
+  Object* object = nullptr;  // whose handler it is
+  bool answered = false;     // the answer is given: see LastAnswer
+};
+
+// While it lives: CrashLog and Watchdog call `say` before they end the process.
 class LastWords {
  public:
-  explicit LastWords(std::function<void()> say);
+  explicit LastWords(std::function<void(Ending* ending)> say);
   ~LastWords();
   LastWords(const LastWords&) = delete;
   LastWords& operator=(const LastWords&) = delete;
 
  private:
-  const std::function<void()> say_;
+  const std::function<void(Ending* ending)> say_;
   LastWords* const outer_;  // says it afterwards
 
-  friend void SayLastWords();
+  friend void SayLastWords(Ending* ending);
 };
 
 // All of them, the newest first; once.
-void SayLastWords();
+void SayLastWords(Ending* ending);
+
+// While it lives: where an answer in JSON is due that the end of the process keeps from being
+// given.  When no LastWords has given it, {"error", "findings"} goes there.  One at a time.
+class LastAnswer {
+ public:
+  // `descriptor`: -1 for none; `file`: "" for none.
+  explicit LastAnswer(int descriptor, const std::string& file = "");
+  ~LastAnswer();
+  LastAnswer(const LastAnswer&) = delete;
+  LastAnswer& operator=(const LastAnswer&) = delete;
+};
+
+// The end of the process, in two steps of a signal handler.  The first one prints what objects have
+// printed so far; the second one says all last words and does not return.
+void BeginEnding(Ending* ending);
+[[noreturn]] void FinishEnding();
 
 }  // namespace openr_host

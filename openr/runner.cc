@@ -140,11 +140,16 @@ void Runner::AfterFrame() {
   }
 }
 
+double Runner::wall_time_s() const {
+  const int64_t running_ns = begin_ns_ == 0 ? 0 : WallClockNs() - begin_ns_;
+  return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
+}
+
 bool Runner::Run() {
   System& system = simulation_->system();
   Pacer pacer(plan_.rate);
   WatchActivity();
-  const int64_t begin_ns = WallClockNs();
+  begin_ns_ = WallClockNs();
   ConsoleFeed typed(plan_.stdin_file);
   system.Boot();
   while (!IsOver()) {
@@ -161,7 +166,7 @@ bool Runner::Run() {
   }
   ReportStacks(&system);
   TakeSnapshots(true);
-  wall_time_ns_ += WallClockNs() - begin_ns;
+  wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);
   return good_;
 }
 

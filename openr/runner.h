@@ -41,8 +41,8 @@ class Runner {
   // did not come is an error finding.
   bool Run();
 
-  // Without the time pictures took.
-  double wall_time_s() const { return static_cast<double>(wall_time_ns_) / 1e9; }
+  // Of the run, or of what there has been of it.  Without the time pictures took.
+  double wall_time_s() const;
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
@@ -66,7 +66,8 @@ class Runner {
   int64_t paused_us_ = -1;  // when the button was pressed
   bool shutdown_posted_ = false;
   bool good_ = true;
-  int64_t wall_time_ns_ = 0;
+  int64_t begin_ns_ = 0;      // while it runs
+  int64_t wall_time_ns_ = 0;  // of what is over, less that of pictures
 };
 
 }  // namespace openr_host

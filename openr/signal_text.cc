@@ -49,22 +49,32 @@ void SignalText::WriteTo(int descriptor) const {
   }
 }
 
-void SignalText::WriteAsJsonTo(int descriptor) const {
-  if (descriptor < 0) return;
-  SignalText json;
-  json.Add("{\"error\":\"");
-  size_t end = size_;
-  while (end > 0 && text_[end - 1] == '\n') --end;
-  constexpr size_t kTail = sizeof "\\n\"}\n";  // the longest character and what closes the object
-  for (size_t i = 0; i < end && json.size_ + kTail <= sizeof json.text_; ++i) {
-    const char c[] = {text_[i], 0};
-    if (*c == '\n') {
-      json.Add("\\n");
-    } else if (static_cast<unsigned char>(*c) >= 0x20) {
-      json.Add(*c == '"' || *c == '\\' ? "\\" : "").Add(c);
+SignalText& SignalText::AddQuoted(const SignalText& text) {
+  std::string_view rest = text.text();
+  while (rest.ends_with('\n')) rest.remove_suffix(1);
+  Add("\"");
+  constexpr size_t kTail = sizeof "\\n\"" - 1;  // the longest character and the end
+  for (const char c : rest) {
+    if (size_ + kTail > sizeof text_) break;
+    const char one[] = {c, 0};
+    if (c == '\n') {
+      Add("\\n");
+    } else if (static_cast<unsigned char>(c) >= 0x20) {
+      Add(c == '"' || c == '\\' ? "\\" : "").Add(one);
     }
   }
-  json.Add("\"}\n").WriteTo(descriptor);
+  return Add("\"");
+}
+
+void AddCurrentEntry(SignalText* text) {
+  const Object& object = *t_current.object;
+  if (object.running == nullptr) {
+    text->Add("constructors of its globals");
+    return;
+  }
+  const char* const entry = EntryOf(object, object.running->selector);
+  text->Add(entry).Add(*entry == 0 ? "" : " ");
+  text->Add("(selector ").AddNumber(object.running->selector).Add(")");
 }
 
 bool AddCurrentHandler(SignalText* text) {
@@ -72,16 +82,32 @@ bool AddCurrentHandler(SignalText* text) {
   const Object* const object = t_current.object;
   if (system == nullptr || object == nullptr) return false;
   text->Add(object->name.c_str());
-  if (object->running == nullptr) {
-    text->Add(", constructors of its globals");
-  } else {
-    const char* const entry = EntryOf(*object, object->running->selector);
-    text->Add(", ").Add(entry).Add(*entry == 0 ? "" : " ");
-    text->Add("(selector ").AddNumber(object->running->selector);
-    text->Add("), message ").AddNumber(object->running->number);
-  }
+  text->Add(", ");
+  AddCurrentEntry(text);
+  if (object->running != nullptr) text->Add(", message ").AddNumber(object->running->number);
   text->Add(", t=").AddNumber(static_cast<uint64_t>(system->now_us())).Add(" us");
   return true;
+}
+
+// In pieces, each of which is small enough.
+void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const Current& current,
+                       int descriptor) {
+  if (descriptor < 0) return;
+  const Object* const object = current.object;
+  SignalText error, about, name, text, end;
+  error.Add("{\"error\":").AddQuoted(record).WriteTo(descriptor);
+  about.Add(",\"findings\":[{\"severity\":\"error\",\"robot\":");
+  about.AddNumber(object == nullptr ? 0 : static_cast<uint64_t>(object->robot));
+  about.Add(",\"object\":").AddQuoted(name.Add(object == nullptr ? "" : object->name.c_str()));
+  const bool handles = object != nullptr && object->running != nullptr;
+  about.Add(",\"message\":").AddNumber(handles ? object->running->number : 0);
+  const int64_t now_us = current.system == nullptr ? 0 : current.system->now_us();
+  about.Add(",\"time_s\":").AddNumber(static_cast<uint64_t>(now_us / 1'000'000)).Add(".");
+  for (int64_t unit = 100'000; unit > 0; unit /= 10)
+    about.AddNumber(static_cast<uint64_t>(now_us / unit % 10));
+  about.Add(",\"count\":1,\"text\":").WriteTo(descriptor);
+  text.AddQuoted(finding).WriteTo(descriptor);
+  end.Add("}]}\n").WriteTo(descriptor);
 }
 
 }  // namespace openr_host

@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace openr_host {
+
+struct Current;
 
 class SignalText {
  public:
@@ -14,17 +17,26 @@ class SignalText {
   // Writes it to `descriptor`.
   void WriteTo(int descriptor) const;
 
-  // The same as the answer of a run with --json: {"error": text}.  Nothing when `descriptor` is
-  // negative.
-  void WriteAsJsonTo(int descriptor) const;
+  // Adds `text` as a string of JSON; what does not fit is left out of the string.
+  SignalText& AddQuoted(const SignalText& text);
+
+  std::string_view text() const { return {text_, size_}; }
 
  private:
-  char text_[1024];
+  char text_[2048];
   size_t size_ = 0;
 };
 
 // "JointMover, NotifyMover (selector 7), message 4711, t=1248000 us" of the handler that runs on
 // this thread.  False, and nothing added, when there is none.
 bool AddCurrentHandler(SignalText* text);
+
+// "NotifyMover (selector 7)" of it; REQUIRES: there is one.
+void AddCurrentEntry(SignalText* text);
+
+// What is left of a report when nothing else can be had: {"error": record, "findings": [...]} with
+// one error, about the handler that ran.  Nothing when `descriptor` is negative.
+void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const Current& current,
+                       int descriptor);
 
 }  // namespace openr_host

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "openr/exit_code.h"
 #include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
@@ -23,7 +22,6 @@ timer_t g_timer;
 uint64_t g_limit_s_tenths = 0;
 uint64_t g_message = 0;  // the handler seen at the last tick
 int g_seen = 0;          // ticks in a row
-int g_answer = -1;
 
 void Tick(int) {
   const Object* const object = t_current.object;
@@ -32,23 +30,28 @@ void Tick(int) {
   g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
   g_message = message;
   if (g_seen < kTicks) return;
-  SignalText text;
-  text.Add("openr: a handler does not return: ");
-  AddCurrentHandler(&text);
-  text.Add("; it has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
-  text.AddNumber(g_limit_s_tenths % 10);
-  text.Add(" s of processor time (--handler-limit)\n").WriteTo(STDERR_FILENO);
-  t_current = {};
-  SayLastWords();
-  text.WriteAsJsonTo(g_answer);
-  _exit(kExitWrong);
+  Ending ending;
+  const auto add_limit = [](SignalText* text) {
+    text->Add(" has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
+    text->AddNumber(g_limit_s_tenths % 10).Add(" s of processor time (--handler-limit)");
+  };
+  ending.record.Add("openr: a handler does not return: ");
+  AddCurrentHandler(&ending.record);
+  ending.record.Add("; it");
+  add_limit(&ending.record);
+  ending.record.Add("\n");
+  ending.finding.Add("a handler does not return: ");
+  AddCurrentEntry(&ending.finding);
+  add_limit(&ending.finding);
+  BeginEnding(&ending);
+  ending.record.WriteTo(STDERR_FILENO);
+  FinishEnding();
 }
 
 }  // namespace
 
-Watchdog::Watchdog(int64_t limit_us, int answer) {
+Watchdog::Watchdog(int64_t limit_us) {
   if (limit_us <= 0) return;
-  g_answer = answer;
   g_limit_s_tenths = static_cast<uint64_t>(limit_us / 100'000);
   g_message = 0;
   g_seen = 0;

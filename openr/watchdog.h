@@ -10,9 +10,7 @@ namespace openr_host {
 // spent stopped in a debugger does not count.  One at a time; a limit of 0 watches nothing.
 class Watchdog {
  public:
-  // `answer`: descriptor of the JSON answer that the end of the process keeps from being given, or
-  // -1.
-  explicit Watchdog(int64_t limit_us, int answer = -1);
+  explicit Watchdog(int64_t limit_us);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;

@@ -58,7 +58,7 @@ struct StoryTeller::Guards {
 
   const openr_host::CrashLog crash_log{{}};
   const openr_host::Watchdog watchdog;
-  const openr_host::LastWords last_words{[] {
+  const openr_host::LastWords last_words{[](openr_host::Ending*) {
     std::fprintf(stderr, "%s\n", WithStory("").c_str());
     std::fflush(nullptr);
   }};

@@ -44,8 +44,8 @@ int Join(JoinFlags flags) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
   flags.worker.begins = [&](const std::string& stick) {
-    crash_log.emplace(std::vector<std::string>{stick}, -1);
-    watchdog.emplace(flags.handler_limit_us, -1);
+    crash_log.emplace(std::vector<std::string>{stick});
+    watchdog.emplace(flags.handler_limit_us);
   };
   Worker worker(flags.worker);
   const std::string problem = worker.Run();

@@ -61,11 +61,12 @@ int Replay(ReplayFlags flags) {
       std::fwrite(text.data(), 1, text.size(), stderr);
     };
   }
+  const LastAnswer answer(flags.json ? STDOUT_FILENO : -1);
   const CrashLog crash_log({});
   const Watchdog watchdog(flags.step ? 0 : kHandlerLimitUs);
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
   Replayer replayer(flags.replay);
-  const LastWords last_words([&replayer] {
+  const LastWords last_words([&replayer](Ending*) {
     fmt::print(stderr, "openr: {} messages were equal up to here\n", replayer.count());
   });
   replayer.RunUntil(flags.until_us.value_or(INT64_MAX));

@@ -21,6 +21,7 @@
 #include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
 #include "openr/json_text.h"
+#include "openr/last_words.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
 #include "openr/runner.h"
@@ -236,6 +237,21 @@ nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
   return processes;
 }
 
+// The report of a run that an object brings down: what there is at that moment, and why.
+void ReportTheEnding(Ending* ending, Simulation* simulation, const RunFacts& facts,
+                     const RunFlags& flags, Console* console) {
+  {
+    const CurrentScope scope(&simulation->system(), ending->object);
+    simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
+  }
+  nlohmann::ordered_json report = MakeReport(simulation, facts);
+  std::string_view record = ending->record.text();
+  while (record.ends_with('\n')) record.remove_suffix(1);
+  report["error"] = std::string(record);
+  WriteReport(report, flags, console);
+  ending->answered = true;
+}
+
 int Run(RunFlags flags) {
   CheckThatFilesDiffer(flags);
   if (flags.panel->count() > 0) {
@@ -272,25 +288,32 @@ int Run(RunFlags flags) {
   RunFacts facts;
   facts.seed = flags.simulation.seed;
   if (good) {
-    const int answer = flags.json ? console.answer_descriptor() : -1;
+    const LastAnswer answer(flags.json ? console.answer_descriptor() : -1, flags.report_file);
     const CrashLog crash_log(
-        std::vector<std::string>(static_cast<size_t>(flags.simulation.robots), simulation.stick()),
-        answer);
-    const Watchdog watchdog(flags.handler_limit_us, answer);
+        std::vector<std::string>(static_cast<size_t>(flags.simulation.robots), simulation.stick()));
+    const Watchdog watchdog(flags.handler_limit_us);
     if (records) {
       recorder.Begin(&simulation, flags.simulation);
       plan.recorder = &recorder;
     }
     Runner runner(&simulation, plan, &interrupts);
+    const auto learn_facts = [&facts, &runner] {
+      facts.wall_time_s = runner.wall_time_s();
+      facts.standing = runner.standing();
+    };
+    const LastWords last_words([&](Ending* ending) {
+      learn_facts();
+      ReportTheEnding(ending, &simulation, facts, flags, &console);
+    });
     good = runner.Run();
+    learn_facts();
     if (records) good = FinishRecording(&recorder, &simulation) && good;
-    facts.wall_time_s = runner.wall_time_s();
-    facts.standing = runner.standing();
     boots = system.booted() || !system.powered_off();
   } else {
     facts.standing.assign(simulation.robots().size(), StandingMonitor(simulation.model()));
   }
   if (!boots) fmt::print(stderr, "openr: the robot does not boot\n");
+  EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation, facts);
   if (fleet != nullptr) {
     report["processes"] = DescribeProcesses(*fleet);

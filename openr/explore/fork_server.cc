@@ -19,6 +19,7 @@
 #include "openr/console.h"
 #include "openr/crash_log.h"
 #include "openr/json_text.h"
+#include "openr/last_words.h"
 #include "openr/watchdog.h"
 
 namespace openr_host {
@@ -71,13 +72,14 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
           {"deviations", std::move(deviations)}};
 }
 
-// What a copy said that ended before its time: the crash log and the watchdog say it as an error.
+// What a copy said that ended before its time: an answer that is short of hashes, or, if even that
+// failed, an error.
 Json ForkServer::AnswerOfTheDead(const Json& plan, const std::string& said, int status) {
   const Json json = Json::parse(said, nullptr, false);
+  if (json.is_object() && json.contains("broken")) return json;
   if (json.is_object() && json.contains("error")) {
     const std::string text = json["error"].get<std::string>();
-    const bool hangs = text.find("does not return") != std::string::npos;
-    return Broken(plan, hangs ? kHandlersReturn : kNoCrash, text);
+    return Broken(plan, PropertyOfEnding(text), text);
   }
   return Broken(plan, kNoCrash,
                 WIFSIGNALED(status)
@@ -87,11 +89,13 @@ Json ForkServer::AnswerOfTheDead(const Json& plan, const std::string& said, int 
 }
 
 void ForkServer::RunInCopy(const Json& plan, int answer) {
-  const CrashLog crash_log({}, answer);
-  const Watchdog watchdog(limits_.handler_us, answer);
+  const LastAnswer last_answer(answer);
+  const CrashLog crash_log({});
+  const Watchdog watchdog(limits_.handler_us);
   Json result;
   try {
-    result = RunScene(&scene_, plan, options_, log_);
+    result = RunScene(&scene_, plan, options_, log_,
+                      [answer](const Json& last) { WriteAll(answer, JsonText(last)); });
   } catch (const std::exception& error) {
     result = {{"problem", error.what()}};
   }

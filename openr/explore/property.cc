@@ -127,6 +127,11 @@ std::vector<std::string> KnownNames() {
 
 }  // namespace
 
+const char* PropertyOfEnding(std::string_view record) {
+  const bool hangs = record.find("does not return") != std::string_view::npos;
+  return hangs ? kHandlersReturn : kNoCrash;
+}
+
 const std::vector<PropertyEntry>& PropertyTable() {
   static const std::vector<PropertyEntry> table = {
       {"no-errors", "no finding is an error", true,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "openr/explore/scene.h"
@@ -48,6 +49,9 @@ struct PropertyEntry {
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
+
+// Which of them `record` (last_words.h) is about.
+const char* PropertyOfEnding(std::string_view record);
 
 // Which properties a run is to have: names of built-in ones, "default" for those that are so by
 // default, files, or what a line of such a file says ("finally objects.B.state == done").

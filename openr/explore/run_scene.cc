@@ -5,12 +5,15 @@
 #include <deque>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "openr/activity.h"
 #include "openr/explore/exact_schedule.h"
 #include "openr/explore/explore_cost.h"
+#include "openr/last_words.h"
 #include "runtime/core/stalls.h"
 
 namespace openr_host {
@@ -44,6 +47,17 @@ class SceneRun {
     for (const VirtualRobot* robot : scene_.robots) standing_.emplace_back(robot->model());
     view_ = {&scene_, &standing_, 0};
     schedule_->set_log(log);
+  }
+
+  // What can be told when an object has ended the process.
+  Json Died(const Ending& ending) {
+    std::string_view text = ending.record.text();
+    while (text.ends_with('\n')) text.remove_suffix(1);
+    broken_ = nullptr;
+    Break(PropertyOfEnding(text), std::string(text));
+    Json answer = {{"seed", plan_.at("seed")}};
+    AddBroken(&answer);
+    return answer;
   }
 
   Json Run() {
@@ -136,6 +150,14 @@ class SceneRun {
                    {"state", fmt::format("{:016x}", system_.state_hash())},
                    {"trace", fmt::format("{:016x}", system_.trace_hash())}};
     CountFindings(&answer);
+    AddBroken(&answer);
+    if (exact_ != nullptr) answer["exact"] = exact_->Tell();
+    return answer;
+  }
+
+  // What did not hold, and what had led to it.
+  void AddBroken(Json* to) const {
+    Json& answer = *to;
     answer["broken"] = broken_;
     if (!broken_.is_null() || plan_.value("deviations", false)) {
       Json deviations = Json::array();
@@ -152,8 +174,6 @@ class SceneRun {
       answer["tail"] = Json::array();
       for (const TraceRecord& record : tail_) answer["tail"].push_back(Describe(record));
     }
-    if (exact_ != nullptr) answer["exact"] = exact_->Tell();
-    return answer;
   }
 
   Scene& scene_;
@@ -174,8 +194,16 @@ class SceneRun {
 
 }  // namespace
 
-Json RunScene(Scene* scene, const Json& plan, const RunOptions& options, DeviationLog* log) try {
-  return SceneRun(scene, plan, options, log).Run();
+Json RunScene(Scene* scene, const Json& plan, const RunOptions& options, DeviationLog* log,
+              const std::function<void(const Json&)>& on_death) try {
+  SceneRun run(scene, plan, options, log);
+  std::optional<LastWords> last_words;
+  if (on_death)
+    last_words.emplace([&](Ending* ending) {
+      on_death(run.Died(*ending));
+      ending->answered = true;
+    });
+  return run.Run();
 } catch (const Json::exception& error) {
   throw std::runtime_error(fmt::format("plan of a run: {}", error.what()));
 }

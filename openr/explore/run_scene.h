@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 
 #include "openr/explore/explore_schedule.h"
@@ -37,7 +38,11 @@ struct RunOptions {
 // Throws std::runtime_error when the plan does not fit the scene.
 //
 // Uses the scene up: what it was before Boot() is gone.  `log` hears of deviations as they come.
-nlohmann::ordered_json RunScene(Scene* scene, const nlohmann::ordered_json& plan,
-                                const RunOptions& options, DeviationLog* log = nullptr);
+// `on_death` gets the answer of a run that ends with the process (last_words.h): "broken" says why,
+// hashes are not in it.
+nlohmann::ordered_json RunScene(
+    Scene* scene, const nlohmann::ordered_json& plan, const RunOptions& options,
+    DeviationLog* log = nullptr,
+    const std::function<void(const nlohmann::ordered_json& answer)>& on_death = {});
 
 }  // namespace openr_host

@@ -42,7 +42,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options) {
       writer_->AddStick(location.path.substr(root.size()), location.path);
     });
   }
-  last_words_ = std::make_unique<LastWords>([this] { writer_->Flush(); });
+  last_words_ = std::make_unique<LastWords>([this](Ending*) { writer_->Flush(); });
   system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
     writer_->AddMessage(system, record, message);
   });

@@ -39,6 +39,9 @@ constexpr size_t kGuardBytes = 4096;
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
+// Those with a stack of their own that this thread made.
+thread_local Fiber* t_newest = nullptr;
+
 // Frames that were left and not returned from have marked their surroundings in
 // AddressSanitizer's shadow; whoever gets these addresses next must not inherit that.
 void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
@@ -72,10 +75,14 @@ Fiber::Fiber() {
 #ifdef VALGRIND_STACK_REGISTER
   valgrind_id_ = VALGRIND_STACK_REGISTER(stack_bottom_, mapping_ + kGuardBytes + kStackBytes);
 #endif
+  older_ = std::exchange(t_newest, this);
 }
 
 Fiber::~Fiber() {
   if (mapping_ == nullptr) return;
+  Fiber** link = &t_newest;
+  while (*link != nullptr && *link != this) link = &(*link)->older_;
+  if (*link != nullptr) *link = older_;
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
 #endif
@@ -83,9 +90,12 @@ Fiber::~Fiber() {
   munmap(mapping_, kGuardBytes + kStackBytes);
 }
 
-bool Fiber::GuardContains(const void* address) const {
+bool Fiber::AnyGuardContains(const void* address) {
   const char* const p = static_cast<const char*>(address);
-  return mapping_ != nullptr && p >= mapping_ && p < mapping_ + kGuardBytes;
+  for (const Fiber* each = t_newest; each != nullptr; each = each->older_) {
+    if (p >= each->mapping_ && p < each->mapping_ + kGuardBytes) return true;
+  }
+  return false;
 }
 
 #ifdef OPENR_ASAN

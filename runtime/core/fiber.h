@@ -40,8 +40,8 @@ class Fiber {
   size_t UsedBelow(char* base);
   static constexpr size_t kPaintBytes = size_t{32} << 10;
 
-  // Whether `address` lies in the guard page: the stack overflowed.
-  bool GuardContains(const void* address) const;
+  // Whether `address` lies in the guard page of a stack there is: that overflowed.
+  static bool AnyGuardContains(const void* address);
 
  private:
   friend class MainFiber;
@@ -51,6 +51,7 @@ class Fiber {
   void FinishSwitch();
 
   void* context_ = nullptr;  // where to continue
+  Fiber* older_ = nullptr;   // the next one in the list of those with a stack of their own
   char* mapping_ = nullptr;  // guard page and stack; null for the thread's own stack
   Main main_ = nullptr;
   void* argument_ = nullptr;

@@ -81,6 +81,9 @@ TEST(ExploreCommandTest, ACrashNamesTheHandlerAndDoesNotEndTheProgram) {
   EXPECT_THAT(result.out, HasSubstr("seed 1 breaks no-crash"));
 #ifndef __SANITIZE_ADDRESS__
   EXPECT_THAT(result.out, HasSubstr("OBJECT Trouble, DoStart"));
+  EXPECT_THAT(result.out, HasSubstr("seed 1 breaks no-crash by t=0.000000 s: EXCEPTION SIGSEGV"));
+  EXPECT_THAT(result.out, HasSubstr("  the last messages:\n"));
+  EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart\n"));
 #endif
 }
 
@@ -92,6 +95,7 @@ TEST(ExploreCommandTest, AHandlerThatHangsIsEnded) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.out, HasSubstr("breaks handlers-return"));
   EXPECT_THAT(result.out, HasSubstr("Trouble, DoStart"));
+  EXPECT_THAT(result.out, HasSubstr(" -> Trouble  DoStart\n"));
 }
 
 TEST(ExploreCommandTest, AStickThatDoesNotBootIsRefusedWithItsFindings) {

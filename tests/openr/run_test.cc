@@ -150,9 +150,32 @@ TEST(RunTest, AHandlerThatDoesNotReturnIsNamed) {
   const ProgramResult result =
       RunFor("1s", {"--stick", stick.path(), "--handler-limit", "200ms", "--json"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_TRUE(json::parse(result.out).contains("error")) << result.out;
+  const json report = json::parse(result.out);
+  EXPECT_TRUE(report.contains("error")) << result.out;
+  EXPECT_TRUE(report.contains("state_hash")) << result.out;
+  EXPECT_EQ(report["findings"].at(0)["object"], "Trouble");
+  EXPECT_EQ(report["findings"].at(0)["text"],
+            "a handler does not return: DoStart (selector 1) has used more than 0.2 s of processor "
+            "time (--handler-limit)");
   EXPECT_NE(result.err.find("a handler does not return: Trouble, DoStart (selector 1), message "),
             std::string::npos)
+      << result.err;
+}
+
+TEST(RunTest, ALineThatIsNotEndedIsPrintedBeforeTheSummary) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("half");
+  EXPECT_NE(RunFor("1s", {"--stick", stick.path()}).err.find("\nhalf a line\n1.000 s of virtual"),
+            std::string::npos);
+  RunFor("1s", {"--stick", stick.path(), "--console", stick.File("c.txt")});
+  EXPECT_TRUE(stick.Read("c.txt").ends_with("\nhalf a line\n")) << stick.Read("c.txt");
+}
+
+TEST(RunTest, WhatAHandlerPrintedThatDoesNotReturnIsThere) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("halfhang");
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path(), "--handler-limit", "200ms"});
+  EXPECT_NE(result.err.find("\nhalf a line\nopenr: a handler does not return"), std::string::npos)
       << result.err;
 }
 
@@ -183,6 +206,33 @@ TEST(CrashTest, TheJsonAnswerSaysWhatHappened) {
   ASSERT_TRUE(json::accept(result.out)) << result.out;
   EXPECT_EQ(json::parse(result.out)["error"].get<std::string>() + "\n",
             stick.Read("OPEN-R/EMON.LOG"));
+}
+
+TEST(CrashTest, TheReportIsThatOfARunAndHasTheCrashAmongItsFindings) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const ProgramResult result =
+      RunFor("1s", {"--stick", stick.path(), "--json", "--report", stick.File("r.json")});
+  EXPECT_EQ(result.status, 1);
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report, json::parse(stick.Read("r.json")));
+  EXPECT_EQ(report["seed"], 1);
+  EXPECT_EQ(report["robots"].size(), 1u);
+  ASSERT_EQ(report["findings"].size(), 1u);
+  const json finding = report["findings"][0];
+  EXPECT_EQ(finding["severity"], "error");
+  EXPECT_EQ(finding["object"], "Trouble");
+  EXPECT_GT(finding["message"].get<int>(), 0);
+  EXPECT_EQ(finding["text"],
+            "crash: SIGSEGV (an address that is not the object's) in DoStart (selector 1); on the "
+            "robot this stops all objects");
+}
+
+TEST(CrashTest, WhatAnObjectPrintedBeforeIsThere) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("halfcrash");
+  const ProgramResult result = RunFor("1s", {"--stick", stick.path()});
+  EXPECT_NE(result.err.find("\nhalf a line\nEXCEPTION SIGSEGV"), std::string::npos) << result.err;
 }
 
 TEST(CrashTest, AStackOverflowIsCalledByItsName) {

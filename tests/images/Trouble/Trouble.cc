@@ -61,6 +61,15 @@ Trouble::DoStart(const OSystemEvent&)
         printf("printed by an object\n");
         fflush(stdout);
         OSYSPRINT(("said by an object\n"));
+    } else if (strcmp(word, "half") == 0) {
+        printf("half a line");
+        return oSUCCESS;
+    } else if (strcmp(word, "halfcrash") == 0) {
+        printf("half a line");
+        *(volatile int*)16 = 1;
+    } else if (strcmp(word, "halfhang") == 0) {
+        printf("half a line");
+        for (;;) sink = sink + 1;
     } else if (strcmp(word, "shutdown") == 0) {
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     }

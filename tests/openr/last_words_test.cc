@@ -1,0 +1,57 @@
+// The end of the process when what is to be said at it fails as well.
+#include "openr/last_words.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+// Ends this process as a crash would, with `say` as last words.
+void End(const std::string& file, const std::function<void(Ending*)>& say) {
+  const LastAnswer answer(-1, file);
+  const LastWords words(say);
+  Ending ending;
+  ending.record.Add("EXCEPTION here\n");
+  ending.finding.Add("crash: here");
+  BeginEnding(&ending);
+  FinishEnding();
+}
+
+void ExpectShortReport(const std::string& text) {
+  const nlohmann::json report = nlohmann::json::parse(text, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << text;
+  EXPECT_EQ(report["error"], "EXCEPTION here");
+  EXPECT_EQ(report["findings"].at(0)["severity"], "error");
+  EXPECT_EQ(report["findings"].at(0)["text"], "crash: here");
+}
+
+TEST(LastWordsTest, TheAnswerIsGivenWhenNobodyGivesIt) {
+  const ScratchFolder folder;
+  EXPECT_EXIT(End(folder.File("r.json"), [](Ending*) {}), ::testing::ExitedWithCode(1), "");
+  ExpectShortReport(folder.Read("r.json"));
+}
+
+TEST(LastWordsTest, TheAnswerIsGivenWhenTheWordsCrashOrAbort) {
+  const ScratchFolder folder;
+  const auto crash = [](Ending*) { *reinterpret_cast<volatile int*>(16) = 1; };
+  EXPECT_EXIT(End(folder.File("r.json"), crash), ::testing::ExitedWithCode(1), "");
+  ExpectShortReport(folder.Read("r.json"));
+  EXPECT_EXIT(End(folder.File("a.json"), [](Ending*) { std::abort(); }),
+              ::testing::ExitedWithCode(1), "");
+  ExpectShortReport(folder.Read("a.json"));
+}
+
+TEST(LastWordsTest, WhoHasAnsweredIsNotAnsweredFor) {
+  const ScratchFolder folder;
+  EXPECT_EXIT(End(folder.File("r.json"), [](Ending* ending) { ending->answered = true; }),
+              ::testing::ExitedWithCode(1), "");
+  EXPECT_EQ(folder.Read("r.json"), "");
+}
+
+}  // namespace
+}  // namespace openr_host
