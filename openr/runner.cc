@@ -165,6 +165,7 @@ bool Runner::Run() {
     ReportStalls(&system, is_silent);
   }
   ReportStacks(&system);
+  simulation_->ReportUnusedCosts();
   TakeSnapshots(true);
   wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);
   return good_;

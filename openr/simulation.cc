@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -27,7 +28,14 @@ World WorldOf(const std::string& file) {
   return LoadWorld(file);
 }
 
-std::unique_ptr<System> MakeSystem(const SimulationOptions& options) {
+std::shared_ptr<ConfiguredCost> CostOf(const SimulationOptions& options) {
+  if (options.cost != nullptr) return nullptr;
+  const auto config = LoadCostFile(options.cost_file);
+  return config ? std::make_shared<ConfiguredCost>(*config, options.seed) : nullptr;
+}
+
+std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
+                                   std::shared_ptr<CostModel> cost) {
   SystemOptions system_options;
   system_options.seed = options.seed;
   system_options.strict = options.strict;
@@ -36,9 +44,7 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options) {
   if (options.measures) system_options.wall_clock_ns = &WallClockNs;
   system_options.measure_stacks = options.measures;
   system_options.guard_regions = options.guard_regions;
-  system_options.cost = options.cost;
-  if (const auto config = LoadCostFile(options.cost_file); config && !options.cost)
-    system_options.cost = std::make_shared<ConfiguredCost>(*config, options.seed);
+  system_options.cost = cost == nullptr ? options.cost : std::move(cost);
   return std::make_unique<System>(std::move(system_options));
 }
 
@@ -75,7 +81,8 @@ Simulation::Simulation(const SimulationOptions& options)
     : model_(LoadRobotModel(ModelFile(options.robot))),
       world_(WorldOf(options.world)),
       stick_(StickFolder(options.stick)),
-      system_(MakeSystem(options)) {
+      cost_(CostOf(options)),
+      system_(MakeSystem(options, cost_)) {
   for (int i = 0; i < options.robots; ++i) AddRobot(options, i);
 }
 
@@ -95,6 +102,21 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   const System::StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
   if (!system_->LoadStick(robot, stand_ins)) loaded_ = false;
+}
+
+void Simulation::ReportUnusedCosts() {
+  if (cost_ == nullptr) return;
+  constexpr size_t kNamed = 10;
+  const std::vector<Place> unused = cost_->Unused();
+  std::string lines;
+  for (size_t i = 0; i < std::min(unused.size(), kNamed); ++i)
+    lines += fmt::format("{}{} ({})", i == 0 ? "" : ", ", unused[i].line, unused[i].text);
+  if (unused.empty()) return;
+  if (unused.size() > kNamed) lines += fmt::format(" and {} more", unused.size() - kNamed);
+  system_->AddFindingAbout(nullptr, Severity::kWarning,
+                           fmt::format("{}: no handler that ran is meant by line {}; openr trace "
+                                       "shows how objects and entries are called",
+                                       unused[0].file, lines));
 }
 
 uint16_t Simulation::RcPort(int robot) const {

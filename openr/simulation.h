@@ -15,6 +15,7 @@
 
 namespace openr_host {
 
+class ConfiguredCost;
 class IpStack;
 class Network;
 
@@ -67,6 +68,9 @@ class Simulation {
   const std::string& stick() const { return stick_; }
   const std::vector<VirtualRobot*>& robots() const { return robots_; }
 
+  // At the end of the run: a warning that names the lines of the cost file that no handler fitted.
+  void ReportUnusedCosts();
+
   // Port of the host where the remote control of `robot` is found; 0 while nobody listens.
   uint16_t RcPort(int robot) const;
 
@@ -76,6 +80,7 @@ class Simulation {
   const RobotModel model_;
   const World world_;
   const std::string stick_;
+  const std::shared_ptr<ConfiguredCost> cost_;  // of the cost file; null: there is none
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;
   std::vector<IpStack*> networks_;

@@ -56,6 +56,7 @@ class Parser {
   // Entries may have blanks in their names: what stands between the object and the numbers.
   void TakeRule(const RecordLine& line) {
     CostRule rule;
+    rule.place = line.At(line.words[0]);
     size_t count = line.words.size();
     if (count > 1 && line.words[count - 1].text.ends_with('%')) {
       const Word& word = line.words[--count];
@@ -122,15 +123,26 @@ bool MatchesPattern(std::string_view pattern, std::string_view text) {
 }
 
 ConfiguredCost::ConfiguredCost(CostConfig config, uint64_t seed)
-    : config_(std::move(config)), rng_(seed, "cost") {}
+    : config_(std::move(config)), used_(config_.rules.size(), false), rng_(seed, "cost") {}
 
-ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) const {
+ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) {
   const std::string entry = object.EntryName(selector);
-  for (auto rule = config_.rules.rbegin(); rule != config_.rules.rend(); ++rule) {
-    if (!MatchesPattern(rule->object, object.name) || !MatchesPattern(rule->entry, entry)) continue;
-    return {rule->cost_us, rule->cost_us * rule->jitter_percent / 100};
+  Cost cost;
+  for (size_t i = 0; i < config_.rules.size(); ++i) {
+    const CostRule& rule = config_.rules[i];
+    if (!MatchesPattern(rule.object, object.name) || !MatchesPattern(rule.entry, entry)) continue;
+    used_[i] = true;
+    cost = {rule.cost_us, rule.cost_us * rule.jitter_percent / 100};
   }
-  return {};
+  return cost;
+}
+
+std::vector<Place> ConfiguredCost::Unused() const {
+  std::vector<Place> unused;
+  for (size_t i = 0; i < used_.size(); ++i) {
+    if (!used_[i]) unused.push_back(config_.rules[i].place);
+  }
+  return unused;
 }
 
 int64_t ConfiguredCost::CostUs(const Object& object, uint32_t selector) {

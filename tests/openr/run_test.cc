@@ -132,6 +132,22 @@ TEST(RunTest, ControlCIsThePauseButton) {
   EXPECT_TRUE(json::accept(folder.Read("r.json")));
 }
 
+TEST(RunTest, LinesOfACostFileThatFitNothingAreNamedAtTheEnd) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("a.cost", "# times\nTrouble DoStart 100\nTruoble DoStart 200\n* DoStrt 300\n");
+  const ProgramResult result =
+      RunFor("100ms", {"--stick", stick.path(), "--cost", stick.File("a.cost"), "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json findings = json::parse(result.out)["findings"];
+  ASSERT_EQ(findings.size(), 1u) << findings;
+  EXPECT_EQ(findings[0]["severity"], "warning");
+  EXPECT_EQ(findings[0]["text"],
+            stick.File("a.cost") +
+                ": no handler that ran is meant by line 3 (Truoble DoStart 200), 4 (* DoStrt 300); "
+                "openr trace shows how objects and entries are called");
+}
+
 TEST(RunTest, WithoutAnObjectForThePauseButtonTheRunEndsAllTheSame) {
   const ScratchFolder stick;
   stick.MakeTrouble("nothing");

@@ -82,6 +82,16 @@ TEST_F(ConfiguredCostTest, TheLastLineThatFitsHolds) {
   EXPECT_EQ(CostOf("a Entry 20\n* * 10\n"), 10);
 }
 
+TEST_F(ConfiguredCostTest, LinesThatFitNoHandlerAreKnown) {
+  ConfiguredCost cost(
+      ParseCostConfig("a.cost", "* * 10\na Entri 20\n# a\nb Entry 30\na Entry 40\n").config, 1);
+  cost.CostUs(object->host(), object->entry);
+  std::vector<int> lines;
+  for (const Place& place : cost.Unused()) lines.push_back(place.line);
+  EXPECT_EQ(lines, (std::vector<int>{2, 4}));
+  EXPECT_EQ(cost.Unused()[0].text, "a Entri 20");
+}
+
 TEST_F(ConfiguredCostTest, JitterStaysWithinItsShareAndRepeatsWithTheSeed) {
   const auto draw = [this](uint64_t seed) {
     ConfiguredCost cost(ParseCostConfig("a.cost", "* * 1000 +-20%\n").config, seed);
