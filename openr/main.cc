@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,6 +15,7 @@
 #include "openr/commands/command_line.h"
 #include "openr/commands/commands.h"
 #include "openr/exit_code.h"
+#include "openr/output_file.h"
 
 namespace openr_host {
 namespace {
@@ -61,6 +63,9 @@ int Main(int argc, char** argv) {
     TellFailure(ExplainCommandLine(app, error), as_json);
     std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
     return kExitCommandLine;
+  } catch (const std::filesystem::filesystem_error& error) {
+    TellFailure(Explain(error), as_json);
+    return kExitWrong;
   } catch (const std::exception& error) {
     TellFailure(error.what(), as_json);
     return kExitWrong;

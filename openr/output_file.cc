@@ -10,6 +10,9 @@
 #include <fstream>
 
 namespace openr_host {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 std::string Because(const std::string& file, int error) {
@@ -31,6 +34,54 @@ std::string WhyNotWritable(const std::string& file) {
   close(descriptor);
   unlink(file.c_str());
   return "";
+}
+
+std::string WhyNoFolder(const std::string& folder) {
+  if (folder.empty()) return "'' names no folder";
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error).lexically_normal();  // what there is of it
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, error)) {
+    return fs::equivalent(there, folder, error)
+               ? fmt::format("{}: is a file; name a folder", folder)
+               : fmt::format("{}: {} is a file, so nothing can be in it; name another folder",
+                             folder, there.string());
+  }
+  if (access(there.c_str(), W_OK | X_OK) == 0) return "";
+  return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
+}
+
+std::string Explain(const fs::filesystem_error& error) {
+  const fs::path& path = error.path2().empty() ? error.path1() : error.path2();
+  const char* why = nullptr;
+  switch (error.code().value()) {
+    case ENOENT:
+      why = "there is no such file or folder";
+      break;
+    case EEXIST:
+      why = "is there already";
+      break;
+    case ENOTDIR:
+      why = "a part of this name is a file, where a folder has to be; name another place";
+      break;
+    case EISDIR:
+      why = "is a folder, where a file has to be";
+      break;
+    case EACCES:
+    case EPERM:
+      why = "you may not read or write there";
+      break;
+    case EROFS:
+      why = "cannot be written: this disk is read-only";
+      break;
+    case ENOSPC:
+    case EDQUOT:
+      why = "no room is left on the disk";
+      break;
+    default:
+      return fmt::format("{}: {}", path.string(), error.code().message());
+  }
+  return fmt::format("{}: {}", path.string(), why);
 }
 
 std::string WriteFile(const std::string& file, const std::string& text) {

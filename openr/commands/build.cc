@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
 #include "openr/kit/build_folder.h"
 
 namespace openr_host {
@@ -12,12 +13,15 @@ void AddBuildCommand(CLI::App* app, int* exit_code) {
   auto options = std::make_shared<BuildOptions>();
   command->add_option("DIR", options->folder, "Folder with objects, and Makefiles if it has any")
       ->required();
-  command->add_option("-o,--output", options->output,
-                      "Folder for the stick (default: the one in DIR)");
+  command
+      ->add_option("-o,--output", options->output, "Folder for the stick (default: the one in DIR)")
+      ->check(IsFolder());
   command->add_option("-j,--jobs", options->jobs, "Compilers at once (default: all processors)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--work", options->work,
-                      "Folder for private copies (default: one in ~/.cache/openr-host)");
+  command
+      ->add_option("--work", options->work,
+                   "Folder for private copies (default: one in ~/.cache/openr-host)")
+      ->check(IsFolder());
   command->add_flag("--verbose", options->is_verbose, "Show every command");
   command->add_flag("--fresh", options->is_fresh, "Forget what earlier builds left");
   command->callback([options, exit_code] { *exit_code = BuildFolder(*options); });

@@ -53,4 +53,6 @@ CLI::Validator IsCount() {
 
 CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
+CLI::Validator IsFolder() { return CLI::Validator(&WhyNoFolder, "FOLDER"); }
+
 }  // namespace openr_host

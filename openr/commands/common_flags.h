@@ -29,4 +29,7 @@ CLI::Validator IsCount();
 // Refuses files that cannot be written, before the command begins.
 CLI::Validator IsWritable();
 
+// Refuses folders that can be neither made nor written into.
+CLI::Validator IsFolder();
+
 }  // namespace openr_host

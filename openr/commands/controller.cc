@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
 #include "openr/exit_code.h"
 #include "openr/install_paths.h"
 #include "openr/kit/controller_build.h"
@@ -63,8 +64,10 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
   CLI::App* const build =
       command->add_subcommand("build", "Makes CONTROLL.BIN and puts it on a stick");
   build->add_option("DIR", flags->build.folder, "Folder of the controller")->required();
-  build->add_option("-o,--output", flags->build.output,
-                    "Folder of the stick (default: DIR); made if it holds no OPEN-R/");
+  build
+      ->add_option("-o,--output", flags->build.output,
+                   "Folder of the stick (default: DIR); made if it holds no OPEN-R/")
+      ->check(IsFolder());
   CLI::Option* const from =
       build->add_option("--from", flags->build.template_stick,
                         "Stick that a new one is copied from (default: the one that came along)");
@@ -78,7 +81,7 @@ void AddControllerCommand(CLI::App* app, int* exit_code) {
   make->add_option("NAME", flags->name, "Of the controller: wave")
       ->required()
       ->check(CLI::Validator(&WhyNoControllerName, "NAME"));
-  make->add_option("DIR", flags->folder, "Folder to write to (default: NAME)");
+  make->add_option("DIR", flags->folder, "Folder to write to (default: NAME)")->check(IsFolder());
   make->callback([flags, exit_code] { *exit_code = New(*flags); });
 }
 

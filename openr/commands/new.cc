@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
 #include "openr/exit_code.h"
 #include "openr/kit/new_object.h"
 
@@ -35,7 +36,8 @@ void AddNewCommand(CLI::App* app, int* exit_code) {
   command->add_option("NAME", flags->name, "Of the object's class: HelloWorld")
       ->required()
       ->check(CLI::Validator(&WhyNoObjectName, "NAME"));
-  command->add_option("DIR", flags->folder, "Folder to write to (default: NAME)");
+  command->add_option("DIR", flags->folder, "Folder to write to (default: NAME)")
+      ->check(IsFolder());
   command->callback([flags, exit_code] { *exit_code = New(*flags); });
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
 #include "openr/exit_code.h"
 #include "openr/install_paths.h"
 #include "openr/kit/robot_stick.h"
@@ -11,7 +12,9 @@ namespace openr_host {
 namespace {
 
 void AddOutput(CLI::App* command, std::string* output) {
-  command->add_option("-o,--output", *output, "Folder to make; OPEN-R/ will be in it")->required();
+  command->add_option("-o,--output", *output, "Folder to make; OPEN-R/ will be in it")
+      ->required()
+      ->check(IsFolder());
 }
 
 void AddHost(CLI::App* stick, int* exit_code) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
 
 namespace openr_host {
 
@@ -13,7 +14,9 @@ void AddStubgenCommand(CLI::App* app, int* exit_code) {
   auto options = std::make_shared<StubgenOptions>();
   command->add_option("FILE", options->file,
                       "stub.cfg to read (default, and for '-': standard input)");
-  command->add_option("-o,--output", options->folder, "Folder to write to")->capture_default_str();
+  command->add_option("-o,--output", options->folder, "Folder to write to")
+      ->check(IsFolder())
+      ->capture_default_str();
   command->callback(
       [options, exit_code] { *exit_code = RunStubgen(*options, std::cin, std::cout, std::cerr); });
 }

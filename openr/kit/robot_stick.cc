@@ -31,6 +31,7 @@ class Draft {
       throw std::runtime_error(
           fmt::format("{} is there already; name a new folder, nothing is written over", output));
     }
+    fs::create_directories(output_.parent_path());
     std::string pattern = output_.parent_path() / ".openr-stick-XXXXXX";
     if (mkdtemp(pattern.data()) == nullptr) {
       throw std::runtime_error(fmt::format("{}: cannot make a folder there: {}",
