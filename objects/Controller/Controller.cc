@@ -301,6 +301,18 @@ Controller::TimeStepRounded(int askedMs, int usedMs)
 }
 
 void
+Controller::UnknownDevice(const char* locator)
+{
+    const std::string text =
+        TextFormat("robot_get_device: there is no device '%.80s'; what it is told goes nowhere, and "
+                   "it reads 0",
+                   locator);
+    OSYSLOG1((osyslogWARNING, "Controller: %s", text.c_str()));
+    const std::vector<const char*> known = core_.Devices().Locators();
+    TellRunnerOfName(text.c_str(), locator, &known[0], (int)known.size());
+}
+
+void
 Controller::Remark(const char* text)
 {
     OSYSLOG1((osyslogWARNING, "Controller: %s", text));

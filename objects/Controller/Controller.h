@@ -63,6 +63,7 @@ private:
     virtual int BatteryCapacity();
     virtual void EnableCamera(bool on);
     virtual void TimeStepRounded(int askedMs, int usedMs);
+    virtual void UnknownDevice(const char* locator);
     virtual void Remark(const char* text);
     virtual void Print(const char* text);
     virtual void RunLoop(void (*body)(void*), void* argument);

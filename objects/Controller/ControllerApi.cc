@@ -54,7 +54,7 @@ robot_step(int ms)
 DeviceTag
 robot_get_device(const char* name)
 {
-    return theCore != 0 ? (DeviceTag)theCore->Devices().Find(name) : 0;
+    return theCore != 0 ? (DeviceTag)theCore->FindDevice(name) : 0;
 }
 
 int

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include <algorithm>
+
 #include "Angle.h"
 
 // Time step before a controller asks for one, and of LED vectors when none runs: 32 ms, the
@@ -60,6 +62,21 @@ ControllerCore::Execute(int (*controllerMain)())
     port_->RunLoop(CallMain, this);
     place_ = NOWHERE;
     SendBuffers();
+}
+
+static const size_t MAX_UNKNOWN = 32;
+
+// What is not there is remarked upon once: a run function may ask again and again.
+int
+ControllerCore::FindDevice(const char* locator)
+{
+    const int tag = devices_.Find(locator);
+    if (tag != 0 || locator == 0 || unknown_.size() >= MAX_UNKNOWN) return tag;
+    if (std::find(unknown_.begin(), unknown_.end(), locator) == unknown_.end()) {
+        unknown_.push_back(locator);
+        port_->UnknownDevice(locator);
+    }
+    return tag;
 }
 
 void

@@ -43,6 +43,7 @@ public:
     void RemoteLights(const LedEarState& change);
 
     // Called by the functions of the controller's interface.
+    int FindDevice(const char* locator);
     void Live(void (*reset)());
     void OnDie(void (*die)()) { die_ = die; }
     void Run(int (*run)(int));
@@ -72,6 +73,7 @@ private:
     const RobotConstants* robot_;
     DeviceTable devices_;
     SensorValues sensors_;
+    std::vector<std::string> unknown_;  // devices asked for in vain
 
     void (*die_)();
     int (*main_)();

@@ -44,6 +44,9 @@ public:
     // The controller's time step is no multiple of a frame.
     virtual void TimeStepRounded(int askedMs, int usedMs) = 0;
 
+    // The controller asks for a device that the robot has not.
+    virtual void UnknownDevice(const char* locator) = 0;
+
     // Something the controller does that it would better not.
     virtual void Remark(const char* text) = 0;
 

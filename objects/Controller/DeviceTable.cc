@@ -17,6 +17,19 @@ DeviceTable::Find(const char* locator) const
     return strcmp(robot_->camera.locator, locator) == 0 ? CameraTag() : 0;
 }
 
+std::vector<const char*>
+DeviceTable::Locators() const
+{
+    std::vector<const char*> all;
+    if (robot_ == 0) return all;
+    for (int i = 0; i < robot_->numJoints; i++) all.push_back(robot_->joints[i].locator);
+    for (int i = 0; i < robot_->numLeds; i++) all.push_back(robot_->leds[i].locator);
+    for (int i = 0; i < robot_->numPlungers; i++) all.push_back(robot_->plungers[i].locator);
+    for (int i = 0; i < robot_->numSensors; i++) all.push_back(robot_->sensors[i].locator);
+    all.push_back(robot_->camera.locator);
+    return all;
+}
+
 int
 DeviceTable::InRange(int tag, int first, int count) const
 {

@@ -6,6 +6,8 @@
 #ifndef DeviceTable_h_DEFINED
 #define DeviceTable_h_DEFINED
 
+#include <vector>
+
 #include "RobotDescription.h"
 
 class DeviceTable {
@@ -15,6 +17,9 @@ public:
 
     // The tag of the device with this locator; 0 if the robot has none.
     int Find(const char* locator) const;
+
+    // The locators of all devices.
+    std::vector<const char*> Locators() const;
 
     // Index in the table of RobotConstants; -1 when `tag` is something else.
     int Joint(int tag) const;

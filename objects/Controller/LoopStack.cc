@@ -25,3 +25,8 @@ void
 TellRunner(const char*)
 {
 }
+
+void
+TellRunnerOfName(const char*, const char*, const char* const*, int)
+{
+}

@@ -22,4 +22,7 @@ void LoopStackContinue();
 // Tells whoever runs the robot, beyond its log, what the controller should not do.
 void TellRunner(const char* text);
 
+// The same about a name that is none of the `count` known ones, for whoever can tell which was meant.
+void TellRunnerOfName(const char* text, const char* name, const char* const* known, int count);
+
 #endif  // LoopStack_h_DEFINED

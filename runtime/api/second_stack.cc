@@ -1,7 +1,10 @@
 #include "runtime/api/second_stack.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include "runtime/config/spelling.h"
 #include "runtime/core/assert.h"
 #include "runtime/core/current.h"
 #include "runtime/core/fiber.h"
@@ -64,6 +67,13 @@ void openr_second_stack_continue(OpenrSecondStack* stack) {
   ASSERT(stack->has_left, "a second stack can only be continued where it was left");
   stack->has_left = false;
   stack->fiber.SwitchFrom(&stack->home);
+}
+
+void openr_finding_of_name(const char* text, const char* name, const char* const* known,
+                           int count) {
+  const ApiScope scope;
+  const std::vector<std::string> names(known, known + count);
+  openr_finding((text + openr_host::DidYouMean(name, names)).c_str());
 }
 
 void openr_finding(const char* text) {

@@ -28,6 +28,9 @@ void openr_second_stack_continue(struct OpenrSecondStack* stack);
 /* A warning about the running object. */
 void openr_finding(const char* text);
 
+/* The same, and which of the `count` known names is near to `name`, if one is. */
+void openr_finding_of_name(const char* text, const char* name, const char* const* known, int count);
+
 #ifdef __cplusplus
 }
 #endif

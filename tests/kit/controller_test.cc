@@ -275,5 +275,58 @@ TEST(ControllerBuildTest, EveryExampleBuildsAndPassesTheCheck) {
   EXPECT_GE(names.size(), 10u);
 }
 
+// ---- What happens to it in a run -------------------------------------------------------
+
+TEST(ControllerRunTest, AnUnknownDeviceIsAFindingThatNamesTheNearestOne) {
+  const ControllerFolder folder;
+  folder.Write("main.c", R"(
+#include <device/robot.h>
+static int run(int ms) { robot_get_device("PRM:/r1/c1/c2/c3/l7-LED2:l8"); return 64; }
+int main(void) { robot_get_device("wheel"); robot_run(run); return 0; }
+)");
+  ASSERT_EQ(folder.BuildController().status, 0);
+  const nlohmann::json findings = folder.Run()["findings"];
+  ASSERT_EQ(findings.size(), 2u) << findings;
+  EXPECT_EQ(findings[0]["text"],
+            "robot_get_device: there is no device 'wheel'; what it is told goes nowhere, and it "
+            "reads 0");
+  EXPECT_EQ(findings[1]["text"],
+            "robot_get_device: there is no device 'PRM:/r1/c1/c2/c3/l7-LED2:l8'; what it is told "
+            "goes nowhere, and it reads 0; did you mean 'PRM:/r1/c1/c2/c3/l7-LED2:l7'?");
+  EXPECT_EQ(findings[1]["count"], 1);
+  EXPECT_EQ(findings[1]["object"], "Controller");
+}
+
+#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+// main() has a stack of its own here, the run function that of handlers.
+TEST(ControllerRunTest, AStackOverflowIsCalledByItsNameOnEitherStack) {
+  for (const char* const main : {"return deep(0);", "robot_run(deep); return 0;"}) {
+    const ControllerFolder folder;
+    folder.Write("main.c", std::string("#include <device/robot.h>\n"
+                                       "static volatile int sink;\n"
+                                       "static int deep(int depth)\n"
+                                       "{\n"
+                                       "    volatile char room[1000];\n"
+                                       "    room[0] = (char)depth;\n"
+                                       "    sink = room[0];\n"
+                                       "    return depth < 0 ? 0 : deep(depth + 1) + room[0];\n"
+                                       "}\n"
+                                       "int main(void) { ") +
+                               main + " }\n");
+    ASSERT_EQ(folder.BuildController().status, 0);
+    const ProgramResult result =
+        RunProgram({"run", "--stick", folder.File(""), "--for", "16s", "--rate", "max", "--body",
+                    "ideal", "--no-panel", "--json"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.err, HasSubstr("OBJECT Controller, Controller.MainExecution."));
+    EXPECT_THAT(result.err, HasSubstr("STACK overflow: the handler used more than 256 KiB"));
+    const nlohmann::json findings = nlohmann::json::parse(result.out)["findings"];
+    ASSERT_EQ(findings.size(), 1u) << findings;
+    EXPECT_EQ(findings[0]["object"], "Controller");
+    EXPECT_THAT(findings[0]["text"].get<std::string>(), HasSubstr(", a stack overflow: more than"));
+  }
+}
+#endif
+
 }  // namespace
 }  // namespace openr_host

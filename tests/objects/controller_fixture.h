@@ -78,6 +78,7 @@ class ControllerTest : public testing::Test, public ControllerPort {
   void TimeStepRounded(int asked_ms, int used_ms) override {
     rounded.push_back({asked_ms, used_ms});
   }
+  void UnknownDevice(const char* locator) override { unknown.emplace_back(locator); }
   void Remark(const char* text) override { remarks.emplace_back(text); }
   void Print(const char* text) override { printed += text; }
   void RunLoop(void (*body)(void*), void* argument) override {
@@ -139,7 +140,7 @@ class ControllerTest : public testing::Test, public ControllerPort {
   std::vector<MoverCommand> movers;
   std::vector<std::pair<int, int>> rounded;
   std::map<std::string, std::vector<uint8_t>> files;
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks, unknown;
   std::string printed;
   bool camera_on = false;
   bool has_loop_stack = true;  // the host's; the robot has none

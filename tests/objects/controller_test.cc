@@ -242,6 +242,20 @@ TEST_F(ControllerTest, UnknownDevicesReadZeroAndTakeNoCommands) {
   EXPECT_EQ(robot_get_device(nullptr), 0);
 }
 
+TEST_F(ControllerTest, AnUnknownDeviceIsRemarkedUponOnceForEachName) {
+  for (int i = 0; i < 3; ++i) {
+    robot_get_device("PRM:/r1/c1-Joint2:j9");
+    robot_get_device("PRM:/r1/c1-Joint2:j1");
+    robot_get_device("wheel");
+  }
+  EXPECT_EQ(unknown, (std::vector<std::string>{"PRM:/r1/c1-Joint2:j9", "wheel"}));
+}
+
+TEST_F(ControllerTest, ACallerWithEverNewNamesIsHeardForAWhile) {
+  for (int i = 0; i < 100; ++i) robot_get_device(std::to_string(i).c_str());
+  EXPECT_EQ(unknown.size(), 32u);
+}
+
 TEST_F(ControllerTest, DevicesOfAnotherKindReadZero) {
   Sense(kThermo, 30000000);
   Sense(kPsd, 456789);

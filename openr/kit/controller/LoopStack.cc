@@ -30,3 +30,7 @@ bool LoopStackLeave() {
 void LoopStackContinue() { openr_second_stack_continue(the_stack.stack); }
 
 void TellRunner(const char* text) { openr_finding(text); }
+
+void TellRunnerOfName(const char* text, const char* name, const char* const* known, int count) {
+  openr_finding_of_name(text, name, known, count);
+}

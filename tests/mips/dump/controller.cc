@@ -42,6 +42,7 @@ class Robot : public ControllerPort {
   }
 
   // A controller that loops: there is one stack, as on the robot.
+  virtual void UnknownDevice(const char* locator) { printf("unknown %s\n", locator); }
   virtual void Remark(const char* text) { printf("remark %s\n", text); }
   virtual void Print(const char* text) { printf("print %s\n", text); }
   virtual void RunLoop(void (*body)(void*), void* argument) { body(argument); }

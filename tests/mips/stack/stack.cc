@@ -181,6 +181,7 @@ class Wrapper : public ControllerPort {
   }
   virtual int BatteryCapacity() { return 50; }
   virtual void TimeStepRounded(int, int) {}
+  virtual void UnknownDevice(const char*) {}
   virtual void Remark(const char*) {}
   virtual void Print(const char*) {}
   virtual void RunLoop(void (*body)(void*), void* argument) { body(argument); }
