@@ -17,6 +17,7 @@
 #include "runtime/config/service_name.h"
 #include "runtime/config/spelling.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/image_file.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/virtual_robot.h"
@@ -186,8 +187,48 @@ void Bench::Wire(const std::string& subject, const std::string& observer) {
   system_->Connect({0, subject, observer, "bench.Wire"});
 }
 
-std::pair<Probe*, std::string> Bench::AddOtherEnd(const std::string& service, char direction) {
-  Probe::CheckServices({service});
+std::vector<std::string> Bench::KnownServices() {
+  std::vector<std::string> services;
+  for (const auto& object : system_->objects()) {
+    for (const auto& [selector, entry] : object->entry_names)
+      services.push_back(entry.substr(0, entry.rfind(" (")));
+    if (!object->is_image) continue;  // it tells when it is booted; until then its file does
+    const std::string file = stick_->Locate(object->path).path;
+    for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))
+      services.push_back(std::move(text));
+  }
+  std::erase_if(services, [](const std::string& service) {
+    return !openr_host::ParseServiceName(service, nullptr);
+  });
+  std::sort(services.begin(), services.end());
+  services.erase(std::unique(services.begin(), services.end()), services.end());
+  return services;
+}
+
+std::string Bench::FullName(const std::string& name, char direction) {
+  if (openr_host::ParseServiceName(name, nullptr)) return name;
+  std::vector<std::string> fitting, others, known;
+  for (const std::string& service : KnownServices()) {
+    const bool is_end = service.back() == direction;
+    if (is_end) known.push_back(ShortName({"", service}));
+    if (NamesService(name, service)) (is_end ? fitting : others).push_back(service);
+  }
+  if (fitting.size() == 1) return fitting[0];
+  if (!fitting.empty()) {
+    throw std::invalid_argument(
+        fmt::format("'{}' may be {}; write the whole name", name, fmt::join(fitting, " or ")));
+  }
+  if (!others.empty()) return others[0];
+  const auto dots = std::count(name.begin(), name.end(), '.');
+  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // which throws
+  throw std::invalid_argument(fmt::format(
+      "there is no {} '{}' on this bench yet{}; add its object first, or write the "
+      "whole name",
+      direction == 'S' ? "subject" : "observer", name, openr_host::DidYouMean(name, known)));
+}
+
+std::pair<Probe*, std::string> Bench::AddOtherEnd(const std::string& given, char direction) {
+  const std::string service = FullName(given, direction == 'O' ? 'S' : 'O');
   ServiceName name = *openr_host::ParseServiceName(service, nullptr);
   if (name.direction == direction) {
     throw std::invalid_argument(

@@ -124,7 +124,8 @@ class Bench {
   // Connects a subject with an observer, by full names, as a line of CONNECT.CFG.
   void Wire(const std::string& subject, const std::string& observer);
 
-  // A new probe with the other end of a service, wired to it.
+  // A new probe with the other end of a service, wired to it.  The service may be named by its
+  // first parts ("Blinker.Light") once its object is on the bench.
   ProbeObserver& Watch(const std::string& subject);
   ProbeSubject& Feed(const std::string& observer);
 
@@ -181,6 +182,9 @@ class Bench {
   // Where the robot leaves the order open (whose DoStart is next, whose message of those due
   // at the same time), these objects come first, in this order.
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
+
+  // What the next three are asked to do has to happen until the end, or the test fails; where it
+  // need not, ask with .Optional(): bench.Drop(Notify("Blinker.Light")).Optional().
 
   // Keeps what is on its way, from now on.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
@@ -290,8 +294,12 @@ class Bench {
   void AddBody();
   void LoadStick();
   std::vector<std::string> ServicesOf(const std::string& object);
-  // Adds a probe with the other end of `service`; returns the probe and its service.
-  std::pair<Probe*, std::string> AddOtherEnd(const std::string& service, char direction);
+  // Full names of all services that objects of the bench say they have.
+  std::vector<std::string> KnownServices();
+  // The full name of the one that `name` is, or is the beginning of.
+  std::string FullName(const std::string& name, char direction);
+  // Adds a probe with the other end of the service `given`; returns the probe and its service.
+  std::pair<Probe*, std::string> AddOtherEnd(const std::string& given, char direction);
 
   // Runs `run` under control and reports what it was refused and found.  False when there
   // was anything to report.
@@ -303,8 +311,8 @@ class Bench {
   void See(const openr_host::Message& message);
 
   // A failure, now or after Boot(), when `spec` names objects or services there are not.
-  void CheckNames(const MessageSpec& spec, const Place& place);
-  void CheckName(const std::string& name, const Place& place);
+  bool CheckNames(const MessageSpec& spec, const Place& place);
+  bool CheckName(const std::string& name, const Place& place);
 
   bool InjectNotify(const MessageSpec& spec, std::string_view bytes, const Place& place);
   bool InjectReady(const MessageSpec& spec, const Place& place);

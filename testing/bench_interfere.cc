@@ -19,30 +19,31 @@ using openr_host::Object;
 using openr_host::OidOf;
 using openr_host::PayloadKind;
 
-void Bench::CheckNames(const MessageSpec& spec, const Place& place) {
+bool Bench::CheckNames(const MessageSpec& spec, const Place& place) {
   if (!system_->booted()) {
     unchecked_.emplace_back(spec, place);
-    return;
+    return true;
   }
-  CheckName(spec.from(), place);
-  CheckName(spec.to(), place);
+  const bool from = CheckName(spec.from(), place);
+  return CheckName(spec.to(), place) && from;
 }
 
-void Bench::CheckName(const std::string& name, const Place& place) {
-  if (name.empty()) return;
+bool Bench::CheckName(const std::string& name, const Place& place) {
+  if (name.empty()) return true;
   std::vector<std::string> known;
   if (name.find('.') == std::string::npos) {
     for (const auto& object : system_->objects()) known.push_back(object->name);
   } else {
     for (const auto& [service, entry] : system_->robot(0).directory) {
-      if (NamesService(name, service)) return;
+      if (NamesService(name, service)) return true;
       known.push_back(ShortName({"", service}));
     }
   }
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  if (std::find(known.begin(), known.end(), name) != known.end()) return true;
   Fail(place, fmt::format("There is no {} '{}' on this bench{}",
                           name.find('.') == std::string::npos ? "object" : "service", name,
                           openr_host::DidYouMean(name, known)));
+  return false;
 }
 
 // ---- Injecting
@@ -156,18 +157,21 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 }
 
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
-  CheckNames(spec, place);
-  return doors_.Hold(spec);
+  const bool is_good = CheckNames(spec, place);
+  HeldMessages& held = doors_.Hold(spec, place);
+  return is_good ? held : held.Optional();  // one failure is enough
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {
-  CheckNames(spec, place);
-  return doors_.Drop(spec, count);
+  const bool is_good = CheckNames(spec, place);
+  DroppedMessages& dropped = doors_.Drop(spec, count, place);
+  return is_good ? dropped : dropped.Optional();
 }
 
 RefusedMessage& Bench::Refuse(const MessageSpec& spec, uint64_t nth, Place place) {
-  CheckNames(spec, place);
-  return schedule_.Refuse(spec, nth);
+  const bool is_good = CheckNames(spec, place);
+  RefusedMessage& refused = schedule_.Refuse(spec, nth, place);
+  return is_good ? refused : refused.Optional();
 }
 
 void Bench::Delay(const MessageSpec& spec, Duration extra, Place place) {

@@ -184,7 +184,10 @@ bool Bench::PhysicsStep(Place place) {
 }
 
 void Bench::Verify() {
-  expectations_.Verify([this](const Place& place, const std::string& text) { Miss(place, text); });
+  const ReportAt miss = [this](const Place& place, const std::string& text) { Miss(place, text); };
+  expectations_.Verify(miss);
+  doors_.Verify(miss);
+  schedule_.Verify(miss);
   ReportFindings(place_);
   for (const ExpectedFinding& expected : std::exchange(expected_findings_, {})) {
     bool seen = expected.seen;

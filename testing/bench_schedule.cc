@@ -1,6 +1,9 @@
 #include "testing/bench_schedule.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "runtime/core/system.h"
 
@@ -59,6 +62,14 @@ bool BenchSchedule::Refuses(const Message& message) {
     return true;
   }
   return false;
+}
+
+void BenchSchedule::Verify(const ReportAt& report) {
+  for (RefusedMessage& refused : refused_) {
+    if (refused.happened() || std::exchange(refused.is_optional_, true)) continue;
+    report(refused.place_, fmt::format("Refuse: {} of {} came: {}; .Optional() allows that",
+                                       refused.matches(), refused.nth_, refused.spec_.Text()));
+  }
 }
 
 }  // namespace openr::testing

@@ -10,13 +10,18 @@
 
 #include "runtime/core/schedule.h"
 #include "testing/message_spec.h"
+#include "testing/place.h"
 
 namespace openr::testing {
 
 // The n-th message of a kind that finds its receiver's queue full.
 class RefusedMessage {
  public:
-  RefusedMessage(MessageSpec spec, uint64_t nth) : spec_(std::move(spec)), nth_(nth) {}
+  RefusedMessage(MessageSpec spec, uint64_t nth, const Place& place)
+      : spec_(std::move(spec)), nth_(nth), place_(place) {}
+
+  // That it never comes is no failure of the test.
+  RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
   uint64_t matches() const { return matches_; }  // messages of that kind so far, up to the n-th
@@ -27,6 +32,8 @@ class RefusedMessage {
   friend class BenchSchedule;
   const MessageSpec spec_;
   const uint64_t nth_;
+  const Place place_;
+  bool is_optional_ = false;
   uint64_t matches_ = 0;
   std::string text_;
 };
@@ -41,9 +48,12 @@ class BenchSchedule : public openr_host::Schedule {
   // Messages take `extra_us` longer from now on; 0: as before.
   void Delay(MessageSpec spec, int64_t extra_us);
 
-  RefusedMessage& Refuse(MessageSpec spec, uint64_t nth) {
-    return refused_.emplace_back(std::move(spec), nth);
+  RefusedMessage& Refuse(MessageSpec spec, uint64_t nth, const Place& place) {
+    return refused_.emplace_back(std::move(spec), nth, place);
   }
+
+  // Reports what was to be refused and never came, once.
+  void Verify(const ReportAt& report);
 
   size_t Choose(Question question, const std::vector<openr_host::ObjectId>& candidates) override;
   int64_t ExtraDelayUs(const openr_host::Message& message, int64_t now_us,

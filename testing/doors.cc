@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "runtime/core/system.h"
 
@@ -35,6 +36,7 @@ void ReturnRegions(System* system, const Message& message) {
 bool HeldMessages::Take(Message* message) {
   if (is_open_ || passing_.erase(message->number) > 0) return false;
   if (!spec_.Matches(SeenMessage(*system_, *message))) return false;
+  has_held_ = true;
   messages_.push_back(message);
   return true;
 }
@@ -91,6 +93,20 @@ bool Doors::Lose(Message* message) {
     return true;
   }
   return false;
+}
+
+void Doors::Verify(const ReportAt& report) {
+  for (HeldMessages& held : held_) {
+    if (held.has_held_ || std::exchange(held.is_optional_, true)) continue;
+    report(held.place_,
+           fmt::format("Hold: nothing ever came: {}; .Optional() allows that", held.spec_.Text()));
+  }
+  for (DroppedMessages& dropped : dropped_) {
+    if (dropped.left_ == 0 || std::exchange(dropped.is_optional_, true)) continue;
+    report(dropped.place_,
+           fmt::format("Drop: {} of {} came: {}; .Optional() allows that", dropped.count(),
+                       dropped.count() + dropped.left_, dropped.spec_.Text()));
+  }
 }
 
 std::string Doors::Text() const {

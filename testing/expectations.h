@@ -18,8 +18,7 @@ namespace openr::testing {
 
 class Expectations {
  public:
-  // Gets every failure.
-  using Report = std::function<void(const Place&, const std::string&)>;
+  using Report = ReportAt;
 
   void Expect(MessageSpec spec, const Place& place);
   void Allow(MessageSpec spec) { allowed_.push_back(std::move(spec)); }

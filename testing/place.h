@@ -1,6 +1,7 @@
 // Where in a test something was asked for, so that a failure points there.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace openr::testing {
@@ -14,6 +15,9 @@ struct Place {
     return {file, line};
   }
 };
+
+// Gets failures: where the test asked for what did not hold, and what that is.
+using ReportAt = std::function<void(const Place&, const std::string&)>;
 
 // Adds a failure of the running test that points to `place`.  The test goes on.
 void Fail(const Place& place, const std::string& text);

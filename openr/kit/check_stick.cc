@@ -33,20 +33,6 @@ const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK
 // Whatever a gateway is asked for, it has.
 constexpr char kGateway[] = "TCPGateway.";
 
-// Texts of at least 8 characters, as `strings` shows them.
-std::vector<std::string_view> TextsIn(std::string_view bytes) {
-  std::vector<std::string_view> texts;
-  size_t begin = 0;
-  for (size_t i = 0; i <= bytes.size(); ++i) {
-    const bool is_text = i < bytes.size() && (std::isprint(static_cast<unsigned char>(bytes[i])) ||
-                                              bytes[i] == '\n' || bytes[i] == '\t');
-    if (is_text) continue;
-    if (i - begin >= 8) texts.push_back(bytes.substr(begin, i - begin));
-    begin = i + 1;
-  }
-  return texts;
-}
-
 // The name in the .ocf text that images for the host carry; "" when there is none.
 std::string ObjectNameIn(std::string_view bytes) {
   for (const std::string_view text : TextsIn(bytes)) {
@@ -305,17 +291,6 @@ void StickCheck::CheckFileNames() {
 
 void CheckStick(const StickFolder& stick, const Project& project, Remarks* remarks) {
   StickCheck(stick, project, remarks).Run();
-}
-
-std::vector<std::string> ServicesInImage(std::string_view bytes) {
-  std::vector<std::string> names;
-  for (const std::string_view text : TextsIn(bytes)) {
-    const bool ends_so = text.ends_with(".S") || text.ends_with(".O");
-    if (ends_so && text.find_first_of(" \t\n/%") == std::string_view::npos &&
-        ParseServiceName(text, nullptr))
-      names.emplace_back(text);
-  }
-  return names;
 }
 
 }  // namespace openr_host

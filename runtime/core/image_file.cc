@@ -2,11 +2,13 @@
 
 #include <elf.h>
 
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "runtime/config/service_name.h"
 #include "runtime/stick/gzip.h"
 
 namespace openr_host {
@@ -101,6 +103,30 @@ ImageFile ReadImageFile(const std::string& path) {
   }
   if (image.problem.empty()) image.problem = CheckFormat(image.bytes, &image.is_for_robot);
   return image;
+}
+
+std::vector<std::string_view> TextsIn(std::string_view bytes) {
+  std::vector<std::string_view> texts;
+  size_t begin = 0;
+  for (size_t i = 0; i <= bytes.size(); ++i) {
+    const bool is_text = i < bytes.size() && (std::isprint(static_cast<unsigned char>(bytes[i])) ||
+                                              bytes[i] == '\n' || bytes[i] == '\t');
+    if (is_text) continue;
+    if (i - begin >= 8) texts.push_back(bytes.substr(begin, i - begin));
+    begin = i + 1;
+  }
+  return texts;
+}
+
+std::vector<std::string> ServicesInImage(std::string_view bytes) {
+  std::vector<std::string> names;
+  for (const std::string_view text : TextsIn(bytes)) {
+    const bool ends_so = text.ends_with(".S") || text.ends_with(".O");
+    if (ends_so && text.find_first_of(" \t\n/%") == std::string_view::npos &&
+        ParseServiceName(text, nullptr))
+      names.emplace_back(text);
+  }
+  return names;
 }
 
 }  // namespace openr_host

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace openr_host {
 
@@ -18,5 +20,11 @@ ImageFile ReadImageFile(const std::string& path);
 
 // The .ocf text of a host image, without loading it; "" when it has none.
 std::string OcfTextOf(const std::string& bytes);
+
+// Texts of at least 8 characters in the bytes of an image, as `strings` shows them.
+std::vector<std::string_view> TextsIn(std::string_view bytes);
+
+// Those that are names of services.
+std::vector<std::string> ServicesInImage(std::string_view bytes);
 
 }  // namespace openr_host

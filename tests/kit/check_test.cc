@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "openr/kit/check_stick.h"
+#include "runtime/core/image_file.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

@@ -65,6 +65,39 @@ TEST(BuildTest, WatchWantsASubjectAndFeedAnObserver) {
   EXPECT_EQ(ErrorOf([&] { bench.Feed("A.Out.int.S"); }), "'A.Out.int.S' is a subject: Watch() it");
 }
 
+TEST(BuildTest, AServiceMayBeNamedByItsFirstParts) {
+  Bench bench;
+  bench.Add<Doubler>("Doubler");
+  ProbeObserver& out = bench.Watch("Doubler.Out");
+  ProbeSubject& in = bench.Feed("Doubler.In.int");
+  EXPECT_EQ(out.service(), "Test1.Out.int.O");
+  bench.Boot();
+  bench.RunFor(1ms);
+  in.Send(2);
+  bench.RunFor(1ms);
+  EXPECT_EQ(out.values<int>(), Ints{4});
+}
+
+TEST(BuildTest, AServiceOfAnImageMayBeNamedByItsFirstParts) {
+  Bench bench({.stick = OPENR_STICK, .body = "ideal"});
+  EXPECT_EQ(bench.Watch("Controller.Led").service(), "Test1.Led.OCommandVectorData.O");
+  EXPECT_EQ(bench.Watch("OVirtualRobotComm.Sensor").service(),
+            "Test2.Sensor.OSensorFrameVectorData.O");
+}
+
+TEST(BuildTest, ANameThatIsNotEnoughIsRefused) {
+  Bench bench;
+  bench.Add<Doubler>("Doubler");
+  bench.AddProbe("A", {"A.Out.int.S", "A.Out.float.S", "A.Back.int.O"});
+  EXPECT_EQ(ErrorOf([&] { bench.Watch("A.Out"); }),
+            "'A.Out' may be A.Out.float.S or A.Out.int.S; write the whole name");
+  EXPECT_EQ(ErrorOf([&] { bench.Watch("A.Back"); }), "'A.Back.int.O' is an observer: Feed() it");
+  EXPECT_EQ(ErrorOf([&] { bench.Watch("Doubler.Owt"); }),
+            "there is no subject 'Doubler.Owt' on this bench yet; did you mean 'Doubler.Out'?; add "
+            "its object first, or write the whole name");
+  EXPECT_THAT(ErrorOf([&] { bench.Watch("Nobody"); }), HasSubstr("'Nobody' is no service: "));
+}
+
 TEST(BuildTest, AWireToNobodyFailsTheBoot) {
   Bench bench;
   bench.Add<Doubler>("Doubler");

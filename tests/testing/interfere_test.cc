@@ -139,6 +139,30 @@ TEST_F(InterfereTest, TheNthSendIsTheOneThatFails) {
   EXPECT_EQ(out->values<int>(), (Ints{2, 4, 6, 8}));  // 3 went with 4
 }
 
+// What a test does to messages it does not do to nobody: the name would be wrong, or the test.
+TEST_F(InterfereTest, WhatNeverComesAlongIsAFailureAtTheEnd) {
+  bench().Drop(Notify("Test1.In"), 2);
+  in->Send(1);
+  bench().RunFor(1ms);
+  EXPECT_NONFATAL_FAILURE(bench().Verify(),
+                          "Drop: 1 of 2 came: notify Test1.In -> (any); .Optional() allows that");
+  bench().Refuse(Notify("Doubler.Out"), 3);
+  EXPECT_NONFATAL_FAILURE(
+      EndBench(), "Refuse: 0 of 3 came: notify Doubler.Out -> (any); .Optional() allows that");
+}
+
+TEST_F(InterfereTest, ADoorThatNobodyCameToIsAFailureAtTheEnd) {
+  bench().Hold("Test1.In", "Doubler.In");
+  EXPECT_NONFATAL_FAILURE(EndBench(), "Hold: nothing ever came: notify Test1.In -> Doubler.In");
+}
+
+TEST_F(InterfereTest, WhatNeedNotComeAlongIsAskedForSo) {
+  bench().Drop(Notify("Test1.In"), 2).Optional();
+  bench().Hold(Ready("Doubler.In")).Optional();
+  EXPECT_FALSE(bench().Refuse(Notify("Doubler.Out")).Optional().happened());
+  EndBench();
+}
+
 TEST_F(InterfereTest, ADelayedConnectionIsSlowAndStaysInOrder) {
   bench().Delay(Notify("Test1.In"), 3ms);
   bench().Inject(Notify("Test1.In", "Doubler.In"), 1);
