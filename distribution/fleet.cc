@@ -44,7 +44,9 @@ System::StandIns Fleet::StandInsFor(System* system, int robot) {
       const auto id = static_cast<ObjectId>(system_->objects().size());
       auto object = std::make_unique<RemoteObject>(
           system_, id, robot, member->process.get(),
-          [this](RemoteObject* about, const std::string& why) { Lost(about, why); });
+          [this](RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
+            Lost(about, loss, why);
+          });
       object->name = name;
       object->path = path;
       member->objects[id] = object.get();
@@ -116,14 +118,33 @@ void Fleet::Welcome(Member* member) {
   member->process->Welcome(system_, welcome, member->objects);
 }
 
-// A run in lockstep cannot go on without one of its processes: the clock would have to stop for
-// ever.
-void Fleet::Lost(RemoteObject* about, const std::string& why) {
+// Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for
+// ever.  A crash is something else: the object's own end, known to the message.
+void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
   about->process()->set_lost();
   Member& member = members_[about->process()->name()];
   member.lost = why;
+  if (loss == RemoteObject::Loss::kCrashed) {
+    system_->AddFindingAbout(about, Severity::kError,
+                             fmt::format("{}; process '{}' (pid {}) is gone, the others go on", why,
+                                         about->process()->name(), about->process()->facts().pid));
+    if (crash_listener_) crash_listener_(about);
+    return;
+  }
   system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", why));
   for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+}
+
+void Fleet::ReportLosses() {
+  for (const auto& [name, member] : members_) {
+    for (const auto& [id, object] : member.objects) {
+      if (object->unheard_count() == 0) continue;
+      system_->AddFindingAbout(object, Severity::kWarning,
+                               fmt::format("{} messages came after process '{}' was gone; nobody "
+                                           "heard them",
+                                           object->unheard_count(), name));
+    }
+  }
 }
 
 std::vector<Fleet::ProcessFacts> Fleet::Describe() const {

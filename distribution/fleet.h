@@ -11,12 +11,11 @@
 #include "distribution/bus.h"
 #include "distribution/child_process.h"
 #include "distribution/placement.h"
+#include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
-
-class RemoteObject;
 
 struct FleetOptions {
   BusOptions bus;
@@ -54,6 +53,12 @@ class Fleet {
   };
   std::vector<ProcessFacts> Describe() const;
 
+  // `listener` hears of an object that crashed; the run goes on without those of its process.
+  void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+
+  // Findings about messages that nobody heard.
+  void ReportLosses();
+
   // The run is over: the processes end.
   void End();
 
@@ -66,13 +71,14 @@ class Fleet {
   };
 
   void Welcome(Member* member);
-  void Lost(RemoteObject* object, const std::string& why);
+  void Lost(RemoteObject* object, RemoteObject::Loss loss, const std::string& why);
   std::string UnknownObjects() const;
 
   const FleetOptions options_;
   Bus bus_;
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
+  std::function<void(Object*)> crash_listener_;
   std::vector<std::string> placed_;  // objects that were found
 };
 

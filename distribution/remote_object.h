@@ -1,6 +1,7 @@
 // Stands in the master's System for an object whose code runs in another process.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
@@ -13,22 +14,31 @@ class RemoteProcess;
 
 class RemoteObject : public Object {
  public:
-  // `lost` hears why the process was lost, in the handler that found out.
-  RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process,
-               std::function<void(RemoteObject*, const std::string&)> lost)
+  // How a process was lost.
+  enum class Loss { kGone, kCrashed };
+  // Hears of it, in the handler that found out.
+  using LossListener = std::function<void(RemoteObject*, Loss, const std::string& why)>;
+
+  RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process, LossListener lost)
       : Object(system, id, robot), process_(process), lost_(std::move(lost)) {}
 
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
+
+  // Messages that came when the process was lost; nobody heard them.
+  uint64_t unheard_count() const { return unheard_count_; }
 
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
  private:
+  void AnswerForTheLost(uint32_t selector);
+
   RemoteProcess* const process_;
-  const std::function<void(RemoteObject*, const std::string&)> lost_;
+  const LossListener lost_;
   std::set<uint32_t> selectors_;
+  uint64_t unheard_count_ = 0;
 };
 
 }  // namespace openr_host

@@ -118,7 +118,7 @@ void RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     line_.Send(down);
     courier_->Sent(message);
   }
-  for (;;) {
+  while (!is_lost_) {
     const Stop stop = WaitForStop(object);
     if (stop.kind == openr_wire_STOP_DONE) return;
     if (stop.kind == openr_wire_STOP_READS) {
@@ -133,6 +133,8 @@ RemoteProcess::Stop RemoteProcess::WaitForStop(RemoteObject* object) {
   for (;;) {
     const Loan up = Next();
     if (Serve(*up)) continue;
+    if (up->body._d == openr_wire_UP_CRASHED)
+      throw ProcessCrashed(StringOf(up->body._u.crashed.text));
     if (up->body._d != openr_wire_UP_STOPPED) Refuse("something in the middle of a handler");
     const openr_wire_Stopped& stopped = up->body._u.stopped;
     if (stopped.object != object->id) Refuse("the end of another object's handler");
@@ -150,7 +152,10 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop) {
   openr_wire_Resume& resume = down.body._u.resume;
   Message* const reply =
       system_->AwaitReply(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  if (is_lost_) return;
+  if (is_lost_) {  // another object of the process brought it down meanwhile
+    system_->queue().Release(reply);
+    return;
+  }
   WireArena arena;
   resume.now_us = system_->now_us();
   courier_->Encode(*reply, nullptr, &arena, &resume.reply);
@@ -165,6 +170,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop) {
   char line[Message::kPayloadMax];
   const size_t size = system_->console_input().Read(
       line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line));
+  if (is_lost_) return;
   WireArena arena;
   openr_wire_Down down = NewDown(openr_wire_DOWN_RESUME);
   openr_wire_Resume& resume = down.body._u.resume;

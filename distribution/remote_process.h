@@ -28,6 +28,11 @@ struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The same, by the fault of the object whose handler ran.
+struct ProcessCrashed : ProcessLost {
+  using ProcessLost::ProcessLost;
+};
+
 class RemoteProcess {
  public:
   struct Facts {  // as it says of itself

@@ -290,6 +290,14 @@ void Worker::SendStopped(Object* object) {
   arena_.Clear();
 }
 
+void Worker::TellCrash(std::string_view text) {
+  WireArena arena;
+  openr_wire_Up up = NewUp(openr_wire_UP_CRASHED);
+  up.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
+                        arena.Text(text)};
+  Send(up);
+}
+
 void Worker::SendState(ObjectId id) {
   WireArena arena;
   std::string subjects;

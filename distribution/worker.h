@@ -39,6 +39,10 @@ class Worker : public Uplink {
   // Until the master says that it is over.  "" or what went wrong.
   std::string Run();
 
+  // Tells the master that the handler that runs ends this process; from a signal handler on top of
+  // the object's code.
+  void TellCrash(std::string_view text);
+
   // ---- Uplink
   int32_t Post(Message* message, int64_t delay_us) override;
   void Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) override;

@@ -38,6 +38,7 @@ void Devices::SetTarget(int joint, slongword urad) {
   JointDevice& device = joints[static_cast<size_t>(joint)];
   device.target_urad = urad;
   device.commanded = true;
+  device.commander = commander_;
 }
 
 void Devices::SetLed2(int led, OLEDValue value) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/core/message.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/model/robot_model.h"
 
@@ -19,8 +20,9 @@ class Hasher;
 using GainWords = std::array<word, 6>;
 
 struct JointDevice {
-  slongword target_urad = 0;  // set point; at boot unrelated to where the joint is
-  bool commanded = false;     // a set point has come since boot
+  slongword target_urad = 0;       // set point; at boot unrelated to where the joint is
+  bool commanded = false;          // a set point has come since boot
+  ObjectId commander = kNoObject;  // whose set point it is
   bool gain_enabled = false;
   GainWords gains{};                    // all 0 while disabled
   std::optional<GainWords> registered;  // RegisterDefaultJointGain()
@@ -42,6 +44,8 @@ class Devices {
   // What the servos are told for the coming frame.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
+  // Whose command vectors are being applied.
+  void set_commander(ObjectId object) { commander_ = object; }
   void SetTarget(int joint, slongword urad);
   void SetLed2(int led, OLEDValue value);
   void SetLed3(int led, const OLEDCommandValue3& value);
@@ -65,6 +69,7 @@ class Devices {
   std::vector<PlungerDevice> plungers;
 
  private:
+  ObjectId commander_ = kNoObject;
   std::vector<bool> on_face_;  // by light
   std::vector<JointCommand> commands_;
 };

@@ -31,7 +31,8 @@ VirtualRobot::VirtualRobot(System* system, int robot, const RobotModel& model,
       speaker_(std::move(options.speaker)),
       microphone_(std::move(options.microphone), primitives_.IdOf(model.microphone_locator),
                   model.microphone_frames),
-      camera_(std::move(options.camera), model.camera, primitives_.IdOf(model.camera.locator)) {}
+      camera_(std::move(options.camera), model.camera, primitives_.IdOf(model.camera.locator)),
+      safe_posture_(model) {}
 
 VirtualRobot::~VirtualRobot() = default;
 
@@ -296,6 +297,7 @@ void VirtualRobot::HashState(Hasher* hasher) const {
   speaker_.HashState(hasher);
   microphone_.HashState(hasher);
   camera_.HashState(hasher);
+  safe_posture_.HashState(hasher);
 }
 
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,

@@ -19,6 +19,7 @@
 #include "virtualrobot/optional_bytes.h"
 #include "virtualrobot/power.h"
 #include "virtualrobot/primitive_table.h"
+#include "virtualrobot/safe_posture.h"
 #include "virtualrobot/sensor_source.h"
 #include "virtualrobot/sound/microphone.h"
 #include "virtualrobot/sound/sound_sink.h"
@@ -56,6 +57,9 @@ class VirtualRobot : public RobotServices {
   const OSensorValue& sensor(int index) const { return sensors_.Latest(index); }
   // Sticks objects' pause button in: see Power::PressPause().
   void PressPause() { power_.PressPause(); }
+
+  // An object that sent command vectors is gone; see SafePosture.
+  void CommanderIsGone(ObjectId object) { safe_posture_.CommanderIsGone(object, frame_); }
 
   // ---- RobotServices
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
@@ -126,6 +130,7 @@ class VirtualRobot : public RobotServices {
   Speaker speaker_;
   Microphone microphone_;
   CameraDevice camera_;
+  SafePosture safe_posture_;
   int64_t first_frame_ = 0;
   int64_t frame_ = 0;
 };

@@ -87,9 +87,11 @@ void OVirtualRobotComm::ApplyCommands() {
   if (sound_ != nullptr) sound_->Announce();
   std::vector<std::string> problems;
   for (Source& source : sources_) {
+    robot_->devices_.set_commander(ObjectIdOf(source.subject.GetOID()));
     source.queue.Apply(robot_->frame_, port, &problems);
     if (!problems.empty()) Report(source.subject, &problems);
   }
+  robot_->safe_posture_.Apply(robot_->frame_, &robot_->devices_);
 }
 
 // An image leaves when the next one is taken.  Nobody says how long reading it out takes, but

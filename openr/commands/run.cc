@@ -284,6 +284,11 @@ int Run(RunFlags flags) {
       good = false;
     }
   }
+  if (fleet != nullptr) {
+    fleet->OnCrash([&simulation](Object* object) {
+      simulation.robots()[static_cast<size_t>(object->robot)]->CommanderIsGone(object->id);
+    });
+  }
   bool boots = good;
   RunFacts facts;
   facts.seed = flags.simulation.seed;
@@ -312,6 +317,7 @@ int Run(RunFlags flags) {
   } else {
     facts.standing.assign(simulation.robots().size(), StandingMonitor(simulation.model()));
   }
+  if (fleet != nullptr) fleet->ReportLosses();
   if (!boots) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation, facts);

@@ -1,0 +1,37 @@
+#include "virtualrobot/safe_posture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/core/hasher.h"
+
+namespace openr_host {
+
+void SafePosture::Apply(int64_t frame, Devices* devices) {
+  for (Gone& gone : gone_) {
+    const int64_t moved = frame - gone.since - kHoldFrames;
+    if (moved < 0) continue;
+    if (gone.from_urad.empty()) {
+      for (const JointDevice& joint : devices->joints) gone.from_urad.push_back(joint.target_urad);
+    }
+    const std::vector<double> rest_rad = model_.PostureAngles("sleep");
+    const int64_t step = std::min(moved, kMoveFrames);
+    for (size_t j = 0; j < devices->joints.size(); ++j) {
+      JointDevice& joint = devices->joints[j];
+      if (joint.commander != gone.commander) continue;
+      const auto rest_urad = static_cast<slongword>(std::floor(rest_rad[j] * 1e6 + 0.5));
+      const int64_t way = int64_t{rest_urad} - gone.from_urad[j];
+      joint.target_urad = static_cast<slongword>(gone.from_urad[j] + way * step / kMoveFrames);
+    }
+  }
+}
+
+void SafePosture::HashState(Hasher* hasher) const {
+  for (const Gone& gone : gone_) {
+    hasher->Add(gone.commander);
+    hasher->Add(gone.since);
+    for (const slongword urad : gone.from_urad) hasher->Add(urad);
+  }
+}
+
+}  // namespace openr_host
