@@ -12,6 +12,7 @@
 #include "openr/install_paths.h"
 #include "openr/network_setup.h"
 #include "openr/pacing.h"
+#include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 #include "virtualrobot/body.h"
@@ -101,7 +102,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   networks_.push_back(AddIpStack(system_.get(), robot, std::move(network)));
   const System::StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
-  if (!system_->LoadStick(robot, stand_ins)) loaded_ = false;
+  if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
 }
 
 void Simulation::ReportUnusedCosts() {

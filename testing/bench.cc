@@ -18,6 +18,7 @@
 #include "runtime/config/spelling.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/image_file.h"
+#include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/virtual_robot.h"
@@ -131,7 +132,7 @@ void Bench::LoadStick() {
       stand_in.make ? stand_in.make(*this) : void(AddProbe(name, ServicesOf(name)));
     };
   }
-  system_->LoadStick(0, stand_ins);
+  openr_host::LoadStickAndGateway(system_.get(), 0, stand_ins);
   std::vector<std::string> known;
   for (const auto& object : system_->objects()) {
     if (object->is_image) known.push_back(object->name);

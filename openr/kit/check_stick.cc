@@ -15,6 +15,7 @@
 #include "openr/kit/text_files.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
+#include "runtime/config/gateway_config.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/ocf.h"
 #include "runtime/config/spelling.h"
@@ -30,8 +31,6 @@ namespace fs = std::filesystem;
 // Services the robot itself registers.
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
                                       ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
-// Whatever a gateway is asked for, it has.
-constexpr char kGateway[] = "TCPGateway.";
 
 // The name in the .ocf text that images for the host carry; "" when there is none.
 std::string ObjectNameIn(std::string_view bytes) {
@@ -52,6 +51,7 @@ class StickCheck {
     for (const char* service : kRobotServices) services_[service] = "the robot";
     CheckObjectConfig();
     CheckConnections();
+    CheckGateway();
     CheckDesigns();
     CheckWlan();
     CheckFileNames();
@@ -72,6 +72,8 @@ class StickCheck {
   void CheckConnections();
   void CheckService(const ServiceName& name, const Place& place);
   void CheckUnconnected(const std::set<std::string>& connected);
+  void CheckGateway();
+  GatewayConfig ReadGateway(const fs::path& file, GatewaySide side);
   void CheckDesigns();
   void CheckWlan();
   void CheckFileNames();
@@ -79,8 +81,10 @@ class StickCheck {
   const StickFolder& stick_;
   const Project& project_;
   Remarks* const remarks_;
-  std::map<std::string, std::string> services_;      // by full name: who has it
-  std::vector<StubService> declared_;                // in stub.cfg files of objects on the stick
+  std::map<std::string, std::string> services_;  // by full name: who has it
+  std::vector<StubService> declared_;            // in stub.cfg files of objects on the stick
+  ConnectConfig wires_;
+  bool has_gateway_ = false;                         // in OBJECT.CFG
   std::map<std::string, std::string> object_names_;  // of images: by which file
   bool knows_all_ = true;                            // false: some image could not be looked into
 };
@@ -105,7 +109,9 @@ void StickCheck::CheckObjectConfig() {
                     "lower case in a path; the stick keeps names in upper case");
     }
     const fs::path file = OnStick(record.path);
-    if (file.empty()) {
+    if (EqualsIgnoringCase(name, kGatewayImage)) {  // the system's own
+      has_gateway_ = true;
+    } else if (file.empty()) {
       missing.push_back(record);
     } else {
       CheckImage(record, file);
@@ -206,7 +212,7 @@ void StickCheck::AddStubServices(const ObjectFolder& object) {
 
 void StickCheck::CheckService(const ServiceName& name, const Place& place) {
   const std::string full = Compose(name);
-  if (services_.contains(full) || full.starts_with(kGateway)) return;
+  if (services_.contains(full) || full.starts_with(kGatewayPrefix)) return;
   std::vector<std::string> known;
   for (const auto& [service, owner] : services_) {
     known.push_back(service);
@@ -229,10 +235,10 @@ void StickCheck::CheckConnections() {
                       "is missing; no object is connected");
     return;
   }
-  const ConnectConfig config = ParseConnectConfig(file, ReadText(file).value_or(""), kEveryDesign);
-  remarks_->AddAll(config.diagnostics);
+  wires_ = ParseConnectConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(wires_.diagnostics);
   std::set<std::string> connected;
-  for (const ConnectRecord& record : config.connections) {
+  for (const ConnectRecord& record : wires_.connections) {
     CheckService(record.subject, record.subject_place);
     CheckService(record.observer, record.observer_place);
     connected.insert(Compose(record.subject));
@@ -249,6 +255,44 @@ void StickCheck::CheckUnconnected(const std::set<std::string>& connected) {
                   fmt::format("CONNECT.CFG does not mention '{}'; if that is meant, call its data "
                               "DoNotConnect",
                               Compose(service.name)));
+  }
+}
+
+GatewayConfig StickCheck::ReadGateway(const fs::path& file, GatewaySide side) {
+  if (file.empty()) return {};
+  GatewayConfig config = ParseGatewayConfig(file, ReadText(file).value_or(""), kEveryDesign, side);
+  remarks_->AddAll(config.diagnostics);
+  return config;
+}
+
+// What the gateway is to carry, and what is wired to it.
+void StickCheck::CheckGateway() {
+  const fs::path robot_file = Config(kRobotGatewayFile), host_file = Config(kHostGatewayFile);
+  GatewayConfig config = ReadGateway(robot_file, GatewaySide::kRobot);
+  for (GatewayRecord& record : ReadGateway(host_file, GatewaySide::kHost).services)
+    config.services.push_back(std::move(record));
+  remarks_->AddAll(CheckGatewayWires(wires_, config, kRobotGatewayFile));
+  for (const GatewayRecord& record : config.services) {
+    const bool is_wired = std::any_of(
+        wires_.connections.begin(), wires_.connections.end(), [&](const ConnectRecord& wire) {
+          return wire.subject == record.service || wire.observer == record.service;
+        });
+    if (!is_wired) {
+      remarks_->Add(Remark::Kind::kNote, record.place,
+                    "CONNECT.CFG does not mention this service; nothing goes through its port");
+    }
+  }
+  if (!robot_file.empty() && !has_gateway_) {
+    remarks_->Warning(stick_.object_config,
+                      fmt::format("does not name /MS/OPEN-R/SYSTEM/OBJS/{}; {} has no effect on "
+                                  "the robot then",
+                                  kGatewayImage, kRobotGatewayFile));
+  }
+  if (robot_file.empty() && has_gateway_) {
+    remarks_->Warning(stick_.object_config,
+                      fmt::format("names {}, but there is no {} beside it: the gateway has no "
+                                  "services",
+                                  kGatewayImage, kRobotGatewayFile));
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "openr/kit/image_match.h"
 #include "openr/kit/text_files.h"
+#include "runtime/config/gateway_config.h"
+#include "runtime/config/spelling.h"
 #include "runtime/core/image_file.h"
 
 namespace openr_host {
@@ -74,6 +76,10 @@ class StickCompletion {
   void FindInstalled() {
     for (const ObjectRecord& record : stick_.objects) {
       const std::string name = FileNameOf(record);
+      if (EqualsIgnoringCase(name, kGatewayImage)) {
+        harvest_.images.push_back({name, "", "the runtime's own"});
+        continue;
+      }
       const fs::path place = PlaceOf(record);
       const ImageFile image =
           place.empty() ? ImageFile{"", false, false, "is missing"} : ReadImageFile(place);
@@ -88,7 +94,7 @@ class StickCompletion {
     }
   }
 
-  // An object that is not in OBJS: SYSTEM/OBJS/TCPGW.BIN.
+  // An object that is not in OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }

@@ -172,8 +172,11 @@ void TcpEndpoint::Send(const Operation& operation) {
                     message.size, pool_bytes_));
     return Refuse(operation, TCP_FAIL);
   }
-  WarnOfRobotTiming(operation, message.size);
-  WarnOfSmallSends(operation, message.size);
+  const Object* const sender = stack_->system().object(operation.sender);
+  if (sender != nullptr && !sender->is_system) {
+    WarnOfRobotTiming(operation, message.size);
+    WarnOfSmallSends(operation, message.size);
+  }
   send_ = accepted;
 }
 

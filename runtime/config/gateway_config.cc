@@ -1,0 +1,196 @@
+#include "runtime/config/gateway_config.h"
+
+#include <IPAddress.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "runtime/config/line_file.h"
+#include "runtime/config/spelling.h"
+
+namespace openr_host {
+namespace {
+
+// Installation Guide 3.2.1.
+constexpr int kConsolePort = 59000;
+
+constexpr char kProxyRecord[] = "!ROBOT_PROXY";
+
+std::optional<uint16_t> PortOf(const Word& word) {
+  int port = 0;
+  const char* const end = word.text.data() + word.text.size();
+  const auto [stop, error] = std::from_chars(word.text.data(), end, port);
+  if (error != std::errc() || stop != end || port < 1 || port > 65535) return std::nullopt;
+  return static_cast<uint16_t>(port);
+}
+
+class GatewayReader {
+ public:
+  GatewayReader(GatewaySide side, GatewayConfig* config) : side_(side), config_(config) {}
+
+  void Read(const RecordLine& line) {
+    const std::string& first = line.words[0].text;
+    if (first == kProxyRecord || first.ends_with(".AperiosMessage.P")) return NoteProxy(line);
+    if (first[0] == '!') {
+      config_->diagnostics.push_back(
+          WarningAt(line.place, fmt::format("'{}' is not known; there is {} only{}", first,
+                                            kProxyRecord, DidYouMean(first, {kProxyRecord}))));
+      return;
+    }
+    if (!HasItsWords(line)) return;
+    GatewayRecord record;
+    record.section = line.section;
+    record.place = line.place;
+    if (ReadService(line, &record) && ReadPort(line, &record) && ReadHost(line, &record) &&
+        IsNew(line, record))
+      config_->services.push_back(std::move(record));
+  }
+
+ private:
+  void Refuse(const Place& place, std::string why) {
+    config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
+  }
+
+  void NoteProxy(const RecordLine& line) {
+    config_->diagnostics.push_back(WarningAt(
+        line.place,
+        "OPEN-R calls of a program on another computer are not carried: their protocol is not "
+        "known; subjects and observers are"));
+  }
+
+  bool HasItsWords(const RecordLine& line) {
+    const size_t wanted = side_ == GatewaySide::kRobot ? 2 : 3;
+    if (line.words.size() == wanted) return true;
+    const char* const form =
+        side_ == GatewaySide::kRobot ? "a service and a port" : "a service, a port and an address";
+    if (line.words.size() > wanted) {
+      Refuse(line.At(line.words[wanted]),
+             fmt::format("'{}' after the record; a line holds {}", line.words[wanted].text, form));
+    } else {
+      Refuse(line.place, fmt::format("a line holds {}, separated by blanks", form));
+    }
+    return false;
+  }
+
+  bool ReadService(const RecordLine& line, GatewayRecord* record) {
+    const Word& word = line.words[0];
+    if (word.text.size() > static_cast<size_t>(kServiceNameBytesMax)) {
+      Refuse(line.place, fmt::format("service name of {} characters, the limit is {}",
+                                     word.text.size(), kServiceNameBytesMax));
+      return false;
+    }
+    ServiceNameFault fault;
+    const std::optional<ServiceName> name = ParseServiceName(word.text, &fault);
+    if (name) {
+      record->service = *name;
+    } else {
+      Refuse(AtColumn(line.place, word.column + fault.offset), fault.message);
+    }
+    return name.has_value();
+  }
+
+  bool ReadPort(const RecordLine& line, GatewayRecord* record) {
+    const std::optional<uint16_t> port = PortOf(line.words[1]);
+    if (!port) {
+      Refuse(line.At(line.words[1]),
+             fmt::format("'{}' is no port; write a number of 1 to 65535", line.words[1].text));
+      return false;
+    }
+    record->port = *port;
+    if (*port == kConsolePort) {
+      config_->diagnostics.push_back(WarningAt(
+          line.At(line.words[1]),
+          fmt::format("port {} belongs to the wireless console of the robot", kConsolePort)));
+    }
+    return true;
+  }
+
+  bool ReadHost(const RecordLine& line, GatewayRecord* record) {
+    if (side_ == GatewaySide::kRobot) return true;
+    record->host = line.words[2].text;
+    if (IPAddress(record->host.c_str()).Address() != 0) return true;
+    Refuse(line.At(line.words[2]),
+           fmt::format("'{}' is no address; write the robot's, such as 10.0.1.100, or 127.0.0.1 "
+                       "for one that runs on this computer",
+                       line.words[2].text));
+    return false;
+  }
+
+  bool IsNew(const RecordLine& line, const GatewayRecord& record) {
+    for (const GatewayRecord& known : config_->services) {
+      if (!MayHoldTogether(known.section, record.section)) continue;
+      if (known.service == record.service) {
+        Refuse(line.place, fmt::format("the service is given already in line {}; it carries one "
+                                       "connection",
+                                       known.place.line));
+        return false;
+      }
+      if (known.port == record.port && known.host == record.host) {
+        Refuse(line.At(line.words[1]),
+               fmt::format("port {} is that of '{}' in line {}; the two sides pair by port",
+                           record.port, Compose(known.service), known.place.line));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const GatewaySide side_;
+  GatewayConfig* const config_;
+};
+
+}  // namespace
+
+GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
+                                 std::string_view design, GatewaySide side) {
+  GatewayConfig config;
+  GatewayReader reader(side, &config);
+  for (const RecordLine& line : ReadRecords(file, text, design, &config.diagnostics))
+    reader.Read(line);
+  return config;
+}
+
+std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const GatewayConfig& gateway,
+                                          const std::string& file) {
+  std::vector<Diagnostic> diagnostics;
+  struct Wire {
+    const ServiceName& service;
+    const std::string& section;
+    int line;
+  };
+  std::vector<Wire> known;
+  const auto check = [&](const ServiceName& service, const std::string& section,
+                         const Place& place) {
+    if (!Compose(service).starts_with(kGatewayPrefix)) return;
+    std::vector<std::string> names;
+    bool is_there = false;
+    for (const GatewayRecord& record : gateway.services) {
+      is_there = is_there || record.service == service;
+      names.push_back(Compose(record.service));
+    }
+    if (!is_there) {
+      diagnostics.push_back(
+          ErrorAt(place, fmt::format("the gateway has no '{}': it is not in {}{}", Compose(service),
+                                     file, DidYouMean(Compose(service), names))));
+      return;
+    }
+    for (const Wire& wire : known) {
+      if (wire.service != service || !MayHoldTogether(wire.section, section)) continue;
+      diagnostics.push_back(ErrorAt(
+          place, fmt::format("'{}' is connected already in line {}; a service of the gateway "
+                             "carries one connection, more fail on the robot: give each its own "
+                             "service and port",
+                             Compose(service), wire.line)));
+      break;
+    }
+    known.push_back({service, section, place.line});
+  };
+  for (const ConnectRecord& wire : wires.connections) {
+    check(wire.subject, wire.section, wire.subject_place);
+    check(wire.observer, wire.section, wire.observer_place);
+  }
+  return diagnostics;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,121 @@
+#include "runtime/gateway/gateway_channel.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+#include "runtime/gateway/tcp_gateway.h"
+
+namespace openr_host {
+
+void GatewayChannel::HashState(Hasher* hasher) const {
+  connection_.HashState(hasher);
+  hasher->AddText(stream_.bytes());
+}
+
+void OutgoingChannel::Up() { observer_->AssertReady(); }
+
+void OutgoingChannel::Notify(const ONotifyEvent& event) {
+  if (!connection_.is_up()) {  // it was on its way when the connection ended
+    gateway_->host().dropped_count += 1;
+    return;
+  }
+  GatewaySet set;
+  for (int i = 0; i < event.NumOfData(); ++i) {
+    RCRegion* const region = event.RCData(i);
+    set.emplace_back(region->Base(), region->Size());
+  }
+  held_ = EncodeSet(set);
+  SendHeld();
+}
+
+void OutgoingChannel::SendHeld() {
+  if (!peer_is_ready_ || held_.empty() || connection_.is_sending()) return;
+  peer_is_ready_ = false;
+  const std::string bytes = std::exchange(held_, "");
+  connection_.Send(bytes);
+  observer_->AssertReady();
+}
+
+void OutgoingChannel::Received(std::string_view bytes) {
+  stream_.Feed(bytes);
+  uint32_t word = 0;
+  while (stream_.NextWord(&word) == GatewayStream::Result::kTaken) {
+    if (word > kGatewayDeassert) {
+      return connection_.Refuse(
+          fmt::format("has the word {:#x} where ready ({}) is expected; data go out here, they do "
+                      "not come in: is the port that of another service?",
+                      word, kGatewayAssert));
+    }
+    if (word < kGatewayAssert) {
+      gateway_->Warn(
+          fmt::format("the peer says ready with {}, which means nothing; 3 is ready", word));
+      continue;
+    }
+    peer_is_ready_ = word == kGatewayAssert;
+  }
+  SendHeld();
+}
+
+// Nobody listens now: a subject that waits for ready must not be called for data that get lost.
+void OutgoingChannel::Down() {
+  stream_ = {};
+  peer_is_ready_ = false;
+  if (!held_.empty()) gateway_->host().dropped_count += 1;
+  held_.clear();
+  observer_->DeassertReady();
+}
+
+void OutgoingChannel::HashState(Hasher* hasher) const {
+  GatewayChannel::HashState(hasher);
+  hasher->Add(peer_is_ready_);
+  hasher->AddText(held_);
+}
+
+void IncomingChannel::Up() {
+  waiting_word_ = 0;
+  asked_ = false;
+  if (subject_->IsReady() > 0) Tell(kGatewayAssert);
+}
+
+void IncomingChannel::Ready(const OReadyEvent& event) {
+  if (connection_.is_up()) Tell(event.IsAssert() ? kGatewayAssert : kGatewayDeassert);
+}
+
+void IncomingChannel::Tell(uint32_t word) {
+  waiting_word_ = word;
+  if (!connection_.is_sending()) Sent();
+}
+
+void IncomingChannel::Sent() {
+  if (waiting_word_ == 0) return;
+  const uint32_t word = std::exchange(waiting_word_, 0);
+  asked_ = word == kGatewayAssert;
+  connection_.Send(EncodeWord(word));
+}
+
+void IncomingChannel::Received(std::string_view bytes) {
+  stream_.Feed(bytes);
+  GatewaySet set;
+  GatewayStream::Result result;
+  while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
+    if (!std::exchange(asked_, false)) {
+      gateway_->Warn(
+          "the peer sends data before it was told that the observer is ready; they wait, and newer "
+          "ones replace them");
+    }
+    for (const std::string& item : set) subject_->SetData(item.data(), item.size());
+    subject_->NotifyObservers();
+  }
+  if (result == GatewayStream::Result::kBroken) connection_.Refuse(stream_.error());
+}
+
+void IncomingChannel::HashState(Hasher* hasher) const {
+  GatewayChannel::HashState(hasher);
+  hasher->Add(waiting_word_);
+  hasher->Add(asked_);
+}
+
+}  // namespace openr_host

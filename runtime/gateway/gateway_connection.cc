@@ -1,0 +1,177 @@
+#include "runtime/gateway/gateway_connection.h"
+
+#include <EndpointTypes.h>
+#include <IPAddress.h>
+#include <antEnvMsg.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/system.h"
+#include "runtime/gateway/tcp_gateway.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kReceiveBytes = 8192;
+constexpr int kSendBytes = 32768;
+
+}  // namespace
+
+GatewayConnection::GatewayConnection(TcpGateway* gateway, int index, const GatewayRecord& record,
+                                     Owner* owner)
+    : gateway_(gateway), index_(index), record_(record), owner_(owner) {}
+
+void GatewayConnection::Warn(const std::string& text) {
+  gateway_->system().AddFindingAbout(
+      &gateway_->host(), Severity::kWarning,
+      fmt::format("{} (port {}): {}", Compose(record_.service), record_.port, text));
+}
+
+template <typename M>
+void GatewayConnection::Post(M message) {
+  message.continuation = reinterpret_cast<void*>(static_cast<intptr_t>(index_));
+  gateway_->PostToStack(&message, sizeof message);
+}
+
+bool GatewayConnection::NewBuffer() {
+  antEnvCreateSharedBufferMsg create(kReceiveBytes + kSendBytes);
+  if (create.Call(gateway_->stack(), sizeof create) != ANT_SUCCESS) return false;
+  if (create.error != ANT_SUCCESS || create.buffer.Map() != ANT_SUCCESS) return false;
+  receive_bytes_ = static_cast<byte*>(create.buffer.GetAddress());
+  return true;
+}
+
+antModuleRef GatewayConnection::NewEndpoint() {
+  antEnvCreateEndpointMsg create(EndpointType_TCP, 2 * kSendBytes);
+  create.Call(gateway_->stack(), sizeof create);
+  if (create.error == ANT_SUCCESS) return create.moduleRef;
+  Warn(fmt::format("no endpoint, error {}; the service is not connected",
+                   static_cast<int>(create.error)));
+  return {};
+}
+
+void GatewayConnection::Open() {
+  if (receive_bytes_ == nullptr && !NewBuffer()) {
+    Warn("no shared buffer; the service is not connected");
+    return;
+  }
+  if (record_.host.empty()) {
+    Listen();
+  } else {
+    Connect();
+  }
+}
+
+void GatewayConnection::Listen() {
+  listener_ = NewEndpoint();
+  if (!listener_.IsNull()) Post(TCPEndpointListenMsg(listener_, IP_ADDR_ANY, record_.port));
+}
+
+void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
+  if (answer.dstModule != listener_) return;
+  if (answer.error != TCP_SUCCESS) {
+    Warn(fmt::format("cannot listen, error {}", static_cast<int>(answer.error)));
+    return;
+  }
+  const antModuleRef client = listener_;
+  Listen();
+  if (is_up_) {
+    Warn("a second connection is refused; a service of the gateway carries one");
+    Close(client);
+  } else {
+    TakeConnection(client);
+  }
+}
+
+void GatewayConnection::Connect() {
+  endpoint_ = NewEndpoint();
+  if (endpoint_.IsNull()) return;
+  Post(TCPEndpointConnectMsg(endpoint_, IP_ADDR_ANY, IP_PORT_ANY, IPAddress(record_.host.c_str()),
+                             record_.port));
+}
+
+void GatewayConnection::TakeConnect(const TCPEndpointConnectMsg& answer) {
+  if (answer.dstModule != endpoint_) return;
+  if (answer.error == TCP_SUCCESS) return TakeConnection(endpoint_);
+  Warn(fmt::format("cannot connect to {}, error {}; tried again every second", record_.host,
+                   static_cast<int>(answer.error)));
+  Close(endpoint_);
+  endpoint_ = antModuleRef();
+  gateway_->OpenLater(index_, kRetryUs);
+}
+
+void GatewayConnection::TakeConnection(const antModuleRef& endpoint) {
+  endpoint_ = endpoint;
+  is_up_ = true;
+  Receive();
+  owner_->Up();
+}
+
+void GatewayConnection::Receive() {
+  Post(TCPEndpointReceiveMsg(endpoint_, receive_bytes_, 1, kReceiveBytes));
+}
+
+void GatewayConnection::Send(std::string_view bytes) {
+  out_ += bytes;
+  if (!is_sending_) SendNext();
+}
+
+void GatewayConnection::SendNext() {
+  const size_t size = std::min<size_t>(out_.size(), kSendBytes);
+  is_sending_ = size > 0;
+  if (size == 0) return owner_->Sent();
+  byte* const data = receive_bytes_ + kReceiveBytes;
+  std::memcpy(data, out_.data(), size);
+  out_.erase(0, size);
+  Post(TCPEndpointSendMsg(endpoint_, data, static_cast<int>(size)));
+}
+
+void GatewayConnection::Close(antModuleRef endpoint) { Post(TCPEndpointCloseMsg(endpoint)); }
+
+void GatewayConnection::Refuse(const std::string& why) {
+  Warn(fmt::format("the connection is closed: the stream {}", why));
+  Lose();
+}
+
+// Ends our side too; the next client, or the next try, begins anew.
+void GatewayConnection::Lose() {
+  Close(endpoint_);
+  endpoint_ = antModuleRef();
+  is_up_ = is_sending_ = false;
+  out_.clear();
+  owner_->Down();
+  if (!record_.host.empty()) gateway_->OpenLater(index_, kRetryUs);
+}
+
+void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
+  switch (answer.dstOperation) {
+    case TCPEndpoint_Operation_Listen:
+      return TakeListen(static_cast<const TCPEndpointListenMsg&>(answer));
+    case TCPEndpoint_Operation_Connect:
+      return TakeConnect(static_cast<const TCPEndpointConnectMsg&>(answer));
+    case TCPEndpoint_Operation_Close:
+      return;
+    default:
+      break;
+  }
+  if (!is_up_ || answer.dstModule != endpoint_) return;  // of a connection that is over
+  if (static_cast<const TCPEndpointMsg&>(answer).error != TCP_SUCCESS) return Lose();
+  if (answer.dstOperation == TCPEndpoint_Operation_Send) return SendNext();
+  const auto& receive = static_cast<const TCPEndpointReceiveMsg&>(answer);
+  owner_->Received(
+      {reinterpret_cast<const char*>(receive.buffer), static_cast<size_t>(receive.sizeMin)});
+  if (is_up_) Receive();
+}
+
+void GatewayConnection::HashState(Hasher* hasher) const {
+  hasher->Add(listener_.index);
+  hasher->Add(endpoint_.index);
+  hasher->Add(is_up_);
+  hasher->Add(is_sending_);
+  hasher->AddText(out_);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,170 @@
+#include "runtime/gateway/tcp_gateway.h"
+
+#include <antEnvMsg.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "runtime/core/hasher.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+
+TcpGateway::TcpGateway(const std::vector<GatewayRecord>& services) {
+  host().is_system = true;
+  answer_ = AddExtra("Network", [this](void* payload) {
+    const antEnvMsg& answer = *antEnvMsg::Receive(payload);
+    const auto index = reinterpret_cast<uintptr_t>(answer.continuation);
+    channels_.at(index)->connection().TakeAnswer(answer);
+  });
+  open_ = AddExtra("Open", [this](void* payload) {
+    int index = 0;
+    std::memcpy(&index, payload, sizeof index);
+    channels_.at(static_cast<size_t>(index))->connection().Open();
+  });
+  for (const GatewayRecord& record : services) AddChannel(record);
+  // Of each: what it waits for from the network, its data or its ready.
+  host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
+}
+
+TcpGateway::~TcpGateway() = default;
+
+void TcpGateway::AddChannel(const GatewayRecord& record) {
+  const int index = static_cast<int>(channels_.size());
+  const std::string service = Compose(record.service);
+  if (record.service.is_subject()) {
+    auto channel = std::make_unique<IncomingChannel>(this, index, record);
+    channel->set_subject(
+        AddSubject(service, [to = channel.get()](const OReadyEvent& event) { to->Ready(event); }));
+    channels_.push_back(std::move(channel));
+  } else {
+    auto channel = std::make_unique<OutgoingChannel>(this, index, record);
+    channel->set_observer(AddObserver(
+        service, [to = channel.get()](const ONotifyEvent& event) { to->Notify(event); }));
+    channels_.push_back(std::move(channel));
+  }
+}
+
+OStatus TcpGateway::DoStart(const OSystemEvent&) {
+  stack_ = antStackRef(IpStack::kName);
+  if (!stack_.IsValid()) {
+    Warn("the robot has no network; nothing is carried");
+    return oSUCCESS;
+  }
+  for (const auto& channel : channels_) channel->connection().Open();
+  return oSUCCESS;
+}
+
+void TcpGateway::PostToStack(antEnvMsg* message, int size) {
+  message->Send(stack_, myOID_, static_cast<int32>(answer_), size);
+}
+
+void TcpGateway::OpenLater(int channel, int64_t delay_us) {
+  Message* const message = system().NewMessage(host().id, open_);
+  std::memcpy(message->payload, &channel, sizeof channel);
+  message->size = sizeof channel;
+  system().Post(message, delay_us);
+}
+
+void TcpGateway::Warn(const std::string& text) {
+  system().AddFindingAbout(&host(), Severity::kWarning, text);
+}
+
+void TcpGateway::HashState(Hasher* hasher) const {
+  for (const auto& channel : channels_) channel->HashState(hasher);
+}
+
+namespace {
+
+// What the stick says of the gateway.
+class GatewayLoader {
+ public:
+  GatewayLoader(System* system, int robot)
+      : system_(system),
+        robot_(robot),
+        has_robot_file_(Text(kRobotGatewayFile).has_value()),
+        config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
+    GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
+    std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
+    std::move(other.diagnostics.begin(), other.diagnostics.end(),
+              std::back_inserter(config_.diagnostics));
+  }
+
+  void Add() {
+    if (host_ != nullptr) return;
+    host_ = &system_->AddObject<TcpGateway>(robot_, TcpGateway::kName, config_.services)->host();
+    Report(config_.diagnostics);
+    if (config_.services.empty())
+      Warn(fmt::format("{} names no service; nothing is carried", kRobotGatewayFile));
+  }
+
+  // After the stick has been read.
+  void CheckWires() {
+    const auto text = Text("CONNECT.CFG");
+    if (!text) return;
+    const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", *text, Design());
+    if (host_ == nullptr && !config_.services.empty() && NamesGateway(wires)) {
+      Add();
+      if (has_robot_file_)
+        Warn(
+            fmt::format("OBJECT.CFG does not name /MS/OPEN-R/SYSTEM/OBJS/{}; the robot has no "
+                        "gateway then",
+                        kGatewayImage));
+    }
+    if (host_ == nullptr) return;
+    Report(
+        CheckGatewayWires(wires, config_, has_robot_file_ ? kRobotGatewayFile : kHostGatewayFile));
+  }
+
+ private:
+  const std::string& Design() { return system_->robot(robot_).design; }
+
+  std::optional<std::string> Text(const char* name) {
+    MemoryStick* const stick = system_->robot(robot_).stick.get();
+    return stick == nullptr ? std::nullopt
+                            : stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + name);
+  }
+
+  GatewayConfig Read(const char* file, GatewaySide side) {
+    const auto text = Text(file);
+    return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
+  }
+
+  static bool NamesGateway(const ConnectConfig& wires) {
+    return std::any_of(wires.connections.begin(), wires.connections.end(), [](const auto& wire) {
+      return Compose(wire.subject).starts_with(kGatewayPrefix) ||
+             Compose(wire.observer).starts_with(kGatewayPrefix);
+    });
+  }
+
+  void Report(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics)
+      system_->AddFindingAbout(host_, diagnostic.severity, RenderWithoutKind(diagnostic));
+  }
+  void Warn(std::string text) {
+    system_->AddFindingAbout(host_, Severity::kWarning, std::move(text));
+  }
+
+  System* const system_;
+  const int robot_;
+  const bool has_robot_file_;
+  GatewayConfig config_;  // of both files
+  const Object* host_ = nullptr;
+};
+
+}  // namespace
+
+bool LoadStickAndGateway(System* system, int robot, System::StandIns stand_ins) {
+  GatewayLoader loader(system, robot);
+  stand_ins.emplace(kGatewayImage, [&loader] { loader.Add(); });
+  const bool good = system->LoadStick(robot, stand_ins);
+  loader.CheckWires();
+  return good;
+}
+
+}  // namespace openr_host
