@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "runtime/core/assert.h"
+#include "runtime/core/image.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -196,6 +197,7 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
 }
 
 void Dispatcher::FinishHandler(Object* object) {
+  if (object->is_image) static_cast<ImageObject*>(object)->CheckNumbers(object->running->selector);
   t_current = {system_, nullptr, false};
   system_->queue_.Release(object->running);
   object->running = nullptr;

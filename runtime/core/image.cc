@@ -10,6 +10,7 @@
 
 #include "runtime/config/ocf.h"
 #include "runtime/core/assert.h"
+#include "runtime/core/fp_flags.h"
 #include "runtime/core/image_file.h"
 #include "runtime/core/system.h"
 
@@ -124,8 +125,39 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
+  if (FpFlags() != 0) ClearFpFlags();  // of whoever ran before
   reinterpret_cast<void (*)(void*)>(entries_[selector])(payload);
   return true;
+}
+
+// What the robot's processor does not forgive (field-notes.md, 4.4), once per object and kind.
+void ImageObject::ReportFpFlags(uint32_t selector) {
+  const ApiScope scope;
+  const unsigned fresh = FpFlags() & ~fp_seen_;
+  const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
+  fp_seen_ |= fresh;
+  const auto warn = [&](const char* what, const char* then) {
+    system->AddFindingAbout(this, Severity::kWarning,
+                            fmt::format("{}: {}; {}: exception 15, the robot powers off",
+                                        EntryName(selector), what, then));
+  };
+  if (fresh & kFpInvalid) {
+    warn(
+        "a floating-point operation made NaN (0/0, sqrt(-1), inf - inf) or converted a number "
+        "that its integer type does not hold",
+        "the robot stops when such a NaN is used, in isnan() and printf() too");
+  }
+  if (fresh & (kFpDivByZero | kFpOverflow)) {
+    warn("a floating-point operation made an infinity (division by 0, log(0), a result too large)",
+         "the robot is said to stop when it is used");
+  }
+  // Those of its own making are 0 on the robot, which flushes results.
+  if ((fresh & kFpDenormal) && !makes_denormals) {
+    warn(
+        "a denormal number was used in a floating-point operation (an int taken for a float, "
+        "memory never set?)",
+        "the robot stops");
+  }
 }
 
 }  // namespace openr_host

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/core/fp_flags.h"
 #include "runtime/core/object.h"
 #include "runtime/core/temp_folder.h"
 
@@ -48,11 +49,19 @@ class ImageObject : public Object {
   bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
 
+  // After its handler has ended, in whatever way: what it did that the robot's floating-point unit
+  // does not forgive becomes a finding.
+  void CheckNumbers(uint32_t selector) {
+    if ((FpFlags() & ~fp_seen_) != 0) ReportFpFlags(selector);
+  }
+
  private:
   std::string ReadTables();
+  void ReportFpFlags(uint32_t selector);
 
   void* handle_ = nullptr;
   std::vector<Entry> entries_;  // by selector; null: none
+  unsigned fp_seen_ = 0;        // FpFlags() of its handlers so far
 };
 
 }  // namespace openr_host

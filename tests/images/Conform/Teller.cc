@@ -171,7 +171,7 @@ Teller::Run(const std::string& command)
         subject[sbjLoop]->NotifyObservers();
     } else if (command == "register again") {
         OSYSPRINT(("T registered %d\n", RegisterServiceEntry(OServiceEntry(myOID_, Entry_Control[0]), subjectService[0])));
-    } else if (!FileCommand(command) && !AperiosCommand(myOID_, command)) {
+    } else if (!FileCommand(command) && !NumberCommand(command) && !AperiosCommand(myOID_, command)) {
         OSYSPRINT(("T does not know '%s'\n", command.c_str()));
     }
 }

@@ -43,6 +43,7 @@ private:
 
 // The rest of the commands; each prints its result.  False when the text is none of theirs.
 bool FileCommand(const std::string& command);
+bool NumberCommand(const std::string& command);
 bool AperiosCommand(const OID& self, const std::string& command);
 
 #endif  // Teller_h_DEFINED

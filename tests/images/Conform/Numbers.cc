@@ -1,0 +1,45 @@
+// Floating-point operations that the robot's processor does not forgive, and some that it does.
+#include <OPENR/OSyslog.h>
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "Teller.h"
+
+// Nothing of it is computed by the compiler.
+static volatile double zero = 0, one = 1, large = 1e10, tiny = DBL_MIN, result;
+
+// What memory that was never meant to be a number looks like.
+static float
+FloatOfBits(int bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+bool
+NumberCommand(const std::string& command)
+{
+    if (command == "fp nan") {
+        result = zero / zero;
+    } else if (command == "fp sqrt") {
+        result = sqrt(-one);
+    } else if (command == "fp int") {
+        result = (int)large;
+    } else if (command == "fp inf") {
+        result = one / zero;
+    } else if (command == "fp denormal") {
+        volatile float value = FloatOfBits(1234);
+        result = value * one;
+    } else if (command == "fp decay") {
+        result = tiny * 1.7;
+        for (int i = 0; i < 1000; i++) result = result * 0.9;
+    } else if (command == "fp fine") {
+        result = one / 3 + sin(one) + exp(-large) + pow(one, large) + atan2(zero, zero) + sqrt(one) + fmod(large, one);
+    } else {
+        return false;
+    }
+    OSYSPRINT(("T computed\n"));
+    return true;
+}
