@@ -46,7 +46,15 @@ class JointWatch {
     bool was_in_urad = false;  // a set point that no radian reaches
     int tiny_frames = 0;       // successive set points that look like radians
     int loaded_frames = 0;
+    // While the servo does not act: the set point that was where the joint was, and for how many
+    // frames it has been in force; -1: none was.
+    slongword held_urad = 0;
+    int held_frames = -1;
   };
+
+  // Whether the joint was told to stay where it was, and only sank since then.
+  static bool Holds(const Joint& joint, double goal_rad);
+  static void NoteHold(Joint* joint, slongword goal_urad, double measured_rad);
 
   void LookForJump(size_t joint, const CommandElement& element, double measured_rad,
                    std::vector<std::string>* problems);

@@ -69,6 +69,48 @@ TEST_F(JointWatchTest, JumpAtStart) {
             1);
 }
 
+// Held where it was, then the limp joint sinks before the gains are there: the weight is to blame.
+TEST_F(JointWatchTest, AJointThatSinksDuringTheOpeningIsNoFinding) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000});
+  Angle(kPan) = 0.5 - 0.47;  // 27 degrees
+  Command(std::vector<int>(16, 500'000));
+  As([&] { SetGain(); });
+  EXPECT_EQ(Findings(), "");
+}
+
+// Nor is the first set point a pardon for ever.
+TEST_F(JointWatchTest, ASetPointOfASecondAgoIsNoHold) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000});
+  Angle(kPan) = 0;
+  RunToFrame(robot->frame() + 130);
+  As([&] { SetGain(); });
+  EXPECT_EQ(CountFindings("its gains take effect far from its set point; the joint is at 0.0 "
+                          "degrees and goes to 28.6"),
+            1);
+}
+
+// Motor power goes and comes back: the joint fell meanwhile, and jumps.
+TEST_F(JointWatchTest, AServoThatHasActedIsNoHold) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000});
+  As([&] { SetGain(); });
+  As([&] { OPENR::SetMotorPower(opowerOFF); });
+  Angle(kPan) = 0;
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  EXPECT_EQ(CountFindings("its gains take effect far from its set point"), 1);
+}
+
+TEST_F(JointWatchTest, AMoveBeforeTheGainsIsNoHold) {
+  As([&] { OPENR::SetMotorPower(opowerON); });
+  Command({500'000});
+  Command({0});
+  As([&] { SetGain(); });
+  EXPECT_EQ(CountFindings("its gains take effect far from its set point"), 1);
+  EXPECT_EQ(CountFindings("set points without effect: no gain"), 1);
+}
+
 TEST_F(JointWatchTest, JumpOnTheWay) {
   As([&] { OPENR::SetMotorPower(opowerON); });
   Command({500'000});
