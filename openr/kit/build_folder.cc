@@ -32,6 +32,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// In the folder of private copies: which kit and which folder it belongs to.
+constexpr char kIdentityFile[] = "kit.txt";
+constexpr char kOwnerFile[] = "folder.txt";
+
 // $XDG_CACHE_HOME/openr-host, ~/.cache/openr-host, or a temporary folder.
 fs::path CacheFolder() {
   if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
@@ -81,6 +85,7 @@ class FolderBuild {
 
  private:
   void PrepareWork();
+  void CheckWorkIsOurs() const;
   void Build();
   bool TryConvention(const std::vector<ObjectFolder>& objects);
   std::vector<ObjectFolder> NotBuilt() const;
@@ -108,18 +113,37 @@ class FolderBuild {
   std::vector<std::string> sticks_;  // where they are now
 };
 
+// What is built of two folders must not be mixed, and nobody's own files be removed.
+void FolderBuild::CheckWorkIsOurs() const {
+  std::error_code error;
+  if (!fs::exists(work_, error)) return;
+  if (!fs::is_directory(work_, error) ||
+      (!fs::is_empty(work_, error) && !fs::exists(work_ / kIdentityFile, error))) {
+    throw std::runtime_error(fmt::format(
+        "{}: holds files that are not of a build; name a new or empty folder with --work",
+        work_.string()));
+  }
+  const auto owner = ReadText(work_ / kOwnerFile);
+  if (!owner || *owner == folder_.string() || options_.is_fresh) return;
+  throw std::runtime_error(fmt::format(
+      "{}: holds what was built of {}; name another folder with --work, or begin anew with --fresh",
+      work_.string(), *owner));
+}
+
 void FolderBuild::PrepareWork() {
   std::error_code error;
   fs::create_directories(work_.parent_path(), error);
   // Another build of the same folder is waited for.
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
+  CheckWorkIsOurs();
   const std::string identity = KitIdentity(sdk_root_);
-  const fs::path identity_file = work_ / "kit.txt";
+  const fs::path identity_file = work_ / kIdentityFile;
   if (options_.is_fresh || ReadText(identity_file) != identity) fs::remove_all(work_);
   fs::create_directories(work_, error);
   const std::string problem = WriteText(identity_file, identity);
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
+  WriteText(work_ / kOwnerFile, folder_.string());
   // Images that were put in place by their names would be taken for new ones.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "openr/kit/check_controller.h"
+#include "openr/kit/check_data.h"
 #include "openr/kit/check_objects.h"
 #include "openr/kit/check_stick.h"
 #include "openr/kit/controller_sources.h"
@@ -75,6 +76,7 @@ Remarks CheckFolder(const std::string& folder) {
   Remarks remarks;
   if (is_controller) CheckController(folder, &remarks);
   CheckObjects(project, &remarks);
+  CheckSentData(project, &remarks);
   for (const StickFolder& stick : project.sticks) CheckStick(stick, project, &remarks);
   return remarks;
 }

@@ -66,6 +66,26 @@ TEST(BuildTest, AnOutputFolderLeavesTheProgramAsItIs) {
   EXPECT_THAT(KitFolder::SayOf(stick), HasSubstr("heard: greeting 3\n"));
 }
 
+TEST(BuildTest, TwoFoldersDoNotShareAWorkFolder) {
+  const KitFolder one("convention"), other("convention");
+  const std::string work = one.scratch().File("work");
+  ASSERT_EQ(one.Build({"--work", work}).status, 0);
+  const ProgramResult refused = other.Build({"--work", work});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("holds what was built of " + one.File("")));
+  EXPECT_EQ(one.Build({"--work", work}).status, 0);
+  EXPECT_EQ(other.Build({"--work", work, "--fresh"}).status, 0);
+}
+
+TEST(BuildTest, AWorkFolderWithSomebodysFilesIsLeftAlone) {
+  const KitFolder folder("convention");
+  folder.scratch().Write("mine/letter.txt", "dear");
+  const ProgramResult refused = folder.Build({"--work", folder.scratch().File("mine")});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("holds files that are not of a build"));
+  EXPECT_EQ(folder.scratch().Read("mine/letter.txt"), "dear");
+}
+
 TEST(BuildTest, ASecondBuildOnlyBuildsWhatChanged) {
   const KitFolder folder("makefile");
   ASSERT_EQ(folder.Build({"--verbose"}).status, 0);

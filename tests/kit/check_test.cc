@@ -55,6 +55,32 @@ TEST(CheckTest, AnImageThatIsNotThereStopsTheRobot) {
   EXPECT_THAT(text, Says("OBJECT.CFG:", "note: no POWERMON.BIN"));
 }
 
+// field-notes.md, 2.6 and 2.7.
+TEST(CheckTest, DataThatDoNotSurviveBeingCopiedAsBytes) {
+  const KitFolder folder("makefile");
+  folder.Write("common/Data.h",
+               "struct Plain { int a; char text[20]; int Size(char* p); };\n"
+               "struct Named : public Plain { std::string name; };\n"
+               "struct Linked { int a; Linked* next; };\n"
+               "class Shape { public: virtual ~Shape(); int a; };\n");
+  const auto check = [&](const std::string& body) {
+    folder.Write("Sender/More.cc",
+                 "#include \"../common/Data.h\"\nvoid More() {\n" + body + "\n}\n");
+    return Checked(folder, 0);
+  };
+  EXPECT_THAT(check("    Plain data; subject[0]->SetData(&data, sizeof(data));"),
+              HasSubstr("0 warnings"));
+  EXPECT_THAT(check("    Named data; subject[0]->SetData(&data, sizeof(data));"),
+              Says("Sender/More.cc:3:",
+                   "Named has a member of type string; SetData() sends the "
+                   "bytes of it"));
+  EXPECT_THAT(check("    Linked data = {1, 0};\n    subject[0]->SetData( &data, sizeof data );"),
+              Says("Sender/More.cc:4:", "Linked has a pointer: Linked* next"));
+  EXPECT_THAT(check("    subject[0]->SetData(&shape_, sizeof(Shape));"),
+              Says("Sender/More.cc:3:", "Shape has virtual functions"));
+  EXPECT_THAT(check("    // Named data; SetData(&data, sizeof(data));"), HasSubstr("0 warnings"));
+}
+
 TEST(CheckTest, SectionsOfSeveralRobotsMayNameTheSameImage) {
   const KitFolder folder("handmade");
   ASSERT_EQ(folder.Build().status, 0);

@@ -44,6 +44,25 @@ class PackageTest : public ::testing::Test {
   const KitFolder folder_{"makefile"};
 };
 
+// openr::testing needs more than objects do.
+TEST_F(PackageTest, WithoutAPackageOfTheTestsItSaysWhichAndObjectsAreStillThere) {
+  folder_.Write("CMakeLists.txt",
+                "cmake_minimum_required(VERSION 3.16)\n"
+                "project(chat LANGUAGES CXX)\n"
+                "find_package(openr-host REQUIRED)\n"
+                "if(TARGET openr::testing OR NOT COMMAND openr_add_object)\n"
+                "  message(FATAL_ERROR \"not as promised\")\n"
+                "endif()\n");
+  const ProcessResult configured =
+      RunProcess({"cmake", "-S", folder_.File(""), "-B", folder_.File("build"), "-G", "Ninja",
+                  "-DCMAKE_PREFIX_PATH=" + prefix_->path(), "-DCMAKE_DISABLE_FIND_PACKAGE_PNG=TRUE",
+                  "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=TRUE"},
+                 {{}, "", true, true});
+  EXPECT_TRUE(configured.good()) << configured.output;
+  EXPECT_THAT(configured.output,
+              HasSubstr("no openr::testing without these packages: libfmt-dev libpng-dev"));
+}
+
 TEST_F(PackageTest, CMakeFindsThePackageAndBuildsObjectsAndAStick) {
   folder_.Write("CMakeLists.txt",
                 "cmake_minimum_required(VERSION 3.16)\n"
