@@ -26,6 +26,7 @@ struct MtnFlags {
   std::vector<std::string> files;
   std::string robot = "ers210";
   bool json = false;
+  Json answers = Json::array();  // with json
 };
 
 // False after a complaint in `problem`.
@@ -79,16 +80,16 @@ void PrintWarnings(const std::string& name, const MtnFile& motion) {
   }
 }
 
-bool Info(const std::string& name, const MtnFlags& flags) {
+bool Info(const std::string& name, MtnFlags* flags) {
   MtnFile motion;
   std::string problem;
   if (!Load(name, &motion, &problem)) {
     fmt::print(stderr, "{}: {}\n", name, problem);
-    if (flags.json) fmt::print("{}\n", Json{{"file", name}, {"error", problem}}.dump());
+    if (flags->json) flags->answers.push_back({{"file", name}, {"error", problem}});
     return false;
   }
-  if (flags.json) {
-    fmt::print("{}\n", Facts(name, motion).dump());
+  if (flags->json) {
+    flags->answers.push_back(Facts(name, motion));
     return true;
   }
   PrintFacts(name, motion);
@@ -101,27 +102,27 @@ const RobotConstants* RobotOf(const std::string& model) {
   return FindRobot(design.c_str());
 }
 
-bool Check(const std::string& name, const MtnFlags& flags) {
+bool Check(const std::string& name, MtnFlags* flags) {
   MtnFile motion;
   std::string problem;
-  const RobotConstants* const robot = RobotOf(flags.robot);
+  const RobotConstants* const robot = RobotOf(flags->robot);
   const bool good = Load(name, &motion, &problem) && motion.MapTo(robot);
   if (!good && problem.empty()) problem = motion.Error();
-  if (flags.json) {
+  if (flags->json) {
     Json json = {{"file", name}, {"robot", robot->design}, {"plays", good}, {"error", problem}};
     json["warnings"] = motion.Warnings();
-    fmt::print("{}\n", json.dump());
+    flags->answers.push_back(json);
   } else if (good) {
     fmt::print("{}: plays on the {}: {} key frames, {:.3f} s\n", name, robot->design,
                motion.NumKeyFrames(), motion.DurationMs() / 1000.0);
   }
   if (!good) fmt::print(stderr, "{}: {}\n", name, problem);
-  if (!flags.json) PrintWarnings(name, motion);
+  if (!flags->json) PrintWarnings(name, motion);
   return good;
 }
 
 // A line per key frame: time, attitude and joints, in degrees.
-bool Dump(const std::string& name, const MtnFlags&) {
+bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
   if (!Load(name, &motion, &problem)) {
@@ -142,7 +143,13 @@ bool Dump(const std::string& name, const MtnFlags&) {
   return true;
 }
 
-using ForFile = bool (*)(const std::string& name, const MtnFlags& flags);
+using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
+
+// One document, however many files: an object, or a list of them.
+void PrintAnswers(const Json& answers) {
+  const Json& document = answers.size() == 1 ? answers[0] : answers;
+  fmt::print("{}\n", document.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 }  // namespace
 
@@ -155,8 +162,9 @@ void AddMtnCommand(CLI::App* app, int* exit_code) {
     command->add_option("FILE", flags->files, "Motion files")->required();
     command->callback([flags, exit_code, for_file] {
       for (const std::string& file : flags->files) {
-        if (!for_file(file, *flags)) *exit_code = kExitWrong;
+        if (!for_file(file, flags.get())) *exit_code = kExitWrong;
       }
+      if (flags->json) PrintAnswers(flags->answers);
     });
     return command;
   };
@@ -164,7 +172,8 @@ void AddMtnCommand(CLI::App* app, int* exit_code) {
   CLI::App* const check = add("check", "Whether a robot can play it", &Check);
   add("dump", "All key frames as comma-separated values, in degrees", &Dump);
   for (CLI::App* const command : {info, check}) {
-    command->add_flag("--json", flags->json, "One JSON object per file");
+    command->add_flag("--json", flags->json,
+                      "One JSON object, or a list of them for several files");
   }
   check->add_option("--robot", flags->robot, "Model of the robot")
       ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))

@@ -37,8 +37,8 @@ bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   } else {
     diagnostics->push_back(
         ErrorAt(line.At(line.words[2]),
-                fmt::format("'{}' after the two services; a line holds one subject, one observer "
-                            "and no comment",
+                fmt::format("'{}' after the two services; a line holds one subject and one "
+                            "observer",
                             line.words[2].text)));
   }
   return false;
@@ -102,20 +102,18 @@ void AddConnection(const RecordLine& line, ConnectConfig* config) {
       {*subject, *observer, line.section, line.At(line.words[0]), line.At(line.words[1])});
 }
 
-void SayConsequence(Diagnostic* diagnostic) {
-  if (diagnostic->severity == Severity::kError) diagnostic->message += " (the line is skipped)";
-}
-
 }  // namespace
 
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
-                                 std::string_view design) {
+                                 std::string_view design, std::string_view consequence) {
   ConnectConfig config;
   for (const RecordLine& line : ReadRecords(file, text, design, &config.diagnostics)) {
     const size_t known = config.diagnostics.size();
     AddConnection(line, &config);
-    for (size_t i = known; i < config.diagnostics.size(); ++i)
-      SayConsequence(&config.diagnostics[i]);
+    for (size_t i = known; i < config.diagnostics.size(); ++i) {
+      Diagnostic& diagnostic = config.diagnostics[i];
+      if (diagnostic.severity == Severity::kError) diagnostic.message += consequence;
+    }
   }
   return config;
 }

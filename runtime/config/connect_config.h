@@ -27,8 +27,9 @@ struct ConnectConfig {
 // or kEveryDesign).  A bad line (a name that is not of four parts, a wrong direction, data types
 // that differ) is reported and skipped, all others hold, as measured on the original library.
 // The same pair twice is connected once, with a warning.  Whether the services exist is for the
-// service directory to say.
+// service directory to say.  `consequence` ends what is said of a bad line.
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
-                                 std::string_view design);
+                                 std::string_view design,
+                                 std::string_view consequence = " (the line is skipped)");
 
 }  // namespace openr_host

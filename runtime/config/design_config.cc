@@ -21,10 +21,10 @@ bool CheckWords(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
     return false;
   }
   if (line.words.size() > 2) {
-    diagnostics->push_back(ErrorAt(
-        line.At(line.words[2]),
-        fmt::format("'{}' after the path; a line holds one keyword, one path and no comment",
-                    line.words[2].text)));
+    diagnostics->push_back(
+        ErrorAt(line.At(line.words[2]),
+                fmt::format("'{}' after the path; a line holds one keyword and one path",
+                            line.words[2].text)));
     return false;
   }
   if (keyword.text.size() > static_cast<size_t>(kDesignKeywordBytesMax)) {

@@ -163,6 +163,23 @@ std::vector<Place> SplitLines(const std::string& file, std::string_view text,
   return lines;
 }
 
+namespace {
+
+// No source says what the robot makes of a comment after a record.
+void DropTrailingComment(RecordLine* line, std::vector<Diagnostic>* diagnostics) {
+  for (size_t i = 1; i < line->words.size(); ++i) {
+    if (line->words[i].text[0] != '#') continue;
+    diagnostics->push_back(WarningAt(
+        line->At(line->words[i]),
+        "a comment has a line of its own; this one is not read here, the robot may take it for a "
+        "part of the record"));
+    line->words.resize(i);
+    return;
+  }
+}
+
+}  // namespace
+
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics) {
   std::vector<RecordLine> records;
@@ -174,6 +191,7 @@ std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view te
     if (line.words[0].text[0] == '[') {
       sections.Enter(line);
     } else if (sections.is_open() && !HoldsControlByte(line.place, diagnostics)) {
+      DropTrailingComment(&line, diagnostics);
       records.push_back(std::move(line));
     }
   }

@@ -1,10 +1,10 @@
 // Lines and words: what all text files of a Memory Stick have in common.
 //
 // Lines end in LF or CR LF, the last one perhaps in nothing; blanks and tabs separate words and
-// may trail.  '#' as the first character of a line makes it a comment; there are no comments
-// after a record.  "[ERS-210]" alone on a line opens a section for that robot design; records
-// before the first section are for every robot.  (Programmer's Guide 4.2, and the configuration
-// files of Sony's samples, 16 of which have CR LF.)
+// may trail.  '#' as the first character of a line makes it a comment; after a record no source
+// knows one: it is a warning, and not read.  "[ERS-210]" alone on a line opens a section for that
+// robot design; records before the first section are for every robot.  (Programmer's Guide 4.2, and
+// the configuration files of Sony's samples, 16 of which have CR LF.)
 #pragma once
 
 #include <string>

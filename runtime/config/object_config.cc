@@ -25,8 +25,7 @@ void AddObject(const RecordLine& line, ObjectConfig* config) {
   if (line.words.size() > 1) {
     config->diagnostics.push_back(
         ErrorAt(line.At(line.words[1]),
-                fmt::format("'{}' after the path; a line holds one path and no comment",
-                            line.words[1].text)));
+                fmt::format("'{}' after the path; a line holds one path", line.words[1].text)));
     return;
   }
   if (const ObjectRecord* first = FindObject(config->objects, path.text, line.section)) {

@@ -141,12 +141,15 @@ bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
 void System::LoadConnections(int robot_index) {
   const auto text = ReadConfig(robot_index, "CONNECT.CFG");
   if (!text) {
-    findings_.Add({Severity::kWarning, robot_index, "", 0, now_us_,
+    findings_.Add({options_.strict ? Severity::kError : Severity::kWarning, robot_index, "", 0,
+                   now_us_,
                    fmt::format("{}CONNECT.CFG: No such file on the stick; no object is connected",
                                kConfFolder)});
     return;
   }
-  const ConnectConfig config = ParseConnectConfig("CONNECT.CFG", *text, robot(robot_index).design);
+  const ConnectConfig config = ParseConnectConfig(
+      "CONNECT.CFG", *text, robot(robot_index).design,
+      options_.strict ? " (--strict: no object starts)" : " (the line is skipped)");
   AddDiagnostics(robot_index, config.diagnostics);
   for (const ConnectRecord& record : config.connections) {
     Connect({robot_index, Compose(record.subject), Compose(record.observer),

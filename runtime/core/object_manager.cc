@@ -173,9 +173,10 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
                       registered->data, wanted->data);
   }
   system().findings_.Add({Severity::kError, connection.robot, "", 0, system().now_us(),
-                          fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; the "
-                                      "line is skipped",
-                                      connection.where, service, DidYouMean(service, known), why)});
+                          fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; {}",
+                                      connection.where, service, DidYouMean(service, known), why,
+                                      system().options().strict ? "--strict: no object starts"
+                                                                : "the line is skipped")});
 }
 
 void ObjectManager::Connect(const Connection& connection) {

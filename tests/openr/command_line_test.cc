@@ -174,6 +174,31 @@ TEST(CommandLineTest, TheMotionsOfTheStickPlay) {
   EXPECT_EQ(nlohmann::json::parse(result.out)["plays"], true);
 }
 
+TEST(CommandLineTest, SeveralMotionsAreOneJsonDocument) {
+  const std::string sit = std::string(OPENR_STICK) + "/OPEN-R/MW/DATA/P/SIT.MTN";
+  for (const char* verb : {"check", "info"}) {
+    const ProgramResult result = RunProgram({"mtn", verb, "--json", sit, "nowhere.mtn"});
+    EXPECT_EQ(result.status, 1);
+    const auto document = nlohmann::json::parse(result.out);
+    ASSERT_EQ(document.size(), 2u) << document;
+    EXPECT_EQ(document[0]["file"], sit);
+    EXPECT_EQ(document[1]["file"], "nowhere.mtn");
+    EXPECT_NE(document[1]["error"], "");
+  }
+}
+
+TEST(CommandLineTest, ASeedOutOfRangeIsRefused) {
+  for (const char* seed : {"-1", "18446744073709551616", "1.5", "0x", "many"})
+    ExpectRefusal({"run", "--for", "100ms", "--seed", seed}, 2, seed);
+}
+
+TEST(CommandLineTest, TwoOutputsInOneFileAreRefused) {
+  const ScratchFolder folder;
+  const std::string file = folder.File("out");
+  ExpectRefusal({"run", "--for", "100ms", "--report", file, "--console", file}, 2, file);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST(CommandLineTest, NobodyAtThePortIsExplained) {
   // Port 1 of loopback: no service of that kind runs there.
   ExpectRefusal({"rc", "127.0.0.1:1", "info"}, 1, "nobody listens there; is 'openr run' running");

@@ -1,5 +1,6 @@
 // What openr run says of a stick whose configuration is wrong.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,43 @@ TEST(StickFaultsTest, ALineOfWiringThatCannotBeReadIsSaidToBeSkipped) {
   ExpectSaid(result, "error: CONNECT.CFG:1: 'Trouble.Out.Text.S' stands alone");
   ExpectSaid(result, "(the line is skipped)\n");
   ExpectSaid(result, "Trouble is running");
+}
+
+TEST(StickFaultsTest, StrictlyNothingStartsThenAndThatIsSaid) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", "Trouble.Out.Text.S\n");
+  const ProgramResult result = RunStick(stick, {"--strict"});
+  EXPECT_EQ(result.status, 1);
+  ExpectSaid(result, "(--strict: no object starts)\n");
+  EXPECT_EQ(result.err.find("skipped"), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("Trouble is running"), std::string::npos) << result.err;
+}
+
+TEST(StickFaultsTest, AMissingConnectConfigIsAWarningAndStrictlyAnError) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  std::filesystem::remove(stick.File("OPEN-R/MW/CONF/CONNECT.CFG"));
+  const ProgramResult result = RunStick(stick);
+  EXPECT_EQ(result.status, 0);
+  ExpectSaid(result, "warning: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
+  ExpectSaid(result, "Trouble is running");
+  const ProgramResult strict = RunStick(stick, {"--strict"});
+  EXPECT_EQ(strict.status, 1);
+  ExpectSaid(strict, "error: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
+  EXPECT_EQ(strict.err.find("Trouble is running"), std::string::npos) << strict.err;
+}
+
+// Opening it would wait for somebody to write.
+TEST(StickFaultsTest, AFifoInPlaceOfConnectConfigDoesNotHoldTheRunUp) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  const std::string config = stick.File("OPEN-R/MW/CONF/CONNECT.CFG");
+  std::filesystem::remove(config);
+  ASSERT_EQ(mkfifo(config.c_str(), 0600), 0);
+  const ProgramResult result = RunStick(stick);
+  EXPECT_EQ(result.status, 0);
+  ExpectSaid(result, "warning: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
 }
 
 TEST(StickFaultsTest, AWarningSaysSoOnce) {

@@ -57,6 +57,13 @@ TEST(WorldTest, TextInsteadOfANumberIsShown) {
   EXPECT_EQ(ErrorWith("0.4", "\"icy\""), "w.json: friction: must be a number, is \"icy\"");
 }
 
+// Beyond what a double holds.
+TEST(WorldTest, ANumberOutOfRangeIsRefusedWithItsPlace) {
+  const std::string error = ErrorWith("0.4", "1e999");
+  EXPECT_NE(error.find("w.json"), std::string::npos) << error;
+  EXPECT_NE(error.find("1e999"), std::string::npos) << error;
+}
+
 TEST(WorldTest, AListIsNoWorld) {
   EXPECT_EQ(ErrorOf([] { ParseWorld("[]", "w.json"); }), "w.json: must be an object, is []");
 }

@@ -95,11 +95,20 @@ TEST(ConnectConfigTest, LoneNameIsRefused) {
             "^");
 }
 
-TEST(ConnectConfigTest, CommentAfterTheNamesIsRefused) {
-  EXPECT_EQ(ErrorIn("A.x.T.S B.y.T.O # arm\n"),
-            "CONNECT.CFG:1: '#' after the two services; a line holds one subject, one observer and "
-            "no comment (the line is skipped)\n"
-            "A.x.T.S B.y.T.O # arm\n"
+TEST(ConnectConfigTest, CommentAfterTheNamesIsAWarning) {
+  EXPECT_EQ(Parse("A.x.T.S B.y.T.O #arm\n").connections.size(), 1u);
+  EXPECT_EQ(ErrorIn("A.x.T.S B.y.T.O #arm\n"),
+            "CONNECT.CFG:1: warning: a comment has a line of its own; this one is not read here, "
+            "the robot may take it for a part of the record\n"
+            "A.x.T.S B.y.T.O #arm\n"
+            "                ^");
+}
+
+TEST(ConnectConfigTest, ThirdServiceIsRefused) {
+  EXPECT_EQ(ErrorIn("A.x.T.S B.y.T.O C.y.T.O\n"),
+            "CONNECT.CFG:1: 'C.y.T.O' after the two services; a line holds one subject and one "
+            "observer (the line is skipped)\n"
+            "A.x.T.S B.y.T.O C.y.T.O\n"
             "                ^");
 }
 

@@ -40,10 +40,9 @@ TEST(DesignConfigTest, LoneKeywordIsRefused) {
 }
 
 TEST(DesignConfigTest, ThirdWordIsRefused) {
-  EXPECT_EQ(ErrorIn("BOW /MS/BOW.MTN # bow\n"),
-            "DESIGNDB.CFG:1: '#' after the path; a line holds one keyword, one path and no "
-            "comment\n"
-            "BOW /MS/BOW.MTN # bow\n"
+  EXPECT_EQ(ErrorIn("BOW /MS/BOW.MTN bow\n"),
+            "DESIGNDB.CFG:1: 'bow' after the path; a line holds one keyword and one path\n"
+            "BOW /MS/BOW.MTN bow\n"
             "                ^");
 }
 

@@ -77,10 +77,21 @@ TEST(ObjectConfigTest, FolderIsNoObject) {
             "           ^\n");
 }
 
-TEST(ObjectConfigTest, CommentAfterThePathIsRefused) {
-  EXPECT_EQ(Complaints("/MS/A.BIN # mover\n"),
-            "OBJECT.CFG:1: '#' after the path; a line holds one path and no comment\n"
-            "/MS/A.BIN # mover\n"
+TEST(ObjectConfigTest, CommentAfterThePathIsAWarning) {
+  EXPECT_EQ(Paths("/MS/A.BIN # mover\n"), List{"/MS/A.BIN"});
+  EXPECT_EQ(
+      Complaints("/MS/A.BIN # mover\n"),
+      "OBJECT.CFG:1: warning: a comment has a line of its own; this one is not read here, the "
+      "robot may take it for a part of the record\n"
+      "/MS/A.BIN # mover\n"
+      "          ^\n");
+}
+
+TEST(ObjectConfigTest, SecondPathIsRefused) {
+  EXPECT_EQ(Paths("/MS/A.BIN /MS/B.BIN\n"), List{});
+  EXPECT_EQ(Complaints("/MS/A.BIN /MS/B.BIN\n"),
+            "OBJECT.CFG:1: '/MS/B.BIN' after the path; a line holds one path\n"
+            "/MS/A.BIN /MS/B.BIN\n"
             "          ^\n");
 }
 
