@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "runtime/core/hasher.h"
 #include "virtualrobot/det_math.h"
@@ -15,9 +17,9 @@ namespace {
 constexpr double kMicro = 1e-6;
 // Chosen: a joint that was left alone for a moment sags less than that.
 const double kFar_rad = Radians(10);
-// Chosen: for so long a program is not to blame for a limp joint that sinks while it goes through
-// the steps of the opening.  The head of a sitting ERS-210 sinks 27 degrees in 136 ms.
-constexpr int kHoldFrames = 125;
+// Chosen: for up to a second a program is not to blame for a limp joint that sinks while it goes
+// through the steps of the opening.  The head of an ERS-210 sinks 27 degrees in 136 ms.
+constexpr int kHalfSecondFrames = 62;
 // Chosen: the vendor's own walks ask for up to 20 degrees in a frame.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kMicro);
 // Chosen: 32 frames, a quarter of a second, of set points that are not 0 and below 11
@@ -46,13 +48,13 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool acts = devices_.Acts(static_cast<int>(j), motor_power);
     const bool begins = acts && !joints_[j].acted;
     joints_[j].acted = acts;
-    const bool was_held = Holds(joints_[j], devices_.joints[j].target_urad * kMicro);
-    if (acts) joints_[j].held_frames = -1;
+    const bool sank = Sank(joints_[j], devices_.joints[j].target_urad * kMicro);
+    joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kMicro;
-    if (device.commanded && (std::fabs(target - measured) <= kFar_rad || was_held)) continue;
+    if (device.commanded && (std::fabs(target - measured) <= kFar_rad || sank)) continue;
     joints_[j].told_start = true;
     problems->push_back(fmt::format(
         "{}: its gains take effect {}; the joint is at {:.1f} degrees and goes to {:.1f} at full "
@@ -63,16 +65,21 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
   }
 }
 
-bool JointWatch::Holds(const Joint& joint, double goal_rad) {
-  return joint.held_frames >= 0 && joint.held_frames <= kHoldFrames &&
-         std::fabs(goal_rad - joint.held_urad * kMicro) <= kFar_rad;
+bool JointWatch::Sank(const Joint& joint, double goal_rad) {
+  return !joint.has_acted && goal_rad >= std::min(joint.now.low, joint.before.low) - kFar_rad &&
+         goal_rad <= std::max(joint.now.high, joint.before.high) + kFar_rad;
 }
 
-// A set point that is only repeated does not begin anew.
-void JointWatch::NoteHold(Joint* joint, slongword goal_urad, double measured_rad) {
-  if (joint->held_frames >= 0 && goal_urad == joint->held_urad) return;
-  joint->held_urad = goal_urad;
-  joint->held_frames = std::fabs(goal_urad * kMicro - measured_rad) <= kFar_rad ? 0 : -1;
+void JointWatch::FollowLimpJoints(const BodyState& body) {
+  const bool next = ++limp_frames_ == kHalfSecondFrames;
+  if (next) limp_frames_ = 0;
+  for (size_t j = 0; j < joints_.size(); ++j) {
+    Joint& joint = joints_[j];
+    if (joint.has_acted) continue;
+    if (next) joint.before = std::exchange(joint.now, {});
+    joint.now.low = std::min(joint.now.low, body.joints[j].angle_rad);
+    joint.now.high = std::max(joint.now.high, body.joints[j].angle_rad);
+  }
 }
 
 void JointWatch::LookForJump(size_t joint, const CommandElement& element, double measured_rad,
@@ -126,10 +133,9 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
       LookForJump(j, element, measured, problems);
       continue;
     }
-    NoteHold(&joints_[j], element.Urad(element.frames - 1), measured);
     const double goal = element.Urad(element.frames - 1) * kMicro;
     if (joints_[j].told_effect || motor_power_cut || std::fabs(goal - measured) <= kFar_rad ||
-        Holds(joints_[j], goal))
+        Sank(joints_[j], goal))
       continue;
     joints_[j].told_effect = true;
     (motor_power ? without_gain : without_power).push_back(element.primitive->locator);
@@ -147,11 +153,10 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
 }
 
 int JointWatch::OverloadedJoint(const BodyState& body) {
+  FollowLimpJoints(body);
   int overloaded = -1;
   for (size_t j = 0; j < joints_.size(); ++j) {
     const double drive = body.joints[j].drive;
-    if (joints_[j].held_frames >= 0 && joints_[j].held_frames <= kHoldFrames)
-      ++joints_[j].held_frames;
     int& frames = joints_[j].loaded_frames;
     frames = drive >= kLoad || drive <= -kLoad ? frames + 1 : 0;
     if (frames == kLoadFrames) overloaded = static_cast<int>(j);

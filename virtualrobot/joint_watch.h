@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ class JointWatch {
   void HashState(Hasher* hasher) const;
 
  private:
+  struct Range_rad {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+  };
   struct Joint {
     bool acted = false;       // when it was last looked at
     bool told_start = false;  // what has been said
@@ -46,15 +51,14 @@ class JointWatch {
     bool was_in_urad = false;  // a set point that no radian reaches
     int tiny_frames = 0;       // successive set points that look like radians
     int loaded_frames = 0;
-    // While the servo does not act: the set point that was where the joint was, and for how many
-    // frames it has been in force; -1: none was.
-    slongword held_urad = 0;
-    int held_frames = -1;
+    // Until its servo acts for the first time: where it was in this half second and the one before.
+    bool has_acted = false;
+    Range_rad now, before;
   };
 
-  // Whether the joint was told to stay where it was, and only sank since then.
-  static bool Holds(const Joint& joint, double goal_rad);
-  static void NoteHold(Joint* joint, slongword goal_urad, double measured_rad);
+  // Whether the joint was at `goal_rad` a moment ago and only sank since then.
+  static bool Sank(const Joint& joint, double goal_rad);
+  void FollowLimpJoints(const BodyState& body);
 
   void LookForJump(size_t joint, const CommandElement& element, double measured_rad,
                    std::vector<std::string>* problems);
@@ -64,6 +68,7 @@ class JointWatch {
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
+  int limp_frames_ = 0;  // of this half second
 };
 
 }  // namespace openr_host
