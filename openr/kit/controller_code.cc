@@ -4,6 +4,7 @@
 #include <optional>
 #include <regex>
 
+#include "openr/kit/source_place.h"
 #include "openr/kit/source_text.h"
 #include "openr/kit/text_files.h"
 
@@ -136,13 +137,8 @@ std::set<std::string> ControllerCode::LeadingTo(const std::string& name) const {
 }
 
 Place ControllerCode::PlaceOf(const CodeFile& file, size_t at) {
-  const std::string& text = file.source;
-  const size_t origin = at < file.code.origins.size() ? file.code.origins[at] : text.size();
-  const size_t begin = origin == 0 ? 0 : text.rfind('\n', origin - 1) + 1;
-  const size_t end = std::min(text.find('\n', origin), text.size());
-  const auto before = text.begin() + static_cast<std::ptrdiff_t>(origin);
-  return {file.name, static_cast<int>(std::count(text.begin(), before, '\n')) + 1,
-          static_cast<int>(origin - begin) + 1, text.substr(begin, end - begin)};
+  const size_t origin = at < file.code.origins.size() ? file.code.origins[at] : file.source.size();
+  return PlaceAt(file.name, file.source, origin);
 }
 
 std::string ControllerCode::FirstArgument(const CodeFile& file, const CodeCall& call) const {
