@@ -161,7 +161,7 @@ class GatewayLoader {
 
 bool LoadStickAndGateway(System* system, int robot, System::StandIns stand_ins) {
   GatewayLoader loader(system, robot);
-  stand_ins.emplace(kGatewayImage, [&loader] { loader.Add(); });
+  stand_ins.emplace(kGatewayImage, [&loader](const std::string&) { loader.Add(); });
   const bool good = system->LoadStick(robot, stand_ins);
   loader.CheckWires();
   return good;
