@@ -14,6 +14,7 @@
 #include "openr/commands/distribution_flags.h"
 #include "openr/crash_log.h"
 #include "openr/exit_code.h"
+#include "openr/last_words.h"
 #include "openr/watchdog.h"
 
 namespace openr_host {
@@ -48,6 +49,11 @@ int Join(JoinFlags flags) {
     watchdog.emplace(flags.handler_limit_us);
   };
   Worker worker(flags.worker);
+  const LastWords last_words([&worker](Ending* ending) {
+    if (ending->object == nullptr) return;
+    const CurrentScope scope(ending->object->system, ending->object);
+    worker.TellCrash(ending->finding.text());
+  });
   const std::string problem = worker.Run();
   if (problem.empty()) return kExitGood;
   flags.worker.say(problem);

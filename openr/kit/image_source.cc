@@ -31,7 +31,7 @@ struct ImageInfo {
 };
 
 /* In a section of its own, for those who ask a file who it is without loading it. */
-static __attribute__((section("openr_ocf"), used)) const char openr_ocf[] =
+static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
     )";
 
 // A function that ends without the value it should return is compiled with calls at its begin and
@@ -39,7 +39,7 @@ static __attribute__((section("openr_ocf"), used)) const char openr_ocf[] =
 constexpr std::string_view kRest = R"(;
 
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;
-const struct ImageInfo openr_image_info = { 1, 0, openr_ocf };
+const struct ImageInfo openr_image_info = { 1, 0, openr_ocf_text };
 
 /* Linked last, so the constructor without a priority is the last of all. */
 void openr_image_constructors(int begin);
