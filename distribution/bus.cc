@@ -66,6 +66,11 @@ Bus::Bus(const BusOptions& options) : run_(options.run) {
   participant_ = dds_create_participant(domain, nullptr, nullptr);
   if (participant_ < 0) dds_delete(domain_);
   Check(participant_, "participant");
+  waitset_ = Check(dds_create_waitset(participant_), "wait set");
+}
+
+void Bus::Wait(int64_t timeout_us) {
+  dds_waitset_wait(waitset_, nullptr, 0, DDS_USECS(timeout_us));
 }
 
 Bus::~Bus() { dds_delete(domain_); }
@@ -91,6 +96,7 @@ LineBase::LineBase(Bus* bus, const std::string& process, LineEnd end) {
   const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
   Check(dds_waitset_attach(waitset_, condition, 0), "wait set");
+  Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 
 LineBase::~LineBase() {

@@ -34,13 +34,18 @@ class Bus {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
+  // Waits until a Line of this bus has something to take, at most `timeout_us`.
+  void Wait(int64_t timeout_us);
+
   dds_entity_t participant() const { return participant_; }
+  dds_entity_t waitset() const { return waitset_; }
   const std::string& run() const { return run_; }
 
  private:
   const std::string run_;
   dds_entity_t domain_ = 0;
   dds_entity_t participant_ = 0;
+  dds_entity_t waitset_ = 0;  // of all lines
 };
 
 // One direction of a Line.

@@ -78,6 +78,7 @@ std::string Fleet::Connect() {
     for (auto& [name, member] : members_) {
       member.process->WaitForHello(options_.wait_ms);
       Welcome(&member);
+      if (options_.is_free) member.process->RunFree();
     }
   } catch (const ProcessLost& lost) {
     return lost.what();
@@ -124,7 +125,7 @@ void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string
   about->process()->set_lost();
   Member& member = members_[about->process()->name()];
   member.lost = why;
-  if (loss == RemoteObject::Loss::kCrashed) {
+  if (loss == RemoteObject::Loss::kCrashed || options_.is_free) {
     system_->AddFindingAbout(about, Severity::kError,
                              fmt::format("{}; process '{}' (pid {}) is gone, the others go on", why,
                                          about->process()->name(), about->process()->facts().pid));
@@ -133,6 +134,11 @@ void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string
   }
   system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", why));
   for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+}
+
+void Fleet::Pump(int64_t timeout_us) {
+  bus_.Wait(timeout_us);
+  for (auto& [name, member] : members_) member.process->Poll();
 }
 
 void Fleet::ReportLosses() {
@@ -152,6 +158,11 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
   for (const auto& [name, member] : members_) {
     ProcessFacts facts{
         name, member.process->facts().host, member.process->facts().pid, {}, member.lost};
+    const Latency& latency = member.process->latency();
+    facts.handlers = latency.count();
+    facts.median_us = latency.PercentileUs(0.5);
+    facts.p99_us = latency.PercentileUs(0.99);
+    facts.max_us = latency.MaxUs();
     for (const auto& [id, object] : member.objects) facts.objects.push_back(object->name);
     all.push_back(std::move(facts));
   }

@@ -24,8 +24,9 @@ struct FleetOptions {
   std::vector<std::string> command;
   // What it begins with, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
-  std::string stick;                                 // folder of the master's stick
-  int64_t wait_ms = 60'000;                          // for a process to come
+  std::string stick;         // folder of the master's stick
+  bool is_free = false;      // the clock on the wall rules, see RemoteProcess::RunFree()
+  int64_t wait_ms = 60'000;  // for a process to come
   std::function<void(const std::string& line)> say;  // for people
 };
 
@@ -49,12 +50,20 @@ class Fleet {
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;  // why it is not there any more; ""
+    std::string lost;       // why it is not there any more; ""
+    uint64_t handlers = 0;  // run there; and how long each took, with the way there and back
+    double median_us = 0;
+    double p99_us = 0;
+    double max_us = 0;
   };
   std::vector<ProcessFacts> Describe() const;
 
   // `listener` hears of an object that crashed; the run goes on without those of its process.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+
+  // In a free run: waits at most `timeout_us` for news of the processes and does them.  Not from a
+  // handler.
+  void Pump(int64_t timeout_us);
 
   // Findings about messages that nobody heard.
   void ReportLosses();

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kSliceMs = 100;          // between looks at the process
 constexpr int64_t kSilenceMs = 2'000;  // before people are told
+// Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
+constexpr uint64_t kFirstFreeBox = uint64_t{1} << 40;
 
 }  // namespace
 
@@ -106,6 +108,8 @@ void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome,
 }
 
 void RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
+  if (crashed_) throw ProcessCrashed(loss_);
+  if (!loss_.empty()) throw ProcessLost(loss_);
   {
     WireArena arena;
     openr_wire_Down down = NewDown(openr_wire_DOWN_DELIVER);
@@ -118,8 +122,9 @@ void RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     line_.Send(down);
     courier_->Sent(message);
   }
+  const Latency::Timer timer(&latency_);
   while (!is_lost_) {
-    const Stop stop = WaitForStop(object);
+    const Stop stop = is_free_ ? AwaitStop(object) : WaitForStop(object);
     if (stop.kind == openr_wire_STOP_DONE) return;
     if (stop.kind == openr_wire_STOP_READS) {
       ResumeWithLine(object, stop);
@@ -136,14 +141,76 @@ RemoteProcess::Stop RemoteProcess::WaitForStop(RemoteObject* object) {
     if (up->body._d == openr_wire_UP_CRASHED)
       throw ProcessCrashed(StringOf(up->body._u.crashed.text));
     if (up->body._d != openr_wire_UP_STOPPED) Refuse("something in the middle of a handler");
-    const openr_wire_Stopped& stopped = up->body._u.stopped;
-    if (stopped.object != object->id) Refuse("the end of another object's handler");
-    Apply(*up, object);
-    object->state = StringOf(stopped.state);
-    object->dropped_count = stopped.dropped;
-    object->stack_max = stopped.stack_max;
-    return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
+    if (up->body._u.stopped.object != object->id) Refuse("the end of another object's handler");
+    return TakeStop(*up);
   }
+}
+
+RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_Up& up) {
+  const openr_wire_Stopped& stopped = up.body._u.stopped;
+  Object* const object = ObjectOf(stopped.object);
+  Apply(up, object);
+  object->state = StringOf(stopped.state);
+  object->dropped_count = stopped.dropped;
+  object->stack_max = stopped.stack_max;
+  return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
+}
+
+RemoteProcess::Stop RemoteProcess::AwaitStop(RemoteObject* object) {
+  const uint64_t box = kFirstFreeBox + turn_;
+  object->boxes.insert(box);
+  under_way_[object->id] = box;
+  bool timed_out = false;
+  Message* const wake =
+      system_->AwaitReply(box, -1, fmt::format("its handler in process '{}'", name_), &timed_out);
+  system_->queue().Release(wake);
+  if (crashed_) throw ProcessCrashed(loss_);
+  if (!loss_.empty()) throw ProcessLost(loss_);
+  const Stop stop = std::move(stops_[object->id]);
+  stops_.erase(object->id);
+  return stop;
+}
+
+void RemoteProcess::Poll() {
+  if (!loss_.empty()) return;
+  try {
+    while (const Loan up = line_.Receive(0)) TakeFree(*up);
+    const std::string problem = health_();
+    if (!problem.empty()) throw ProcessLost(problem);
+    if (!line_.IsConnected())
+      throw ProcessLost(fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
+                                    facts_.pid, facts_.host));
+  } catch (const ProcessCrashed& crash) {
+    LoseFree(crash.what(), true);
+  } catch (const ProcessLost& lost) {
+    LoseFree(lost.what(), false);
+  }
+}
+
+void RemoteProcess::TakeFree(const openr_wire_Up& up) {
+  if (Serve(up)) return;
+  if (up.body._d == openr_wire_UP_CRASHED) throw ProcessCrashed(StringOf(up.body._u.crashed.text));
+  if (up.body._d != openr_wire_UP_STOPPED) Refuse("something that is no end of a handler");
+  const ObjectId object = up.body._u.stopped.object;
+  if (!under_way_.contains(object)) Refuse("the end of a handler that was not begun");
+  stops_[object] = TakeStop(up);
+  WakeHandler(object);
+}
+
+// All handlers under way end here.  Objects that have none hear of it with their next message.
+void RemoteProcess::LoseFree(const std::string& why, bool crashed) {
+  loss_ = why;
+  crashed_ = crashed;
+  while (!under_way_.empty()) WakeHandler(under_way_.begin()->first);
+}
+
+void RemoteProcess::WakeHandler(ObjectId object) {
+  Message* const wake = system_->NewMessage(object, 0);
+  wake->message_class = MessageClass::kInput;
+  wake->is_reply = true;
+  wake->reply_box = under_way_[object];
+  under_way_.erase(object);
+  system_->Post(wake);
 }
 
 // The proxy's handler waits as the real one does; what comes meanwhile is other objects' turn.
@@ -312,6 +379,7 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
+  if (is_free_) return "";  // it has gone on meanwhile
   openr_wire_Down down = NewDown(openr_wire_DOWN_ASK_STATE);
   down.body._u.state_of = object;
   line_.Send(down);

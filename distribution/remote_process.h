@@ -15,6 +15,7 @@
 
 #include "distribution/bus.h"
 #include "distribution/courier.h"
+#include "distribution/latency.h"
 #include "runtime/core/uplink.h"
 
 namespace openr_host {
@@ -58,6 +59,17 @@ class RemoteProcess {
   void Welcome(System* system, const openr_wire_Welcome& welcome,
                const std::map<ObjectId, RemoteObject*>& objects);
 
+  // From now on nobody waits for a handler but its object: what it did comes when it comes, and
+  // Poll() does it.  For runs whose clock is that on the wall.
+  void RunFree() { is_free_ = true; }
+
+  // Does what has come since.  Not from a handler.  Does not throw: handlers that wait hear of a
+  // loss.
+  void Poll();
+
+  // Times from handing a message over to hearing that its handler is done.
+  const Latency& latency() const { return latency_; }
+
   // Runs the handler of `message`, which is being delivered to `object`.
   void RunHandler(RemoteObject* object, const Message& message);
 
@@ -82,6 +94,11 @@ class RemoteProcess {
   openr_wire_Down NewDown(openr_wire_DownKind kind);
   Loan Next();
   Stop WaitForStop(RemoteObject* object);
+  Stop AwaitStop(RemoteObject* object);
+  Stop TakeStop(const openr_wire_Up& up);
+  void TakeFree(const openr_wire_Up& up);
+  void LoseFree(const std::string& why, bool crashed);
+  void WakeHandler(ObjectId object);
   bool Serve(const openr_wire_Up& up);
   void SendAnswer(const Answer& answer);
   void Apply(const openr_wire_Up& up, Object* self);
@@ -102,6 +119,13 @@ class RemoteProcess {
   uint64_t turn_ = 0;
   Facts facts_;
   bool is_lost_ = false;
+  Latency latency_;
+  // Of free runs: handlers under way, by object, and the box by which their proxy waits.
+  bool is_free_ = false;
+  std::map<ObjectId, uint64_t> under_way_;
+  std::map<ObjectId, Stop> stops_;
+  std::string loss_;  // why the process is gone
+  bool crashed_ = false;
 };
 
 }  // namespace openr_host

@@ -145,6 +145,20 @@ double Runner::wall_time_s() const {
   return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
 }
 
+// Up to `stop_us`, no faster than the wall clock; what other processes did is done when it comes.
+void Runner::RunFreely(int64_t stop_us) {
+  constexpr int64_t kSliceUs = 1000;  // so late may be what is due between two frames
+  System& system = simulation_->system();
+  if (free_begin_ns_ == 0) free_begin_ns_ = WallClockNs();
+  while (!system.powered_off()) {
+    const double wall_us = static_cast<double>(WallClockNs() - free_begin_ns_) / 1000;
+    const auto clock_us = static_cast<int64_t>(wall_us * plan_.rate);
+    system.RunUntil(std::clamp(clock_us, system.now_us(), stop_us));
+    if (clock_us >= stop_us) return;
+    plan_.pump(std::min(kSliceUs, stop_us - clock_us));
+  }
+}
+
 bool Runner::Run() {
   System& system = simulation_->system();
   Pacer pacer(plan_.rate);
@@ -155,8 +169,12 @@ bool Runner::Run() {
   while (!IsOver()) {
     typed.Feed(&system);
     const int64_t stop_us = NextStop();
-    if (paused_us_ < 0) pacer.WaitFor(stop_us);
-    system.RunUntil(stop_us);
+    if (plan_.pump) {
+      RunFreely(stop_us);
+    } else {
+      if (paused_us_ < 0) pacer.WaitFor(stop_us);
+      system.RunUntil(stop_us);
+    }
     AfterFrame();
   }
   system.trace().RemoveSink(activity_sink_);

@@ -24,6 +24,9 @@ struct RunPlan {
   std::string stdin_file;                            // see ConsoleFeed
   std::function<void(const std::string& line)> say;  // for people
   Recorder* recorder = nullptr;                      // hears of input; may be null
+  // Of a run whose other processes do not wait for the clock: instead of sleeping, waits for news
+  // of theirs, at most so long, and does them.  Needs a rate.
+  std::function<void(int64_t timeout_us)> pump;
 };
 
 // Quiet: nothing was delivered that an object of the stick had sent, but for its readiness for
@@ -51,6 +54,7 @@ class Runner {
   int64_t NextStop() const;
   void AfterFrame();
   void PressPause();
+  void RunFreely(int64_t stop_us);
   void TakeSnapshots(bool at_end);
   void Take(const SnapshotPlan& snapshot);
   void AnnouncePorts();
@@ -66,8 +70,10 @@ class Runner {
   int64_t paused_us_ = -1;  // when the button was pressed
   bool shutdown_posted_ = false;
   bool good_ = true;
-  int64_t begin_ns_ = 0;      // while it runs
-  int64_t wall_time_ns_ = 0;  // of what is over, less that of pictures
+  int64_t begin_ns_ = 0;  // while it runs
+  int64_t wall_time_ns_ = 0;
+  int64_t free_begin_ns_ = 0;  // wall clock at virtual time 0 of a run with a pump  // of what is
+                               // over, less that of pictures
 };
 
 }  // namespace openr_host

@@ -33,6 +33,9 @@ void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
                       "Run this object in a process of its own; repeatable");
   command->add_option("--wrap", flags->wrapper,
                       "What the processes are started with: 'gdb --args', 'valgrind -q'");
+  command->add_flag("--free-running", flags->is_free,
+                    "Processes run at the same time, as the wall clock has it; no run is like "
+                    "another");
   command->add_option("--run-name", flags->bus.run,
                       "Name of the run, for openr join (default: one of its own; openr when a "
                       "process is on another host)");
@@ -78,7 +81,11 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
                                  int64_t handler_limit_us) {
   FleetOptions options;
   options.placement = PlacementOf(flags);
-  if (options.placement.empty()) return nullptr;
+  if (options.placement.empty()) {
+    if (!flags.is_free) return nullptr;
+    throw CLI::ValidationError("--free-running",
+                               "no object is placed in another process (--place)");
+  }
   options.bus = flags.bus;
   if (options.bus.run.empty())
     options.bus.run =
@@ -87,6 +94,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   options.stick = std::filesystem::absolute(stick).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;
   options.wrapper = WordsOf(flags.wrapper);
+  options.is_free = flags.is_free;
   options.command = {ProgramFile(),
                      "join",
                      "--child",

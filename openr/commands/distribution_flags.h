@@ -19,6 +19,7 @@ struct PlacementFlags {
   std::string file;
   std::vector<std::string> isolated;  // objects
   std::string wrapper;                // command line of a debugger
+  bool is_free = false;
   BusOptions bus;
   int64_t wait_us = 60'000'000;
 };

@@ -228,11 +228,15 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
 nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
   auto processes = nlohmann::ordered_json::array();
   for (const Fleet::ProcessFacts& facts : fleet.Describe()) {
-    processes.push_back({{"name", facts.name},
-                         {"pid", facts.pid},
-                         {"host", facts.host},
-                         {"objects", facts.objects},
-                         {"lost", facts.lost}});
+    processes.push_back(
+        {{"name", facts.name},
+         {"pid", facts.pid},
+         {"host", facts.host},
+         {"objects", facts.objects},
+         {"lost", facts.lost},
+         {"handlers", facts.handlers},
+         {"handler_us",
+          {{"median", facts.median_us}, {"p99", facts.p99_us}, {"max", facts.max_us}}}});
   }
   return processes;
 }
@@ -258,6 +262,8 @@ int Run(RunFlags flags) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }
   RunPlan plan = PlanOf(flags);
+  if (flags.placement.is_free && plan.rate <= 0)
+    throw CLI::ValidationError("--free-running", "needs a clock: --rate max has none");
   flags.simulation.log_level = flags.log == "error" ? 1 : flags.log == "warning" ? 2 : 3;
 
   Console console(flags.console_file);
@@ -301,6 +307,8 @@ int Run(RunFlags flags) {
       recorder.Begin(&simulation, flags.simulation);
       plan.recorder = &recorder;
     }
+    if (fleet != nullptr && flags.placement.is_free)
+      plan.pump = [&fleet](int64_t timeout_us) { fleet->Pump(timeout_us); };
     Runner runner(&simulation, plan, &interrupts);
     const auto learn_facts = [&facts, &runner] {
       facts.wall_time_s = runner.wall_time_s();

@@ -1,0 +1,49 @@
+#include "distribution/latency.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+namespace openr_host {
+namespace {
+
+constexpr int kPerOctave = 16;
+
+size_t BucketOf(int64_t ns) {
+  const auto value = static_cast<uint64_t>(std::max<int64_t>(ns, kPerOctave));
+  const int octave = std::bit_width(value) - 1;
+  const uint64_t step = (value >> (octave - 4)) & (kPerOctave - 1);
+  return static_cast<size_t>(octave) * kPerOctave + step;
+}
+
+double UpperNs(size_t bucket) {
+  const double octave = std::ldexp(1.0, static_cast<int>(bucket / kPerOctave));
+  return octave * (1 + static_cast<double>(bucket % kPerOctave + 1) / kPerOctave);
+}
+
+}  // namespace
+
+int64_t Latency::NowNs() {
+  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+
+void Latency::Add(int64_t ns) {
+  ++count_;
+  max_ns_ = std::max(max_ns_, ns);
+  const size_t bucket = BucketOf(ns);
+  if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+  ++buckets_[bucket];
+}
+
+double Latency::PercentileUs(double p) const {
+  const auto wanted = static_cast<uint64_t>(std::ceil(p * static_cast<double>(count_)));
+  uint64_t seen = 0;
+  for (size_t i = 0; i < buckets_.size(); ++i) {
+    seen += buckets_[i];
+    if (seen >= wanted && seen > 0) return std::min(UpperNs(i) / 1000, MaxUs());
+  }
+  return 0;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,39 @@
+// How long things took on the wall clock, for the report.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace openr_host {
+
+class Latency {
+ public:
+  // From its making to its end.
+  class Timer {
+   public:
+    explicit Timer(Latency* latency) : latency_(latency), begin_ns_(NowNs()) {}
+    ~Timer() { latency_->Add(NowNs() - begin_ns_); }
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+   private:
+    Latency* const latency_;
+    const int64_t begin_ns_;
+  };
+
+  void Add(int64_t ns);
+
+  uint64_t count() const { return count_; }
+  // The time, in microseconds, that a share `p` of 0..1 was not above; within 1/16 of it.
+  double PercentileUs(double p) const;
+  double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
+
+ private:
+  static int64_t NowNs();
+
+  uint64_t count_ = 0;
+  int64_t max_ns_ = 0;
+  std::vector<uint64_t> buckets_;  // 16 to each power of two of nanoseconds
+};
+
+}  // namespace openr_host
