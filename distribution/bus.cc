@@ -38,11 +38,11 @@ std::string Settings(const BusOptions& options) {
       "<CycloneDDS><Domain id=\"any\">"
       "<General><Interfaces><NetworkInterface address=\"{}\"/></Interfaces>"
       "<AllowMulticast>false</AllowMulticast><MaxMessageSize>65500B</MaxMessageSize></General>"
-      "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
+      "<Discovery><LeaseDuration>{}s</LeaseDuration><ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex><Peers>{}</Peers></Discovery>"
       "<Internal><SocketReceiveBufferSize min=\"default\" max=\"10MB\"/></Internal>"
       "</Domain></CycloneDDS>",
-      options.address, options.participants_max, peers);
+      options.address, options.lease_s, options.participants_max, peers);
   if (!options.config_file.empty()) text += ",file://" + options.config_file;
   return text;
 }

@@ -17,6 +17,9 @@
 
 namespace openr_host {
 
+// The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.
+constexpr int kWatchedLease_s = 86'400;
+
 struct BusOptions {
   std::string run;                    // name of the run, the first part of partitions
   int domain = 0;                     // DDS domain
@@ -24,6 +27,8 @@ struct BusOptions {
   std::vector<std::string> peers;     // addresses of other hosts; this one's is known
   std::string config_file;            // settings of Cyclone DDS that are added (security)
   int participants_max = 120;         // on one host
+  // After this long without a sign of life from a process, others hold it for gone.
+  int lease_s = 10;
 };
 
 class Bus {

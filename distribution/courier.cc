@@ -41,10 +41,6 @@ openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
 
 }  // namespace
 
-Courier::~Courier() {
-  while (!borrowed_.empty()) DropStandIn(borrowed_.begin()->first);
-}
-
 void Courier::DropStandIn(RCRegion* region) {
   system_->regions().DropCopy(region->MemID());
   borrowed_.erase(region);

@@ -30,7 +30,6 @@ class Courier {
 
   // `makes_copies`: memory that comes in may be new to the region table.
   Courier(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
-  ~Courier();
   Courier(const Courier&) = delete;
   Courier& operator=(const Courier&) = delete;
 

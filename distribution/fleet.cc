@@ -50,8 +50,10 @@ System::StandIns Fleet::StandInsFor(System* system, int robot) {
       object->name = name;
       object->path = path;
       member->objects[id] = object.get();
+      member->process->Add(object.get());
       placed_.push_back(name);
       system_->Adopt(std::move(object));
+      LoadMore(member);
     };
   }
   return stand_ins;
@@ -72,21 +74,16 @@ std::string Fleet::UnknownObjects() const {
 }
 
 std::string Fleet::Connect() {
-  std::string problem = UnknownObjects();
-  if (!problem.empty()) return problem;
-  try {
-    for (auto& [name, member] : members_) {
-      member.process->WaitForHello(options_.wait_ms);
-      Welcome(&member);
-      if (options_.is_free) member.process->RunFree();
-    }
-  } catch (const ProcessLost& lost) {
-    return lost.what();
+  if (problem_.empty()) problem_ = UnknownObjects();
+  for (auto& [name, member] : members_) {
+    LoadMore(&member);
+    if (problem_.empty() && options_.is_free) member.process->RunFree();
   }
-  return "";
+  return problem_;
 }
 
 void Fleet::Welcome(Member* member) {
+  member->process->WaitForHello(options_.wait_ms);
   WireArena arena;
   openr_wire_Welcome welcome{};
   const SystemOptions& options = system_->options();
@@ -97,26 +94,42 @@ void Fleet::Welcome(Member* member) {
   welcome.measure = options.measure_stacks;
   welcome.log_level = options.log_level;
   welcome.stick = arena.Text(options_.stick);
+  member->process->Welcome(system_, welcome);
+  member->is_welcome = true;
+}
+
+// What has come to the tables since the last time; the object that is loaded is the last of it.
+void Fleet::LoadMore(Member* member) {
+  if (!problem_.empty()) return;
+  WireArena arena;
+  openr_wire_Load load{};
   std::vector<openr_wire_RobotEntry> robots;
   std::vector<openr_wire_DesignEntry> designs;
+  std::vector<openr_wire_ObjectEntry> objects;
   for (int i = 0; i < system_->robot_count(); ++i) {
     const Robot& robot = system_->robot(i);
-    robots.push_back({arena.Text(robot.design), robot.stick != nullptr,
-                      robot.stick != nullptr && robot.stick->writable()});
-    if (i == 0) welcome.stick_hash = robot.stick_hash;
     for (const auto& [keyword, path] : robot.design_data)
       designs.push_back({i, arena.Text(keyword), arena.Text(path)});
+    if (static_cast<size_t>(i) < member->robots) continue;
+    robots.push_back({arena.Text(robot.design), robot.stick != nullptr,
+                      robot.stick != nullptr && robot.stick->writable(), robot.stick_hash});
   }
-  std::vector<openr_wire_ObjectEntry> objects;
-  for (const auto& object : system_->objects()) {
-    objects.push_back({object->id, object->robot, arena.Text(object->name),
-                       arena.Text(object->path), object->is_system, object->name == IpStack::kName,
-                       member->objects.contains(object->id)});
+  member->robots = static_cast<size_t>(system_->robot_count());
+  for (; member->known < system_->objects().size(); ++member->known) {
+    const Object& object = *system_->objects()[member->known];
+    objects.push_back({object.id, object.robot, arena.Text(object.name), arena.Text(object.path),
+                       object.is_system, object.name == IpStack::kName,
+                       member->objects.contains(object.id)});
   }
-  welcome.robots = arena.Sequence<decltype(welcome.robots)>(std::move(robots));
-  welcome.designs = arena.Sequence<decltype(welcome.designs)>(std::move(designs));
-  welcome.objects = arena.Sequence<decltype(welcome.objects)>(std::move(objects));
-  member->process->Welcome(system_, welcome, member->objects);
+  load.robots = arena.Sequence<decltype(load.robots)>(std::move(robots));
+  load.designs = arena.Sequence<decltype(load.designs)>(std::move(designs));
+  load.objects = arena.Sequence<decltype(load.objects)>(std::move(objects));
+  try {
+    if (!member->is_welcome) Welcome(member);
+    member->process->Load(load);
+  } catch (const ProcessLost& lost) {
+    problem_ = lost.what();
+  }
 }
 
 // Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for

@@ -41,8 +41,8 @@ class Fleet {
   // For System::LoadStick(): stand-ins for the objects that live elsewhere.
   System::StandIns StandInsFor(System* system, int robot);
 
-  // Waits for all processes and lets them load their objects.  Before Boot(), when all robots
-  // have been loaded.  "" or what went wrong.
+  // Before Boot(), when all robots have been loaded: tells all processes of the rest.  "" or what
+  // went wrong, here or in a stand-in.
   std::string Connect();
 
   struct ProcessFacts {
@@ -77,9 +77,13 @@ class Fleet {
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
+    bool is_welcome = false;
+    size_t robots = 0;  // that it knows of, and objects
+    size_t known = 0;
   };
 
   void Welcome(Member* member);
+  void LoadMore(Member* member);
   void Lost(RemoteObject* object, RemoteObject::Loss loss, const std::string& why);
   std::string UnknownObjects() const;
 
@@ -87,6 +91,7 @@ class Fleet {
   Bus bus_;
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
+  std::string problem_;  // the first, before Boot()
   std::function<void(Object*)> crash_listener_;
   std::vector<std::string> placed_;  // objects that were found
 };

@@ -82,17 +82,25 @@ void RemoteProcess::WaitForHello(int64_t limit_ms) {
   }
 }
 
-void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome,
-                            const std::map<ObjectId, RemoteObject*>& objects) {
+void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
   system_ = system;
-  objects_ = objects;
   courier_ = std::make_unique<Courier>(system, false);
   openr_wire_Down down = NewDown(openr_wire_DOWN_WELCOME);
   down.body._u.welcome = welcome;
   line_.Send(down);
+}
+
+void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
+
+void RemoteProcess::Load(const openr_wire_Load& load) {
+  openr_wire_Down down = NewDown(openr_wire_DOWN_LOAD);
+  down.body._u.load = load;
+  line_.Send(down);
   for (;;) {
     const Loan up = Next();
     if (Serve(*up)) continue;
+    if (up->body._d == openr_wire_UP_CRASHED)
+      throw ProcessCrashed(StringOf(up->body._u.crashed.text));
     if (up->body._d != openr_wire_UP_LOADED) Refuse("no list of its objects");
     Apply(*up, nullptr);
     const auto& loaded = up->body._u.loaded.objects;
@@ -100,7 +108,7 @@ void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome,
       const openr_wire_LoadedObject& entry = loaded._buffer[i];
       const auto found = objects_.find(entry.id);
       if (found == objects_.end()) Refuse("an object that is not its own");
-      if (*entry.problem != '\0') throw ProcessLost(entry.problem);
+      if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
       TakeDescription(entry, found->second);
     }
     return;

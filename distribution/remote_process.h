@@ -55,9 +55,13 @@ class RemoteProcess {
   // The process has come, within `limit_ms`.
   void WaitForHello(int64_t limit_ms);
 
-  // It loads its objects, which then know what they are.  `objects` are the stand-ins, by id.
-  void Welcome(System* system, const openr_wire_Welcome& welcome,
-               const std::map<ObjectId, RemoteObject*>& objects);
+  // What holds for the whole run.
+  void Welcome(System* system, const openr_wire_Welcome& welcome);
+
+  // It takes over what is new in the master's tables and loads those of its objects.
+  void Load(const openr_wire_Load& load);
+  // The stand-in of one of its objects, before that is loaded.
+  void Add(RemoteObject* object);
 
   // From now on nobody waits for a handler but its object: what it did comes when it comes, and
   // Poll() does it.  For runs whose clock is that on the wall.

@@ -106,35 +106,38 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   };
   system_ = std::make_unique<System>(std::move(options));
   courier_ = std::make_unique<Courier>(system_.get(), true);
-  const std::string stick = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
-  AddRobots(welcome, stick);
-  if (system_->robot_count() > 0 && system_->robot(0).stick != nullptr &&
-      system_->robot(0).stick->ContentHash() != welcome.stick_hash)
-    return fmt::format("{}: is not the stick of the run: its files differ from the master's",
-                       stick);
-  std::vector<openr_wire_LoadedObject> loaded;
-  for (uint32_t i = 0; i < welcome.objects._length; ++i)
-    AddObject(welcome.objects._buffer[i], &loaded);
-  SendLoaded(std::move(loaded));
-  if (options_.begins) options_.begins(stick);
+  stick_ = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
+  if (options_.begins) options_.begins(stick_);
   return "";
 }
 
-void Worker::AddRobots(const openr_wire_Welcome& welcome, const std::string& folder) {
-  for (uint32_t i = 0; i < welcome.robots._length; ++i) {
-    const openr_wire_RobotEntry& entry = welcome.robots._buffer[i];
-    std::shared_ptr<FolderStick> stick;
-    if (entry.has_stick) {
-      stick = std::make_shared<FolderStick>(folder);
-      stick->set_writable(entry.writable);
-    }
-    Robot& robot = system_->robot(system_->AddRobot(StringOf(entry.design), std::move(stick)));
-    robot.services = std::make_unique<RemoteServices>(system_.get());
+std::string Worker::LoadMore(const openr_wire_Load& load) {
+  for (uint32_t i = 0; i < load.robots._length; ++i) {
+    const std::string problem = AddRobot(load.robots._buffer[i]);
+    if (!problem.empty()) return problem;
   }
-  for (uint32_t i = 0; i < welcome.designs._length; ++i) {
-    const openr_wire_DesignEntry& entry = welcome.designs._buffer[i];
+  for (uint32_t i = 0; i < load.designs._length; ++i) {
+    const openr_wire_DesignEntry& entry = load.designs._buffer[i];
     system_->robot(entry.robot).design_data[StringOf(entry.keyword)] = StringOf(entry.path);
   }
+  std::vector<openr_wire_LoadedObject> loaded;
+  for (uint32_t i = 0; i < load.objects._length; ++i) AddObject(load.objects._buffer[i], &loaded);
+  SendLoaded(std::move(loaded));
+  return "";
+}
+
+std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
+  std::shared_ptr<FolderStick> stick;
+  if (entry.has_stick) {
+    stick = std::make_shared<FolderStick>(stick_);
+    stick->set_writable(entry.writable);
+    if (stick->ContentHash() != entry.stick_hash)
+      return fmt::format("{}: is not the stick of the run: its files differ from the master's",
+                         stick_);
+  }
+  Robot& robot = system_->robot(system_->AddRobot(StringOf(entry.design), std::move(stick)));
+  robot.services = std::make_unique<RemoteServices>(system_.get());
+  return "";
 }
 
 // In the order of ids, so that each object gets its own.
@@ -204,6 +207,11 @@ std::string Worker::Serve() {
     const Loan down = Next(false);
     if (!down) return "the master is gone";
     switch (down->body._d) {
+      case openr_wire_DOWN_LOAD: {
+        const std::string problem = LoadMore(down->body._u.load);
+        if (!problem.empty()) return problem;
+        break;
+      }
       case openr_wire_DOWN_DELIVER:
         Deliver(down->body._u.deliver.now_us, down->body._u.deliver.message, false);
         break;

@@ -27,7 +27,7 @@ struct WorkerOptions {
   std::string stick;                                 // instead of the master's path; "": that one
   int64_t master_wait_ms = 60'000;                   // for the master to show up
   std::function<void(const std::string& line)> say;  // for people
-  // Called when the objects are loaded, with the folder of the stick.
+  // Called before objects are loaded, with the folder of the stick.
   std::function<void(const std::string& stick)> begins;
 };
 
@@ -64,7 +64,8 @@ class Worker : public Uplink {
 
   std::string Join();
   std::string SetUp(const openr_wire_Welcome& welcome);
-  void AddRobots(const openr_wire_Welcome& welcome, const std::string& stick);
+  std::string LoadMore(const openr_wire_Load& load);
+  std::string AddRobot(const openr_wire_RobotEntry& entry);
   void AddObject(const openr_wire_ObjectEntry& entry, std::vector<openr_wire_LoadedObject>* loaded);
   openr_wire_LoadedObject Describe(const Object& object);
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
@@ -87,6 +88,7 @@ class Worker : public Uplink {
   ProcessLine line_;
   std::unique_ptr<System> system_;
   std::unique_ptr<Courier> courier_;
+  std::string stick_;  // its folder
   uint64_t turn_ = 0;
   std::deque<Loan> early_;  // came while an answer was waited for
   // Of the handler that runs.

@@ -90,6 +90,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   if (options.bus.run.empty())
     options.bus.run =
         options.placement.host_of.empty() ? fmt::format("openr-{}", getpid()) : "openr";
+  if (options.placement.host_of.empty()) options.bus.lease_s = kWatchedLease_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;

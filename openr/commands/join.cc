@@ -36,7 +36,10 @@ void BecomeChild() {
 }
 
 int Join(JoinFlags flags) {
-  if (flags.is_child) BecomeChild();
+  if (flags.is_child) {
+    BecomeChild();
+    flags.worker.bus.lease_s = kWatchedLease_s;
+  }
   std::optional<CrashLog> crash_log;
   std::optional<Watchdog> watchdog;
   flags.worker.master_wait_ms = flags.wait_us / 1000;
