@@ -64,7 +64,8 @@ RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   if (index >= 0xffff) return nullptr;
   if (index >= slots_.size()) slots_.resize(index + 1);
   Slot& slot = slots_[index];
-  std::free(slot.base);  // of a block whose id nobody uses any more
+  if (slot.live || slot.pins > 0) return nullptr;  // somebody uses it
+  std::free(slot.base);
   slot = Slot();
   slot.generation = static_cast<uint16_t>(id >> 16);
   return &slot;

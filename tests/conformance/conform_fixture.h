@@ -19,6 +19,16 @@
 
 namespace openr_host {
 
+// Processes of their own for the objects, in the program that tests distribution
+// (tests/distribution/apart_test.cc).
+class Elsewhere {
+ public:
+  virtual ~Elsewhere() = default;
+  virtual System::StandIns StandInsFor(System* system) = 0;
+  virtual void Connect() = 0;  // before the boot
+};
+inline std::unique_ptr<Elsewhere> (*make_elsewhere)(const std::filesystem::path& stick) = nullptr;
+
 class ConformTest : public testing::Test {
  protected:
   ConformTest() : root(folder.path()) {
@@ -48,9 +58,12 @@ class ConformTest : public testing::Test {
     options.console = [this](std::string_view text) { printed += text; };
     system = std::make_unique<System>(std::move(options));
     system->AddRobot("ERS-210", stick);
-    return system->LoadStick(0);
+    if (make_elsewhere == nullptr) return system->LoadStick(0);
+    elsewhere = make_elsewhere(root);
+    return system->LoadStick(0, elsewhere->StandInsFor(system.get()));
   }
   void Boot() {
+    if (elsewhere != nullptr) elsewhere->Connect();
     system->Boot();
     Settle();
   }
@@ -98,6 +111,7 @@ class ConformTest : public testing::Test {
   const std::filesystem::path root;
   std::shared_ptr<FolderStick> stick;
   std::string printed;
+  std::unique_ptr<Elsewhere> elsewhere;
   std::unique_ptr<System> system;
 
  private:

@@ -65,6 +65,7 @@ class ProgramRun {
   // What it has said on standard error so far.
   const std::string& heard() const { return result_.err; }
 
+  pid_t pid() const { return child_; }
   void Signal(int signal) const {
     if (child_ > 0) kill(child_, signal);
   }

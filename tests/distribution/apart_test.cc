@@ -1,0 +1,42 @@
+// The conformance tests once more, with Teller and Hearer each in a process of its own.
+#include <unistd.h>
+
+#include "distribution/fleet.h"
+#include "tests/conformance/conform_fixture.h"
+
+namespace openr_host {
+namespace {
+
+class TwoProcesses : public Elsewhere {
+ public:
+  explicit TwoProcesses(const std::string& stick) : fleet_(OptionsFor(stick)) {}
+  ~TwoProcesses() override { fleet_.End(); }
+  System::StandIns StandInsFor(System* system) override { return fleet_.StandInsFor(system, 0); }
+  void Connect() override { EXPECT_EQ(fleet_.Connect(), ""); }
+
+ private:
+  static FleetOptions OptionsFor(const std::string& stick) {
+    static int number = 0;
+    FleetOptions options;
+    options.bus.run = "apart-" + std::to_string(getpid()) + "-" + std::to_string(++number);
+    options.placement.process_of = {{"teller", "acting"}, {"hearer", "hearing"}};
+    options.stick = stick;
+    options.command = {OPENR_PROGRAM, "join", "--child", "--run-name", options.bus.run};
+    options.say = [](const std::string&) {};
+    return options;
+  }
+
+  Fleet fleet_;
+};
+
+const bool kApart = [] {
+  make_elsewhere = [](const std::filesystem::path& stick) -> std::unique_ptr<Elsewhere> {
+    return std::make_unique<TwoProcesses>(stick);
+  };
+  return true;
+}();
+
+TEST(ApartTest, TheObjectsAreNotHere) { EXPECT_TRUE(kApart); }
+
+}  // namespace
+}  // namespace openr_host

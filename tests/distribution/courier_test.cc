@@ -1,0 +1,306 @@
+// Messages between two Systems without a network: what goes through, and what is refused.
+#include "distribution/courier.h"
+
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/RCRegion.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "runtime/core/api.h"
+#include "runtime/core/code_object.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+// A subject's side and an observer's.
+class CourierTest : public testing::Test {
+ protected:
+  CourierTest() {
+    for (System* system : {&here, &there}) {
+      system->AddRobot("ERS-210", nullptr);
+      system->AddObject<CodeObject>(0, "sender");
+    }
+    sender = here.FindObject(0, "sender");
+  }
+
+  RCRegion* NewRegion(const std::string& text, size_t size = 0) {
+    const CurrentScope scope(&here, sender);
+    auto* const region = new RCRegion(size == 0 ? text.size() : size);
+    std::memcpy(region->Base(), text.data(), text.size());
+    return region;
+  }
+  void LetGo(RCRegion* region) {
+    const CurrentScope scope(&here, sender);
+    region->RemoveReference();
+  }
+
+  static Message Blank() {
+    Message message;
+    std::memset(message.payload, 0, sizeof message.payload);
+    return message;
+  }
+
+  // A notification of these regions.
+  static Message Notification(const std::vector<RCRegion*>& regions) {
+    Message message = Blank();
+    auto& notify = *new (message.payload) ONotifyMessage;
+    notify.msgType = omsgNOTIFY_V22;
+    notify.subjectID = OServiceEntry(OidOf(1), 5);
+    notify.numOfNotify = 1;
+    notify.numOfData = 0;
+    for (RCRegion* region : regions) {
+      auto& data = notify.data[notify.numOfData++];
+      data.srcRCR = region;
+      data.memID = region->MemID();
+      data.offset = region->Offset();
+      data.size = region->Size();
+    }
+    message.size = sizeof notify;
+    message.kind = PayloadKind::kNotify;
+    return message;
+  }
+
+  // What the observer sends to give these back.
+  static Message Answer(const std::vector<RCRegion*>& regions) {
+    Message message = Blank();
+    auto& ready = *new (message.payload) OReadyMessage;
+    ready.msgType = omsgREADY_V22;
+    ready.command = objcommCMD_ASSERT_READY;
+    ready.observerID = OServiceEntry(OidOf(1), 6);
+    ready.numOfData = 0;
+    for (RCRegion* region : regions) ready.rcRegion[ready.numOfData++] = region;
+    message.size = sizeof ready;
+    message.kind = PayloadKind::kReady;
+    return message;
+  }
+
+  static const ONotifyMessage& NotifyOf(const Message& message) {
+    return *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  }
+  static const OReadyMessage& ReadyOf(const Message& message) {
+    return *reinterpret_cast<const OReadyMessage*>(message.payload);
+  }
+
+  // Through the wire, from here to there.
+  std::string Carry(const Message& message, Message* out, const Courier::HasMemory& has = nullptr) {
+    ours.Encode(message, has, &arena, &wire);
+    *out = Blank();
+    return theirs.Decode(wire, out);
+  }
+
+  // One part of a notification, as somebody may send it.
+  openr_wire_Message Forged(openr_wire_Part part, uint32_t count = 1) {
+    openr_wire_Message message{};
+    message.payload._d = openr_wire_PAYLOAD_NOTIFY;
+    auto& parts = message.payload._u.notify.parts;
+    parts = arena.Sequence<std::remove_reference_t<decltype(parts)>>(
+        std::vector<openr_wire_Part>(count, part));
+    return message;
+  }
+  std::string Refused(const openr_wire_Message& in) {
+    Message out = Blank();
+    return theirs.Decode(in, &out);
+  }
+
+  System here, there;
+  Object* sender;
+  WireArena arena;
+  openr_wire_Message wire{};
+  Courier ours{&here, false};
+  Courier theirs{&there, true};
+};
+
+TEST_F(CourierTest, BytesArriveWithNumberCauseAndHash) {
+  Message message = Blank();
+  message.number = 77;
+  message.cause = 76;
+  message.sender = 1;
+  message.target = 1;
+  message.selector = 9;
+  message.reply_box = 4;
+  message.is_reply = true;
+  message.kind = PayloadKind::kHashed;
+  message.payload_hash = 0x123456789abcdefull;
+  message.size = 5;
+  std::memcpy(message.payload, "h\0llo", 5);
+  Message out;
+  ASSERT_EQ(Carry(message, &out), "");
+  EXPECT_EQ(out.number, 77u);
+  EXPECT_EQ(out.cause, 76u);
+  EXPECT_EQ(out.sender, 1);
+  EXPECT_EQ(out.target, 1);
+  EXPECT_EQ(out.selector, 9u);
+  EXPECT_EQ(out.reply_box, 4u);
+  EXPECT_TRUE(out.is_reply);
+  EXPECT_EQ(out.kind, PayloadKind::kHashed);
+  EXPECT_EQ(out.payload_hash, message.payload_hash);
+  EXPECT_EQ(std::string(reinterpret_cast<char*>(out.payload), out.size), std::string("h\0llo", 5));
+}
+
+TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
+  RCRegion* const small = NewRegion("words");
+  RCRegion* const large = NewRegion("picture", 1 << 20);
+  Message out;
+  ASSERT_EQ(Carry(Notification({small, large}), &out), "");
+  EXPECT_EQ(ours.lent_count(), 2u);
+  const ONotifyMessage& notify = NotifyOf(out);
+  ASSERT_EQ(notify.numOfData, 2);
+  EXPECT_EQ(notify.data[1].size, size_t{1} << 20);
+  RCRegion* const first = notify.data[0].srcRCR;
+  RCRegion* const second = notify.data[1].srcRCR;
+  EXPECT_NE(first, small);
+  EXPECT_EQ(first->MemID(), small->MemID());
+  EXPECT_EQ(std::string(first->Base(), first->Size()), "words");
+  EXPECT_EQ(std::memcmp(second->Base(), large->Base(), large->Size()), 0);
+  EXPECT_TRUE(theirs.HasBorrowed(small->MemID()));
+
+  const Message answer = Answer({second, first});
+  openr_wire_Message back{};
+  theirs.Encode(answer, nullptr, &arena, &back);
+  Message ready = Blank();
+  ASSERT_EQ(ours.Decode(back, &ready), "");
+  theirs.Sent(answer);
+  ASSERT_EQ(ReadyOf(ready).numOfData, 2);
+  EXPECT_EQ(ReadyOf(ready).rcRegion[0], large);
+  EXPECT_EQ(ReadyOf(ready).rcRegion[1], small);
+  EXPECT_EQ(ours.lent_count(), 0u);
+  EXPECT_FALSE(theirs.HasBorrowed(small->MemID()));
+  LetGo(small);
+  LetGo(large);
+}
+
+TEST_F(CourierTest, WhatTheObserverWroteComesBackAndOnlyThat) {
+  RCRegion* const written = NewRegion("before");
+  RCRegion* const read = NewRegion("before");
+  Message out;
+  ASSERT_EQ(Carry(Notification({written, read}), &out), "");
+  std::memcpy(NotifyOf(out).data[0].srcRCR->Base(), "after!", 6);
+  openr_wire_Message back{};
+  theirs.Encode(Answer({NotifyOf(out).data[0].srcRCR, NotifyOf(out).data[1].srcRCR}), nullptr,
+                &arena, &back);
+  const auto& returned = back.payload._u.ready.regions;
+  ASSERT_EQ(returned._length, 2u);
+  EXPECT_EQ(returned._buffer[0].bytes._length, 6u);
+  EXPECT_EQ(returned._buffer[1].bytes._length, 0u);
+  Message ready = Blank();
+  ASSERT_EQ(ours.Decode(back, &ready), "");
+  EXPECT_EQ(std::string(written->Base(), 6), "after!");
+  EXPECT_EQ(std::string(read->Base(), 6), "before");
+  LetGo(written);
+  LetGo(read);
+}
+
+TEST_F(CourierTest, MemoryThatTheOtherSideHasIsNotSent) {
+  RCRegion* const region = NewRegion("known");
+  ours.Encode(Notification({region}), [](uint32_t) { return true; }, &arena, &wire);
+  EXPECT_EQ(wire.payload._u.notify.parts._buffer[0].bytes._length, 0u);
+  LetGo(region);
+}
+
+TEST_F(CourierTest, TheSameRegionTwiceIsTwoLoans) {
+  RCRegion* const region = NewRegion("twice");
+  Message first, second;
+  ASSERT_EQ(Carry(Notification({region}), &first), "");
+  ASSERT_EQ(Carry(Notification({region}), &second), "");
+  EXPECT_NE(NotifyOf(first).data[0].srcRCR, NotifyOf(second).data[0].srcRCR);
+  EXPECT_EQ(ours.lent_count(), 2u);
+  theirs.Sent(Answer({NotifyOf(first).data[0].srcRCR}));
+  EXPECT_TRUE(theirs.HasBorrowed(region->MemID())) << "the second is still out";
+  EXPECT_EQ(std::string(NotifyOf(second).data[0].srcRCR->Base(), 5), "twice");
+  LetGo(region);
+}
+
+// ---- from somebody who is not what he says
+
+TEST_F(CourierTest, AReadyWithATokenNobodyHasIsRefused) {
+  openr_wire_Message in{};
+  in.payload._d = openr_wire_PAYLOAD_READY;
+  auto& regions = in.payload._u.ready.regions;
+  regions = arena.Sequence<std::remove_reference_t<decltype(regions)>>(
+      std::vector<openr_wire_Returned>{{0xdeadbeef, {}}});
+  Message out = Blank();
+  EXPECT_EQ(ours.Decode(in, &out), "a ready with an unknown region");
+}
+
+TEST_F(CourierTest, ATokenIsGoodOnce) {
+  RCRegion* const region = NewRegion("once");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region}), &out), "");
+  openr_wire_Message back{};
+  theirs.Encode(Answer({NotifyOf(out).data[0].srcRCR}), nullptr, &arena, &back);
+  Message ready = Blank();
+  EXPECT_EQ(ours.Decode(back, &ready), "");
+  EXPECT_EQ(ours.Decode(back, &ready), "a ready with an unknown region");
+  LetGo(region);
+}
+
+TEST_F(CourierTest, BytesOfAnotherSizeAreNotPutIntoARegion) {
+  RCRegion* const region = NewRegion("size");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region}), &out), "");
+  openr_wire_Message back{};
+  theirs.Encode(Answer({NotifyOf(out).data[0].srcRCR}), nullptr, &arena, &back);
+  back.payload._u.ready.regions._buffer[0].bytes = arena.Bytes("much longer", 11);
+  Message ready = Blank();
+  EXPECT_EQ(ours.Decode(back, &ready), "a region of another size");
+  EXPECT_EQ(std::string(region->Base(), 4), "size");
+  LetGo(region);
+}
+
+TEST_F(CourierTest, APartBeyondItsRegionIsRefused) {
+  EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 4, 8, arena.Bytes("12345678", 8)})),
+            "8 bytes in region 0x10005");
+  EXPECT_NE(Refused(Forged({1, 0x10005, 8, 0xfffffffc, 8, {}})), "") << "the sum overflows";
+  EXPECT_NE(Refused(Forged({1, 0x10005, 0xffffffff, 0, 1, {}})), "") << "more than the robot has";
+  EXPECT_NE(Refused(Forged({1, 0, 8, 0, 8, {}})), "") << "no region at all";
+  EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("123", 3)})), "a part of another size");
+  EXPECT_EQ(there.regions().live_count(), 0);
+}
+
+TEST_F(CourierTest, TheSideThatGivesIdsTakesNoneFromOutside) {
+  openr_wire_Message in = Forged({1, 0x10005, 8, 0, 8, {}});
+  Message out = Blank();
+  EXPECT_EQ(ours.Decode(in, &out), "8 bytes in region 0x10005");
+}
+
+// The number of a region that is in use here, with another generation.
+TEST_F(CourierTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
+  const uint32_t mine = there.regions().New(16, 1);
+  char* const base = there.regions().BaseOf(mine);
+  std::memcpy(base, "still mine", 11);
+  EXPECT_NE(Refused(Forged({1, mine + 0x10000, 16, 0, 16, {}})), "");
+  EXPECT_EQ(there.regions().BaseOf(mine), base);
+  EXPECT_STREQ(base, "still mine");
+}
+
+TEST_F(CourierTest, TooManyPartsAreRefused) {
+  EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 0, 8, {}}, MAX_NUM_DATA + 1)),
+            "a notification of " + std::to_string(MAX_NUM_DATA + 1) + " data");
+  openr_wire_Message in{};
+  in.payload._d = openr_wire_PAYLOAD_READY;
+  auto& regions = in.payload._u.ready.regions;
+  regions = arena.Sequence<std::remove_reference_t<decltype(regions)>>(
+      std::vector<openr_wire_Returned>(MAX_NUM_DATA + 1));
+  EXPECT_EQ(Refused(in), "a ready with " + std::to_string(MAX_NUM_DATA + 1) + " regions");
+}
+
+TEST_F(CourierTest, MoreBytesThanAMessageHoldsAreRefused) {
+  const std::string much(Message::kPayloadMax + 1, 'x');
+  openr_wire_Message in{};
+  in.payload._d = openr_wire_PAYLOAD_BYTES;
+  in.payload._u.bytes = arena.Bytes(much.data(), much.size());
+  EXPECT_EQ(Refused(in), std::to_string(much.size()) + " bytes");
+  in.payload._d = openr_wire_PAYLOAD_ANT;
+  in.payload._u.ant = {arena.Bytes(much.data(), much.size()), 0, 0, {}};
+  EXPECT_EQ(Refused(in), "a network message of " + std::to_string(much.size()) + " bytes");
+  in.payload._u.ant.message = arena.Bytes("x", 1);
+  EXPECT_EQ(Refused(in), "a network message of 1 bytes");
+}
+
+}  // namespace
+}  // namespace openr_host

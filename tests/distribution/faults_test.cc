@@ -1,0 +1,195 @@
+// Processes that are killed, stopped, never come, or are not what they should be.
+#include <signal.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/distribution/same_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+const Words kRun = {"run", "--no-panel", "--rc-port", "0", "--body", "ideal"};
+
+// Process ids of the children of `parent`.
+std::vector<pid_t> ChildrenOf(pid_t parent) {
+  std::vector<pid_t> children;
+  const std::string id = std::to_string(parent);
+  std::ifstream list("/proc/" + id + "/task/" + id + "/children");
+  for (pid_t child = 0; list >> child;) children.push_back(child);
+  return children;
+}
+
+bool IsAlive(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/stat");
+  std::string id, name, state;
+  return status >> id >> name >> state && state != "Z" && state != "X";
+}
+
+class FaultsTest : public testing::Test {
+ protected:
+  // A run that has come as far as its objects saying what they do.
+  std::unique_ptr<ProgramRun> Start(const Words& flags) {
+    auto run = std::make_unique<ProgramRun>(kRun + flags);
+    EXPECT_TRUE(run->WaitFor("state: accepting-commands")) << run->Finish().err;
+    return run;
+  }
+  static pid_t OnlyChildOf(const ProgramRun& run) {
+    const std::vector<pid_t> children = ChildrenOf(run.pid());
+    EXPECT_EQ(children.size(), 1u);
+    return children.empty() ? -1 : children[0];
+  }
+};
+
+TEST_F(FaultsTest, AKilledProcessStopsTheRunAndIsNamed) {
+  const std::unique_ptr<ProgramRun> run =
+      Start({"--for", "10min", "--isolate", "JointMover", "--json"});
+  const pid_t child = OnlyChildOf(*run);
+  ASSERT_GT(child, 0);
+  kill(child, SIGKILL);
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 1) << result.err;
+  const std::string words =
+      "process 'JointMover' (pid " + std::to_string(child) + ") was killed by signal 9 (Killed)";
+  EXPECT_THAT(result.err, HasSubstr(words));
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_LT(report["virtual_time_s"].get<double>(), 600);
+  EXPECT_EQ(report["processes"][0]["lost"], words);
+  bool found = false;
+  for (const json& finding : report["findings"])
+    found = found || (finding["severity"] == "error" && finding["object"] == "JointMover" &&
+                      finding["text"].get<std::string>().find(words) == 0);
+  EXPECT_TRUE(found) << report["findings"];
+}
+
+TEST_F(FaultsTest, TheOthersEndWithTheRun) {
+  const std::unique_ptr<ProgramRun> run =
+      Start({"--for", "10min", "--isolate", "JointMover", "--isolate", "Controller"});
+  const std::vector<pid_t> children = ChildrenOf(run->pid());
+  ASSERT_EQ(children.size(), 2u);
+  kill(children[0], SIGKILL);
+  EXPECT_EQ(run->Finish().status, 1);
+  for (const pid_t child : children) EXPECT_FALSE(IsAlive(child));
+}
+
+// What matters is that it is said and that nothing else happens; the run waits as long as it takes.
+TEST_F(FaultsTest, AStoppedProcessIsNamedAndChangesNothing) {
+  const Words flags = {"--for", "3s", "--seed", "3", "--json"};
+  const json alone = json::parse(RunProgram(kQuickly + Words{"--body", "ideal"} + flags).out);
+  const std::unique_ptr<ProgramRun> run = Start(flags + Isolated({"JointMover"}));
+  const pid_t child = OnlyChildOf(*run);
+  ASSERT_GT(child, 0);
+  kill(child, SIGSTOP);
+  EXPECT_TRUE(run->WaitFor("process 'JointMover' (pid " + std::to_string(child) +
+                           ") has not answered for 2 s"));
+  kill(child, SIGCONT);
+  EXPECT_TRUE(run->WaitFor("process 'JointMover' answers again"));
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_EQ(report["state_hash"], alone["state_hash"]);
+  EXPECT_EQ(report["trace_hash"], alone["trace_hash"]);
+}
+
+TEST_F(FaultsTest, TheProcessesGoWithAKilledRun) {
+  const std::unique_ptr<ProgramRun> run =
+      Start({"--for", "10min", "--isolate", "JointMover", "--isolate", "Controller"});
+  const std::vector<pid_t> children = ChildrenOf(run->pid());
+  ASSERT_EQ(children.size(), 2u);
+  run->Signal(SIGKILL);
+  EXPECT_EQ(run->Finish().status, 128 + SIGKILL);  // when all have closed their standard error
+  for (const pid_t child : children) EXPECT_FALSE(IsAlive(child));
+}
+
+TEST_F(FaultsTest, ControlCIsThePauseButtonHereAsWell) {
+  const std::unique_ptr<ProgramRun> run = Start({"--isolate", "JointMover"});
+  run->Signal(SIGINT);
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("pause button pressed"));
+}
+
+TEST_F(FaultsTest, AnObjectThatIsNoneIsNamedWithTheNearest) {
+  const ProgramResult result = RunProgram(kQuickly + Words{"--place", "JointMovr=legs"});
+  EXPECT_NE(result.status, 0);
+  EXPECT_THAT(result.err, HasSubstr("JointMovr is placed in process 'legs', but OBJECT.CFG names "
+                                    "no object of that name; did you mean 'JointMover'?"));
+}
+
+TEST_F(FaultsTest, AWrongPlacementFileIsAComplaintWithItsLine) {
+  const ScratchFolder folder;
+  folder.Write("where.cfg", "JointMover legs\nController\n");
+  const ProgramResult result =
+      RunProgram(kQuickly + Words{"--placement", folder.File("where.cfg")});
+  EXPECT_EQ(result.status, 2) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("where.cfg:2: a line has two words"));
+  EXPECT_NE(RunProgram(kQuickly + Words{"--placement", folder.File("nothing.cfg")}).status, 0);
+}
+
+TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {
+  const ScratchFolder folder;
+  folder.Write("where.cfg", "JointMover legs\n@legs 127.0.0.1\n");
+  const ProgramResult result =
+      RunProgram(kQuickly + Words{"--placement", folder.File("where.cfg"), "--join-wait", "1s",
+                                  "--run-name", "lonely-" + std::to_string(getpid())});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("process 'legs' did not come within 1 s"));
+  EXPECT_THAT(result.err, HasSubstr("openr join --process legs"));
+}
+
+TEST_F(FaultsTest, AProcessThatFindsNoRunSaysSo) {
+  const ProgramResult result =
+      RunProgram({"join", "--process", "legs", "--wait", "500ms", "--run-name",
+                  "nobody-" + std::to_string(getpid())});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, ContainsRegex("no run 'nobody-.*' that has a place for process 'legs'"));
+}
+
+TEST_F(FaultsTest, AJoinerWithAnotherStickIsRefused) {
+  const ScratchFolder folder;
+  folder.Write("where.cfg", "JointMover legs\n@legs 127.0.0.1\n");
+  std::filesystem::copy(OPENR_STICK, folder.File("stick"),
+                        std::filesystem::copy_options::recursive);
+  folder.Write("stick/OPEN-R/NEW.TXT", "not on the other one");
+  const std::string name = "strange-" + std::to_string(getpid());
+  ProgramRun join({"join", "--process", "legs", "--run-name", name, "--stick",
+                   folder.File("stick")});
+  const ProgramResult run = RunProgram(
+      kQuickly + Words{"--for", "1s", "--placement", folder.File("where.cfg"), "--run-name", name});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("process 'legs'"));
+  const ProgramResult& joined = join.Finish();
+  EXPECT_EQ(joined.status, 1) << joined.err;
+  EXPECT_THAT(joined.err, HasSubstr("is not the stick of the run: its files differ"));
+}
+
+// In one process a crash is the robot's.  Here the robot stands, and the object is named.
+TEST_F(FaultsTest, AnObjectThatCrashesIsNamed) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const ProgramResult result =
+      RunProgram(kQuickly + Words{"--for", "1s", "--stick", stick.path(), "--isolate", "Trouble"});
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("process 'Trouble' (pid "));
+  EXPECT_TRUE(json::accept(result.out)) << result.out;
+}
+
+TEST_F(FaultsTest, AnImageThatCannotBeLoadedIsNamed) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  stick.Write("OPEN-R/MW/OBJS/TROUBLE.BIN", "not an image");
+  const ProgramResult result =
+      RunProgram(kQuickly + Words{"--for", "1s", "--stick", stick.path(), "--isolate", "Trouble"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("TROUBLE.BIN"));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,115 @@
+// The default stick in one process, in two, and with a process for each object: the same bytes.
+// The examples are compared by tests/examples, other people's objects by apart_test.cc.
+#include "tests/distribution/same_run.h"
+
+namespace openr_host {
+namespace {
+
+const Words kTwo = {"--place", "Controller=brain", "--place", "RCServer=brain"};
+const Words kFive = Isolated({"PowerMonitor", "JointMover", "RCServer", "Controller"});
+
+class GraphsTest : public testing::Test {
+ protected:
+  // In every distribution.
+  static void Compare(const Words& flags) {
+    const RecordedRun one = Record(flags);
+    EXPECT_EQ(one.status, 0) << one.err;
+    for (const Words& places : {kTwo, kFive}) ExpectSame(one, Record(flags + places));
+  }
+};
+
+TEST_F(GraphsTest, WithPhysics) { Compare({"--for", "5s"}); }
+
+TEST_F(GraphsTest, OnItsFeet) { Compare({"--for", "20s", "--body", "ideal"}); }
+
+TEST_F(GraphsTest, WithAnotherSeed) {
+  Compare({"--for", "10s", "--body", "ideal", "--seed", "7"});
+}
+
+TEST_F(GraphsTest, WithTheLimitsOfTheRobot) {
+  Compare({"--for", "10s", "--body", "ideal", "--strict"});
+}
+
+TEST_F(GraphsTest, WhenHandlersTakeTime) {
+  Compare({"--for", "10s", "--body", "ideal", "--cost", OPENR_COST});
+}
+
+TEST_F(GraphsTest, OfAnotherModel) {
+  Compare({"--for", "5s", "--body", "ideal", "--robot", "ers7"});
+}
+
+TEST_F(GraphsTest, WithEachObjectAlone) {
+  const Words flags = {"--for", "3s", "--body", "ideal"};
+  const RecordedRun one = Record(flags);
+  for (const char* object : {"PowerMonitor", "JointMover", "RCServer", "Controller"}) {
+    SCOPED_TRACE(object);
+    ExpectSame(one, Record(flags + Isolated({object})));
+  }
+}
+
+TEST_F(GraphsTest, OfTwoDogsTheHashes) {
+  const Words flags = kQuickly + Words{"--for", "5s", "--body", "ideal", "--robots", "2"};
+  const json one = json::parse(RunProgram(flags).out);
+  for (const Words& places : {kTwo, kFive}) {
+    const ProgramResult result = RunProgram(flags + places);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json other = json::parse(result.out, nullptr, false);
+    ASSERT_TRUE(other.is_object()) << result.err;
+    EXPECT_EQ(one["state_hash"], other["state_hash"]);
+    EXPECT_EQ(one["trace_hash"], other["trace_hash"]);
+  }
+}
+
+TEST_F(GraphsTest, TheReportNamesProcessesThatAreProcesses) {
+  const RecordedRun run = Record(Words{"--for", "1s", "--body", "ideal"} + kTwo +
+                                 Isolated({"JointMover"}));
+  ASSERT_TRUE(run.report.is_object()) << run.err;
+  const json& processes = run.report["processes"];
+  ASSERT_EQ(processes.size(), 2u);
+  EXPECT_EQ(processes[0]["name"], "JointMover");
+  EXPECT_EQ(processes[1]["name"], "brain");
+  EXPECT_EQ(processes[1]["objects"], json({"RCServer", "Controller"}));
+  EXPECT_GT(processes[0]["pid"], 1);
+  EXPECT_NE(processes[0]["pid"], processes[1]["pid"]);
+  EXPECT_EQ(processes[0]["lost"], "");
+  for (const json& process : processes) {
+    const pid_t pid = process["pid"];
+    EXPECT_NE(kill(pid, 0), 0) << "the process has outlived the run";
+  }
+}
+
+TEST_F(GraphsTest, ARecordingOfManyProcessesIsReplayedInOne) {
+  const ScratchFolder folder;
+  const ProgramResult run =
+      RunProgram(kQuickly + Words{"--for", "5s", "--record", folder.File("r")} + kFive);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const ProgramResult replay = RunProgram({"replay", folder.File("r")});
+  EXPECT_EQ(replay.status, 0) << replay.out << replay.err;
+}
+
+// The keeper has a map on its heap, a static, a connection to itself, and a file.
+TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
+  const auto run = [](const Words& places) {
+    const ScratchFolder stick;
+    stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/KEEPER.BIN\n");
+    stick.Write("OPEN-R/MW/CONF/CONNECT.CFG",
+                "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
+                "Keeper.Sensor.OSensorFrameVectorData.O\n"
+                "Keeper.Out.Number.S Keeper.In.Number.O\n");
+    stick.Write("OPEN-R/MW/DATA/P/KEPT.TXT", "before\n");
+    stick.Write("OPEN-R/MW/OBJS/README.TXT", "");
+    std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/KEEPER.BIN",
+                               stick.File("OPEN-R/MW/OBJS/KEEPER.BIN"));
+    const ProgramResult result =
+        RunProgram(kQuickly + Words{"--for", "10s", "--stick", stick.path()} + places);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(stick.Read("OPEN-R/MW/DATA/P/KEPT.TXT"), "1\n");
+    const json report = json::parse(result.out, nullptr, false);
+    EXPECT_GT(report.value("messages", 0), 2500);
+    return report.value("trace_hash", "none") + report.value("state_hash", "none");
+  };
+  EXPECT_EQ(run({}), run(Isolated({"Keeper"})));
+}
+
+}  // namespace
+}  // namespace openr_host

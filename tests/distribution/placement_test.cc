@@ -1,0 +1,86 @@
+// The placement file and --place: where objects live, and what is said of wrong lines.
+#include "distribution/placement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace openr_host {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::Pair;
+
+// All complaints about a file "where.cfg" of this text.
+std::string Complaints(const std::string& text) {
+  std::vector<Diagnostic> diagnostics;
+  ParsePlacement("where.cfg", text, &diagnostics);
+  return Render(diagnostics);
+}
+
+TEST(PlacementTest, AFileNamesObjectsProcessesAndHosts) {
+  std::vector<Diagnostic> diagnostics;
+  const Placement placement = ParsePlacement("where.cfg",
+                                             "# object     process\r\n"
+                                             "RCServer     network\n"
+                                             "\n"
+                                             "BallTracker  vision  # the second machine\n"
+                                             "Camera       vision\n"
+                                             "@vision      192.168.1.7\n",
+                                             &diagnostics);
+  EXPECT_EQ(Render(diagnostics), "");
+  EXPECT_THAT(placement.process_of,
+              ElementsAre(Pair("BallTracker", "vision"), Pair("Camera", "vision"),
+                          Pair("RCServer", "network")));
+  EXPECT_THAT(placement.host_of, ElementsAre(Pair("vision", "192.168.1.7")));
+  EXPECT_THAT(placement.Processes(), ElementsAre("network", "vision"));
+}
+
+TEST(PlacementTest, AnEmptyFilePlacesNothing) {
+  std::vector<Diagnostic> diagnostics;
+  EXPECT_TRUE(ParsePlacement("where.cfg", "# nobody\n", &diagnostics).empty());
+  EXPECT_TRUE(diagnostics.empty());
+}
+
+TEST(PlacementTest, ALineThatIsNoPairIsShown) {
+  EXPECT_EQ(Complaints("Camera vision\nRCServer\n"),
+            "where.cfg:2: a line has two words: an object and its process, or @process and the "
+            "address of its host\nRCServer\n");
+  EXPECT_THAT(Complaints("Camera vision now\n"), ::testing::StartsWith("where.cfg:1: a line has"));
+}
+
+TEST(PlacementTest, NamesThatWouldMeanOthersAreRefusedWithACaret) {
+  EXPECT_EQ(Complaints("Camera vi*\n"),
+            "where.cfg:1: 'vi*' is no name for a process: letters, digits, '_', '-' and '.'\n"
+            "Camera vi*\n"
+            "       ^\n");
+  for (const char* name : {"a/b", "?", "a=b", "\xc3\xa4"})
+    EXPECT_NE(Complaints(std::string("Camera ") + name + "\n"), "") << name;
+  EXPECT_NE(Complaints("Camera " + std::string(65, 'a') + "\n"), "");
+  EXPECT_EQ(Complaints("Camera " + std::string(64, 'a') + "\n"), "");
+}
+
+TEST(PlacementTest, AnObjectHasOnePlace) {
+  EXPECT_EQ(Complaints("Camera vision\nCamera eyes\n"),
+            "where.cfg:2: Camera is placed in 'vision' already\nCamera eyes\n       ^\n");
+  EXPECT_EQ(Complaints("Camera vision\nCamera vision\n"), "") << "said twice, meant once";
+}
+
+TEST(PlacementTest, AProcessHasOneHostAndAnObject) {
+  EXPECT_THAT(Complaints("Camera vision\n@vision 10.0.0.1\n@vision 10.0.0.2\n"),
+              ::testing::StartsWith("where.cfg:3: process 'vision' has a host already"));
+  EXPECT_THAT(Complaints("Camera vision\n@visoin 10.0.0.1\n"),
+              ::testing::StartsWith("where.cfg:2: no object is placed in 'visoin'"));
+}
+
+TEST(PlacementTest, TheCommandLineAddsToIt) {
+  Placement placement;
+  EXPECT_EQ(AddPlace("Camera=vision", &placement), "");
+  EXPECT_EQ(AddPlace("Camera=eyes", &placement), "Camera is placed in 'vision' already");
+  EXPECT_EQ(AddPlace("Camera", &placement), "it is OBJECT=PROCESS");
+  EXPECT_EQ(AddPlace("=vision", &placement), "it is OBJECT=PROCESS");
+  EXPECT_NE(AddPlace("RCServer=", &placement), "");
+  EXPECT_THAT(placement.process_of, ElementsAre(Pair("Camera", "vision")));
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,78 @@
+// A run with its objects in one process and the same one with them in several: the recordings and
+// the reports have to say the same.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+
+using Words = std::vector<std::string>;
+using nlohmann::json;
+
+inline Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+// --isolate for each.
+inline Words Isolated(const Words& objects) {
+  Words flags;
+  for (const std::string& object : objects) flags = flags + Words{"--isolate", object};
+  return flags;
+}
+
+struct RecordedRun {
+  int status = -1;
+  std::string err;
+  std::string recording;
+  json report;
+
+  std::string Hashes() const {
+    return report.value("trace_hash", "none") + " " + report.value("state_hash", "none");
+  }
+};
+
+inline const Words kQuickly = {"run", "--rate", "max", "--no-panel", "--rc-port", "0", "--json"};
+
+// `openr run` with these flags, as fast as it goes.
+inline RecordedRun Record(const Words& flags) {
+  const ScratchFolder folder;
+  const ProgramResult result = RunProgram(kQuickly + Words{"--record", folder.File("r")} + flags);
+  return {result.status, result.err, folder.Read("r"), json::parse(result.out, nullptr, false)};
+}
+
+// Of a report: what it says of the objects, but for the wall time they took.
+inline json WhatObjectsDid(const json& report) {
+  json objects = report["objects"];
+  for (json& object : objects) object.erase("handler_us_max");
+  return objects;
+}
+
+// EXPECTs that both did the same, byte by byte.
+inline void ExpectSame(const RecordedRun& one, const RecordedRun& other) {
+  ASSERT_TRUE(one.report.is_object()) << one.err;
+  ASSERT_TRUE(other.report.is_object()) << other.err;
+  EXPECT_EQ(one.status, other.status) << other.err;
+  EXPECT_EQ(one.Hashes(), other.Hashes());
+  EXPECT_EQ(one.report["messages"], other.report["messages"]);
+  EXPECT_GT(one.report["messages"].get<int>(), 20);
+  EXPECT_EQ(one.report["findings"], other.report["findings"]);
+  EXPECT_EQ(one.report["robots"][0]["joints_deg"], other.report["robots"][0]["joints_deg"]);
+  EXPECT_EQ(WhatObjectsDid(one.report), WhatObjectsDid(other.report));
+  ASSERT_FALSE(one.recording.empty());
+  const auto [here, there] = std::mismatch(one.recording.begin(), one.recording.end(),
+                                           other.recording.begin(), other.recording.end());
+  EXPECT_TRUE(here == one.recording.end() && there == other.recording.end())
+      << "recordings differ at byte " << here - one.recording.begin() << " of "
+      << one.recording.size() << " and " << other.recording.size();
+}
+
+}  // namespace openr_host
