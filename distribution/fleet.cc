@@ -183,9 +183,7 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
 }
 
 void Fleet::End() {
-  for (auto& [name, member] : members_) {
-    if (!member.process->is_lost()) member.process->End();
-  }
+  for (auto& [name, member] : members_) member.process->End();
   for (auto& [name, member] : members_) {
     if (member.child != nullptr) member.child->WaitForEnd(kEndMs);
   }

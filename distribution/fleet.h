@@ -68,7 +68,7 @@ class Fleet {
   // Findings about messages that nobody heard.
   void ReportLosses();
 
-  // The run is over: the processes end.
+  // The run is over: the processes end.  Before the System does.
   void End();
 
  private:

@@ -406,6 +406,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End() {
+  courier_.reset();  // what it has borrowed is the System's
+  if (is_lost_) return;
   openr_wire_Down down = NewDown(openr_wire_DOWN_END);
   line_.Send(down);
 }

@@ -80,7 +80,7 @@ class RemoteProcess {
   // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
   std::string FetchState(ObjectId object);
 
-  // It may end.
+  // It may end.  Before the System does.
   void End();
 
  private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <vector>
 
 #include "runtime/core/hasher.h"
 #include "runtime/core/uplink.h"
@@ -16,6 +18,13 @@ constexpr size_t kGuardBytes = 0;
 constexpr size_t kGuardBytes = 16;
 #endif
 constexpr char kGuard = 0x5a;
+
+// Copies of blocks that are gone where they lived while somebody here still reads them: rare, as
+// when a subject is replaced whose observer has yet to answer.
+std::vector<std::unique_ptr<char, void (*)(void*)>>& Outlived() {
+  static thread_local std::vector<std::unique_ptr<char, void (*)(void*)>> memory;
+  return memory;
+}
 
 }  // namespace
 
@@ -64,8 +73,12 @@ RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   if (index >= 0xffff) return nullptr;
   if (index >= slots_.size()) slots_.resize(index + 1);
   Slot& slot = slots_[index];
-  if (slot.live || slot.pins > 0) return nullptr;  // somebody uses it
-  std::free(slot.base);
+  if (slot.live) return nullptr;
+  if (slot.pins > 0) {
+    Outlived().emplace_back(slot.base, &std::free);
+  } else {
+    std::free(slot.base);
+  }
   slot = Slot();
   slot.generation = static_cast<uint16_t>(id >> 16);
   return &slot;

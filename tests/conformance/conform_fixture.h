@@ -111,8 +111,8 @@ class ConformTest : public testing::Test {
   const std::filesystem::path root;
   std::shared_ptr<FolderStick> stick;
   std::string printed;
-  std::unique_ptr<Elsewhere> elsewhere;
   std::unique_ptr<System> system;
+  std::unique_ptr<Elsewhere> elsewhere;  // ends before the system
 
  private:
   void Command(const char* object, const std::string& command) {

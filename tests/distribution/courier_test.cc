@@ -197,7 +197,8 @@ TEST_F(CourierTest, WhatTheObserverWroteComesBackAndOnlyThat) {
 
 TEST_F(CourierTest, MemoryThatTheOtherSideHasIsNotSent) {
   RCRegion* const region = NewRegion("known");
-  ours.Encode(Notification({region}), [](uint32_t) { return true; }, &arena, &wire);
+  ours.Encode(
+      Notification({region}), [](uint32_t) { return true; }, &arena, &wire);
   EXPECT_EQ(wire.payload._u.notify.parts._buffer[0].bytes._length, 0u);
   LetGo(region);
 }
@@ -258,7 +259,8 @@ TEST_F(CourierTest, APartBeyondItsRegionIsRefused) {
   EXPECT_NE(Refused(Forged({1, 0x10005, 8, 0xfffffffc, 8, {}})), "") << "the sum overflows";
   EXPECT_NE(Refused(Forged({1, 0x10005, 0xffffffff, 0, 1, {}})), "") << "more than the robot has";
   EXPECT_NE(Refused(Forged({1, 0, 8, 0, 8, {}})), "") << "no region at all";
-  EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("123", 3)})), "a part of another size");
+  EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("123", 3)})),
+            "a part of another size");
   EXPECT_EQ(there.regions().live_count(), 0);
 }
 
@@ -276,6 +278,17 @@ TEST_F(CourierTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
   EXPECT_NE(Refused(Forged({1, mine + 0x10000, 16, 0, 16, {}})), "");
   EXPECT_EQ(there.regions().BaseOf(mine), base);
   EXPECT_STREQ(base, "still mine");
+}
+
+// The subject was replaced, and somebody got its region's place before the observer answered.
+TEST_F(CourierTest, WhatIsStillReadOutlivesItsRegion) {
+  Message first = Blank(), second = Blank();
+  ASSERT_EQ(theirs.Decode(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("the old.", 8)}), &first), "");
+  ASSERT_EQ(theirs.Decode(Forged({2, 0x20005, 8, 0, 8, arena.Bytes("the new.", 8)}), &second), "");
+  EXPECT_EQ(std::string(NotifyOf(first).data[0].srcRCR->Base(), 8), "the old.");
+  EXPECT_EQ(std::string(NotifyOf(second).data[0].srcRCR->Base(), 8), "the new.");
+  theirs.Sent(Answer({NotifyOf(first).data[0].srcRCR}));
+  EXPECT_EQ(std::string(there.regions().BaseOf(0x20005), 8), "the new.");
 }
 
 TEST_F(CourierTest, TooManyPartsAreRefused) {

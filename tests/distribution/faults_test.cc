@@ -1,7 +1,6 @@
 // Processes that are killed, stopped, never come, or are not what they should be.
-#include <signal.h>
-
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <sstream>
@@ -145,9 +144,8 @@ TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {
 }
 
 TEST_F(FaultsTest, AProcessThatFindsNoRunSaysSo) {
-  const ProgramResult result =
-      RunProgram({"join", "--process", "legs", "--wait", "500ms", "--run-name",
-                  "nobody-" + std::to_string(getpid())});
+  const ProgramResult result = RunProgram({"join", "--process", "legs", "--wait", "500ms",
+                                           "--run-name", "nobody-" + std::to_string(getpid())});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, ContainsRegex("no run 'nobody-.*' that has a place for process 'legs'"));
 }
@@ -159,8 +157,8 @@ TEST_F(FaultsTest, AJoinerWithAnotherStickIsRefused) {
                         std::filesystem::copy_options::recursive);
   folder.Write("stick/OPEN-R/NEW.TXT", "not on the other one");
   const std::string name = "strange-" + std::to_string(getpid());
-  ProgramRun join({"join", "--process", "legs", "--run-name", name, "--stick",
-                   folder.File("stick")});
+  ProgramRun join(
+      {"join", "--process", "legs", "--run-name", name, "--stick", folder.File("stick")});
   const ProgramResult run = RunProgram(
       kQuickly + Words{"--for", "1s", "--placement", folder.File("where.cfg"), "--run-name", name});
   EXPECT_EQ(run.status, 1) << run.err;

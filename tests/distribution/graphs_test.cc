@@ -22,9 +22,7 @@ TEST_F(GraphsTest, WithPhysics) { Compare({"--for", "5s"}); }
 
 TEST_F(GraphsTest, OnItsFeet) { Compare({"--for", "20s", "--body", "ideal"}); }
 
-TEST_F(GraphsTest, WithAnotherSeed) {
-  Compare({"--for", "10s", "--body", "ideal", "--seed", "7"});
-}
+TEST_F(GraphsTest, WithAnotherSeed) { Compare({"--for", "10s", "--body", "ideal", "--seed", "7"}); }
 
 TEST_F(GraphsTest, WithTheLimitsOfTheRobot) {
   Compare({"--for", "10s", "--body", "ideal", "--strict"});
@@ -61,8 +59,8 @@ TEST_F(GraphsTest, OfTwoDogsTheHashes) {
 }
 
 TEST_F(GraphsTest, TheReportNamesProcessesThatAreProcesses) {
-  const RecordedRun run = Record(Words{"--for", "1s", "--body", "ideal"} + kTwo +
-                                 Isolated({"JointMover"}));
+  const RecordedRun run =
+      Record(Words{"--for", "1s", "--body", "ideal"} + kTwo + Isolated({"JointMover"}));
   ASSERT_TRUE(run.report.is_object()) << run.err;
   const json& processes = run.report["processes"];
   ASSERT_EQ(processes.size(), 2u);
@@ -87,19 +85,28 @@ TEST_F(GraphsTest, ARecordingOfManyProcessesIsReplayedInOne) {
   EXPECT_EQ(replay.status, 0) << replay.out << replay.err;
 }
 
+// Images of tests/images on a stick of their own.
+void MakeStick(const ScratchFolder& stick, const Words& images, const std::string& wiring) {
+  std::string list;
+  stick.Write("OPEN-R/MW/OBJS/README.TXT", "");
+  for (const std::string& image : images) {
+    list += "/MS/OPEN-R/MW/OBJS/" + image + "\n";
+    std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/" + image,
+                               stick.File("OPEN-R/MW/OBJS/" + image));
+  }
+  stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", list);
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", wiring);
+}
+
 // The keeper has a map on its heap, a static, a connection to itself, and a file.
 TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
   const auto run = [](const Words& places) {
     const ScratchFolder stick;
-    stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/KEEPER.BIN\n");
-    stick.Write("OPEN-R/MW/CONF/CONNECT.CFG",
-                "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
-                "Keeper.Sensor.OSensorFrameVectorData.O\n"
-                "Keeper.Out.Number.S Keeper.In.Number.O\n");
+    MakeStick(stick, {"KEEPER.BIN"},
+              "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
+              "Keeper.Sensor.OSensorFrameVectorData.O\n"
+              "Keeper.Out.Number.S Keeper.In.Number.O\n");
     stick.Write("OPEN-R/MW/DATA/P/KEPT.TXT", "before\n");
-    stick.Write("OPEN-R/MW/OBJS/README.TXT", "");
-    std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/KEEPER.BIN",
-                               stick.File("OPEN-R/MW/OBJS/KEEPER.BIN"));
     const ProgramResult result =
         RunProgram(kQuickly + Words{"--for", "10s", "--stick", stick.path()} + places);
     EXPECT_EQ(result.status, 0) << result.err;
@@ -109,6 +116,28 @@ TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
     return report.value("trace_hash", "none") + report.value("state_hash", "none");
   };
   EXPECT_EQ(run({}), run(Isolated({"Keeper"})));
+}
+
+// A megabyte goes to two others and to the sender, whose buffers and counts are in three processes.
+TEST_F(GraphsTest, AMegabyteForSeveral) {
+  const ScratchFolder stick;
+  MakeStick(stick, {"BULK.BIN", "TAKER1.BIN", "TAKER2.BIN"},
+            "Bulk.Out.Bytes.S Taker1.In.Bytes.O\n"
+            "Bulk.Out.Bytes.S Bulk.In.Bytes.O\n"
+            "Bulk.Out.Bytes.S Taker2.In.Bytes.O\n"
+            "Taker1.Sum.Number.S Bulk.Sums.Number.O\n"
+            "Taker2.Sum.Number.S Bulk.Sums.Number.O\n");
+  const Words flags = {"--for", "2s", "--stick", stick.path()};
+  const RecordedRun one = Record(flags);
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_GT(one.recording.size(), 12u << 20) << "the bytes are in the recording";
+  EXPECT_NE(one.err.find("Bulk heard itself: 2 data"), std::string::npos) << one.err;
+  EXPECT_NE(one.err.find("in round 12"), std::string::npos) << one.err;
+  for (const Words& objects : {Words{"Bulk"}, Words{"Taker2"}, Words{"Bulk", "Taker1", "Taker2"}}) {
+    SCOPED_TRACE(testing::PrintToString(objects));
+    ExpectSame(one, Record(flags + Isolated(objects)));
+  }
+  ExpectSame(one, Record(flags + Words{"--place", "Bulk=a", "--place", "Taker1=a"}));
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ TEST_F(JoinTest, ByHandOnThisHost) {
   const RecordedRun one = Record(kFlags);
   const std::string name = RunName("hand");
   ProgramRun join({"join", "--process", "vision", "--run-name", name});
-  ExpectSame(one, Record(kFlags + Words{"--placement", PlacementWithHost("127.0.0.1"),
-                                        "--run-name", name}));
+  ExpectSame(one, Record(kFlags +
+                         Words{"--placement", PlacementWithHost("127.0.0.1"), "--run-name", name}));
   EXPECT_EQ(join.Finish().status, 0) << join.heard();
 }
 
@@ -48,13 +48,12 @@ TEST_F(JoinTest, WhoComesFirstDoesNotMatter) {
 
 TEST_F(JoinTest, WithACopyOfTheStickElsewhere) {
   const std::string name = RunName("copy");
-  std::filesystem::copy(OPENR_STICK, folder.File("copy"),
-                        std::filesystem::copy_options::recursive);
+  std::filesystem::copy(OPENR_STICK, folder.File("copy"), std::filesystem::copy_options::recursive);
   const RecordedRun one = Record(kFlags);
-  ProgramRun join({"join", "--process", "vision", "--run-name", name, "--stick",
-                   folder.File("copy")});
-  ExpectSame(one, Record(kFlags + Words{"--placement", PlacementWithHost("127.0.0.1"),
-                                        "--run-name", name}));
+  ProgramRun join(
+      {"join", "--process", "vision", "--run-name", name, "--stick", folder.File("copy")});
+  ExpectSame(one, Record(kFlags +
+                         Words{"--placement", PlacementWithHost("127.0.0.1"), "--run-name", name}));
   EXPECT_EQ(join.Finish().status, 0) << join.heard();
 }
 
@@ -108,10 +107,10 @@ TEST_F(HostsTest, TwoHostsAreOneRun) {
   const std::unique_ptr<ProgramRun> join =
       StartIn(there, {"join", "--process", "vision", "--run-name", name, "--dds-address",
                       "10.77.0.2", "--dds-peer", "10.77.0.1"});
-  const std::unique_ptr<ProgramRun> run = StartIn(
-      here, kQuickly + kFlags +
-                Words{"--placement", PlacementWithHost("10.77.0.2"), "--run-name", name,
-                      "--dds-address", "10.77.0.1", "--record", folder.File("r")});
+  const std::unique_ptr<ProgramRun> run =
+      StartIn(here, kQuickly + kFlags +
+                        Words{"--placement", PlacementWithHost("10.77.0.2"), "--run-name", name,
+                              "--dds-address", "10.77.0.1", "--record", folder.File("r")});
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(join->Finish().status, 0) << join->heard();

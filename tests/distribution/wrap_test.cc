@@ -14,9 +14,9 @@ TEST(WrapTest, UnderValgrindTheObjectDoesTheSame) {
     GTEST_SKIP() << "valgrind is not installed";
   const Words flags = {"--for", "2s", "--body", "ideal"};
   const RecordedRun one = Record(flags);
-  ExpectSame(one, Record(flags + Isolated({"JointMover"}) +
-                         Words{"--handler-limit", "0s", "--wrap",
-                               "valgrind -q --error-exitcode=9"}));
+  ExpectSame(one,
+             Record(flags + Isolated({"JointMover"}) +
+                    Words{"--handler-limit", "0s", "--wrap", "valgrind -q --error-exitcode=9"}));
 }
 
 TEST(WrapTest, AToolThatIsNotThereIsNamed) {

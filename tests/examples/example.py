@@ -8,6 +8,7 @@ import subprocess
 import time
 
 PATIENCE_S = 120  # of wall time, for anything
+SYSTEM = ("oobjectManager", "OVirtualRobotComm", "OVirtualRobotAudioComm", "IPStack")
 
 
 def free_port(kind=socket.SOCK_STREAM):
@@ -28,13 +29,24 @@ class Outcome:
         self.said = complaint_text
 
 
+def objects_of(report):
+    return [entry["name"] for entry in report.get("objects", []) if entry["name"] not in SYSTEM]
+
+
+def isolated(objects):
+    return [word for name in objects for word in ("--isolate", name)]
+
+
 class Example:
-    def __init__(self, openr, source, scratch):
+    def __init__(self, openr, source, scratch, apart=False):
+        """apart: whoever answers live does so from processes of its own."""
         self.openr = str(openr)
         self.name = source.name
+        self.apart = apart
         self.folder = scratch / source.name
         self.work = scratch / f"{source.name}.work"
         self.console = scratch / f"{source.name}.console"
+        self.recording = scratch / f"{source.name}.rec"
         self.complaints = []
         self.skipped = []
         # Without what somebody's own build and run left there.
@@ -91,10 +103,41 @@ class Example:
                 "--rate", rate, "--console", str(self.console), "--json", *arguments]
 
     def run(self, *arguments):
-        done = subprocess.run(self.command(*arguments), capture_output=True, text=True,
-                              timeout=PATIENCE_S, stdin=subprocess.DEVNULL)
+        """Once in one process and once with each object in its own, which has to be the same."""
+        stick, before = self.folder / "MS", self.folder / "MS.before"
+        shutil.copytree(stick, before)
+        one = self.run_once(*arguments)
+        objects = objects_of(one.report)
+        recording = self.recording.read_bytes()
+        shutil.rmtree(stick)
+        before.rename(stick)
+        other = self.run_once(*arguments, *isolated(objects))
+        self.expect(self.recording.read_bytes() == recording,
+                    f"with {' and '.join(objects)} in other processes it is another run")
+        self.expect_lines(other.lines, one.lines)
+        self.expect(other.report.get("state_hash") == one.report.get("state_hash"),
+                    "other processes give another state")
+        return other
+
+    def run_once(self, *arguments):
+        done = subprocess.run(self.command("--record", str(self.recording), *arguments),
+                              capture_output=True, text=True, timeout=PATIENCE_S,
+                              stdin=subprocess.DEVNULL)
         console = self.console.read_text() if self.console.exists() else ""
         return self.judge(Outcome(done.returncode, console, done.stdout, done.stderr))
+
+    def replay(self):
+        done = subprocess.run([self.openr, "replay", str(self.recording)], capture_output=True,
+                              text=True, timeout=PATIENCE_S)
+        self.expect(done.returncode == 0,
+                    f"openr replay in one process: {done.stdout}{done.stderr}")
+
+    def objects(self):
+        """Those of the stick, as a run of a moment reports them."""
+        done = subprocess.run([self.openr, "run", "--stick", str(self.folder / "MS"), "--for", "0s",
+                               "--rate", "max", "--no-panel", "--json"], capture_output=True,
+                              text=True, timeout=PATIENCE_S, stdin=subprocess.DEVNULL)
+        return objects_of(json.loads(done.stdout))
 
     def judge(self, outcome):
         self.expect(outcome.status == 0, f"exit status {outcome.status}:\n{outcome.said}")
@@ -120,6 +163,8 @@ class Running:
         self.example = example
         self.outcome = None
         example.console.write_text("")
+        if example.apart:
+            arguments += ("--record", str(example.recording), *isolated(example.objects()))
         self.process = subprocess.Popen(
             example.command("--body", "ideal", *arguments, rate=rate), text=True,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -145,6 +190,8 @@ class Running:
         said, complaints = self.process.communicate(timeout=PATIENCE_S)
         self.outcome = self.example.judge(Outcome(
             self.process.returncode, self.example.console.read_text(), said, complaints))
+        if self.example.apart:
+            self.example.replay()
         return self.outcome
 
     def connect(self, port):

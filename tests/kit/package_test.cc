@@ -31,11 +31,18 @@ class PackageTest : public ::testing::Test {
   }
 
   // With the installed program.
-  std::string Say(const std::string& stick) const {
-    const ProcessResult result =
-        RunProcess({prefix_->File("bin/openr"), "run", "--stick", folder_.File(stick), "--for",
-                    "1s", "--rate", "max", "--no-panel"},
-                   {{}, "", true, true});
+  std::string Say(const std::string& stick, const std::vector<std::string>& flags = {}) const {
+    std::vector<std::string> command = {prefix_->File("bin/openr"),
+                                        "run",
+                                        "--stick",
+                                        folder_.File(stick),
+                                        "--for",
+                                        "1s",
+                                        "--rate",
+                                        "max",
+                                        "--no-panel"};
+    command.insert(command.end(), flags.begin(), flags.end());
+    const ProcessResult result = RunProcess(command, {{}, "", true, true});
     return KitFolder::WordsOfObjects(result.output);
   }
 
@@ -124,6 +131,13 @@ TEST_F(PackageTest, AnInstalledProgramBuildsFolders) {
       RunProcess({prefix_->File("bin/openr"), "build", folder_.File("")}, {{}, "", true, true});
   ASSERT_TRUE(result.good()) << result.output;
   EXPECT_EQ(Say("MS"), kHeard);
+}
+
+TEST_F(PackageTest, AnInstalledProgramHasProcessesForObjects) {
+  const ProcessResult result =
+      RunProcess({prefix_->File("bin/openr"), "build", folder_.File("")}, {{}, "", true, true});
+  ASSERT_TRUE(result.good()) << result.output;
+  EXPECT_EQ(Say("MS", {"--isolate", "sender", "--isolate", "receiver"}), kHeard);
 }
 
 }  // namespace

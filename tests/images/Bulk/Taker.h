@@ -1,0 +1,24 @@
+// Answers each megabyte with its sum.
+#ifndef Taker_h_DEFINED
+#define Taker_h_DEFINED
+
+#include <OPENR/OObject.h>
+#include <OPENR/OObserver.h>
+#include <OPENR/OSubject.h>
+
+#include "def.h"
+
+class Taker : public OObject {
+public:
+    OSubject*  subject[numOfSubject];
+    OObserver* observer[numOfObserver];
+
+    virtual OStatus DoInit(const OSystemEvent& event);
+    virtual OStatus DoStart(const OSystemEvent& event);
+    virtual OStatus DoStop(const OSystemEvent& event);
+    virtual OStatus DoDestroy(const OSystemEvent& event);
+
+    void NotifyIn(const ONotifyEvent& event);
+};
+
+#endif  // Taker_h_DEFINED
