@@ -185,7 +185,9 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
 void Fleet::End() {
   for (auto& [name, member] : members_) member.process->End();
   for (auto& [name, member] : members_) {
-    if (member.child != nullptr) member.child->WaitForEnd(kEndMs);
+    // One that has not come yet has not heard it.
+    const bool has_come = member.process->facts().pid != 0;
+    if (member.child != nullptr) member.child->WaitForEnd(has_come ? kEndMs : 0);
   }
 }
 

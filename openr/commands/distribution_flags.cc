@@ -1,6 +1,8 @@
 #include "openr/commands/distribution_flags.h"
 
+#include <errno.h>
 #include <fmt/format.h>
+#include <string.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -50,6 +52,8 @@ Placement ReadPlacement(const std::string& file) {
   if (!problem.empty())
     throw CLI::ValidationError("--placement", fmt::format("{}: {}", file, problem));
   std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw CLI::ValidationError("--placement", fmt::format("{}: {}", file, strerror(errno)));
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   std::vector<Diagnostic> diagnostics;
   Placement placement = ParsePlacement(file, text, &diagnostics);

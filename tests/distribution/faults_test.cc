@@ -35,7 +35,7 @@ class FaultsTest : public testing::Test {
   // A run that has come as far as its objects saying what they do.
   std::unique_ptr<ProgramRun> Start(const Words& flags) {
     auto run = std::make_unique<ProgramRun>(kRun + flags);
-    EXPECT_TRUE(run->WaitFor("state: accepting-commands")) << run->Finish().err;
+    EXPECT_TRUE(run->WaitFor("state: listening")) << run->Finish().err;
     return run;
   }
   static pid_t OnlyChildOf(const ProgramRun& run) {
@@ -129,7 +129,10 @@ TEST_F(FaultsTest, AWrongPlacementFileIsAComplaintWithItsLine) {
       RunProgram(kQuickly + Words{"--placement", folder.File("where.cfg")});
   EXPECT_EQ(result.status, 2) << result.err;
   EXPECT_THAT(result.err, HasSubstr("where.cfg:2: a line has two words"));
-  EXPECT_NE(RunProgram(kQuickly + Words{"--placement", folder.File("nothing.cfg")}).status, 0);
+  const ProgramResult missing =
+      RunProgram(kQuickly + Words{"--for", "1s", "--placement", folder.File("nothing.cfg")});
+  EXPECT_NE(missing.status, 0);
+  EXPECT_THAT(missing.err, HasSubstr("nothing.cfg: No such file or directory"));
 }
 
 TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {

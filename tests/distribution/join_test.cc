@@ -60,7 +60,7 @@ TEST_F(JoinTest, WithACopyOfTheStickElsewhere) {
 TEST_F(JoinTest, RunsOfDifferentNamesDoNotHearEachOther) {
   ProgramRun other(Words{"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--for", "10min",
                          "--run-name", RunName("one"), "--isolate", "Controller"});
-  ASSERT_TRUE(other.WaitFor("state: accepting-commands"));
+  ASSERT_TRUE(other.WaitFor("state: listening"));
   const RecordedRun one = Record(kFlags);
   ExpectSame(one, Record(kFlags + Words{"--run-name", RunName("two")} + Isolated({"Controller"})));
   other.Signal(SIGINT);
@@ -131,7 +131,7 @@ TEST_F(HostsTest, AHostThatIsGoneIsNamed) {
       StartIn(here, {"run", "--for", "10min", "--body", "ideal", "--no-panel", "--rc-port", "0",
                      "--placement", PlacementWithHost("10.77.0.2"), "--run-name", name,
                      "--dds-address", "10.77.0.1"});
-  ASSERT_TRUE(run->WaitFor("state: accepting-commands"));
+  ASSERT_TRUE(run->WaitFor("state: listening"));
   ASSERT_EQ(Do("ip -n " + here + " link set cable down"), 0);
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 1) << result.err;

@@ -23,7 +23,7 @@ TEST(PlacementTest, AFileNamesObjectsProcessesAndHosts) {
                                              "# object     process\r\n"
                                              "RCServer     network\n"
                                              "\n"
-                                             "BallTracker  vision  # the second machine\n"
+                                             "BallTracker  vision\n"
                                              "Camera       vision\n"
                                              "@vision      192.168.1.7\n",
                                              &diagnostics);
@@ -44,7 +44,7 @@ TEST(PlacementTest, AnEmptyFilePlacesNothing) {
 TEST(PlacementTest, ALineThatIsNoPairIsShown) {
   EXPECT_EQ(Complaints("Camera vision\nRCServer\n"),
             "where.cfg:2: a line has two words: an object and its process, or @process and the "
-            "address of its host\nRCServer\n");
+            "address of its host\nRCServer\n^\n");
   EXPECT_THAT(Complaints("Camera vision now\n"), ::testing::StartsWith("where.cfg:1: a line has"));
 }
 

@@ -49,10 +49,14 @@ inline RecordedRun Record(const Words& flags) {
   return {result.status, result.err, folder.Read("r"), json::parse(result.out, nullptr, false)};
 }
 
-// Of a report: what it says of the objects, but for the wall time they took.
+// Of a report: what it says of the objects, but for what depends on where they are: the wall time
+// and the memory they took.
 inline json WhatObjectsDid(const json& report) {
   json objects = report["objects"];
-  for (json& object : objects) object.erase("handler_us_max");
+  for (json& object : objects) {
+    for (const char* name : {"handler_us_max", "heap_bytes_max", "stack_bytes_max"})
+      object.erase(name);
+  }
   return objects;
 }
 
