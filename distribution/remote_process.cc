@@ -1,6 +1,7 @@
 #include "distribution/remote_process.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -70,6 +71,7 @@ void RemoteProcess::WaitForHello(int64_t limit_ms) {
       if (hello.version != openr_wire_VERSION)
         Refuse(fmt::format("version {} of the protocol, this is {}", hello.version,
                            openr_wire_VERSION));
+      WaitUntilHeard(limit_ms - waited_ms);
       return;
     }
     const std::string problem = health_();
@@ -79,6 +81,17 @@ void RemoteProcess::WaitForHello(int64_t limit_ms) {
           fmt::format("process '{}' did not come within {} s; start it there with: "
                       "openr join --process {}",
                       name_, limit_ms / 1000, name_));
+  }
+}
+
+// Its writer may be known here before its reader is; what is sent in between is lost.
+void RemoteProcess::WaitUntilHeard(int64_t limit_ms) {
+  for (int64_t waited_ms = 0; !line_.IsConnected(); ++waited_ms) {
+    const std::string problem = health_();
+    if (!problem.empty()) throw ProcessLost(problem);
+    if (waited_ms >= limit_ms)
+      throw ProcessLost(fmt::format("process '{}' does not hear this one", name_));
+    usleep(1000);
   }
 }
 

@@ -95,6 +95,7 @@ class RemoteProcess {
     std::string why;
   };
 
+  void WaitUntilHeard(int64_t limit_ms);
   openr_wire_Down NewDown(openr_wire_DownKind kind);
   Loan Next();
   Stop WaitForStop(RemoteObject* object);

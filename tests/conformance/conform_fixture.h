@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -28,9 +29,15 @@ class Elsewhere {
   virtual void Connect() = 0;  // before the boot
 };
 inline std::unique_ptr<Elsewhere> (*make_elsewhere)(const std::filesystem::path& stick) = nullptr;
+inline std::set<std::string> here_only;  // tests that say something about one process
 
 class ConformTest : public testing::Test {
  protected:
+  void SetUp() override {
+    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+    if (make_elsewhere != nullptr && here_only.contains(test.name())) GTEST_SKIP() << "here only";
+  }
+
   ConformTest() : root(folder.path()) {
     namespace fs = std::filesystem;
     for (const char* name : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"})
@@ -55,6 +62,7 @@ class ConformTest : public testing::Test {
 
   // Makes the system and its objects; true when the robot would boot.
   bool Load(SystemOptions options = {}) {
+    elsewhere.reset();
     options.console = [this](std::string_view text) { printed += text; };
     system = std::make_unique<System>(std::move(options));
     system->AddRobot("ERS-210", stick);
