@@ -17,8 +17,9 @@
 
 namespace openr_host {
 
-// The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.
-constexpr int kWatchedLease_s = 86'400;
+// The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.  The most
+// there is.
+constexpr int kWatchedLease_s = 3600;
 
 struct BusOptions {
   std::string run;                    // name of the run, the first part of partitions
