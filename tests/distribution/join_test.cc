@@ -39,7 +39,6 @@ TEST_F(JoinTest, WhoComesFirstDoesNotMatter) {
   ProgramRun run(kQuickly + kFlags +
                  Words{"--placement", PlacementWithHost("127.0.0.1"), "--run-name", name,
                        "--record", recording});
-  ASSERT_TRUE(run.WaitFor("[oid:"));  // the master is up
   ProgramRun join({"join", "--process", "vision", "--run-name", name});
   EXPECT_EQ(run.Finish().status, 0) << run.heard();
   EXPECT_EQ(join.Finish().status, 0) << join.heard();
