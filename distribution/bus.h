@@ -17,8 +17,8 @@
 
 namespace openr_host {
 
-// The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.  The most
-// there is.
+// The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.  The
+// most there is.
 constexpr int kWatchedLease_s = 3600;
 
 struct BusOptions {
