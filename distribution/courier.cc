@@ -86,7 +86,8 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
     const auto& data = notify.data[i];
     openr_wire_Part part{};
     part.token = ++last_token_;
-    lent_[part.token] = {data.srcRCR, data.size};
+    lent_[part.token] = {data.srcRCR,   data.size,      out->subject,
+                         out->selector, message.target, message.selector};
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
@@ -115,6 +116,13 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
     regions.push_back(returned);
   }
   out->regions = arena->Sequence<decltype(out->regions)>(std::move(regions));
+}
+
+std::vector<Courier::Lent> Courier::TakeLent() {
+  std::vector<Lent> all;
+  for (const auto& [token, lent] : lent_) all.push_back(lent);
+  lent_.clear();
+  return all;
 }
 
 bool Courier::HasBorrowed(uint32_t region) const {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "distribution/wire.h"
 #include "runtime/core/message.h"
@@ -46,6 +47,18 @@ class Courier {
   // Whether data of this region came in and have not been given back: it is the newer memory.
   bool HasBorrowed(uint32_t region) const;
 
+  // Something that went over there and has not come back.
+  struct Lent {
+    RCRegion* region;
+    size_t size;
+    int32_t subject;  // who sent it: object and selector of the subject
+    uint32_t subject_selector;
+    int32_t observer;  // and to whom
+    uint32_t observer_selector;
+  };
+  // All of it; it is not lent any more.
+  std::vector<Lent> TakeLent();
+
   // Notifications sent whose regions have not come back.
   size_t lent_count() const { return lent_.size(); }
 
@@ -63,10 +76,6 @@ class Courier {
 
   System* const system_;
   const bool makes_copies_;
-  struct Lent {
-    RCRegion* region;
-    size_t size;
-  };
   struct Borrowed {
     uint64_t token;  // theirs
     uint64_t hash;   // of the bytes as they came

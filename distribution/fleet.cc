@@ -29,7 +29,12 @@ Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(options_
       child = member.child.get();
     }
     member.process = std::make_unique<RemoteProcess>(
-        &bus_, name, [child] { return child == nullptr ? "" : child->HowItEnded(); }, options_.say);
+        &bus_, name,
+        [this, child]() -> std::string {
+          if (IsInterrupted()) return "interrupted";
+          return child == nullptr ? "" : child->HowItEnded();
+        },
+        options_.say);
   }
 }
 
@@ -142,7 +147,9 @@ void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string
     system_->AddFindingAbout(about, Severity::kError,
                              fmt::format("{}; process '{}' (pid {}) is gone, the others go on", why,
                                          about->process()->name(), about->process()->facts().pid));
-    if (crash_listener_) crash_listener_(about);
+    about->process()->GiveBack();
+    if (!crash_listener_) return;
+    for (const auto& [id, object] : member.objects) crash_listener_(object);
     return;
   }
   system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", why));
@@ -151,7 +158,23 @@ void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string
 
 void Fleet::Pump(int64_t timeout_us) {
   bus_.Wait(timeout_us);
-  for (auto& [name, member] : members_) member.process->Poll();
+  for (auto& [name, member] : members_) {
+    RemoteProcess& process = *member.process;
+    process.Poll();
+    if (process.is_lost() || process.loss().empty() || IsInterrupted()) continue;
+    Lost(member.objects.begin()->second,
+         process.has_crashed() ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
+         process.loss());
+  }
+}
+
+void Fleet::Watch() {
+  if (options_.is_free || IsInterrupted()) return;  // Pump() does; the run ends anyway
+  for (auto& [name, member] : members_) {
+    if (member.process->is_lost()) continue;
+    const std::string problem = member.process->WhatIsWrong();
+    if (!problem.empty()) Lost(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
+  }
 }
 
 void Fleet::ReportLosses() {

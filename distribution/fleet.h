@@ -28,6 +28,7 @@ struct FleetOptions {
   bool is_free = false;      // the clock on the wall rules, see RemoteProcess::RunFree()
   int64_t wait_ms = 60'000;  // for a process to come
   std::function<void(const std::string& line)> say;  // for people
+  std::function<bool()> is_interrupted;              // waiting is to end; null: never
 };
 
 class Fleet {
@@ -58,8 +59,11 @@ class Fleet {
   };
   std::vector<ProcessFacts> Describe() const;
 
-  // `listener` hears of an object that crashed; the run goes on without those of its process.
+  // `listener` hears of each object of a process that is gone, if the run goes on without.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+
+  // Looks at processes that have nothing to do.  Not from a handler.
+  void Watch();
 
   // In a free run: waits at most `timeout_us` for news of the processes and does them.  Not from a
   // handler.
@@ -84,6 +88,7 @@ class Fleet {
 
   void Welcome(Member* member);
   void LoadMore(Member* member);
+  bool IsInterrupted() const { return options_.is_interrupted && options_.is_interrupted(); }
   void Lost(RemoteObject* object, RemoteObject::Loss loss, const std::string& why);
   std::string UnknownObjects() const;
 

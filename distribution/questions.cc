@@ -3,6 +3,7 @@
 #include <MCOOP.h>
 #include <OPENR/OPENR.h>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <vector>
@@ -13,9 +14,13 @@
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
+#include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 namespace {
+
+// Longer than a RelativeTime can say.
+constexpr uint64_t kTimeMaxUs = uint64_t{1} << 53;
 
 uint64_t Number(const Question& question, size_t i) {
   return i < question.numbers.size() ? question.numbers[i] : 0;
@@ -50,11 +55,16 @@ Answer AnswerEvents(System* system, Object* self, const Question& question) {
   TimeEvents& events = system->time_events();
   switch (question.kind) {
     case QuestionKind::kTimedEvent:
+      if (Number(question, 2) > kTimeMaxUs || Number(question, 3) > kTimeMaxUs) return {0, {0}};
       return {0,
               {events.AddTimed(LetterOf(self, question), static_cast<int64_t>(Number(question, 2)),
                                static_cast<int64_t>(Number(question, 3)))}};
-    case QuestionKind::kReplyEvent:
-      return {0, {events.AddReply(LetterOf(self, question), Number(question, 2))}};
+    case QuestionKind::kReplyEvent: {
+      const uint64_t box = Number(question, 2);
+      const uint32_t event = events.AddReply(LetterOf(self, question), box);
+      if (self->replies.contains(box)) events.ReplyArrived(self->id, box);
+      return {0, {event}};
+    }
     case QuestionKind::kCancelEvent:
       return {events.Cancel(self->id, static_cast<uint32_t>(Number(question, 0))) ? 1 : 0};
     default:
@@ -100,6 +110,10 @@ Answer AnswerQuestion(System* system, Object* self, const Question& question) {
       return AnswerNames(question);
     case QuestionKind::kCheckShare:
       return {system->region_shares().Serve(self->id, question.numbers)};
+    case QuestionKind::kWriteFile:
+      if (MemoryStick* const stick = system->robot(self->robot).stick.get())
+        stick->NoteWritten(question.text);
+      return {0};
     case QuestionKind::kService:
       return ServeRobotCall(system, self->robot, question);
   }
@@ -120,7 +134,7 @@ void MapBuffer(Object* self, uint32_t cookie, uint32_t region, bool mapped) {
 }
 
 void TakeDescription(const openr_wire_LoadedObject& in, RemoteObject* object) {
-  object->limits.priority = in.priority;
+  object->limits.priority = std::clamp(in.priority, 0, 255);
   object->limits.stack_bytes = in.stack_bytes;
   object->limits.heap_bytes = in.heap_bytes;
   std::set<uint32_t> selectors;

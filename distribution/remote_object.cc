@@ -1,39 +1,62 @@
 #include "distribution/remote_object.h"
 
 #include <OPENR/OPENRMessages.h>
+#include <OPENR/ObjcommMessages.h>
 
 #include <cstring>
+#include <new>
 
 #include "distribution/remote_process.h"
+#include "runtime/core/api.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
 
-bool RemoteObject::Dispatch(uint32_t selector, void*) {
-  if (process_->is_lost()) {
-    AnswerForTheLost(selector);
-    return true;
+bool RemoteObject::Dispatch(uint32_t, void*) {
+  if (!process_->is_lost()) {
+    try {
+      process_->RunHandler(this, *running);
+      return true;
+    } catch (const ProcessCrashed& crash) {
+      lost_(this, Loss::kCrashed, crash.what());
+    } catch (const ProcessLost& lost) {
+      lost_(this, Loss::kGone, lost.what());
+    }
+  } else {
+    ++unheard_count_;
+    if (running->kind == PayloadKind::kNotify) Refuse();
   }
-  try {
-    process_->RunHandler(this, *running);
-  } catch (const ProcessCrashed& crash) {
-    lost_(this, Loss::kCrashed, crash.what());
-  } catch (const ProcessLost& lost) {
-    lost_(this, Loss::kGone, lost.what());
-  }
+  AnswerForTheLost();
   return true;
 }
 
-// The object manager need not wait for what cannot come.
-void RemoteObject::AnswerForTheLost(uint32_t selector) {
-  ++unheard_count_;
-  if (selector > oentryDESTROY) return;
+// Nobody need wait for what cannot come: the object manager is told that all is well, others get
+// an empty answer.
+void RemoteObject::AnswerForTheLost() {
+  if (running->reply_box == 0) return;
   OStatusMessage message;
   std::memset(&message, 0, sizeof message);
   message.msgType = omsgOSTATUS;
   message.status = oSUCCESS;
-  system->Reply(system->TakeReplyTicket(), &message, sizeof message);
+  system->Reply(system->TakeReplyTicket(), &message,
+                running->selector > oentryDESTROY ? 0 : sizeof message);
+}
+
+// A notification that nobody hears: its regions go back, and the subject need not wait.
+void RemoteObject::Refuse() {
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(running->payload);
+  const SubjectID& subject = notify.subjectID;
+  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  auto& ready = *new (message->payload) OReadyMessage;
+  ready.msgType = omsgREADY_V22;
+  ready.command = objcommCMD_DEASSERT_READY;
+  ready.observerID = OServiceEntry(OidOf(id), running->selector);
+  ready.numOfData = notify.numOfData;
+  for (int i = 0; i < notify.numOfData; ++i) ready.rcRegion[i] = notify.data[i].srcRCR;
+  message->size = sizeof ready;
+  message->kind = PayloadKind::kReady;
+  system->Post(message);
 }
 
 void RemoteObject::HashState(Hasher* hasher) const {

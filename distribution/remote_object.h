@@ -33,7 +33,8 @@ class RemoteObject : public Object {
   void HashState(Hasher* hasher) const override;
 
  private:
-  void AnswerForTheLost(uint32_t selector);
+  void AnswerForTheLost();
+  void Refuse();
 
   RemoteProcess* const process_;
   const LossListener lost_;

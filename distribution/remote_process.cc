@@ -1,19 +1,23 @@
 #include "distribution/remote_process.h"
 
+#include <OPENR/ObjcommMessages.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "distribution/questions.h"
 #include "distribution/remote_object.h"
+#include "runtime/core/api.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
 namespace {
 
-constexpr int kSliceMs = 100;          // between looks at the process
+constexpr int kSliceMs = 100;  // between looks at the process
+constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 constexpr int64_t kSilenceMs = 2'000;  // before people are told
 // Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
 constexpr uint64_t kFirstFreeBox = uint64_t{1} << 40;
@@ -39,6 +43,15 @@ openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
   return down;
 }
 
+void RemoteProcess::Send(const openr_wire_Down& down) {
+  try {
+    line_.Send(down);
+  } catch (const std::runtime_error& error) {  // nobody takes it, or DDS has no room
+    throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
+                                  facts_.pid, error.what()));
+  }
+}
+
 RemoteProcess::Loan RemoteProcess::Next() {
   bool told = false;
   for (int64_t silent_ms = 0;; silent_ms += kSliceMs) {
@@ -47,11 +60,12 @@ RemoteProcess::Loan RemoteProcess::Next() {
       if (told) say_(fmt::format("process '{}' answers again", name_));
       return up;
     }
-    const std::string problem = health_();
-    if (!problem.empty()) throw ProcessLost(problem);
-    if (!line_.IsConnected())
-      throw ProcessLost(fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
-                                    facts_.pid, facts_.host));
+    const std::string problem = WhatIsWrong();
+    if (!problem.empty()) {  // its last word may be on the way still
+      Loan last = line_.Receive(kSliceMs);
+      if (last) return last;
+      throw ProcessLost(problem);
+    }
     if (told || silent_ms < kSilenceMs) continue;
     told = true;
     say_(
@@ -59,6 +73,14 @@ RemoteProcess::Loan RemoteProcess::Next() {
                     "waits for it",
                     name_, facts_.pid, kSilenceMs / 1000));
   }
+}
+
+std::string RemoteProcess::WhatIsWrong() const {
+  std::string problem = health_();
+  if (problem.empty() && !line_.IsConnected())
+    problem = fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
+                          facts_.pid, facts_.host);
+  return problem;
 }
 
 void RemoteProcess::WaitForHello(int64_t limit_ms) {
@@ -100,7 +122,7 @@ void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
   courier_ = std::make_unique<Courier>(system, false);
   openr_wire_Down down = NewDown(openr_wire_DOWN_WELCOME);
   down.body._u.welcome = welcome;
-  line_.Send(down);
+  Send(down);
 }
 
 void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
@@ -108,7 +130,7 @@ void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
 void RemoteProcess::Load(const openr_wire_Load& load) {
   openr_wire_Down down = NewDown(openr_wire_DOWN_LOAD);
   down.body._u.load = load;
-  line_.Send(down);
+  Send(down);
   for (;;) {
     const Loan up = Next();
     if (Serve(*up)) continue;
@@ -140,7 +162,7 @@ void RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
       return objects_.contains(system_->regions().OwnerOf(region));
     };
     courier_->Encode(message, is_there, &arena, &deliver.message);
-    line_.Send(down);
+    Send(down);
     courier_->Sent(message);
   }
   const Latency::Timer timer(&latency_);
@@ -172,7 +194,7 @@ RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_Up& up) {
   Object* const object = ObjectOf(stopped.object);
   Apply(up, object);
   object->state = StringOf(stopped.state);
-  object->dropped_count = stopped.dropped;
+  object->dropped_count += stopped.dropped - std::exchange(dropped_[object->id], stopped.dropped);
   object->stack_max = stopped.stack_max;
   return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
 }
@@ -193,14 +215,15 @@ RemoteProcess::Stop RemoteProcess::AwaitStop(RemoteObject* object) {
 }
 
 void RemoteProcess::Poll() {
-  if (!loss_.empty()) return;
   try {
-    while (const Loan up = line_.Receive(0)) TakeFree(*up);
-    const std::string problem = health_();
-    if (!problem.empty()) throw ProcessLost(problem);
-    if (!line_.IsConnected())
-      throw ProcessLost(fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
-                                    facts_.pid, facts_.host));
+    while (const Loan up = line_.Receive(0)) {
+      if (loss_.empty()) TakeFree(*up);
+    }
+    if (!loss_.empty()) return;
+    const std::string problem = WhatIsWrong();
+    if (problem.empty()) return;
+    if (const Loan last = line_.Receive(kSliceMs)) return TakeFree(*last);  // what it said at last
+    throw ProcessLost(problem);
   } catch (const ProcessCrashed& crash) {
     LoseFree(crash.what(), true);
   } catch (const ProcessLost& lost) {
@@ -250,7 +273,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop) {
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
   resume.reply.reply_box = stop.box;
-  line_.Send(down);
+  Send(down);
   system_->queue().Release(reply);
 }
 
@@ -269,7 +292,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop) {
   resume.reply.reply_box = stop.box;
   resume.reply.payload._d = openr_wire_PAYLOAD_BYTES;
   resume.reply.payload._u.bytes = arena.Bytes(line, size);
-  line_.Send(down);
+  Send(down);
 }
 
 // What does not end a turn.  True when `up` was that.
@@ -310,7 +333,7 @@ void RemoteProcess::SendAnswer(const Answer& answer) {
   openr_wire_Down down = NewDown(openr_wire_DOWN_ANSWER);
   down.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
                          WireArena::View(answer.bytes.data(), answer.bytes.size())};
-  line_.Send(down);
+  Send(down);
 }
 
 void RemoteProcess::Apply(const openr_wire_Up& up, Object* self) {
@@ -333,6 +356,7 @@ int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
   const uint64_t cause = message->cause;
   const std::string problem = courier_->Decode(posted.message, message);
   if (!problem.empty()) Refuse(problem);
+  if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;
@@ -357,17 +381,24 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
                                static_cast<Severity>(number(0)), text);
       return;
     case NoteKind::kShutdown:
-      return system_->Shutdown(static_cast<int>(number(0)));
     case NoteKind::kPowerOff:
-      return system_->PowerOff(static_cast<int>(number(0)));
+      if (number(0) >= static_cast<uint64_t>(system_->robot_count())) Refuse("an unknown robot");
+      if (kind == NoteKind::kPowerOff) return system_->PowerOff(static_cast<int>(number(0)));
+      return system_->Shutdown(static_cast<int>(number(0)));
     case NoteKind::kDeleteRegion:
+      if (!objects_.contains(system_->regions().OwnerOf(region)))
+        Refuse("the end of a region that is not its own");
       system_->regions().Delete(region);
       return;
     case NoteKind::kPin:
+      ++pins_[region];
       return system_->regions().Pin(region);
     case NoteKind::kUnpin:
+      if (--pins_[region] < 0) Refuse("a region given back twice");
       return system_->regions().Unpin(region);
     case NoteKind::kOwner:
+      if (!objects_.contains(system_->regions().OwnerOf(region)))
+        Refuse("a region that is not its own");
       return system_->regions().SetOwner(region, static_cast<ObjectId>(number(1)));
     default:
       break;
@@ -403,7 +434,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   if (is_free_) return "";  // it has gone on meanwhile
   openr_wire_Down down = NewDown(openr_wire_DOWN_ASK_STATE);
   down.body._u.state_of = object;
-  line_.Send(down);
+  Send(down);
   const Loan up = Next();
   if (up->body._d != openr_wire_UP_STATE) Refuse("no state");
   const openr_wire_State& state = up->body._u.state;
@@ -418,11 +449,34 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   return StringOf(state.subjects);
 }
 
+// To each subject as from its observer, which will not be ready any more.
+void RemoteProcess::GiveBack() {
+  for (const Courier::Lent& lent : courier_->TakeLent()) {
+    const auto observer = objects_.find(lent.observer);
+    if (observer == objects_.end()) continue;
+    const CurrentScope scope(system_, observer->second);
+    Message* const message = system_->NewMessage(lent.subject, lent.subject_selector);
+    auto& ready = *new (message->payload) OReadyMessage;
+    ready.msgType = omsgREADY_V22;
+    ready.command = objcommCMD_DEASSERT_READY;
+    ready.observerID = OServiceEntry(OidOf(lent.observer), lent.observer_selector);
+    ready.numOfData = 1;
+    ready.rcRegion[0] = lent.region;
+    message->size = sizeof ready;
+    message->kind = PayloadKind::kReady;
+    system_->Post(message);
+  }
+}
+
 void RemoteProcess::End() {
   courier_.reset();  // what it has borrowed is the System's
   if (is_lost_) return;
   openr_wire_Down down = NewDown(openr_wire_DOWN_END);
-  line_.Send(down);
+  try {
+    Send(down);
+  } catch (const ProcessLost&) {
+    is_lost_ = true;
+  }
 }
 
 }  // namespace openr_host

@@ -80,6 +80,16 @@ class RemoteProcess {
   // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
   std::string FetchState(ObjectId object);
 
+  // After a loss: what is lent there goes back to whom it belongs.
+  void GiveBack();
+
+  // Why it is gone, as Poll() found out, and whether it crashed; "" while it is not.
+  const std::string& loss() const { return loss_; }
+  bool has_crashed() const { return crashed_; }
+
+  // Says it of a process that has nothing to do at the moment, too.
+  std::string WhatIsWrong() const;
+
   // It may end.  Before the System does.
   void End();
 
@@ -97,6 +107,7 @@ class RemoteProcess {
 
   void WaitUntilHeard(int64_t limit_ms);
   openr_wire_Down NewDown(openr_wire_DownKind kind);
+  void Send(const openr_wire_Down& down);
   Loan Next();
   Stop WaitForStop(RemoteObject* object);
   Stop AwaitStop(RemoteObject* object);
@@ -123,6 +134,8 @@ class RemoteProcess {
   std::map<ObjectId, RemoteObject*> objects_;
   uint64_t turn_ = 0;
   Facts facts_;
+  std::map<uint32_t, int> pins_;          // that objects there have, by region
+  std::map<ObjectId, uint64_t> dropped_;  // as it counts them
   bool is_lost_ = false;
   Latency latency_;
   // Of free runs: handlers under way, by object, and the box by which their proxy waits.

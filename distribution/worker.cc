@@ -40,7 +40,11 @@ Worker::Worker(WorkerOptions options)
       bus_(options_.bus),
       line_(&bus_, options_.process, LineEnd::kProcess) {}
 
-Worker::~Worker() = default;
+Worker::~Worker() {
+  is_over_ = true;
+  courier_.reset();
+  system_.reset();  // destructors of images may still call
+}
 
 openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
   openr_wire_Up up{};
@@ -64,6 +68,7 @@ Worker::Loan Worker::Next(bool answer) {
       continue;
     }
     if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
+    if (loan->body._d == openr_wire_DOWN_END) _exit(0);  // in the middle of a handler
     early_.push_back(std::move(loan));
   }
 }
@@ -339,10 +344,16 @@ openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
 }
 
 int32_t Worker::Post(Message* message, int64_t delay_us) {
+  if (is_over_) {
+    system_->queue().Release(message);
+    return sFAIL;
+  }
   const openr_wire_Posted posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
-  // Whether it is taken matters at once; else it goes with everything else the handler does.
-  if (message->is_reply || system_->options().strict) {
+  const std::pair<ObjectId, uint32_t> entry(message->target, message->selector);
+  // Where it may be refused, the sender has to know at once; else it goes with everything else the
+  // handler does.
+  if (message->is_reply || system_->options().strict || !accepted_.contains(entry)) {
     openr_wire_Up up = NewUp(openr_wire_UP_POST);
     up.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id, posted};
     up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
@@ -354,12 +365,14 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
+  if (error == sSUCCESS && !message->is_reply) accepted_.insert(entry);
   if (error == sSUCCESS) courier_->Sent(*message);
   system_->queue().Release(message);
   return error;
 }
 
 void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
+  if (is_over_) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
   effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
@@ -368,6 +381,7 @@ void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view
 }
 
 Answer Worker::Ask(const Question& question) {
+  if (is_over_) return {};
   openr_wire_Up up = NewUp(openr_wire_UP_QUESTION);
   up.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                          static_cast<uint32_t>(question.kind), arena_.Numbers(question.numbers),

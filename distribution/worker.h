@@ -10,8 +10,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "distribution/bus.h"
@@ -90,7 +92,9 @@ class Worker : public Uplink {
   std::unique_ptr<Courier> courier_;
   std::string stick_;  // its folder
   uint64_t turn_ = 0;
-  std::deque<Loan> early_;  // came while an answer was waited for
+  bool is_over_ = false;                              // nobody listens: objects are being unloaded
+  std::set<std::pair<ObjectId, uint32_t>> accepted_;  // entries that took a message
+  std::deque<Loan> early_;                            // came while an answer was waited for
   // Of the handler that runs.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;

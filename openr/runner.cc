@@ -129,6 +129,7 @@ void Runner::AfterFrame() {
   for (size_t i = 0; i < standing_.size(); ++i) {
     standing_[i].Sample(simulation_->robots()[i]->body().state(), system.now_us());
   }
+  if (plan_.after_frame) plan_.after_frame();
   AnnouncePorts();
   TakeSnapshots(false);
   if (interrupts_->count() > 0 && paused_us_ < 0) PressPause();

@@ -27,6 +27,7 @@ struct RunPlan {
   // Of a run whose other processes do not wait for the clock: instead of sleeping, waits for news
   // of theirs, at most so long, and does them.  Needs a rate.
   std::function<void(int64_t timeout_us)> pump;
+  std::function<void()> after_frame;  // null: nothing
 };
 
 // Quiet: nothing was delivered that an object of the stick had sent, but for its readiness for

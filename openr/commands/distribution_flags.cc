@@ -82,7 +82,7 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }  // namespace
 
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
-                                 int64_t handler_limit_us) {
+                                 int64_t handler_limit_us, std::function<bool()> is_interrupted) {
   FleetOptions options;
   options.placement = PlacementOf(flags);
   if (options.placement.empty()) {
@@ -98,6 +98,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;
+  options.is_interrupted = std::move(is_interrupted);
   options.wrapper = WordsOf(flags.wrapper);
   options.is_free = flags.is_free;
   options.command = {ProgramFile(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,6 @@ void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 // What they mean; null when all is in one process.  `stick` is the folder of the run's.  Throws
 // CLI::ValidationError.
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
-                                 int64_t handler_limit_us);
+                                 int64_t handler_limit_us, std::function<bool()> is_interrupted);
 
 }  // namespace openr_host

@@ -273,7 +273,8 @@ int Run(RunFlags flags) {
   const bool records = !flags.record_file.empty();
   if (records) recorder.Listen(&flags.simulation);
   const std::unique_ptr<Fleet> fleet =
-      MakeFleet(flags.placement, StickFolder(flags.simulation.stick), flags.handler_limit_us);
+      MakeFleet(flags.placement, StickFolder(flags.simulation.stick), flags.handler_limit_us,
+                [&interrupts] { return interrupts.count() >= 2; });
   if (fleet != nullptr) {
     flags.simulation.stand_ins = [&fleet](System* system, int robot) {
       return fleet->StandInsFor(system, robot);
@@ -309,6 +310,7 @@ int Run(RunFlags flags) {
     }
     if (fleet != nullptr && flags.placement.is_free)
       plan.pump = [&fleet](int64_t timeout_us) { fleet->Pump(timeout_us); };
+    if (fleet != nullptr) plan.after_frame = [&fleet] { fleet->Watch(); };
     Runner runner(&simulation, plan, &interrupts);
     const auto learn_facts = [&facts, &runner] {
       facts.wall_time_s = runner.wall_time_s();

@@ -89,6 +89,7 @@ void ObjectManager::RunShutdown(int robot) {
 // changes nothing.
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
+  if (old == nullptr || !old->is_image) return;  // of another process, or no image at all
   std::unique_ptr<Object> fresh = system().LoadAgain(*old);
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);

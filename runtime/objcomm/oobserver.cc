@@ -206,6 +206,7 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
 
 OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
   const ApiScope scope;
+  if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->guard_pages() != nullptr) CheckUnchanged(state_, msg);
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

@@ -209,6 +209,7 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
 
 OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
+  if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
   if (link == nullptr) return oNOT_FOUND;

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/core/message.h"
+
 namespace openr_host {
 
 class Hasher;
@@ -26,6 +28,10 @@ struct RegionAccess {
   static void GiveBack(RCRegion* received);
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
+
+// Whether the message being handled is one of the library's, of this kind.  An object that sends
+// bytes of its own to such an entry has no regions in them; that is an error finding.
+bool IsRunningMessage(const Object& object, PayloadKind kind);
 
 // One observer of one subject.
 struct ObserverLink {

@@ -11,6 +11,15 @@
 
 namespace openr_host {
 
+bool IsRunningMessage(const Object& object, PayloadKind kind) {
+  if (object.running != nullptr && object.running->kind == kind) return true;
+  object.system->AddFinding(
+      Severity::kError,
+      "bytes that an object sent to the entry of a subject or observer are "
+      "no notification and no ready; use NotifyObservers() and AssertReady()");
+  return false;
+}
+
 ObserverLink* SubjectState::Find(const ObserverID& observer) {
   for (const auto& link : links) {
     if (link->observer == observer) return link.get();

@@ -193,6 +193,8 @@ std::string HostPath(const char* path, StickUse use) {
     return "";
   }
   stick->NoteWritten(path);
+  if (Uplink* const uplink = system->uplink())
+    uplink->Ask({QuestionKind::kWriteFile, {}, std::string(path)});
   return location.path;
 }
 
