@@ -101,17 +101,12 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   options.is_interrupted = std::move(is_interrupted);
   options.wrapper = WordsOf(flags.wrapper);
   options.is_free = flags.is_free;
-  options.command = {ProgramFile(),
-                     "join",
-                     "--child",
-                     "--run-name",
-                     options.bus.run,
-                     "--dds-domain",
-                     std::to_string(options.bus.domain),
-                     "--dds-address",
-                     options.bus.address,
-                     "--handler-limit",
-                     fmt::format("{}us", handler_limit_us)};
+  options.command = {ProgramFile(),     "join",
+                     "--child-of",      std::to_string(getpid()),
+                     "--run-name",      options.bus.run,
+                     "--dds-domain",    std::to_string(options.bus.domain),
+                     "--dds-address",   options.bus.address,
+                     "--handler-limit", fmt::format("{}us", handler_limit_us)};
   if (!options.bus.config_file.empty()) {
     options.bus.config_file = std::filesystem::absolute(options.bus.config_file);
     options.command.insert(options.command.end(), {"--dds-config", options.bus.config_file});

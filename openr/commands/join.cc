@@ -24,20 +24,19 @@ struct JoinFlags {
   WorkerOptions worker;
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
-  bool is_child = false;
+  pid_t parent = 0;  // the run that started it; 0: none did
 };
 
 // One that a run has started goes when the run goes, however that ends; Ctrl-C is for the run.
-void BecomeChild() {
-  const pid_t parent = getppid();
+void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kExitWrong);  // it has gone already
   ::signal(SIGINT, SIG_IGN);
 }
 
 int Join(JoinFlags flags) {
-  if (flags.is_child) {
-    BecomeChild();
+  if (flags.parent != 0) {
+    BecomeChild(flags.parent);
     flags.worker.bus.lease_s = kWatchedLease_s;
   }
   std::optional<CrashLog> crash_log;
@@ -78,7 +77,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   AddDurationFlag(command, "--wait", &flags->wait_us, "How long to wait for the run");
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the process when a handler uses more processor time; 0s: never");
-  command->add_flag("--child", flags->is_child)->group("");  // for openr run
+  command->add_option("--child-of", flags->parent)->group("");  // for openr run
   AddBusFlags(command, &flags->worker.bus);
   command->callback([flags, exit_code] { *exit_code = Join(*flags); });
 }
