@@ -30,7 +30,7 @@ struct JoinFlags {
 // One that a run has started goes when the run goes, however that ends; Ctrl-C is for the run.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kExitWrong);  // it has gone already
+  if (kill(parent, 0) != 0) _exit(kExitWrong);  // it has gone already
   ::signal(SIGINT, SIG_IGN);
 }
 

@@ -21,7 +21,8 @@ class TwoProcesses : public Elsewhere {
     options.bus.run = "apart-" + std::to_string(getpid()) + "-" + std::to_string(++number);
     options.placement.process_of = {{"teller", "acting"}, {"hearer", "hearing"}};
     options.stick = stick;
-    options.command = {OPENR_PROGRAM, "join", "--child", "--run-name", options.bus.run};
+    options.command = {OPENR_PROGRAM, "join",         "--child-of", std::to_string(getpid()),
+                       "--run-name",  options.bus.run};
     options.say = [](const std::string&) {};
     return options;
   }
