@@ -311,6 +311,12 @@ bool RemoteProcess::Serve(const openr_wire_Up& up) {
                                  StringOf(in.text), StringOf(in.bytes)}));
       return true;
     }
+    case openr_wire_UP_ENTRY: {
+      const Object* const object = system_->object(up.body._u.entry.object);
+      const bool has = object != nullptr && object->HasEntry(up.body._u.entry.selector);
+      SendAnswer({has ? 1 : 0});
+      return true;
+    }
     case openr_wire_UP_POST: {
       Object* const self = ObjectOf(up.body._u.post.object);
       Apply(up, self);

@@ -343,17 +343,31 @@ openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
   return posted;
 }
 
+// Replies, whose boxes may have been given up; full queues, which refuse with --strict only; and
+// entries that are not there.
+bool Worker::MayBeRefused(const Message& message) {
+  if (message.is_reply || system_->options().strict) return true;
+  const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
+  if (entries_.contains(entry)) return false;
+  openr_wire_Up up = NewUp(openr_wire_UP_ENTRY);
+  up.body._u.entry = {message.target, message.selector};
+  Send(up);
+  if (WaitForAnswer().status != 1) return true;
+  entries_.insert(entry);
+  return false;
+}
+
 int32_t Worker::Post(Message* message, int64_t delay_us) {
   if (is_over_) {
     system_->queue().Release(message);
     return sFAIL;
   }
+  const bool may_be_refused = MayBeRefused(*message);
   const openr_wire_Posted posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
-  const std::pair<ObjectId, uint32_t> entry(message->target, message->selector);
   // Where it may be refused, the sender has to know at once; else it goes with everything else the
   // handler does.
-  if (message->is_reply || system_->options().strict || !accepted_.contains(entry)) {
+  if (may_be_refused) {
     openr_wire_Up up = NewUp(openr_wire_UP_POST);
     up.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id, posted};
     up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
@@ -365,7 +379,6 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
-  if (error == sSUCCESS && !message->is_reply) accepted_.insert(entry);
   if (error == sSUCCESS) courier_->Sent(*message);
   system_->queue().Release(message);
   return error;

@@ -82,6 +82,7 @@ class Worker : public Uplink {
   // master is gone.
   Loan Next(bool answer);
   Answer WaitForAnswer();
+  bool MayBeRefused(const Message& message);
   void FollowBuffers(const Object& object, const Message& message);
   openr_wire_Posted Encode(const Message& message, int64_t delay_us);
 
@@ -92,9 +93,9 @@ class Worker : public Uplink {
   std::unique_ptr<Courier> courier_;
   std::string stick_;  // its folder
   uint64_t turn_ = 0;
-  bool is_over_ = false;                              // nobody listens: objects are being unloaded
-  std::set<std::pair<ObjectId, uint32_t>> accepted_;  // entries that took a message
-  std::deque<Loan> early_;                            // came while an answer was waited for
+  bool is_over_ = false;                             // nobody listens: objects are being unloaded
+  std::set<std::pair<ObjectId, uint32_t>> entries_;  // that there are, as far as asked for
+  std::deque<Loan> early_;                           // came while an answer was waited for
   // Of the handler that runs.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;
