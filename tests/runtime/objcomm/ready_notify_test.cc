@@ -51,6 +51,25 @@ TEST_F(ReadyNotifyTest, NotifyToAReadyObserverArrivesAndClearsTheFlag) {
   EXPECT_EQ(receiver->events, Events{"7"});
 }
 
+// They would be taken for addresses of regions.
+TEST_F(ReadyNotifyTest, BytesSentToTheEntryOfASubjectAreRefused) {
+  Boot();
+  RunAs(receiver, [&] {
+    const Selector ready = sender->out->GetID().GetSelector();
+    Message* const message = system.NewMessage(sender->host().id, ready);
+    std::memset(message->payload, 0x41, 64);
+    message->size = 64;
+    EXPECT_EQ(system.Post(message), 0);
+  });
+  Settle();
+  ASSERT_EQ(system.findings().all().size(), 1u);
+  EXPECT_NE(system.findings().all()[0].text.find("no notification and no ready"),
+            std::string::npos);
+  AssertReady();
+  Send(7);
+  EXPECT_EQ(receiver->events, Events{"7"});
+}
+
 TEST_F(ReadyNotifyTest, EverythingSetSinceTheLastNotifyIsOneEvent) {
   Boot();
   AssertReady();

@@ -51,7 +51,7 @@ class MotionFilesTest : public testing::Test {
  protected:
   void SetUp() override {
     const char* folder = std::getenv("OPENR_MTN_REFERENCE");
-    if (folder == nullptr) GTEST_SKIP() << "OPENR_MTN_REFERENCE names no folder";
+    if (folder == nullptr || *folder == '\0') GTEST_SKIP() << "OPENR_MTN_REFERENCE names no folder";
     folder_ = folder;
     harness_.Hold(0.1);
   }
