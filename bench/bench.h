@@ -32,6 +32,9 @@ void RunRows(const std::vector<Row>& rows, const std::string& filter, const std:
 double WallSeconds();
 
 std::vector<Row> MessageRows();
+std::vector<Row> DistributionRows();
+// The other end of some of these; `openr_bench --peer KIND NAME`.
+int RunPeer(const std::string& kind, const std::string& name);
 // `stick`: a folder that holds OPEN-R/.
 std::vector<Row> GraphRows(const std::string& stick);
 

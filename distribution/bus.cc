@@ -75,15 +75,14 @@ void Bus::Wait(int64_t timeout_us) {
 
 Bus::~Bus() { dds_delete(domain_); }
 
-LineBase::LineBase(Bus* bus, const std::string& process, LineEnd end) {
+LineBase::LineBase(Bus* bus, const std::string& process, LineEnd end, const LineTopics& topics) {
   const SignalsBlocked blocked;
   const bool is_master = end == LineEnd::kMaster;
   const dds_entity_t participant = bus->participant();
-  const dds_entity_t down =
-      Check(dds_create_topic(participant, &openr_wire_Down_desc, "openr_down", nullptr, nullptr),
-            "topic");
-  const dds_entity_t up = Check(
-      dds_create_topic(participant, &openr_wire_Up_desc, "openr_up", nullptr, nullptr), "topic");
+  const dds_entity_t down = Check(
+      dds_create_topic(participant, topics.down, topics.down_name, nullptr, nullptr), "topic");
+  const dds_entity_t up =
+      Check(dds_create_topic(participant, topics.up, topics.up_name, nullptr, nullptr), "topic");
   dds_qos_t* const qos = QosOf(bus->run() + "/" + process);
   const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);

@@ -57,10 +57,21 @@ class Bus {
 // One direction of a Line.
 enum class LineEnd { kMaster, kProcess };
 
+// What the two directions carry.
+struct LineTopics {
+  const dds_topic_descriptor_t* down;
+  const char* down_name;
+  const dds_topic_descriptor_t* up;
+  const char* up_name;
+};
+constexpr LineTopics kWireTopics = {&openr_wire_Down_desc, "openr_down", &openr_wire_Up_desc,
+                                    "openr_up"};
+
 // Untyped half of Line.
 class LineBase {
  public:
-  LineBase(Bus* bus, const std::string& process, LineEnd end);
+  LineBase(Bus* bus, const std::string& process, LineEnd end,
+           const LineTopics& topics = kWireTopics);
   ~LineBase();
   LineBase(const LineBase&) = delete;
   LineBase& operator=(const LineBase&) = delete;

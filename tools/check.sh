@@ -35,7 +35,7 @@ grep_in() {
 }
 
 if command -v clang-format >/dev/null; then
-  files 'cc|h' openr runtime virtualrobot distribution testing tools tests bench | grep -vE '^tests/(images|kit/fixtures)/' |
+  files 'cc|h' openr runtime virtualrobot distribution testing tools tests bench | grep -vE '^(tests/(images|kit/fixtures)|bench/Sink)/' |
     xargs -r clang-format --dry-run 2>&1 | grep -E 'warning|error' | head -40 |
     rule 'clang-format (./.clang-format) would change'
 else

@@ -1,0 +1,248 @@
+// A notification to an object in another process and the ready that comes back, beside a bare
+// sample of Cyclone DDS there and back with the same settings and bytes, and beside a Unix socket.
+#include <OPENR/OSubject.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "bench/bench.h"
+#include "distribution/bus.h"
+#include "distribution/fleet.h"
+#include "openr/install_paths.h"
+#include "runtime/core/code_object.h"
+#include "runtime/core/system.h"
+#include "runtime/core/temp_folder.h"
+#include "runtime/stick/memory_stick.h"
+
+extern char** environ;
+
+namespace openr_host {
+namespace {
+
+constexpr LineTopics kRawTopics = {&openr_wire_Answer_desc, "bench_down", &openr_wire_Answer_desc,
+                                   "bench_up"};
+using RawLine = Line<openr_wire_Answer, openr_wire_Answer>;
+
+// A process has one Bus in a domain: each pair here gets a domain of its own.
+int NewDomain() {
+  static int domain = 100;
+  return ++domain;
+}
+
+BusOptions BusOf(const std::string& run, int domain) {
+  BusOptions options;
+  options.run = run;
+  options.domain = domain;
+  return options;
+}
+
+void WaitFor(RawLine* line) {
+  while (!line->IsConnected()) usleep(1000);
+}
+
+// This program again, as the other end.
+pid_t StartPeer(const std::string& kind, const std::string& name) {
+  const std::string program = ProgramFile();
+  const char* words[] = {program.c_str(), "--peer", kind.c_str(), name.c_str(), nullptr};
+  pid_t pid = -1;
+  if (posix_spawn(&pid, words[0], nullptr, nullptr, const_cast<char**>(words), environ) != 0)
+    throw std::runtime_error("the other end cannot be started");
+  return pid;
+}
+
+void ReadAll(int socket, char* data, size_t size) {
+  for (size_t done = 0; done < size;) {
+    const ssize_t count = read(socket, data + done, size - done);
+    if (count <= 0) _exit(0);  // the other end is gone
+    done += static_cast<size_t>(count);
+  }
+}
+
+// ---- the floor and the peer
+
+class Socket {
+ public:
+  explicit Socket(size_t size) : bytes_(size, 'x') {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+      throw std::runtime_error("socketpair");
+    fcntl(ends[1], F_SETFD, 0);  // the other end's, and nobody else's
+    StartPeer("socket", fmt::format("{}:{}", ends[1], size));
+    close(ends[1]);
+    socket_ = ends[0];
+  }
+  void Run(int64_t count) {
+    for (; count > 0; --count) {
+      if (write(socket_, bytes_.data(), bytes_.size()) < 0) throw std::runtime_error("write");
+      char answer = 0;
+      ReadAll(socket_, &answer, 1);
+    }
+  }
+
+ private:
+  std::string bytes_;
+  int socket_ = -1;
+};
+
+class Raw {
+ public:
+  explicit Raw(size_t size)
+      : name_(fmt::format("bench-raw-{}-{}", getpid(), size)),
+        domain_(NewDomain()),
+        bus_(BusOf(name_, domain_)),
+        line_(&bus_, "peer", LineEnd::kMaster, kRawTopics),
+        bytes_(size, 'x') {
+    StartPeer("raw", fmt::format("{}:{}", domain_, name_));
+    WaitFor(&line_);
+  }
+  void Run(int64_t count) {
+    openr_wire_Answer sample{};
+    sample.bytes = WireArena::View(bytes_.data(), bytes_.size());
+    for (; count > 0; --count) {
+      line_.Send(sample);
+      while (!line_.Receive(1000)) {
+      }
+    }
+  }
+
+ private:
+  const std::string name_;
+  const int domain_;
+  Bus bus_;
+  RawLine line_;
+  std::string bytes_;
+};
+
+// ---- ours
+
+// Notifies the same bytes again at every ready, from Begin() on.
+class Source : public CodeObject {
+ public:
+  explicit Source(size_t size) {
+    out_ = AddSubject("Source.Out.Bytes.S", [this](const OReadyEvent&) {
+      if (begun_) Send();
+    });
+    region_ = new RCRegion(size);
+  }
+  void Begin() {
+    const CurrentScope scope(&system(), &host());
+    begun_ = true;
+    Send();
+  }
+
+ private:
+  void Send() {
+    out_->SetData(region_);
+    out_->NotifyObservers();
+  }
+
+  bool begun_ = false;
+  OSubject* out_;
+  RCRegion* region_;
+};
+
+class Ours {
+ public:
+  explicit Ours(size_t size) : fleet_(OptionsFor(MakeStick(), size)) {
+    const int dog = system_.AddRobot("ERS-210", std::make_shared<FolderStick>(folder_.path()));
+    Source* const source = system_.AddObject<Source>(dog, "source", size);
+    system_.LoadStick(dog, fleet_.StandInsFor(&system_, dog));
+    const std::string problem = fleet_.Connect();
+    if (!problem.empty()) throw std::runtime_error(problem);
+    system_.Boot();
+    system_.RunFor(kFrameUs);
+    source->Begin();
+  }
+  ~Ours() { fleet_.End(); }
+
+  // A notification and a ready each.
+  void Run(int64_t count) { system_.RunMessages(static_cast<uint64_t>(2 * count)); }
+
+ private:
+  std::string MakeStick() {
+    namespace fs = std::filesystem;
+    const fs::path middleware = fs::path(folder_.path()) / "OPEN-R" / "MW";
+    fs::create_directories(middleware / "CONF");
+    fs::create_directories(middleware / "OBJS");
+    fs::copy(OPENR_IMAGES "/SINK.BIN", middleware / "OBJS" / "SINK.BIN");
+    std::ofstream(middleware / "CONF" / "OBJECT.CFG") << "/MS/OPEN-R/MW/OBJS/SINK.BIN\n";
+    std::ofstream(middleware / "CONF" / "CONNECT.CFG") << "Source.Out.Bytes.S Sink.In.Bytes.O\n";
+    return folder_.path();
+  }
+  static FleetOptions OptionsFor(const std::string& stick, size_t size) {
+    FleetOptions options;
+    options.bus = BusOf(fmt::format("bench-{}-{}", getpid(), size), NewDomain());
+    options.placement.process_of = {{"sink", "peer"}};
+    options.stick = stick;
+    options.command = {ProgramFolder() + "/openr",
+                       "join",
+                       "--run-name",
+                       options.bus.run,
+                       "--dds-domain",
+                       std::to_string(options.bus.domain),
+                       "--child-of",
+                       std::to_string(getpid())};
+    options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    return options;
+  }
+
+  const TempFolder folder_;
+  System system_{{.free_deliveries = INT64_MAX}};
+  Fleet fleet_;
+};
+
+// Made when its row runs first.
+template <typename T>
+Variant VariantOf(const char* name, size_t size) {
+  auto made = std::make_shared<std::unique_ptr<T>>();
+  return {name, [made, size](int64_t count) {
+            if (*made == nullptr) *made = std::make_unique<T>(size);
+            (*made)->Run(count);
+          }};
+}
+
+}  // namespace
+
+int RunPeer(const std::string& kind, const std::string& name) {
+  if (kind == "socket") {
+    const int socket = std::stoi(name);
+    std::string bytes(std::stoul(name.substr(name.find(':') + 1)), ' ');
+    for (;;) {
+      ReadAll(socket, bytes.data(), bytes.size());
+      if (write(socket, "!", 1) < 0) return 0;
+    }
+  }
+  Bus bus(BusOf(name.substr(name.find(':') + 1), std::stoi(name)));
+  RawLine line(&bus, "peer", LineEnd::kProcess, kRawTopics);
+  WaitFor(&line);
+  const openr_wire_Answer answer{};
+  while (line.IsConnected()) {
+    if (line.Receive(1000)) line.Send(answer);
+  }
+  return 0;
+}
+
+std::vector<Row> DistributionRows() {
+  std::vector<Row> rows;
+  for (const size_t size : {size_t{100}, size_t{4096}, size_t{65536}}) {
+    Row row;
+    row.name = fmt::format("process to process and back, {} bytes", size);
+    row.unit = "ns a round trip";
+    row.count = 2000;
+    row.variants = {VariantOf<Raw>("bare Cyclone DDS", size),
+                    VariantOf<Ours>("notify and ready", size),
+                    VariantOf<Socket>("Unix socket", size)};
+    row.target = 1.10;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace openr_host
