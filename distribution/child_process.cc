@@ -47,12 +47,7 @@ ChildProcess::~ChildProcess() {
 }
 
 bool ChildProcess::Look(bool waits) {
-  if (!ended_ && waitpid(pid_, &status_, waits ? 0 : WNOHANG) == pid_) {
-    ended_ = true;
-    const int signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
-    has_crashed_ = signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL ||
-                   signal == SIGABRT || WIFEXITED(status_);
-  }
+  if (!ended_ && waitpid(pid_, &status_, waits ? 0 : WNOHANG) == pid_) ended_ = true;
   return ended_;
 }
 

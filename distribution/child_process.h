@@ -23,10 +23,6 @@ class ChildProcess {
   // "process 'vision' (pid 123) was killed by signal 9 (Killed)", or "" while it runs.
   std::string HowItEnded();
 
-  // Whether its own code brought it down: a signal of the processor, or the end that a crash log
-  // or a watchdog makes of it.
-  bool HasCrashed() const { return has_crashed_; }
-
   // Waits for its end; kills it when that takes longer.
   void WaitForEnd(int64_t limit_ms);
 
@@ -36,7 +32,6 @@ class ChildProcess {
   const std::string name_;
   pid_t pid_ = -1;
   bool ended_ = false;
-  bool has_crashed_ = false;
   int status_ = 0;
 };
 

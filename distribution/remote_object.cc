@@ -3,6 +3,7 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/ObjcommMessages.h>
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 
@@ -46,14 +47,21 @@ void RemoteObject::AnswerForTheLost() {
 // A notification that nobody hears: its regions go back, and the subject need not wait.
 void RemoteObject::Refuse() {
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(running->payload);
-  const SubjectID& subject = notify.subjectID;
+  std::vector<RCRegion*> regions;
+  for (int i = 0; i < notify.numOfData; ++i) regions.push_back(notify.data[i].srcRCR);
+  Deassert(running->selector, notify.subjectID, regions);
+}
+
+void RemoteObject::Deassert(uint32_t selector, const SubjectID& subject,
+                            const std::vector<RCRegion*>& regions) {
+  const CurrentScope scope(system, this);
   Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
   ready.msgType = omsgREADY_V22;
   ready.command = objcommCMD_DEASSERT_READY;
-  ready.observerID = OServiceEntry(OidOf(id), running->selector);
-  ready.numOfData = notify.numOfData;
-  for (int i = 0; i < notify.numOfData; ++i) ready.rcRegion[i] = notify.data[i].srcRCR;
+  ready.observerID = OServiceEntry(OidOf(id), selector);
+  ready.numOfData = static_cast<int>(regions.size());
+  std::copy(regions.begin(), regions.end(), ready.rcRegion);
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
   system->Post(message);

@@ -1,12 +1,17 @@
 // Stands in the master's System for an object whose code runs in another process.
 #pragma once
 
+#include <OPENR/ObjcommTypes.h>
+
 #include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "runtime/core/object.h"
+
+class RCRegion;
 
 namespace openr_host {
 
@@ -24,6 +29,10 @@ class RemoteObject : public Object {
 
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
+
+  // Tells `subject` that the observer with entry `selector` is not ready any more, and gives it
+  // back what it had sent there.
+  void Deassert(uint32_t selector, const SubjectID& subject, const std::vector<RCRegion*>& regions);
 
   // Messages that came when the process was lost; nobody heard them.
   uint64_t unheard_count() const { return unheard_count_; }

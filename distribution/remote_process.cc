@@ -1,11 +1,9 @@
 #include "distribution/remote_process.h"
 
-#include <OPENR/ObjcommMessages.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "distribution/questions.h"
@@ -460,17 +458,9 @@ void RemoteProcess::GiveBack() {
   for (const Courier::Lent& lent : courier_->TakeLent()) {
     const auto observer = objects_.find(lent.observer);
     if (observer == objects_.end()) continue;
-    const CurrentScope scope(system_, observer->second);
-    Message* const message = system_->NewMessage(lent.subject, lent.subject_selector);
-    auto& ready = *new (message->payload) OReadyMessage;
-    ready.msgType = omsgREADY_V22;
-    ready.command = objcommCMD_DEASSERT_READY;
-    ready.observerID = OServiceEntry(OidOf(lent.observer), lent.observer_selector);
-    ready.numOfData = 1;
-    ready.rcRegion[0] = lent.region;
-    message->size = sizeof ready;
-    message->kind = PayloadKind::kReady;
-    system_->Post(message);
+    observer->second->Deassert(lent.observer_selector,
+                               OServiceEntry(OidOf(lent.subject), lent.subject_selector),
+                               {lent.region});
   }
 }
 

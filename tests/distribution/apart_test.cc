@@ -41,9 +41,8 @@ const bool kApart = [] {
       // Sticks without the objects that are placed, or changed behind the run's back.
       "AnObjectThatIsNotInObjectCfgIsNotFound",
       "AWriteProtectedStickRefusesWritersAndSaysSo",
-      // Not the same there: whether a selector exists is not known to the sender, waiting for a
+      // Not the same there: waiting for a
       // ready is not named, and of two objects of one name both are replaced.
-      "ASelectorThatTheReceiverLacksIsError16",
       "AnObserverThatNeverAssertsIsNamed",
       "TwoObjectsOfOneNameAreRefused",
       "ADoStartThatDoesNotReturnIsReportedWithError28",

@@ -1,0 +1,104 @@
+// A subject whose observer is gone with its process: it gets back what it sent and hears that
+// nobody is ready.
+#include <OPENR/ObjcommMessages.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+
+#include "distribution/remote_object.h"
+#include "distribution/remote_process.h"
+#include "runtime/core/api.h"
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+constexpr uint32_t kNotifyEntry = 9;
+
+class LostObserverTest : public ::testing::Test {
+ protected:
+  LostObserverTest() {
+    system_.AddRobot("ERS-210", nullptr);
+    sender_ = system_.AddObject<SubjectProbe>(0, "sender");
+    process_.set_lost();
+    auto remote = std::make_unique<RemoteObject>(
+        &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
+        [](RemoteObject*, RemoteObject::Loss, const std::string&) {});
+    remote->set_selectors({0, 1, 2, 3, kNotifyEntry});
+    remote_ = remote.get();
+    system_.Adopt(std::move(remote));
+    system_.Boot();
+    system_.RunFor(1000);
+    Control();
+    Ready();
+  }
+  static BusOptions Options() {
+    BusOptions options;
+    options.run = "lost-observer-" + std::to_string(getpid());
+    return options;
+  }
+  OServiceEntry Observer() const { return {OidOf(remote_->id), kNotifyEntry}; }
+
+  // As an observer's side of the connection does.
+  void Control() {
+    const CurrentScope scope(&system_, remote_);
+    const auto entry = system_.robot(0).directory.at("Sender.Out.Number.S");
+    Message* const message = system_.NewMessage(entry.first, entry.second);
+    auto& control = *new (message->payload) OControlMessage;
+    std::memset(static_cast<void*>(&control), 0, sizeof control);
+    control.msgType = omsgCONTROL_V21;
+    control.command = objcommCMD_ADDOBSERVER_V22;
+    control.observerID = Observer();
+    control.d_min = control.d_max = 1;
+    message->size = sizeof control;
+    system_.Post(message);
+    system_.RunFor(1000);
+  }
+  void Ready() {
+    const CurrentScope scope(&system_, remote_);
+    Message* const message =
+        system_.NewMessage(sender_->host().id, sender_->out->GetID().GetSelector());
+    auto& ready = *new (message->payload) OReadyMessage;
+    ready.msgType = omsgREADY_V22;
+    ready.command = objcommCMD_ASSERT_READY;
+    ready.observerID = Observer();
+    ready.numOfData = 0;
+    message->size = sizeof ready;
+    message->kind = PayloadKind::kReady;
+    system_.Post(message);
+    system_.RunFor(1000);
+  }
+
+  Bus bus_{Options()};
+  RemoteProcess process_{&bus_, "gone", [] { return std::string(); }, [](const std::string&) {}};
+  System system_;
+  SubjectProbe* sender_;
+  RemoteObject* remote_;
+};
+
+TEST_F(LostObserverTest, WhatWasSentComesBackAndNobodyIsReady) {
+  ASSERT_EQ(sender_->out->NumberOfObservers(), 1);
+  ASSERT_EQ(sender_->out->IsReady(), 1);
+  RCRegion* region = nullptr;
+  RunAs(sender_, [&] {
+    region = new RCRegion(16);
+    sender_->out->SetData(region);
+    sender_->out->NotifyObservers();
+    EXPECT_EQ(region->NumberOfReference(), 2);
+  });
+  system_.RunFor(1000);
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  EXPECT_EQ(sender_->readies.back(), "deassert");
+  EXPECT_EQ(sender_->out->IsReady(), 0);
+  EXPECT_EQ(remote_->unheard_count(), 3u);  // DoInit, DoStart, the notification
+  RunAs(sender_, [&] { region->RemoveReference(); });
+}
+
+TEST_F(LostObserverTest, TheObjectManagerDoesNotWaitForIt) {
+  EXPECT_TRUE(system_.booted());
+  EXPECT_TRUE(system_.findings().all().empty());
+}
+
+}  // namespace
+}  // namespace openr_host
