@@ -1,0 +1,36 @@
+// --free-running: the wall clock rules.
+#include <gmock/gmock.h>
+
+#include "tests/distribution/same_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(FreeRunningTest, ObjectsElsewhereDoTheirWork) {
+  const ProgramResult result =
+      RunProgram(Words{"run", "--for", "5s", "--body", "ideal", "--no-panel", "--rc-port", "0",
+                       "--json", "--free-running"} +
+                 Isolated({"JointMover", "RCServer"}));
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_EQ(report["processes"].size(), 2u) << result.out;
+  for (const json& process : report["processes"]) {
+    EXPECT_EQ(process["lost"], "");
+    EXPECT_GT(process["handlers"], 5);
+    EXPECT_LE(process["handler_us"]["median"], process["handler_us"]["max"]);
+  }
+  EXPECT_THAT(result.err, HasSubstr("state: gains"));  // of JointMover: its handlers have run
+}
+
+TEST(FreeRunningTest, ItNeedsAClockAndAPlace) {
+  EXPECT_THAT(
+      RunProgram(kQuickly + Words{"--for", "1s", "--free-running", "--isolate", "RCServer"}).err,
+      HasSubstr("--rate max has none"));
+  EXPECT_THAT(RunProgram({"run", "--for", "1s", "--free-running"}).err,
+              HasSubstr("no object is placed in another process"));
+}
+
+}  // namespace
+}  // namespace openr_host
