@@ -28,6 +28,10 @@ class SafePosture {
   void CommanderIsGone(ObjectId commander, int64_t frame) {
     gone_.push_back({commander, frame, {}});
   }
+  // A new one is in its place: its joints are its own again.
+  void CommanderIsBack(ObjectId commander) {
+    std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
+  }
 
   // Set points of frame `frame`, after those of command vectors.
   void Apply(int64_t frame, Devices* devices);

@@ -55,11 +55,16 @@ class VirtualRobot : public RobotServices {
   // Boot().
   void set_first_frame(int64_t frame) { frame_ = first_frame_ = frame; }
   const OSensorValue& sensor(int index) const { return sensors_.Latest(index); }
+  // Whether the camera has completed an image with the newest frame, and what it shows: see
+  // CameraDevice::Look().
+  bool ImageIsDue() const { return camera_.Due(frame_); }
+  std::string Look(Picture* picture) { return camera_.Look(frame_, *body_, picture); }
   // Sticks objects' pause button in: see Power::PressPause().
   void PressPause() { power_.PressPause(); }
 
   // An object that sent command vectors is gone; see SafePosture.
   void CommanderIsGone(ObjectId object) { safe_posture_.CommanderIsGone(object, frame_); }
+  void CommanderIsBack(ObjectId object) { safe_posture_.CommanderIsBack(object); }
 
   // ---- RobotServices
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;

@@ -1,6 +1,7 @@
 // The system's side of one OPEN-R object.
 #pragma once
 
+#include <compare>
 #include <cstdio>
 #include <deque>
 #include <map>
@@ -12,6 +13,8 @@
 #include "runtime/core/arena.h"
 #include "runtime/core/fiber.h"
 #include "runtime/core/message.h"
+
+class RCRegion;
 
 namespace openr_host {
 
@@ -28,6 +31,15 @@ struct ObjectLimits {
 };
 
 constexpr uint32_t kSelectorMax = 64;  // entries of an object on the robot
+
+// An observer that is ready for a subject.
+struct StandingReady {
+  uint32_t ready_selector;  // of the subject
+  ObjectId observer;
+  uint32_t notify_selector;
+
+  auto operator<=>(const StandingReady&) const = default;
+};
 
 class Object {
  public:
@@ -46,6 +58,12 @@ class Object {
 
   // Name of an entry for traces and messages: "Start", "Mover (Notify)".
   std::string EntryName(uint32_t selector) const;
+
+  // Who is ready for its subjects, and has to say so again to a new object in its place.
+  virtual std::vector<StandingReady> StandingReadies() const;
+
+  // A region that one of its subjects had sent comes back while the object is being replaced.
+  virtual void TakeBack(RCRegion*) {}
 
   // Whether an entry `selector` can be called.
   virtual bool HasEntry(uint32_t selector) const = 0;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <map>
+#include <utility>
 
 #include "runtime/config/service_name.h"
 #include "runtime/config/spelling.h"
@@ -40,6 +42,7 @@ ObjectManager::ObjectManager() {
   boot_ = AddExtra("Boot", [this](void*) { RunBoot(); });
   shutdown_ = AddExtra("Shutdown", [this](void* robot) { RunShutdown(*static_cast<int*>(robot)); });
   reload_ = AddExtra("Reload", [this](void* id) { RunReload(*static_cast<ObjectId*>(id)); });
+  task_ = AddExtra("Task", [this](void*) { RunTask(); });
 }
 
 void ObjectManager::PostBoot() { system().Post(system().NewMessage(host().id, boot_)); }
@@ -50,6 +53,11 @@ void ObjectManager::PostShutdown(int robot) {
 }
 
 void ObjectManager::PostReload(ObjectId id) { PostWith(reload_, id); }
+
+void ObjectManager::PostTask(std::function<void()> task) {
+  tasks_.push_back(std::move(task));
+  system().Post(system().NewMessage(host().id, task_));
+}
 
 template <typename T>
 void ObjectManager::PostWith(Selector selector, T value) {
@@ -94,20 +102,37 @@ void ObjectManager::RunReload(ObjectId id) {
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);
   Send(old, oentryDESTROY, oreasonSHUTDOWN);
-  const auto readies = system().Replace(id, std::move(fresh));
-  Object* const object = system().object(id);
-  Send(object, oentryINIT, oreasonBOOT);
-  const auto& directory = system().robot(object->robot).directory;
-  const auto is_its = [&](const std::string& service) {
-    const auto found = directory.find(service);
-    return found != directory.end() && found->second.first == id;
-  };
-  for (const Connection& connection : system().connections()) {
-    if (connection.robot != object->robot) continue;
-    if (is_its(connection.subject) || is_its(connection.observer)) Connect(connection);
+  std::vector<std::unique_ptr<Object>> all;
+  all.push_back(std::move(fresh));
+  Begin(std::move(all));
+}
+
+void ObjectManager::RunTask() {
+  const std::function<void()> task = std::move(tasks_.front());
+  tasks_.pop_front();
+  task();
+}
+
+void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
+  std::map<ObjectId, std::vector<StandingReady>> readies;
+  for (std::unique_ptr<Object>& object : fresh) {
+    const ObjectId id = object->id;
+    readies[id] = system().Replace(std::move(object));
   }
-  system().AssertAgain(id, readies);
-  Send(object, oentrySTART, oreasonBOOT);
+  for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
+  for (const Connection& connection : system().connections()) {
+    const auto& directory = system().robot(connection.robot).directory;
+    const auto is_fresh = [&](const std::string& service) {
+      const auto found = directory.find(service);
+      return found != directory.end() && readies.contains(found->second.first);
+    };
+    if (is_fresh(connection.subject) || is_fresh(connection.observer)) Connect(connection);
+  }
+  for (auto& [id, standing] : readies) {
+    std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
+    system().AssertAgain(id, standing);
+  }
+  for (const auto& [id, standing] : readies) Send(system().object(id), oentrySTART, oreasonBOOT);
 }
 
 void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_objects, int robot) {
@@ -130,6 +155,7 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
 void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id)) return;  // its ends are not made yet
+  if (object->is_off) return;                       // its robot is, meanwhile
   OReasonMessage message;
   std::memset(&message, 0, sizeof message);
   message.msgType = omsgREASON;

@@ -6,7 +6,11 @@
 // of the application (architecture.md, "Settled" 5).
 #pragma once
 
+#include <deque>
+#include <functional>
+#include <memory>
 #include <set>
+#include <vector>
 
 #include "runtime/core/code_object.h"
 
@@ -19,6 +23,10 @@ class ObjectManager : public CodeObject {
   void PostBoot();
   void PostShutdown(int robot);
   void PostReload(ObjectId id);
+  void PostTask(std::function<void()> task);
+  // Objects take the place of those with their ids, all before one of them runs, and begin.  In
+  // one of the manager's handlers.
+  void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
   // How long a DoXxx may wait before it is reported (the robot's value is not
   // known; virtual time).
@@ -31,6 +39,7 @@ class ObjectManager : public CodeObject {
   void RefuseToStart();
   void RunShutdown(int robot);
   void RunReload(ObjectId id);
+  void RunTask();
   void Send(Object* object, Selector entry, OReason reason);
   // To the objects of `robot`, or of all.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
@@ -42,6 +51,8 @@ class ObjectManager : public CodeObject {
   Selector boot_;
   Selector shutdown_;
   Selector reload_;
+  Selector task_;
+  std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;       // robots
   std::set<ObjectId> uninitialised_;  // never heard of DoInit
 };

@@ -16,26 +16,28 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // What `observer` still holds of subjects for which `ends` is true goes back to nobody:
-// the subject's side is released here, not by a ready.
+// the subject's side is released by `release`, not by a ready.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
-                 bool release_source) {
+                 const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
     if (!ends(held.subject)) continue;
     std::erase_if(held.regions, [&](RCRegion* region) {
       if (region->NumberOfReference() > 1) return false;  // its holder still reads it
-      if (release_source) RegionAccess::SourceOf(region)->RemoveReference();
+      release(RegionAccess::SourceOf(region));
       RegionAccess::GiveBack(region);
       return true;
     });
   }
 }
 
-// Ends every connection of `other` with object `id`.
-void Disconnect(Object* other, ObjectId id) {
+// Ends every connection of `other` with `gone`.
+void Disconnect(Object* other, Object* gone) {
+  const ObjectId id = gone->id;
   const CurrentScope scope(other->system, other);
   for (const auto& subject : other->subjects) {
     std::erase_if(subject->links, [&](const auto& link) {
       if (!IsOf(link->observer, id)) return false;
+      other->dropped_count += link->units.size();
       subject->Clear(link.get());
       return true;
     });
@@ -46,7 +48,8 @@ void Disconnect(Object* other, ObjectId id) {
     observer->subjects.remove_if(
         [&](const OSubjectInfo& info) { return IsOf(info.GetSubjectID(), id); });
     ReleaseHeld(
-        observer.get(), [&](const SubjectID& subject) { return IsOf(subject, id); }, false);
+        observer.get(), [&](const SubjectID& subject) { return IsOf(subject, id); },
+        [gone](RCRegion* region) { gone->TakeBack(region); });
   }
 }
 
@@ -58,52 +61,81 @@ void System::Reload(ObjectId id) {
   manager_->PostReload(id);
 }
 
-std::vector<System::StandingReady> System::Replace(ObjectId id, std::unique_ptr<Object> fresh) {
-  Object* const old = object(id);
+void System::Return(std::vector<std::unique_ptr<Object>> fresh) {
+  ASSERT(booted_, "only to a booted system can an object return");
+  auto kept = std::make_shared<std::vector<std::unique_ptr<Object>>>(std::move(fresh));
+  PostTask([this, kept] { manager_->Begin(std::move(*kept)); });
+}
+
+void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move(task)); }
+
+void System::EndAllOf(ObjectId id) {
+  for (const auto& listener : end_listeners_) listener(id);
+  std::erase_if(robot(object(id)->robot).names,
+                [id](const auto& entry) { return entry.second == id; });
+  regions_.DeleteAllOf(id);
+}
+
+void System::Forget(ObjectId id) {
+  for (const auto& other : objects_) {
+    if (other != nullptr && other->id != id) Disconnect(other.get(), object(id));
+  }
+}
+
+std::vector<StandingReady> Object::StandingReadies() const {
   std::vector<StandingReady> readies;
-  const auto remember = [&](uint32_t ready_selector, const ObserverID& observer) {
-    readies.push_back({ready_selector, ObjectIdOf(observer.GetOID()), observer.GetSelector()});
-  };
+  for (const auto& subject : subjects) {
+    for (const auto& link : subject->links) {
+      if (link->ready > 0)
+        readies.push_back({subject->id.GetSelector(), ObjectIdOf(link->observer.GetOID()),
+                           link->observer.GetSelector()});
+    }
+  }
+  return readies;
+}
+
+std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
+  const ObjectId id = fresh->id;
+  Object* const old = object(id);
+  std::vector<StandingReady> readies = old->StandingReadies();
   {
     const CurrentScope scope(this, old);
-    for (const auto& subject : old->subjects) {
-      for (const auto& link : subject->links) {
-        if (link->ready > 0) remember(subject->id.GetSelector(), link->observer);
-      }
-    }
     for (const auto& observer : old->observers) {
       ReleaseHeld(
-          observer.get(), [](const SubjectID&) { return true; }, true);
+          observer.get(), [](const SubjectID&) { return true; },
+          [](RCRegion* region) { region->RemoveReference(); });
     }
     queue_.RemoveIf(
         [&](const Message& message) { return message.target == id; },
         [&](const Message& message) {
           if (message.kind == PayloadKind::kReady) {
             const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
-            if (ready.command == objcommCMD_ASSERT_READY) {
-              remember(message.selector, ready.observerID);
-            }
+            if (ready.command == objcommCMD_ASSERT_READY)
+              readies.push_back({message.selector, ObjectIdOf(ready.observerID.GetOID()),
+                                 ready.observerID.GetSelector()});
           }
           if (message.kind != PayloadKind::kNotify) return;
           const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
           for (int i = 0; i < notify.numOfData; ++i) notify.data[i].srcRCR->RemoveReference();
         });
   }
-  for (const auto& other : objects_) {
-    if (other.get() != old) Disconnect(other.get(), id);
-  }
+  Forget(id);
   std::erase_if(robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
-  for (const auto& listener : unload_listeners_) listener(id);
-  regions_.DeleteAllOf(id);
+  if (old->is_image) EndAllOf(id);
+  for (const auto& listener : replace_listeners_) listener(id);
   fresh->message_count = old->message_count;
+  fresh->dropped_count = old->dropped_count;
+  fresh->is_off = old->is_off;
+  // A handler that waits, or has the processor still, comes to its end by and by.
+  if (old->running != nullptr || old->is_busy)
+    outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);
   return readies;
 }
 
 void System::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies) {
   for (const StandingReady& standing : readies) {
-    if (standing.observer == id) continue;  // its own; it asserts in DoStart
     const CurrentScope scope(this, object(standing.observer));
     Message* const message = NewMessage(id, standing.ready_selector);
     auto& ready = *new (message->payload) OReadyMessage;

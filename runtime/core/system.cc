@@ -64,7 +64,7 @@ System::System(SystemOptions options)
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;
-  OnUnload([this](ObjectId id) { time_events_.ForgetObject(id); });
+  OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
   if (options_.seed != SystemOptions().seed) {
     seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
     schedule_ = seed_schedule_.get();

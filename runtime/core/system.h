@@ -158,10 +158,24 @@ class System {
   // finding and changes nothing.  REQUIRES: booted() and `id` names an image.
   void Reload(ObjectId id);
 
-  // `listener` hears of every object that is taken out by a reload.
-  void OnUnload(std::function<void(ObjectId)> listener) {
-    unload_listeners_.push_back(std::move(listener));
-  }
+  // The same for objects whose code was elsewhere and is gone, as is all they had (EndAllOf()):
+  // `fresh` have their ids and come in their place, all before the first DoInit.
+  void Return(std::vector<std::unique_ptr<Object>> fresh);
+
+  // Ends every connection of the others with object `id`, which has been replaced elsewhere.
+  void Forget(ObjectId id);
+
+  // Posts a call, which is made as soon as no message of an object is due.
+  void PostTask(std::function<void()> task);
+
+  // What `id` has of the system ends: time events, network connections, regions.  In a task:
+  // messages on their way may point into regions.
+  void EndAllOf(ObjectId id);
+  // `listener` hears of it.
+  void OnEnd(std::function<void(ObjectId)> listener) { end_listeners_.push_back(listener); }
+
+  // `listener` hears of every object that is replaced, before its successor is there.
+  void OnReplace(std::function<void(ObjectId)> listener) { replace_listeners_.push_back(listener); }
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy; messages to
   // them are dropped from then on.
@@ -295,13 +309,8 @@ class System {
                                          const std::string& where);
   std::string NameInImage(int robot, const std::string& path);
   std::unique_ptr<Object> LoadAgain(const Object& object);
-  // An observer that was ready for a subject of an object that is being replaced.
-  struct StandingReady {
-    uint32_t ready_selector;  // of the subject
-    ObjectId observer;
-    uint32_t notify_selector;
-  };
-  std::vector<StandingReady> Replace(ObjectId id, std::unique_ptr<Object> fresh);
+  std::vector<StandingReady> Replace(std::unique_ptr<Object> fresh);
+  // As its observers would, which know nothing of its replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
@@ -331,13 +340,15 @@ class System {
   std::unique_ptr<RunFolder> run_folder_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<std::unique_ptr<Object>> objects_;
+  std::vector<std::unique_ptr<Object>> outlived_;  // replaced while a handler of theirs waited
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by robot; none without a cost model
   std::unique_ptr<SeedSchedule> seed_schedule_;
   Schedule* schedule_ = nullptr;
   Gate* gate_ = nullptr;
-  std::vector<std::function<void(ObjectId)>> unload_listeners_;
+  std::vector<std::function<void(ObjectId)>> end_listeners_;
+  std::vector<std::function<void(ObjectId)>> replace_listeners_;
   ObjectManager* manager_ = nullptr;
 };
 

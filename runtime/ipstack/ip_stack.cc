@@ -311,7 +311,7 @@ IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
                     IpStackOptions options) {
   IpStack* const stack =
       system->AddObject<IpStack>(robot, IpStack::kName, std::move(network), std::move(options));
-  system->OnUnload([stack](ObjectId id) {
+  system->OnEnd([stack](ObjectId id) {
     const CurrentScope scope(&stack->system(), &stack->host());
     stack->ForgetObject(id);
   });

@@ -140,6 +140,17 @@ RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string*
   return region;
 }
 
+std::string CameraDevice::Look(int64_t frame, const Body& body, Picture* picture) {
+  picture->width = model_.width_px;
+  picture->height = model_.height_px;
+  picture->rgb.resize(picture_.rgb.size());
+  std::string problem = source_->Capture(ShotBefore(frame, body), picture);
+  if (!problem.empty()) return problem;
+  for (size_t i = 0; i < picture->rgb.size(); ++i)
+    picture->rgb[i] = exposure_[i % exposure_.size()][picture->rgb[i]];
+  return "";
+}
+
 void CameraDevice::HashState(Hasher* hasher) const {
   hasher->Add(white_balance_);
   hasher->Add(gain_);
