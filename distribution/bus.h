@@ -1,9 +1,9 @@
 // The only place where Cyclone DDS is set up and spoken to.
 //
 // A process that takes part in a distributed run has one participant.  Master and process talk over
-// a Line of their own: two topics in a partition with the names of run and process, reliable,
-// nothing thrown away.  Participants find each other at addresses that were given to them, without
-// multicast; the default is this machine alone (127.0.0.1).
+// a Line of their own: two topics in a partition with the names of run, process and session,
+// reliable, nothing thrown away.  Participants find each other at addresses that were given to
+// them, without multicast; the default is this machine alone (127.0.0.1).
 #pragma once
 
 #include <dds/dds.h>
@@ -18,8 +18,9 @@
 namespace openr_host {
 
 // The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.  The
-// most there is.
+// most there is.  And of others.
 constexpr int kWatchedLease_s = 3600;
+constexpr int kLease_s = 10;
 
 struct BusOptions {
   std::string run;                    // name of the run, the first part of partitions
@@ -28,8 +29,9 @@ struct BusOptions {
   std::vector<std::string> peers;     // addresses of other hosts; this one's is known
   std::string config_file;            // settings of Cyclone DDS that are added (security)
   int participants_max = 120;         // on one host
-  // After this long without a sign of life from a process, others hold it for gone.
-  int lease_s = 10;
+  // After this long without a sign of life from a process, others hold it for gone; 0: as suits
+  // the run.
+  int lease_s = 0;
 };
 
 class Bus {
@@ -46,9 +48,13 @@ class Bus {
   dds_entity_t participant() const { return participant_; }
   dds_entity_t waitset() const { return waitset_; }
   const std::string& run() const { return run_; }
+  int domain() const { return number_; }
 
  private:
+  void SayThatItLives(int lease_s);
+
   const std::string run_;
+  const int number_;  // of the domain
   dds_entity_t domain_ = 0;
   dds_entity_t participant_ = 0;
   dds_entity_t waitset_ = 0;  // of all lines
@@ -70,14 +76,17 @@ constexpr LineTopics kWireTopics = {&openr_wire_Down_desc, "openr_down", &openr_
 // Untyped half of Line.
 class LineBase {
  public:
-  LineBase(Bus* bus, const std::string& process, LineEnd end,
-           const LineTopics& topics = kWireTopics);
+  // `place`: of the process or its session.
+  LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTopics& topics = kWireTopics);
   ~LineBase();
   LineBase(const LineBase&) = delete;
   LineBase& operator=(const LineBase&) = delete;
 
   // Whether the other end is there.
   bool IsConnected() const;
+
+  // Waits until the other end has all that was sent, which is lost with the line otherwise.
+  void Flush(int timeout_ms);
 
  protected:
   void Write(const void* sample);
@@ -89,6 +98,7 @@ class LineBase {
   dds_entity_t writer_ = 0;
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
+  std::vector<dds_entity_t> owned_;  // with all that belongs to them
 };
 
 template <typename Out, typename In>

@@ -100,6 +100,23 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
   out->parts = arena->Sequence<decltype(out->parts)>(std::move(parts));
 }
 
+// An observer may write into what it received.  Most give it back in the handler that got it.
+bool Courier::IsChanged(const RCRegion& region, const Borrowed& borrowed) {
+  if (borrowed.bytes != nullptr)
+    return std::memcmp(region.Base(), borrowed.bytes, region.Size()) != 0;
+  return HashBytes(region.Base(), region.Size()) != borrowed.hash;
+}
+
+void Courier::ForgetSample() {
+  for (RCRegion* const region : of_sample_) {
+    const auto found = borrowed_.find(region);
+    if (found == borrowed_.end() || found->second.bytes == nullptr) continue;  // given back
+    Borrowed& borrowed = found->second;
+    borrowed.hash = HashBytes(std::exchange(borrowed.bytes, nullptr), region->Size());
+  }
+  of_sample_.clear();
+}
+
 void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out) {
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
   out->command = static_cast<uint32_t>(ready.command);
@@ -108,10 +125,11 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
   std::vector<openr_wire_Returned> regions;
   for (int i = 0; i < ready.numOfData; ++i) {
     const auto found = borrowed_.find(ready.rcRegion[i]);
-    if (found == borrowed_.end()) continue;  // of a subject that was replaced meanwhile
+    // Of a subject that was replaced meanwhile.
+    if (found == borrowed_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_Returned returned{found->second.token, {}};
-    if (HashBytes(region.Base(), region.Size()) != found->second.hash)
+    if (IsChanged(region, found->second))
       returned.bytes = WireArena::View(region.Base(), region.Size());
     regions.push_back(returned);
   }
@@ -123,6 +141,25 @@ std::vector<Courier::Lent> Courier::TakeLent() {
   for (const auto& [token, lent] : lent_) all.push_back(lent);
   lent_.clear();
   return all;
+}
+
+std::vector<RCRegion*> Courier::TakeLentOf(ObjectId subject) {
+  std::vector<RCRegion*> regions;
+  std::erase_if(lent_, [&](const auto& entry) {
+    if (entry.second.subject != subject) return false;
+    regions.push_back(entry.second.region);
+    taken_back_.insert(entry.first);
+    return true;
+  });
+  return regions;
+}
+
+void Courier::LoseOther() {
+  for (auto& [region, borrowed] : borrowed_) borrowed.token = 0;
+}
+
+void Courier::TakeBack(RCRegion* region) {
+  if (borrowed_.contains(region)) DropStandIn(region);
 }
 
 bool Courier::HasBorrowed(uint32_t region) const {
@@ -229,7 +266,12 @@ std::string Courier::DecodePart(const openr_wire_Part& in, RCRegion** region) {
   if (in.bytes._length != 0) std::memcpy(memory, in.bytes._buffer, in.size);
   *region = new RCRegion(in.region, in.offset, memory, in.size);
   system_->regions().KeepCopy(in.region);
-  borrowed_[*region] = {in.token, HashBytes(memory, in.size)};
+  if (in.bytes._length != 0) {
+    borrowed_[*region] = {in.token, in.bytes._buffer, 0};
+    of_sample_.push_back(*region);
+  } else {
+    borrowed_[*region] = {in.token, nullptr, HashBytes(memory, in.size)};
+  }
   return "";
 }
 
@@ -246,6 +288,7 @@ std::string Courier::DecodeReady(const openr_wire_Ready& in, Message* out) {
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_Returned& returned = in.regions._buffer[i];
     const auto found = lent_.find(returned.token);
+    if (taken_back_.erase(returned.token) > 0) continue;
     if (found == lent_.end()) return "a ready with an unknown region";
     const Lent lent = found->second;
     if (returned.bytes._length != 0 && returned.bytes._length != lent.size)

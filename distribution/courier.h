@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,10 @@ class Courier {
   // `message` has been taken by the other side: what a ready gave back is not here any more.
   void Sent(const Message& message);
 
-  // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`.
+  // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`, which
+  // stays until ForgetSample().
   std::string Decode(const openr_wire_Message& in, Message* out);
+  void ForgetSample();
 
   // Whether data of this region came in and have not been given back: it is the newer memory.
   bool HasBorrowed(uint32_t region) const;
@@ -58,6 +61,14 @@ class Courier {
   };
   // All of it; it is not lent any more.
   std::vector<Lent> TakeLent();
+  // The regions of what subjects of one object had sent.
+  std::vector<RCRegion*> TakeLentOf(ObjectId subject);
+
+  // The other side is gone: what came from there is nobody's any more when it is given back.
+  void LoseOther();
+
+  // What came in comes back otherwise than by a ready.
+  void TakeBack(RCRegion* region);
 
   // Notifications sent whose regions have not come back.
   size_t lent_count() const { return lent_.size(); }
@@ -77,13 +88,19 @@ class Courier {
   System* const system_;
   const bool makes_copies_;
   struct Borrowed {
-    uint64_t token;  // theirs
-    uint64_t hash;   // of the bytes as they came
+    uint64_t token;  // theirs; 0: they are gone
+    // The bytes as they came, while they are there; then their hash.
+    const uint8_t* bytes;
+    uint64_t hash;
   };
+
+  static bool IsChanged(const RCRegion& region, const Borrowed& borrowed);
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, Lent> lent_;           // by our token
+  std::set<uint64_t> taken_back_;           // by TakeLentOf(); may still be given back
   std::map<RCRegion*, Borrowed> borrowed_;  // looked up only, by stand-in
+  std::vector<RCRegion*> of_sample_;        // whose bytes are there still
 };
 
 }  // namespace openr_host

@@ -19,28 +19,34 @@ constexpr int64_t kEndMs = 5'000;  // for a process to end when it is told
 
 Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(options_.bus) {
   for (const std::string& name : options_.placement.Processes()) {
-    Member& member = members_[name];
-    ChildProcess* child = nullptr;
-    if (!options_.placement.host_of.contains(name)) {
-      std::vector<std::string> command = options_.wrapper;
-      command.insert(command.end(), options_.command.begin(), options_.command.end());
-      command.insert(command.end(), {"--process", name});
-      member.child = std::make_unique<ChildProcess>(name, command, !options_.wrapper.empty());
-      child = member.child.get();
-    }
-    member.process = std::make_unique<RemoteProcess>(
-        &bus_, name,
-        [this, child]() -> std::string {
+    Member* const member = &members_[name];
+    member->name = name;
+    member->has_door = options_.placement.host_of.contains(name);
+    member->restarts_left = options_.restarts;
+    member->process = std::make_unique<RemoteProcess>(
+        &bus_, name, member->has_door,
+        [this, member]() -> std::string {
           if (IsInterrupted()) return "interrupted";
-          return child == nullptr ? "" : child->HowItEnded();
+          return member->child == nullptr ? "" : member->child->HowItEnded();
         },
         options_.say);
+    if (!member->has_door) Start(member);
   }
+}
+
+void Fleet::Start(Member* member) {
+  const std::string session = NewSessionName();
+  member->process->seat().Open(session);
+  std::vector<std::string> command = options_.wrapper;
+  command.insert(command.end(), options_.command.begin(), options_.command.end());
+  command.insert(command.end(), {"--process", member->name, "--session", session});
+  member->child = std::make_unique<ChildProcess>(member->name, command, !options_.wrapper.empty());
 }
 
 Fleet::~Fleet() = default;
 
 System::StandIns Fleet::StandInsFor(System* system, int robot) {
+  if (system_ == nullptr) system->OnReplace([this](ObjectId id) { Replaced(id); });
   system_ = system;
   System::StandIns stand_ins;
   for (const auto& [object_name, process_name] : options_.placement.process_of) {
@@ -88,7 +94,6 @@ std::string Fleet::Connect() {
 }
 
 void Fleet::Welcome(Member* member) {
-  member->process->WaitForHello(options_.wait_ms);
   WireArena arena;
   openr_wire_Welcome welcome{};
   const SystemOptions& options = system_->options();
@@ -103,10 +108,8 @@ void Fleet::Welcome(Member* member) {
   member->is_welcome = true;
 }
 
-// What has come to the tables since the last time; the object that is loaded is the last of it.
-void Fleet::LoadMore(Member* member) {
-  if (!problem_.empty()) return;
-  WireArena arena;
+// What has come to the tables since the last time.
+openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
   openr_wire_Load load{};
   std::vector<openr_wire_RobotEntry> robots;
   std::vector<openr_wire_DesignEntry> designs;
@@ -114,23 +117,36 @@ void Fleet::LoadMore(Member* member) {
   for (int i = 0; i < system_->robot_count(); ++i) {
     const Robot& robot = system_->robot(i);
     for (const auto& [keyword, path] : robot.design_data)
-      designs.push_back({i, arena.Text(keyword), arena.Text(path)});
+      designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
-    robots.push_back({arena.Text(robot.design), robot.stick != nullptr,
-                      robot.stick != nullptr && robot.stick->writable(), robot.stick_hash});
+    // Objects may have written files since, and a new image may be the reason for a return.
+    const uint64_t stick_hash = member->stage == Stage::kThere ? robot.stick_hash : 0;
+    robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
+                      robot.stick != nullptr && robot.stick->writable(), stick_hash});
   }
   member->robots = static_cast<size_t>(system_->robot_count());
   for (; member->known < system_->objects().size(); ++member->known) {
     const Object& object = *system_->objects()[member->known];
-    objects.push_back({object.id, object.robot, arena.Text(object.name), arena.Text(object.path),
+    objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
                        object.is_system, object.name == IpStack::kName,
-                       member->objects.contains(object.id)});
+                       member->objects.contains(object.id), object.last_box});
   }
-  load.robots = arena.Sequence<decltype(load.robots)>(std::move(robots));
-  load.designs = arena.Sequence<decltype(load.designs)>(std::move(designs));
-  load.objects = arena.Sequence<decltype(load.objects)>(std::move(objects));
+  load.robots = arena->Sequence<decltype(load.robots)>(std::move(robots));
+  load.designs = arena->Sequence<decltype(load.designs)>(std::move(designs));
+  load.objects = arena->Sequence<decltype(load.objects)>(std::move(objects));
+  return load;
+}
+
+// The object that is loaded is the last of the news.
+void Fleet::LoadMore(Member* member) {
+  if (!problem_.empty()) return;
+  WireArena arena;
+  const openr_wire_Load load = NewsFor(member, &arena);
   try {
-    if (!member->is_welcome) Welcome(member);
+    if (!member->is_welcome) {
+      member->process->WaitForHello(options_.wait_ms);
+      Welcome(member);
+    }
     member->process->Load(load);
   } catch (const ProcessLost& lost) {
     problem_ = lost.what();
@@ -140,29 +156,45 @@ void Fleet::LoadMore(Member* member) {
 // Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for
 // ever.  A crash is something else: the object's own end, known to the message.
 void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
-  about->process()->set_lost();
-  Member& member = members_[about->process()->name()];
-  member.lost = why;
-  if (loss == RemoteObject::Loss::kCrashed || options_.is_free) {
-    system_->AddFindingAbout(about, Severity::kError,
-                             fmt::format("{}; process '{}' (pid {}) is gone, the others go on", why,
-                                         about->process()->name(), about->process()->facts().pid));
-    about->process()->GiveBack();
-    if (!crash_listener_) return;
-    for (const auto& [id, object] : member.objects) crash_listener_(object);
+  RemoteProcess& process = *about->process();
+  if (process.is_lost()) return;
+  Member* const member = &members_[process.name()];
+  member->lost = why;
+  member->crashed = loss == RemoteObject::Loss::kCrashed;
+  ++member->losses;
+  std::string text = why;
+  uint64_t pending = 0;
+  for (const auto& [id, object] : member->objects) pending += object->pending_there;
+  if (pending > 0) text += fmt::format("; {} notifications that waited in it are lost", pending);
+  if (!member->crashed && !options_.is_free && !MayComeBack(*member)) {
+    process.set_lost();
+    if (options_.restarts > 0)
+      text += fmt::format("; it was started again {} times", options_.restarts);
+    system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
+    for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
     return;
   }
-  system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", why));
-  for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+  text += fmt::format("; process '{}' (pid {}) is gone, the others go on", process.name(),
+                      process.facts().pid);
+  options_.say(text);
+  system_->AddFindingAbout(about, Severity::kError, text);
+  process.Lose();
+  PutAway(member);
+  if (!crash_listener_) return;
+  for (const auto& [id, object] : member->objects) crash_listener_(object);
 }
 
 void Fleet::Pump(int64_t timeout_us) {
   bus_.Wait(timeout_us);
+  if (IsInterrupted()) return;
   for (auto& [name, member] : members_) {
     RemoteProcess& process = *member.process;
+    Tend(&member);
+    if (process.is_lost()) continue;
     process.Poll();
-    if (process.is_lost() || process.loss().empty() || IsInterrupted()) continue;
-    Lost(member.objects.begin()->second,
+    if (process.loss().empty()) continue;
+    const auto culprit = member.objects.find(process.culprit());
+    Lost(culprit == member.objects.end() ? member.objects.begin()->second : culprit->second,
          process.has_crashed() ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
          process.loss());
   }
@@ -171,20 +203,22 @@ void Fleet::Pump(int64_t timeout_us) {
 void Fleet::Watch() {
   if (options_.is_free || IsInterrupted()) return;  // Pump() does; the run ends anyway
   for (auto& [name, member] : members_) {
+    Tend(&member);
     if (member.process->is_lost()) continue;
     const std::string problem = member.process->WhatIsWrong();
     if (!problem.empty()) Lost(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
   }
+  WaitForReturns();
 }
 
 void Fleet::ReportLosses() {
   for (const auto& [name, member] : members_) {
     for (const auto& [id, object] : member.objects) {
-      if (object->unheard_count() == 0) continue;
+      if (object->unheard_count == 0) continue;
       system_->AddFindingAbout(object, Severity::kWarning,
                                fmt::format("{} messages came after process '{}' was gone; nobody "
                                            "heard them",
-                                           object->unheard_count(), name));
+                                           object->unheard_count, name));
     }
   }
 }
@@ -192,8 +226,13 @@ void Fleet::ReportLosses() {
 std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
   std::vector<ProcessFacts> all;
   for (const auto& [name, member] : members_) {
-    ProcessFacts facts{
-        name, member.process->facts().host, member.process->facts().pid, {}, member.lost};
+    ProcessFacts facts{name,
+                       member.process->facts().host,
+                       member.process->facts().pid,
+                       {},
+                       member.lost,
+                       member.losses,
+                       member.returns};
     const Latency& latency = member.process->latency();
     facts.handlers = latency.count();
     facts.median_us = latency.PercentileUs(0.5);

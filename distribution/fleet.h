@@ -27,6 +27,7 @@ struct FleetOptions {
   std::string stick;         // folder of the master's stick
   bool is_free = false;      // the clock on the wall rules, see RemoteProcess::RunFree()
   int64_t wait_ms = 60'000;  // for a process to come
+  int restarts = 0;          // how often each process of this host is started again
   std::function<void(const std::string& line)> say;  // for people
   std::function<bool()> is_interrupted;              // waiting is to end; null: never
 };
@@ -38,6 +39,8 @@ class Fleet {
   ~Fleet();  // whoever has not ended yet is killed
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
+
+  Bus* bus() { return &bus_; }
 
   // For System::LoadStick(): stand-ins for the objects that live elsewhere.
   System::StandIns StandInsFor(System* system, int robot);
@@ -51,7 +54,9 @@ class Fleet {
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;       // why it is not there any more; ""
+    std::string lost;  // why it is not there any more; ""
+    int losses = 0;    // how often it was lost, and came back
+    int returns = 0;
     uint64_t handlers = 0;  // run there; and how long each took, with the way there and back
     double median_us = 0;
     double p99_us = 0;
@@ -59,10 +64,13 @@ class Fleet {
   };
   std::vector<ProcessFacts> Describe() const;
 
-  // `listener` hears of each object of a process that is gone, if the run goes on without.
+  // `listener` hears of each object of a process that is gone, if the run goes on without, and of
+  // each that has come back.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
+  void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
-  // Looks at processes that have nothing to do.  Not from a handler.
+  // Looks at processes that have nothing to do, and lets those that were lost come back.  Not from
+  // a handler.
   void Watch();
 
   // In a free run: waits at most `timeout_us` for news of the processes and does them.  Not from a
@@ -76,21 +84,58 @@ class Fleet {
   void End();
 
  private:
+  // Where a process is that was lost.
+  enum class Stage {
+    kThere,    // it was not
+    kGone,     // for good
+    kLeaving,  // its objects' things are being put away; what remains of it ends
+    kComing,   // a new one, which has not said its name
+    kLoading,  // its images
+    kTaking,   // its objects are about to take their places
+  };
   struct Member {
+    std::string name;
     std::unique_ptr<ChildProcess> child;  // null: on another host
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
+    bool has_door = false;  // somebody else starts it
     bool is_welcome = false;
     size_t robots = 0;  // that it knows of, and objects
     size_t known = 0;
+    // For its return.
+    Stage stage = Stage::kThere;
+    bool crashed = false;
+    bool is_put_away = false;
+    bool has_failed = false;  // the last attempt
+    int64_t since_ms = 0;     // it has been in this stage
+    int restarts_left = 0;
+    int losses = 0;
+    int returns = 0;
+    uint64_t unheard_before = 0;
+    std::vector<std::unique_ptr<RemoteObject>> fresh;
+    std::map<ObjectId, RemoteObject*> successors;
   };
 
+  void Start(Member* member);
   void Welcome(Member* member);
+  openr_wire_Load NewsFor(Member* member, WireArena* arena);
   void LoadMore(Member* member);
   bool IsInterrupted() const { return options_.is_interrupted && options_.is_interrupted(); }
   void Lost(RemoteObject* object, RemoteObject::Loss loss, const std::string& why);
   std::string UnknownObjects() const;
+
+  // fleet_return.cc
+  bool MayComeBack(const Member& member) const;
+  void PutAway(Member* member);
+  void Enter(Member* member, Stage stage);
+  void Tend(Member* member);
+  void StartAgain(Member* member);
+  void TakeIn(Member* member);
+  void Loaded(Member* member);
+  void Replaced(ObjectId id);
+  void GiveUp(Member* member, const std::string& why);
+  void WaitForReturns();
 
   const FleetOptions options_;
   Bus bus_;
@@ -98,6 +143,7 @@ class Fleet {
   System* system_ = nullptr;
   std::string problem_;  // the first, before Boot()
   std::function<void(Object*)> crash_listener_;
+  std::function<void(Object*)> return_listener_;
   std::vector<std::string> placed_;  // objects that were found
 };
 

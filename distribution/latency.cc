@@ -31,6 +31,7 @@ int64_t Latency::NowNs() {
 void Latency::Add(int64_t ns) {
   ++count_;
   max_ns_ = std::max(max_ns_, ns);
+  sum_ns_ += static_cast<double>(ns);
   const size_t bucket = BucketOf(ns);
   if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
   ++buckets_[bucket];
@@ -44,6 +45,21 @@ double Latency::PercentileUs(double p) const {
     if (seen >= wanted && seen > 0) return std::min(UpperNs(i) / 1000, MaxUs());
   }
   return 0;
+}
+
+double Latency::MeanUs() const {
+  return count_ == 0 ? 0 : sum_ns_ / static_cast<double>(count_) / 1000;
+}
+
+Latency Latency::Since(const Latency& before) const {
+  Latency since = *this;
+  since.count_ -= before.count_;
+  since.sum_ns_ -= before.sum_ns_;
+  for (size_t i = 0; i < before.buckets_.size(); ++i) since.buckets_[i] -= before.buckets_[i];
+  while (!since.buckets_.empty() && since.buckets_.back() == 0) since.buckets_.pop_back();
+  const double upper_ns = since.buckets_.empty() ? 0 : UpperNs(since.buckets_.size() - 1);
+  since.max_ns_ = std::min(max_ns_, static_cast<int64_t>(upper_ns));
+  return since;
 }
 
 }  // namespace openr_host

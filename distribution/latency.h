@@ -8,6 +8,9 @@ namespace openr_host {
 
 class Latency {
  public:
+  // Of a clock that only goes forward.
+  static int64_t NowNs();
+
   // From its making to its end.
   class Timer {
    public:
@@ -27,12 +30,15 @@ class Latency {
   // The time, in microseconds, that a share `p` of 0..1 was not above; within 1/16 of it.
   double PercentileUs(double p) const;
   double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
+  double MeanUs() const;
+
+  // What has come to `before`, an earlier copy of this; its maximum within 1/16.
+  Latency Since(const Latency& before) const;
 
  private:
-  static int64_t NowNs();
-
   uint64_t count_ = 0;
   int64_t max_ns_ = 0;
+  double sum_ns_ = 0;
   std::vector<uint64_t> buckets_;  // 16 to each power of two of nanoseconds
 };
 

@@ -14,22 +14,63 @@
 
 namespace openr_host {
 
+std::unique_ptr<RemoteObject> RemoteObject::NewOne() const {
+  auto fresh = std::make_unique<RemoteObject>(system, id, robot, process_, lost_);
+  fresh->name = name;
+  fresh->path = path;
+  fresh->last_box = last_box;
+  fresh->unheard_count = unheard_count;
+  return fresh;
+}
+
 bool RemoteObject::Dispatch(uint32_t, void*) {
-  if (!process_->is_lost()) {
-    try {
-      process_->RunHandler(this, *running);
-      return true;
-    } catch (const ProcessCrashed& crash) {
-      lost_(this, Loss::kCrashed, crash.what());
-    } catch (const ProcessLost& lost) {
-      lost_(this, Loss::kGone, lost.what());
-    }
-  } else {
-    ++unheard_count_;
-    if (running->kind == PayloadKind::kNotify) Refuse();
+  if (running->kind == PayloadKind::kReady) NoteReady();
+  if (process_->is_lost()) {
+    NotHeard();
+  } else if (Run()) {
+    return true;
   }
   AnswerForTheLost();
   return true;
+}
+
+// False when the process was lost.
+bool RemoteObject::Run() {
+  try {
+    return process_->RunHandler(this, *running);
+  } catch (const ProcessCrashed& crash) {
+    lost_(this, Loss::kCrashed, crash.what());
+  } catch (const ProcessLost& lost) {
+    lost_(this, Loss::kGone, lost.what());
+  }
+  return false;
+}
+
+void RemoteObject::NoteReady() {
+  const auto& ready = *reinterpret_cast<const OReadyMessage*>(running->payload);
+  const StandingReady standing = {running->selector, ObjectIdOf(ready.observerID.GetOID()),
+                                  ready.observerID.GetSelector()};
+  if (ready.command == objcommCMD_ASSERT_READY) {
+    readies_.insert(standing);
+  } else {
+    readies_.erase(standing);
+  }
+}
+
+void RemoteObject::ForgetObserver(ObjectId observer) {
+  std::erase_if(readies_, [observer](const auto& ready) { return ready.observer == observer; });
+}
+
+std::vector<StandingReady> RemoteObject::StandingReadies() const {
+  return {readies_.begin(), readies_.end()};
+}
+
+void RemoteObject::TakeBack(RCRegion* region) { process_->TakeBack(region); }
+
+void RemoteObject::NotHeard() {
+  ++unheard_count;
+  process_->Unheard(*running);
+  if (running->kind == PayloadKind::kNotify) Refuse();
 }
 
 // Nobody need wait for what cannot come: the object manager is told that all is well, others get
@@ -72,8 +113,9 @@ void RemoteObject::HashState(Hasher* hasher) const {
   try {
     const std::string bytes = process_->FetchState(id);
     hasher->AddBytes(bytes.data(), bytes.size());
-  } catch (const ProcessLost&) {
+  } catch (const ProcessLost& lost) {
     process_->set_lost();
+    system->AddFindingAbout(this, Severity::kError, lost.what());
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,20 +36,37 @@ class RemoteObject : public Object {
   void Deassert(uint32_t selector, const SubjectID& subject, const std::vector<RCRegion*>& regions);
 
   // Messages that came when the process was lost; nobody heard them.
-  uint64_t unheard_count() const { return unheard_count_; }
+  uint64_t unheard_count = 0;
+  // Notifications that waited in its subjects when its last handler ended.
+  uint64_t pending_there = 0;
 
+  // One in its place, for a process that has come back.
+  std::unique_ptr<RemoteObject> NewOne() const;
+
+  // A subject there has sent to an observer that was ready.
+  void UseReady(const StandingReady& ready) { readies_.erase(ready); }
+
+  // The object `observer` has been replaced.
+  void ForgetObserver(ObjectId observer);
+
+  std::vector<StandingReady> StandingReadies() const override;
+  void TakeBack(RCRegion* region) override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
 
  private:
+  bool Run();
+  void NoteReady();
+  void NotHeard();
   void AnswerForTheLost();
   void Refuse();
 
   RemoteProcess* const process_;
   const LossListener lost_;
   std::set<uint32_t> selectors_;
-  uint64_t unheard_count_ = 0;
+  // Who asserted ready for a subject there and has been sent nothing since.
+  std::set<StandingReady> readies_;
 };
 
 }  // namespace openr_host

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,18 +17,16 @@
 #include "distribution/bus.h"
 #include "distribution/courier.h"
 #include "distribution/latency.h"
+#include "distribution/seat.h"
 #include "runtime/core/uplink.h"
+
+class RCRegion;
 
 namespace openr_host {
 
 class Object;
 class RemoteObject;
 class System;
-
-// The process is gone or talks nonsense; what() says so to people.
-struct ProcessLost : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // The same, by the fault of the object whose handler ran.
 struct ProcessCrashed : ProcessLost {
@@ -36,17 +35,14 @@ struct ProcessCrashed : ProcessLost {
 
 class RemoteProcess {
  public:
-  struct Facts {  // as it says of itself
-    std::string host;
-    int64_t pid = 0;
-  };
-
-  // `health` says what is wrong with the process, or ""; `say` speaks to people.
-  RemoteProcess(Bus* bus, std::string name, std::function<std::string()> health,
+  // `has_door`: somebody else starts it.  `health` says what is wrong with the process, or "";
+  // `say` speaks to people.
+  RemoteProcess(Bus* bus, std::string name, bool has_door, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
 
   const std::string& name() const { return name_; }
-  const Facts& facts() const { return facts_; }
+  const Seat::Facts& facts() const { return seat_.facts(); }
+  Seat& seat() { return seat_; }
   bool is_lost() const { return is_lost_; }
   void set_lost() { is_lost_ = true; }
 
@@ -63,6 +59,16 @@ class RemoteProcess {
   // The stand-in of one of its objects, before that is loaded.
   void Add(RemoteObject* object);
 
+  // The same for one that comes back, without waiting: it is told; true when it is done.  It is
+  // lost still, until Rejoin().
+  void BeginLoad(const openr_wire_Load& load);
+  bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
+  // The new stand-ins, which have taken the place of the old ones.
+  void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
+
+  // Object `id` of another process, or of this one, has been replaced.
+  void Forget(ObjectId id);
+
   // From now on nobody waits for a handler but its object: what it did comes when it comes, and
   // Poll() does it.  For runs whose clock is that on the wall.
   void RunFree() { is_free_ = true; }
@@ -73,19 +79,32 @@ class RemoteProcess {
 
   // Times from handing a message over to hearing that its handler is done.
   const Latency& latency() const { return latency_; }
+  Latency LatencyOf(ObjectId object) const {
+    const auto found = latency_of_.find(object);
+    return found == latency_of_.end() ? Latency() : found->second;
+  }
 
   // Runs the handler of `message`, which is being delivered to `object`.
-  void RunHandler(RemoteObject* object, const Message& message);
+  // False when its process was lost before the end of the handler.
+  bool RunHandler(RemoteObject* object, const Message& message);
 
   // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
   std::string FetchState(ObjectId object);
 
-  // After a loss: what is lent there goes back to whom it belongs.
-  void GiveBack();
+  // It is lost, and the run goes on: what is lent there goes back to whom it belongs, handlers that
+  // wait end.
+  void Lose();
 
-  // Why it is gone, as Poll() found out, and whether it crashed; "" while it is not.
+  // Why it is gone, as Poll() found out; "" while it is not.
   const std::string& loss() const { return loss_; }
+  // Whose handler brought it down, as far as that is known.
   bool has_crashed() const { return crashed_; }
+  ObjectId culprit() const { return culprit_; }
+
+  // What a subject of the object that was lost had sent comes back.
+  void TakeBack(RCRegion* region);
+  // A message that the process did not hear any more: what it gives back is here.
+  void Unheard(const Message& message);
 
   // Says it of a process that has nothing to do at the moment, too.
   std::string WhatIsWrong() const;
@@ -105,45 +124,48 @@ class RemoteProcess {
     std::string why;
   };
 
-  void WaitUntilHeard(int64_t limit_ms);
   openr_wire_Down NewDown(openr_wire_DownKind kind);
   void Send(const openr_wire_Down& down);
   Loan Next();
-  Stop WaitForStop(RemoteObject* object);
-  Stop AwaitStop(RemoteObject* object);
+  std::optional<Stop> WaitForStop(RemoteObject* object);
+  std::optional<Stop> AwaitStop(RemoteObject* object);
   Stop TakeStop(const openr_wire_Up& up);
   void TakeFree(const openr_wire_Up& up);
-  void LoseFree(const std::string& why, bool crashed);
-  void WakeHandler(ObjectId object);
+  bool TakeLoaded(const openr_wire_Up& up, const std::map<ObjectId, RemoteObject*>& objects);
+  [[noreturn]] void Crash(const openr_wire_Crashed& crashed);
+  void WakeHandler(ObjectId object, uint64_t box);
   bool Serve(const openr_wire_Up& up);
   void SendAnswer(const Answer& answer);
   void Apply(const openr_wire_Up& up, Object* self);
   void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
   int32_t Post(const openr_wire_Posted& posted, Object* self);
-  void ResumeWithReply(RemoteObject* object, const Stop& stop);
-  void ResumeWithLine(RemoteObject* object, const Stop& stop);
+  void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
+  void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
+  void GiveBack();
   Object* ObjectOf(ObjectId id);
   [[noreturn]] void Refuse(const std::string& what);
 
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  MasterLine line_;
+  Seat seat_;
   System* system_ = nullptr;
   std::unique_ptr<Courier> courier_;
   std::map<ObjectId, RemoteObject*> objects_;
   uint64_t turn_ = 0;
-  Facts facts_;
+  uint64_t session_ = 0;                  // counts on when it comes back
   std::map<uint32_t, int> pins_;          // that objects there have, by region
   std::map<ObjectId, uint64_t> dropped_;  // as it counts them
   bool is_lost_ = false;
   Latency latency_;
+  std::map<ObjectId, Latency> latency_of_;
   // Of free runs: handlers under way, by object, and the box by which their proxy waits.
   bool is_free_ = false;
   std::map<ObjectId, uint64_t> under_way_;
   std::map<ObjectId, Stop> stops_;
   std::string loss_;  // why the process is gone
   bool crashed_ = false;
+  ObjectId culprit_ = kNoObject;
 };
 
 }  // namespace openr_host

@@ -27,6 +27,8 @@ class WireArena {
   }
 
   char* Text(std::string_view text) {
+    static char nothing[] = "";
+    if (text.empty()) return nothing;
     auto kept = std::make_shared<std::string>(text.substr(0, text.find('\0')));
     kept_.push_back(kept);
     return kept->data();

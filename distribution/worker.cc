@@ -5,10 +5,12 @@
 #include <sError.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "distribution/remote_services.h"
+#include "distribution/seat.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/ipstack/loopback_network.h"
@@ -18,27 +20,25 @@
 namespace openr_host {
 namespace {
 
-constexpr int kSliceMs = 500;  // between looks at whether the master is there
+constexpr int kSliceMs = 500;    // between looks at whether the master is there
+constexpr int kKnockMs = 1'000;  // between knocks
 
 // Stands for an object of another process.
 class AbsentObject : public Object {
  public:
-  using Object::Object;
+  AbsentObject(System* system, ObjectId id, int robot, Courier* courier)
+      : Object(system, id, robot), courier_(courier) {}
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
-};
+  void TakeBack(RCRegion* region) override { courier_->TakeBack(region); }
 
-std::string HostName() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
+ private:
+  Courier* const courier_;
+};
 
 }  // namespace
 
-Worker::Worker(WorkerOptions options)
-    : options_(std::move(options)),
-      bus_(options_.bus),
-      line_(&bus_, options_.process, LineEnd::kProcess) {}
+Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
 
 Worker::~Worker() {
   is_over_ = true;
@@ -53,7 +53,7 @@ openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
   return up;
 }
 
-void Worker::Send(const openr_wire_Up& up) { line_.Send(up); }
+void Worker::Send(const openr_wire_Up& up) { line_->Send(up); }
 
 Worker::Loan Worker::Next(bool answer) {
   if (!answer && !early_.empty()) {
@@ -62,9 +62,9 @@ Worker::Loan Worker::Next(bool answer) {
     return loan;
   }
   for (;;) {
-    Loan loan = line_.Receive(kSliceMs);
+    Loan loan = line_->Receive(kSliceMs);
     if (!loan) {
-      if (!line_.IsConnected()) return loan;
+      if (!line_->IsConnected()) return loan;
       continue;
     }
     if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
@@ -73,13 +73,47 @@ Worker::Loan Worker::Next(bool answer) {
   }
 }
 
-std::string Worker::Join() {
-  for (int64_t waited_ms = 0; !line_.IsConnected(); waited_ms += 5) {
-    if (waited_ms > options_.master_wait_ms)
-      return fmt::format("no run '{}' that has a place for process '{}' was found within {} s",
-                         options_.bus.run, options_.process, options_.master_wait_ms / 1000);
+// For the master's end; false when it did not come in time.
+bool Worker::WaitFor(const LineBase& line) const {
+  for (int64_t waited_ms = 0; !line.IsConnected(); waited_ms += 5) {
+    if (waited_ms > options_.master_wait_ms) return false;
     usleep(5000);
   }
+  return true;
+}
+
+std::string Worker::NoRun() const {
+  return fmt::format("no run '{}' that has a place for process '{}' was found within {} s",
+                     options_.bus.run, options_.process, options_.master_wait_ms / 1000);
+}
+
+// Asks for the session, unless the run has given one.
+std::string Worker::Knock() {
+  session_ = options_.session;
+  if (!session_.empty()) return "";
+  ProcessDoor door(&bus_, options_.process, LineEnd::kProcess, kDoorTopics);
+  const std::string id = NewSessionName();
+  WireArena arena;
+  const openr_wire_Knock knock = {openr_wire_VERSION, arena.Text(id), arena.Text(HostName()),
+                                  getpid()};
+  for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms; waited_ms += kKnockMs) {
+    if (!WaitFor(door)) return NoRun();
+    door.Send(knock);  // again and again: whom it hears may be at its end
+    const auto admit = door.Receive(kKnockMs);
+    if (!admit || StringOf(admit->id) != id) continue;
+    session_ = StringOf(admit->session);
+    is_refused_ = session_.empty();
+    return StringOf(admit->refusal);
+  }
+  return NoRun();
+}
+
+std::string Worker::Join() {
+  const std::string refusal = Knock();
+  if (!refusal.empty()) return refusal;
+  line_ =
+      std::make_unique<ProcessLine>(&bus_, options_.process + "/" + session_, LineEnd::kProcess);
+  if (!WaitFor(*line_)) return NoRun();
   openr_wire_Up up = NewUp(openr_wire_UP_HELLO);
   up.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process), arena_.Text(HostName()),
                       getpid()};
@@ -92,7 +126,8 @@ std::string Worker::Join() {
 }
 
 std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
-  if (welcome.version != openr_wire_VERSION)
+  is_refused_ = welcome.version != openr_wire_VERSION;
+  if (is_refused_)
     return fmt::format("the master speaks version {}, this is version {}; use the same openr",
                        welcome.version, openr_wire_VERSION);
   SystemOptions options;
@@ -110,6 +145,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
     Send(up);
   };
   system_ = std::make_unique<System>(std::move(options));
+  system_->trace().set_hashing(false);  // the trace is the master's
   courier_ = std::make_unique<Courier>(system_.get(), true);
   stick_ = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
   if (options_.begins) options_.begins(stick_);
@@ -136,7 +172,8 @@ std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   if (entry.has_stick) {
     stick = std::make_shared<FolderStick>(stick_);
     stick->set_writable(entry.writable);
-    if (stick->ContentHash() != entry.stick_hash)
+    is_refused_ = entry.stick_hash != 0 && stick->ContentHash() != entry.stick_hash;
+    if (is_refused_)
       return fmt::format("{}: is not the stick of the run: its files differ from the master's",
                          stick_);
   }
@@ -155,8 +192,9 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     return;
   }
   if (entry.is_yours) {
-    const Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
+    Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
+      object->last_box = entry.last_box;
       loaded->push_back(Describe(*object));
       return;
     }
@@ -167,7 +205,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     bad.problem = arena_.Text(findings.empty() ? "cannot be loaded" : findings.back().text);
     loaded->push_back(bad);
   }
-  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot);
+  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, courier_.get());
   absent->name = StringOf(entry.name);
   absent->is_system = entry.is_system;
   system_->Adopt(std::move(absent));
@@ -227,6 +265,9 @@ std::string Worker::Serve() {
       case openr_wire_DOWN_ASK_STATE:
         SendState(down->body._u.state_of);
         break;
+      case openr_wire_DOWN_FORGET:
+        Forget(down->body._u.forgotten);
+        break;
       case openr_wire_DOWN_END:
         return "";
       case openr_wire_DOWN_WELCOME:
@@ -253,6 +294,7 @@ void Worker::Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_ou
   waits_.erase(object->id);
   system_->queue().Push(message, object->limits.priority);
   system_->RunMessages(1);
+  courier_->ForgetSample();
   SendStopped(object);
 }
 
@@ -296,6 +338,9 @@ void Worker::SendStopped(Object* object) {
   stopped.state = arena_.Text(object->state);
   stopped.dropped = object->dropped_count;
   stopped.stack_max = object->stack_max;
+  for (const auto& subject : object->subjects) {
+    for (const auto& link : subject->links) stopped.pending += link->units.size();
+  }
   up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
   Send(up);
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
@@ -327,6 +372,17 @@ void Worker::SendState(ObjectId id) {
   auto& bytes = up.body._u.state.regions;
   bytes = arena.Sequence<std::remove_reference_t<decltype(bytes)>>(std::move(regions));
   Send(up);
+}
+
+// It has been replaced where it is; what is connected to it here hears of the new one as of any.
+void Worker::Forget(ObjectId id) {
+  if (system_->object(id) != nullptr) system_->Forget(id);
+  std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
+  openr_wire_Up up = NewUp(openr_wire_UP_FORGOTTEN);
+  up.body._u.forgotten = id;
+  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  Send(up);
+  arena_.Clear();
 }
 
 openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
@@ -384,8 +440,22 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   return error;
 }
 
+// A region that was taken and given back with nothing told in between: the usual case of an
+// observer.  The master need not hear of either.
+bool Worker::CancelPin(uint64_t region) {
+  const auto is_pin = [region](const openr_wire_Effect& effect) {
+    return effect._d == openr_wire_EFFECT_NOTE &&
+           effect._u.note.kind == static_cast<uint32_t>(NoteKind::kPin) &&
+           effect._u.note.numbers._buffer[0] == region;
+  };
+  const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
+  if (found == effects_.rend()) return false;
+  effects_.erase(std::next(found).base());
+  return true;
+}
+
 void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
-  if (is_over_) return;
+  if (is_over_ || (kind == NoteKind::kUnpin && CancelPin(numbers.front()))) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
   effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),

@@ -26,6 +26,7 @@ namespace openr_host {
 struct WorkerOptions {
   BusOptions bus;
   std::string process;                               // its name in the placement
+  std::string session;                               // given by the run; "": it has to knock
   std::string stick;                                 // instead of the master's path; "": that one
   int64_t master_wait_ms = 60'000;                   // for the master to show up
   std::function<void(const std::string& line)> say;  // for people
@@ -40,6 +41,9 @@ class Worker : public Uplink {
 
   // Until the master says that it is over.  "" or what went wrong.
   std::string Run();
+
+  // Whether that would be so the next time as well: another version, another stick, no place.
+  bool is_refused() const { return is_refused_; }
 
   // Tells the master that the handler that runs ends this process; from a signal handler on top of
   // the object's code.
@@ -65,6 +69,9 @@ class Worker : public Uplink {
   };
 
   std::string Join();
+  std::string Knock();
+  bool WaitFor(const LineBase& line) const;
+  std::string NoRun() const;
   std::string SetUp(const openr_wire_Welcome& welcome);
   std::string LoadMore(const openr_wire_Load& load);
   std::string AddRobot(const openr_wire_RobotEntry& entry);
@@ -75,6 +82,7 @@ class Worker : public Uplink {
   void Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out);
   void SendStopped(Object* object);
   void SendState(ObjectId id);
+  void Forget(ObjectId id);
 
   openr_wire_Up NewUp(openr_wire_UpKind kind);
   void Send(const openr_wire_Up& up);
@@ -83,14 +91,17 @@ class Worker : public Uplink {
   Loan Next(bool answer);
   Answer WaitForAnswer();
   bool MayBeRefused(const Message& message);
+  bool CancelPin(uint64_t region);
   void FollowBuffers(const Object& object, const Message& message);
   openr_wire_Posted Encode(const Message& message, int64_t delay_us);
 
   const WorkerOptions options_;
   Bus bus_;
-  ProcessLine line_;
+  std::unique_ptr<ProcessLine> line_;
   std::unique_ptr<System> system_;
   std::unique_ptr<Courier> courier_;
+  std::string session_;
+  bool is_refused_ = false;
   std::string stick_;  // its folder
   uint64_t turn_ = 0;
   bool is_over_ = false;                             // nobody listens: objects are being unloaded

@@ -26,6 +26,7 @@ void AddCommands(CLI::App* app, int* exit_code) {
   app->set_help_all_flag("--help-all", "Help of all commands");
   AddRunCommand(app, exit_code);
   AddJoinCommand(app, exit_code);
+  AddTopCommand(app, exit_code);
   AddRcCommand(app, exit_code);
   AddGraphCommand(app, exit_code);
   AddMtnCommand(app, exit_code);

@@ -48,7 +48,7 @@ grep_in '#include *["<](openr|objects|distribution)/' virtualrobot |
   rule 'virtualrobot/ knows the runtime only'
 grep_in '#include *["<](openr|objects|virtualrobot)/' distribution |
   rule 'distribution/ knows the runtime only'
-grep_in '#include *["<](dds/|ddsc/|openr_wire\.h|distribution/wire\.h)' \
+grep_in '#include *["<](dds/|ddsc/|openr_(wire|status)\.h|distribution/wire\.h)' \
   openr runtime virtualrobot objects testing tools |
   rule 'only distribution/ includes Cyclone DDS'
 grep_in '#include *["<](openr|virtualrobot|runtime|distribution|dds|fmt|Eigen|nlohmann|ode|boost|sys|netinet|arpa|unistd|pthread|dlfcn)' \

@@ -8,6 +8,7 @@ namespace openr_host {
 
 void AddRunCommand(CLI::App* app, int* exit_code);
 void AddJoinCommand(CLI::App* app, int* exit_code);
+void AddTopCommand(CLI::App* app, int* exit_code);
 void AddRcCommand(CLI::App* app, int* exit_code);
 void AddGraphCommand(CLI::App* app, int* exit_code);
 void AddMtnCommand(CLI::App* app, int* exit_code);

@@ -13,8 +13,20 @@
 #include "openr/commands/common_flags.h"
 #include "openr/input_file.h"
 #include "openr/install_paths.h"
+#include "openr/ros2/ros2_link.h"
 
 namespace openr_host {
+
+namespace {
+
+// Cyclone DDS takes a folder for a file that says nothing: the run would not be protected.
+std::string WhyNoSettings(const std::string& file) {
+  std::string problem = WhyNoFile(file, "file with settings of Cyclone DDS", ".xml");
+  if (problem.empty() && !std::ifstream(file)) problem = strerror(errno);
+  return problem.empty() ? "" : fmt::format("{}: {}", file, problem);
+}
+
+}  // namespace
 
 void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command->add_option("--dds-domain", bus->domain, "DDS domain")
@@ -23,8 +35,16 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command->add_option("--dds-address", bus->address, "Address of this host's network interface")
       ->capture_default_str();
   command->add_option("--dds-peer", bus->peers, "Address of another host of the run; repeatable");
-  command->add_option("--dds-config", bus->config_file,
-                      "File with settings of Cyclone DDS that are added (security)");
+  command
+      ->add_option(
+          "--dds-lease", bus->lease_s,
+          "Seconds without a sign of life after which a process is gone (default: 10; 3600 "
+          "for those of this host, whose end the run sees)")
+      ->check(CLI::Range(1, kWatchedLease_s));
+  command
+      ->add_option("--dds-config", bus->config_file,
+                   "File with settings of Cyclone DDS that are added (security)")
+      ->check(CLI::Validator(WhyNoSettings, ""));
 }
 
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
@@ -38,11 +58,32 @@ void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
   command->add_flag("--free-running", flags->is_free,
                     "Processes run at the same time, as the wall clock has it; no run is like "
                     "another");
+  command
+      ->add_option(
+          "--restart", flags->restarts,
+          "Start a process that was lost again, at most this often; its objects begin anew")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  command->add_flag("--monitor", flags->is_monitored,
+                    "Speak to openr top; a run in several processes or with --ros2 does anyway");
   command->add_option("--run-name", flags->bus.run,
                       "Name of the run, for openr join (default: one of its own; openr when a "
                       "process is on another host)");
   AddDurationFlag(command, "--join-wait", &flags->wait_us, "How long to wait for a process");
   AddBusFlags(command, &flags->bus);
+}
+
+void AddRos2Flags(CLI::App* command, Ros2Flags* flags) {
+  CLI::Option* const on = command->add_flag(
+      "--ros2", flags->is_on,
+      "Joint states, sensors, images and clock as topics of ROS 2, and commands for joints back; "
+      "with --dds-domain and the other flags of DDS");
+  command
+      ->add_option("--ros2-namespace", flags->space,
+                   "Namespace of the robot's topics; of several robots with their number after it")
+      ->needs(on)
+      ->check(CLI::Validator(&WrongNamespace, "NAME"))
+      ->capture_default_str();
 }
 
 namespace {
@@ -74,6 +115,8 @@ Placement PlacementOf(const PlacementFlags& flags) {
   return placement;
 }
 
+std::string RunNameOfItsOwn() { return fmt::format("openr-{}", getpid()); }
+
 std::vector<std::string> WordsOf(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
@@ -92,12 +135,13 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   }
   options.bus = flags.bus;
   if (options.bus.run.empty())
-    options.bus.run =
-        options.placement.host_of.empty() ? fmt::format("openr-{}", getpid()) : "openr";
-  if (options.placement.host_of.empty()) options.bus.lease_s = kWatchedLease_s;
+    options.bus.run = options.placement.host_of.empty() ? RunNameOfItsOwn() : "openr";
+  const int watched_s = flags.bus.lease_s == 0 ? kWatchedLease_s : flags.bus.lease_s;
+  if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;
+  options.restarts = flags.restarts;
   options.is_interrupted = std::move(is_interrupted);
   options.wrapper = WordsOf(flags.wrapper);
   options.is_free = flags.is_free;
@@ -106,6 +150,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
                      "--run-name",      options.bus.run,
                      "--dds-domain",    std::to_string(options.bus.domain),
                      "--dds-address",   options.bus.address,
+                     "--dds-lease",     std::to_string(watched_s),
                      "--handler-limit", fmt::format("{}us", handler_limit_us)};
   if (!options.bus.config_file.empty()) {
     options.bus.config_file = std::filesystem::absolute(options.bus.config_file);
@@ -113,6 +158,12 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   }
   options.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
   return std::make_unique<Fleet>(std::move(options));
+}
+
+std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags) {
+  BusOptions bus = flags.bus;
+  if (bus.run.empty()) bus.run = RunNameOfItsOwn();
+  return std::make_unique<Bus>(bus);
 }
 
 }  // namespace openr_host

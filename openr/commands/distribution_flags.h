@@ -21,16 +21,29 @@ struct PlacementFlags {
   std::vector<std::string> isolated;  // objects
   std::string wrapper;                // command line of a debugger
   bool is_free = false;
+  bool is_monitored = false;  // speaks of itself though all is in one process
   BusOptions bus;
   int64_t wait_us = 60'000'000;
+  int restarts = 0;
 };
 
-// --place, --placement, --isolate, --wrap, --run-name, --join-wait and those of AddBusFlags().
+// --place, --placement, --isolate, --wrap, --monitor, --run-name, --join-wait and those of
+// AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 
-// What they mean; null when all is in one process.  `stick` is the folder of the run's.  Throws
-// CLI::ValidationError.
+// --ros2 and --ros2-namespace.
+struct Ros2Flags {
+  bool is_on = false;
+  std::string space = "aibo";  // namespace
+};
+void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
+
+// What the flags of placement mean; null when all is in one process.  `stick` is the folder of the
+// run's.  Throws CLI::ValidationError.
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
                                  int64_t handler_limit_us, std::function<bool()> is_interrupted);
+
+// Of a run that is all in this process and speaks DDS all the same.
+std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags);
 
 }  // namespace openr_host

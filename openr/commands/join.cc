@@ -1,10 +1,14 @@
+#include <errno.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <string.h>
 #include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,10 +26,13 @@ namespace {
 
 struct JoinFlags {
   WorkerOptions worker;
+  bool restarts = false;
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
   pid_t parent = 0;  // the run that started it; 0: none did
 };
+
+constexpr int kRefused = 3;  // Join(): it would be the same the next time
 
 // One that a run has started goes when the run goes, however that ends; Ctrl-C is for the run.
 void BecomeChild(pid_t parent) {
@@ -35,10 +42,7 @@ void BecomeChild(pid_t parent) {
 }
 
 int Join(JoinFlags flags) {
-  if (flags.parent != 0) {
-    BecomeChild(flags.parent);
-    flags.worker.bus.lease_s = kWatchedLease_s;
-  }
+  if (flags.parent != 0) BecomeChild(flags.parent);
   std::optional<CrashLog> crash_log;
   std::optional<Watchdog> watchdog;
   flags.worker.master_wait_ms = flags.wait_us / 1000;
@@ -59,7 +63,37 @@ int Join(JoinFlags flags) {
   const std::string problem = worker.Run();
   if (problem.empty()) return kExitGood;
   flags.worker.say(problem);
-  return kExitWrong;
+  return worker.is_refused() ? kRefused : kExitWrong;
+}
+
+// In a process of its own; does not throw.
+int JoinHere(const JoinFlags& flags) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  try {
+    return Join(flags);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "openr: {}\n", error.what());
+    return kRefused;
+  }
+}
+
+// A new process whenever one ends before the run is over: what it was in the middle of, or how it
+// was brought down, does not matter then.
+int JoinAgainAndAgain(const JoinFlags& flags) {
+  constexpr unsigned kPause_s = 1;
+  for (;;) {
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
+    if (child == 0) return JoinHere(flags);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kExitGood) return kExitGood;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused) return kExitWrong;
+    fmt::print(stderr, "openr: process '{}' (pid {}) has ended; another one comes\n",
+               flags.worker.process, child);
+    sleep(kPause_s);
+  }
 }
 
 }  // namespace
@@ -77,9 +111,16 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   AddDurationFlag(command, "--wait", &flags->wait_us, "How long to wait for the run");
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the process when a handler uses more processor time; 0s: never");
+  command->add_flag("--restart", flags->restarts,
+                    "Come again, with objects as at the beginning, when it ends before the run is "
+                    "over: by a crash, or because the run cannot be reached");
   command->add_option("--child-of", flags->parent)->group("");  // for openr run
+  command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);
-  command->callback([flags, exit_code] { *exit_code = Join(*flags); });
+  command->callback([flags, exit_code] {
+    const int code = flags->restarts ? JoinAgainAndAgain(*flags) : Join(*flags);
+    *exit_code = code == kRefused && !flags->restarts ? kExitWrong : code;
+  });
 }
 
 }  // namespace openr_host

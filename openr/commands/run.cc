@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "distribution/monitor.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/distribution_flags.h"
@@ -24,6 +25,7 @@
 #include "openr/last_words.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
+#include "openr/ros2/ros2_link.h"
 #include "openr/runner.h"
 #include "openr/simulation.h"
 #include "openr/watchdog.h"
@@ -34,6 +36,7 @@ namespace {
 struct RunFlags {
   SimulationOptions simulation;
   PlacementFlags placement;
+  Ros2Flags ros2;
   std::optional<int64_t> for_us;
   bool until_idle = false;
   std::string rate = "1";
@@ -88,6 +91,7 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the run when a handler uses more processor time; 0s: never");
   AddPlacementFlags(command, &flags->placement);
+  AddRos2Flags(command, &flags->ros2);
 }
 
 void DescribeOutput(CLI::App* command, RunFlags* flags) {
@@ -234,6 +238,8 @@ nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
          {"host", facts.host},
          {"objects", facts.objects},
          {"lost", facts.lost},
+         {"losses", facts.losses},
+         {"returns", facts.returns},
          {"handlers", facts.handlers},
          {"handler_us",
           {{"median", facts.median_us}, {"p99", facts.p99_us}, {"max", facts.max_us}}}});
@@ -280,6 +286,13 @@ int Run(RunFlags flags) {
       return fleet->StandInsFor(system, robot);
     };
   }
+  std::unique_ptr<Bus> own_bus;
+  if (fleet == nullptr && (flags.ros2.is_on || flags.placement.is_monitored))
+    own_bus = MakeBus(flags.placement);
+  Bus* const bus = fleet == nullptr ? own_bus.get() : fleet->bus();
+  std::unique_ptr<Ros2Link> ros2;
+  if (flags.ros2.is_on)
+    ros2 = std::make_unique<Ros2Link>(bus, flags.ros2.space, &flags.simulation, plan.say);
   Simulation simulation(flags.simulation);
   console.Print(DescribeObjects(&simulation));
   const System& system = simulation.system();
@@ -294,6 +307,9 @@ int Run(RunFlags flags) {
   if (fleet != nullptr) {
     fleet->OnCrash([&simulation](Object* object) {
       simulation.robots()[static_cast<size_t>(object->robot)]->CommanderIsGone(object->id);
+    });
+    fleet->OnReturn([&simulation](Object* object) {
+      simulation.robots()[static_cast<size_t>(object->robot)]->CommanderIsBack(object->id);
     });
   }
   bool boots = good;
@@ -310,7 +326,14 @@ int Run(RunFlags flags) {
     }
     if (fleet != nullptr && flags.placement.is_free)
       plan.pump = [&fleet](int64_t timeout_us) { fleet->Pump(timeout_us); };
-    if (fleet != nullptr) plan.after_frame = [&fleet] { fleet->Watch(); };
+    std::unique_ptr<Monitor> monitor;
+    if (bus != nullptr) monitor = std::make_unique<Monitor>(&system, bus, fleet.get());
+    if (ros2 != nullptr) ros2->Begin(&simulation);
+    plan.after_frame = [&fleet, &monitor, &ros2] {
+      if (fleet != nullptr) fleet->Watch();
+      if (monitor != nullptr) monitor->Look();
+      if (ros2 != nullptr) ros2->AfterFrame();
+    };
     Runner runner(&simulation, plan, &interrupts);
     const auto learn_facts = [&facts, &runner] {
       facts.wall_time_s = runner.wall_time_s();
@@ -321,6 +344,7 @@ int Run(RunFlags flags) {
       ReportTheEnding(ending, &simulation, facts, flags, &console);
     });
     good = runner.Run();
+    if (monitor != nullptr) monitor->End();
     learn_facts();
     if (records) good = FinishRecording(&recorder, &simulation) && good;
     boots = system.booted() || !system.powered_off();

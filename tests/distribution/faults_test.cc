@@ -15,15 +15,6 @@ using ::testing::HasSubstr;
 
 const Words kRun = {"run", "--no-panel", "--rc-port", "0", "--body", "ideal"};
 
-// Process ids of the children of `parent`.
-std::vector<pid_t> ChildrenOf(pid_t parent) {
-  std::vector<pid_t> children;
-  const std::string id = std::to_string(parent);
-  std::ifstream list("/proc/" + id + "/task/" + id + "/children");
-  for (pid_t child = 0; list >> child;) children.push_back(child);
-  return children;
-}
-
 bool IsAlive(pid_t process) {
   std::ifstream status("/proc/" + std::to_string(process) + "/stat");
   std::string id, name, state;

@@ -1,6 +1,6 @@
 // The default stick in one process, in two, and with a process for each object: the same bytes.
 // The examples are compared by tests/examples, other people's objects by apart_test.cc.
-#include "tests/distribution/same_run.h"
+#include "tests/distribution/sticks.h"
 
 namespace openr_host {
 namespace {
@@ -85,19 +85,6 @@ TEST_F(GraphsTest, ARecordingOfManyProcessesIsReplayedInOne) {
   EXPECT_EQ(replay.status, 0) << replay.out << replay.err;
 }
 
-// Images of tests/images on a stick of their own.
-void MakeStick(const ScratchFolder& stick, const Words& images, const std::string& wiring) {
-  std::string list;
-  stick.Write("OPEN-R/MW/OBJS/README.TXT", "");
-  for (const std::string& image : images) {
-    list += "/MS/OPEN-R/MW/OBJS/" + image + "\n";
-    std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/" + image,
-                               stick.File("OPEN-R/MW/OBJS/" + image));
-  }
-  stick.Write("OPEN-R/MW/CONF/OBJECT.CFG", list);
-  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", wiring);
-}
-
 // The keeper has a map on its heap, a static, a connection to itself, and a file.
 TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
   const auto run = [](const Words& places) {
@@ -121,12 +108,7 @@ TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
 // A megabyte goes to two others and to the sender, whose buffers and counts are in three processes.
 TEST_F(GraphsTest, AMegabyteForSeveral) {
   const ScratchFolder stick;
-  MakeStick(stick, {"BULK.BIN", "TAKER1.BIN", "TAKER2.BIN"},
-            "Bulk.Out.Bytes.S Taker1.In.Bytes.O\n"
-            "Bulk.Out.Bytes.S Bulk.In.Bytes.O\n"
-            "Bulk.Out.Bytes.S Taker2.In.Bytes.O\n"
-            "Taker1.Sum.Number.S Bulk.Sums.Number.O\n"
-            "Taker2.Sum.Number.S Bulk.Sums.Number.O\n");
+  MakeBulkStick(stick);
   const Words flags = {"--for", "2s", "--stick", stick.path()};
   const RecordedRun one = Record(flags);
   EXPECT_EQ(one.status, 0) << one.err;

@@ -71,7 +71,8 @@ class LostObserverTest : public ::testing::Test {
   }
 
   Bus bus_{Options()};
-  RemoteProcess process_{&bus_, "gone", [] { return std::string(); }, [](const std::string&) {}};
+  RemoteProcess process_{&bus_, "gone", false, [] { return std::string(); },
+                         [](const std::string&) {}};
   System system_;
   SubjectProbe* sender_;
   RemoteObject* remote_;
@@ -91,7 +92,7 @@ TEST_F(LostObserverTest, WhatWasSentComesBackAndNobodyIsReady) {
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(sender_->readies.back(), "deassert");
   EXPECT_EQ(sender_->out->IsReady(), 0);
-  EXPECT_EQ(remote_->unheard_count(), 3u);  // DoInit, DoStart, the notification
+  EXPECT_EQ(remote_->unheard_count, 3u);  // DoInit, DoStart, the notification
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 

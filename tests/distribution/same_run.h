@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -27,6 +28,15 @@ inline Words Isolated(const Words& objects) {
   Words flags;
   for (const std::string& object : objects) flags = flags + Words{"--isolate", object};
   return flags;
+}
+
+// Process ids of the children of `parent`.
+inline std::vector<pid_t> ChildrenOf(pid_t parent) {
+  std::vector<pid_t> children;
+  const std::string id = std::to_string(parent);
+  std::ifstream list("/proc/" + id + "/task/" + id + "/children");
+  for (pid_t child = 0; list >> child;) children.push_back(child);
+  return children;
 }
 
 struct RecordedRun {
@@ -62,8 +72,8 @@ inline json WhatObjectsDid(const json& report) {
 
 // EXPECTs that both did the same, byte by byte.
 inline void ExpectSame(const RecordedRun& one, const RecordedRun& other) {
-  ASSERT_TRUE(one.report.is_object()) << one.err;
-  ASSERT_TRUE(other.report.is_object()) << other.err;
+  ASSERT_TRUE(one.report.contains("messages")) << one.err;
+  ASSERT_TRUE(other.report.contains("messages")) << other.err;
   EXPECT_EQ(one.status, other.status) << other.err;
   EXPECT_EQ(one.Hashes(), other.Hashes());
   EXPECT_EQ(one.report["messages"], other.report["messages"]);

@@ -35,7 +35,7 @@ std::string HelpOf(std::vector<std::string> command) {
 }
 
 std::set<std::string> FlagsIn(const std::string& text) {
-  static const std::regex kFlag("--[a-z][a-z-]*");
+  static const std::regex kFlag("--[a-z][a-z0-9-]*");
   std::set<std::string> flags;
   for (std::sregex_iterator it(text.begin(), text.end(), kFlag), end; it != end; ++it)
     flags.insert(it->str());
@@ -44,7 +44,7 @@ std::set<std::string> FlagsIn(const std::string& text) {
 
 // The names of one line of the help: "-o,--output TEXT" is {"-o", "--output"}.
 std::vector<std::string> NamesIn(const std::string& line) {
-  static const std::regex kNames("^ +(?:(-[a-zA-Z]),?)?(--[a-z][a-z-]*)?(?: .*)?$");
+  static const std::regex kNames("^ +(?:(-[a-zA-Z]),?)?(--[a-z][a-z0-9-]*)?(?: .*)?$");
   std::smatch match;
   std::vector<std::string> names;
   if (!std::regex_match(line, match, kNames)) return names;

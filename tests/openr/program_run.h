@@ -62,6 +62,14 @@ class ProgramRun {
     return true;
   }
 
+  // The same for standard output.
+  bool WaitForOutput(const std::string& text) {
+    while (result_.out.find(text) == std::string::npos) {
+      if (!ReadSome()) return false;
+    }
+    return true;
+  }
+
   // What it has said on standard error so far.
   const std::string& heard() const { return result_.err; }
 

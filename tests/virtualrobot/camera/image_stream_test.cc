@@ -212,6 +212,32 @@ TEST_F(ImageTest, ASourceWithoutAPictureIsReportedAndTheStreamGoesOn) {
   EXPECT_EQ(viewer->counters.size(), 1u);
 }
 
+TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
+  Boot();
+  RunToFrame(10);
+  EXPECT_TRUE(robot->ImageIsDue());
+  As([&] {
+    OPrimitiveControl_CameraParam gain(ocamparamGAIN_HIGH);
+    OPENR::ControlPrimitive(mover->Open(kCamera), oprmreqCAM_SET_GAIN, &gain, sizeof gain, nullptr,
+                            0);
+  });
+  const uint64_t before = system.state_hash();
+  Picture picture;
+  EXPECT_EQ(robot->Look(&picture), "");
+  EXPECT_EQ(picture.width, 352);
+  EXPECT_EQ(picture.height, 288);
+  EXPECT_EQ(picture.rgb.size(), 3u * 352 * 288);
+  EXPECT_EQ(picture.rgb.front(), 200);
+  EXPECT_EQ(picture.rgb.back(), 200);
+  EXPECT_EQ(source->shots.back().number, 2);
+  EXPECT_EQ(source->shots.back().frame, 9);
+  EXPECT_EQ(system.state_hash(), before);
+  RunToFrame(11);
+  EXPECT_FALSE(robot->ImageIsDue());
+  source->problem = "a.png: cannot be read";
+  EXPECT_EQ(robot->Look(&picture), "a.png: cannot be read");
+}
+
 // ---- settings
 
 TEST_F(ImageTest, GainShutterAndAutomaticExposureChangeTheLight) {

@@ -1,0 +1,182 @@
+// How a process that was lost comes back into a run: as a new one, with its objects as at the
+// beginning.  One step of it at each look; in lockstep the run waits for all of them, so that it
+// takes no virtual time and happens at the same instant in every run.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "distribution/fleet.h"
+#include "distribution/latency.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kEndMs = 5'000;    // for what remains of a process to end by itself
+constexpr int64_t kPauseMs = 1'000;  // after an attempt that failed
+constexpr int64_t kLookUs = 2'000;
+
+int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
+
+}  // namespace
+
+// One that somebody else starts may come at any time, which lockstep cannot have unasked.
+bool Fleet::MayComeBack(const Member& member) const {
+  return member.restarts_left > 0 || (member.has_door && options_.is_free);
+}
+
+void Fleet::Enter(Member* member, Stage stage) {
+  member->stage = stage;
+  member->since_ms = NowMs();
+}
+
+// Messages of its objects that are on their way are delivered first.
+void Fleet::PutAway(Member* member) {
+  member->is_put_away = false;
+  member->unheard_before = 0;
+  for (const auto& [id, object] : member->objects) member->unheard_before += object->unheard_count;
+  Enter(member, Stage::kLeaving);
+  system_->PostTask([this, member] {
+    for (const auto& [id, object] : member->objects) system_->EndAllOf(id);
+    member->is_put_away = true;
+  });
+}
+
+void Fleet::Tend(Member* member) {
+  RemoteProcess& process = *member->process;
+  try {
+    switch (member->stage) {
+      case Stage::kThere:
+      case Stage::kGone:
+        process.seat().SendOthersAway();
+        return;
+      case Stage::kLeaving:
+        StartAgain(member);
+        return;
+      case Stage::kComing:
+        if (process.seat().Arrive(0)) TakeIn(member);
+        break;
+      case Stage::kLoading:
+        if (process.HasLoaded(member->successors)) Loaded(member);
+        break;
+      case Stage::kTaking:
+        return;
+    }
+    if (member->child != nullptr && !member->child->HowItEnded().empty())
+      throw ProcessLost(member->child->HowItEnded());
+    const bool may_take_time = member->stage == Stage::kComing && member->has_door;
+    if (NowMs() - member->since_ms > options_.wait_ms && !(may_take_time && options_.is_free))
+      throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
+                                    options_.wait_ms / 1000));
+  } catch (const std::runtime_error& error) {  // lost again, or it cannot be started
+    GiveUp(member, error.what());
+  }
+}
+
+// It did not make it this time.
+void Fleet::GiveUp(Member* member, const std::string& why) {
+  options_.say(why);
+  member->lost = why;
+  member->fresh.clear();
+  member->process->seat().Leave();
+  member->has_failed = true;
+  Enter(member, Stage::kLeaving);
+}
+
+void Fleet::StartAgain(Member* member) {
+  if (!member->is_put_away || !system_->booted()) return;
+  if (member->has_failed && NowMs() - member->since_ms < kPauseMs) return;
+  if (member->child != nullptr && member->child->HowItEnded().empty()) {
+    if (member->crashed && NowMs() - member->since_ms < kEndMs) return;  // it writes its record
+    member->child.reset();                                               // cut off, or stopped
+  }
+  if (!MayComeBack(*member)) {
+    if (options_.restarts > 0)
+      options_.say(fmt::format("process '{}' is not started again: it was {} times", member->name,
+                               options_.restarts));
+    member->process->seat().Shut();
+    Enter(member, Stage::kGone);
+    return;
+  }
+  if (member->restarts_left > 0) --member->restarts_left;
+  if (!member->has_door) Start(member);
+  member->has_failed = false;
+  Enter(member, Stage::kComing);
+}
+
+// As at the beginning of a run, but all at once.
+void Fleet::TakeIn(Member* member) {
+  member->robots = member->known = 0;
+  member->fresh.clear();
+  member->successors.clear();
+  for (const auto& [id, object] : member->objects) {
+    member->fresh.push_back(object->NewOne());
+    member->successors[id] = member->fresh.back().get();
+  }
+  Welcome(member);
+  WireArena arena;
+  member->process->BeginLoad(NewsFor(member, &arena));
+  Enter(member, Stage::kLoading);
+}
+
+void Fleet::Loaded(Member* member) {
+  std::vector<std::unique_ptr<Object>> fresh;
+  for (auto& object : member->fresh) fresh.push_back(std::move(object));
+  member->fresh.clear();
+  Enter(member, Stage::kTaking);
+  system_->Return(std::move(fresh));
+}
+
+// Whoever is connected with it elsewhere forgets the old one.  The new one is there when all of its
+// process are.
+void Fleet::Replaced(ObjectId id) {
+  for (auto& [name, member] : members_) {
+    if (member.objects.contains(id) || !member.is_welcome || member.process->is_lost()) continue;
+    try {
+      member.process->Forget(id);
+    } catch (const ProcessLost& lost) {
+      Lost(member.objects.begin()->second, RemoteObject::Loss::kGone, lost.what());
+    }
+  }
+  for (auto& [name, member] : members_) {
+    for (const auto& [other, object] : member.objects) {
+      if (other >= id || member.stage != Stage::kTaking) object->ForgetObserver(id);
+    }
+    if (member.stage != Stage::kTaking || !member.successors.contains(id)) continue;
+    member.successors[id]->unheard_count = member.objects[id]->unheard_count;
+    if (member.successors.rbegin()->first != id) continue;
+    uint64_t unheard = 0;
+    for (const auto& [new_id, object] : member.successors) unheard += object->unheard_count;
+    member.objects = member.successors;
+    member.process->Rejoin(member.objects);
+    member.lost.clear();
+    ++member.returns;
+    Enter(&member, Stage::kThere);
+    options_.say(
+        fmt::format("process '{}' is back (pid {} on {}); {} messages came meanwhile and "
+                    "were not heard",
+                    name, member.process->facts().pid, member.process->facts().host,
+                    unheard - member.unheard_before));
+    if (!return_listener_) continue;
+    for (const auto& [new_id, object] : member.objects) return_listener_(object);
+  }
+}
+
+// In lockstep.
+void Fleet::WaitForReturns() {
+  for (auto& [name, member] : members_) {
+    const auto is_under_way = [&member = member] {
+      return member.stage == Stage::kComing || member.stage == Stage::kLoading ||
+             (member.stage == Stage::kLeaving && member.is_put_away);
+    };
+    while (system_->booted() && is_under_way() && !IsInterrupted()) {
+      Tend(&member);
+      if (is_under_way()) bus_.Wait(kLookUs);
+    }
+    if (member.stage != Stage::kGone || member.crashed || system_->powered_off()) continue;
+    system_->AddFindingAbout(member.objects.begin()->second, Severity::kError,
+                             fmt::format("{}; the run stops here", member.lost));
+    for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+  }
+}
+
+}  // namespace openr_host

@@ -1,0 +1,86 @@
+#include "distribution/monitor.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "distribution/fleet.h"
+#include "distribution/remote_object.h"
+#include "distribution/remote_process.h"
+#include "distribution/seat.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+constexpr auto kInterval = std::chrono::seconds(1);
+constexpr double kShortest_s = 1e-3;  // time that rates are made of
+
+}  // namespace
+
+Monitor::Monitor(const System* system, Bus* bus, const Fleet* fleet)
+    : system_(system), fleet_(fleet), run_(bus->run()), writer_(bus) {}
+
+void Monitor::Look() {
+  const Clock::time_point now = Clock::now();
+  if (now - spoke_ >= kInterval) Speak(now, false);
+}
+
+void Monitor::End() { Speak(Clock::now(), true); }
+
+void Monitor::Speak(Clock::time_point now, bool has_ended) {
+  const auto seconds = [](Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+  };
+  const double passed_s = std::max(seconds(now - std::exchange(spoke_, now)), kShortest_s);
+  // A process that came back has objects that count anew.
+  const auto rate = [passed_s](uint64_t count, uint64_t* before) {
+    const uint64_t old = std::exchange(*before, count);
+    return static_cast<double>(count < old ? count : count - old) / passed_s;
+  };
+  RunStatus status;
+  status.run = run_;
+  status.host = HostName();
+  status.pid = getpid();
+  status.has_ended = has_ended;
+  status.virtual_us = system_->now_us();
+  status.wall_s = seconds(now - begin_);
+  const int64_t virtual_us = status.virtual_us - std::exchange(virtual_us_, status.virtual_us);
+  status.x_real_time = static_cast<double>(virtual_us) / 1e6 / passed_s;
+  status.messages = system_->message_count();
+  status.messages_per_s = rate(status.messages, &messages_);
+  if (fleet_ != nullptr) {
+    for (const Fleet::ProcessFacts& facts : fleet_->Describe())
+      status.processes.push_back({facts.name, facts.host, facts.pid, facts.lost});
+  }
+  for (const auto& object : system_->objects()) {
+    RunStatus::Object& to = status.objects.emplace_back();
+    to.robot = object->robot;
+    to.name = object->name;
+    to.state = object->state;
+    to.priority = object->limits.priority;
+    to.messages = object->message_count;
+    to.messages_per_s = rate(to.messages, &messages_of_[object->id]);
+    to.dropped = object->dropped_count;
+    to.waiting = object->waiting;
+    to.waiting_max = object->waiting_max;
+    status.waiting += object->waiting;
+    if (const auto* const remote = dynamic_cast<const RemoteObject*>(object.get())) {
+      to.process = remote->process()->name();
+      to.dropped += remote->unheard_count;
+      to.handlers = TimesOf(*remote);
+    }
+  }
+  writer_.Write(status);
+}
+
+// Since it spoke last.
+RunStatus::Times Monitor::TimesOf(const RemoteObject& object) {
+  Latency& before = latency_of_[object.id];
+  const Latency now = object.process()->LatencyOf(object.id);
+  const Latency since = now.Since(std::exchange(before, now));
+  return {since.count(), since.MeanUs(), since.PercentileUs(0.99), since.MaxUs()};
+}
+
+}  // namespace openr_host

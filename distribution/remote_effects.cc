@@ -1,0 +1,166 @@
+// What handlers in another process did and asked, done and answered here.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "distribution/questions.h"
+#include "distribution/remote_object.h"
+#include "distribution/remote_process.h"
+#include "runtime/core/api.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
+
+}  // namespace
+
+// What does not end a turn.  True when `up` was that.
+bool RemoteProcess::Serve(const openr_wire_Up& up) {
+  switch (up.body._d) {
+    case openr_wire_UP_SAID:
+      system_->Print(StringOf(up.body._u.said));
+      return true;
+    case openr_wire_UP_QUESTION: {
+      const openr_wire_Question& in = up.body._u.question;
+      Object* const self = ObjectOf(in.object);
+      Apply(up, self);
+      const CurrentScope scope(system_, self);
+      SendAnswer(AnswerQuestion(system_, self,
+                                {static_cast<QuestionKind>(in.kind), VectorOf(in.numbers),
+                                 StringOf(in.text), StringOf(in.bytes)}));
+      return true;
+    }
+    case openr_wire_UP_ENTRY: {
+      const Object* const object = system_->object(up.body._u.entry.object);
+      const bool has = object != nullptr && object->HasEntry(up.body._u.entry.selector);
+      SendAnswer({has ? 1 : 0});
+      return true;
+    }
+    case openr_wire_UP_POST: {
+      Object* const self = ObjectOf(up.body._u.post.object);
+      Apply(up, self);
+      SendAnswer({Post(up.body._u.post.posted, self)});
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+Object* RemoteProcess::ObjectOf(ObjectId id) {
+  const auto found = objects_.find(id);
+  if (found == objects_.end()) Refuse("a request of an object that is not its own");
+  return found->second;
+}
+
+void RemoteProcess::SendAnswer(const Answer& answer) {
+  WireArena arena;
+  openr_wire_Down down = NewDown(openr_wire_DOWN_ANSWER);
+  down.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
+                         WireArena::View(answer.bytes.data(), answer.bytes.size())};
+  Send(down);
+}
+
+void RemoteProcess::Apply(const openr_wire_Up& up, Object* self) {
+  const CurrentScope scope(system_, self);
+  for (uint32_t i = 0; i < up.effects._length; ++i) {
+    const openr_wire_Effect& effect = up.effects._buffer[i];
+    if (effect._d == openr_wire_EFFECT_POST) {
+      Post(effect._u.posted, self);
+    } else {
+      const openr_wire_Note& note = effect._u.note;
+      ApplyNote(static_cast<NoteKind>(note.kind), VectorOf(note.numbers), StringOf(note.text));
+    }
+  }
+}
+
+int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
+  const CurrentScope scope(system_, self);
+  Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
+  const MessageClass message_class = message->message_class;
+  const uint64_t cause = message->cause;
+  const std::string problem = courier_->Decode(posted.message, message);
+  courier_->ForgetSample();
+  if (!problem.empty()) Refuse(problem);
+  if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
+  message->number = 0;
+  message->cause = cause;
+  message->message_class = message_class;
+  if (message->is_reply) {
+    const Object* const asker = system_->object(message->target);
+    if (asker == nullptr || !asker->boxes.contains(message->reply_box)) {
+      system_->queue().Release(message);
+      return sRBOXWASCLEANED;
+    }
+  }
+  const bool is_notify = message->kind == PayloadKind::kNotify && self != nullptr;
+  const StandingReady used = {is_notify ? posted.message.payload._u.notify.selector : 0,
+                              message->target, message->selector};
+  const int32_t error = system_->Post(message, posted.delay_us);
+  if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
+  return error;
+}
+
+void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers,
+                              const std::string& text) {
+  const auto number = [&](size_t i) { return i < numbers.size() ? numbers[i] : 0; };
+  const auto region = static_cast<uint32_t>(number(0));
+  Object* const self = t_current.object;
+  switch (kind) {
+    case NoteKind::kFinding:
+      system_->AddFindingAbout(system_->object(static_cast<ObjectId>(number(1)) - 1),
+                               static_cast<Severity>(number(0)), text);
+      return;
+    case NoteKind::kShutdown:
+    case NoteKind::kPowerOff:
+      if (number(0) >= static_cast<uint64_t>(system_->robot_count())) Refuse("an unknown robot");
+      if (kind == NoteKind::kPowerOff) return system_->PowerOff(static_cast<int>(number(0)));
+      return system_->Shutdown(static_cast<int>(number(0)));
+    case NoteKind::kDeleteRegion:
+      if (!objects_.contains(system_->regions().OwnerOf(region)))
+        Refuse("the end of a region that is not its own");
+      system_->regions().Delete(region);
+      return;
+    case NoteKind::kPin:
+      ++pins_[region];
+      return system_->regions().Pin(region);
+    case NoteKind::kUnpin:
+      if (--pins_[region] < 0) Refuse("a region given back twice");
+      return system_->regions().Unpin(region);
+    case NoteKind::kOwner:
+      if (!objects_.contains(system_->regions().OwnerOf(region)))
+        Refuse("a region that is not its own");
+      return system_->regions().SetOwner(region, static_cast<ObjectId>(number(1)));
+    default:
+      break;
+  }
+  if (self == nullptr) return;
+  switch (kind) {
+    case NoteKind::kOpenBox:
+      self->boxes.insert(number(0));
+      self->last_box = std::max(self->last_box, number(0));
+      return;
+    case NoteKind::kCloseBox:
+      self->boxes.erase(number(0));
+      if (const auto reply = self->replies.find(number(0)); reply != self->replies.end()) {
+        system_->queue().Release(reply->second);
+        self->replies.erase(reply);
+      }
+      return;
+    case NoteKind::kQueueMax:
+      self->queue_max = static_cast<int>(number(0));
+      return;
+    case NoteKind::kMapBuffer:
+      return MapBuffer(self, static_cast<uint32_t>(number(0)), static_cast<uint32_t>(number(1)),
+                       number(2) != 0);
+    case NoteKind::kEntryName:
+      self->entry_names[static_cast<uint32_t>(number(0))] = text;
+      return;
+    default:
+      Refuse(fmt::format("note {}", static_cast<uint32_t>(kind)));
+  }
+}
+
+}  // namespace openr_host

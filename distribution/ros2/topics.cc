@@ -1,0 +1,149 @@
+#include "distribution/ros2/topics.h"
+
+#include <string.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry_msgs.h"
+#include "rosgraph_msgs.h"
+#include "sensor_msgs.h"
+#include "std_msgs.h"
+
+namespace openr_host {
+namespace {
+
+// Messages kept for a reader that is slow: as ROS 2 has it for sensors, and fewer of large ones.
+constexpr int kSensorDepth = 5;
+constexpr int kImageDepth = 2;
+constexpr int kClockDepth = 1;
+
+constexpr int64_t kUsPerSecond = 1'000'000;
+
+builtin_interfaces_msg_dds__Time_ TimeOf(int64_t time_us) {
+  return {static_cast<int32_t>(time_us / kUsPerSecond),
+          static_cast<uint32_t>(time_us % kUsPerSecond * 1000)};
+}
+
+// Writers only read what samples point to.
+char* Text(const std::string& text) { return const_cast<char*>(text.c_str()); }
+
+template <typename Sequence, typename Element>
+Sequence Borrowed(const std::vector<Element>& elements) {
+  const auto count = static_cast<uint32_t>(elements.size());
+  return {count, count, const_cast<Element*>(elements.data()), false};
+}
+
+// `frame_id` outlives the header.
+std_msgs_msg_dds__Header_ HeaderOf(int64_t time_us, const char* frame_id) {
+  return {TimeOf(time_us), const_cast<char*>(frame_id)};
+}
+
+// What came over the network may be of any length.
+template <typename Sequence>
+size_t CountOf(const Sequence& sequence) {
+  return std::min(size_t{sequence._length}, Ros2JointCommands::kJointsMax);
+}
+
+std::vector<std::string> Copied(const dds_sequence_string& names) {
+  std::vector<std::string> copied;
+  for (size_t i = 0; i < CountOf(names); ++i) {
+    const char* const name = names._buffer[i];
+    copied.emplace_back(name, strnlen(name, Ros2JointCommands::kNameMax));
+  }
+  return copied;
+}
+
+std::vector<double> Copied(const dds_sequence_double& values) {
+  return {values._buffer, values._buffer + CountOf(values)};
+}
+
+}  // namespace
+
+Ros2Clock::Ros2Clock(Bus* bus, const std::string& topic)
+    : writer_(bus, rosgraph_msgs_msg_dds__Clock__desc, topic, kClockDepth) {}
+
+void Ros2Clock::Publish(int64_t time_us) {
+  const rosgraph_msgs_msg_dds__Clock_ sample = {TimeOf(time_us)};
+  writer_.Write(&sample);
+}
+
+Ros2JointStates::Ros2JointStates(Bus* bus, const std::string& topic,
+                                 std::vector<std::string> joints)
+    : writer_(bus, sensor_msgs_msg_dds__JointState__desc, topic, kSensorDepth),
+      joints_(std::move(joints)) {}
+
+void Ros2JointStates::Publish(int64_t time_us, const std::vector<double>& position_rad,
+                              const std::vector<double>& velocity_rad_s) {
+  std::vector<char*> names;
+  for (const std::string& joint : joints_) names.push_back(Text(joint));
+  sensor_msgs_msg_dds__JointState_ sample{};
+  sample.header_ = HeaderOf(time_us, "");
+  sample.name_ = Borrowed<dds_sequence_string>(names);
+  sample.position_ = Borrowed<dds_sequence_double>(position_rad);
+  sample.velocity_ = Borrowed<dds_sequence_double>(velocity_rad_s);
+  writer_.Write(&sample);
+}
+
+Ros2Imu::Ros2Imu(Bus* bus, const std::string& topic, std::string frame_id)
+    : writer_(bus, sensor_msgs_msg_dds__Imu__desc, topic, kSensorDepth),
+      frame_id_(std::move(frame_id)) {}
+
+void Ros2Imu::Publish(int64_t time_us, const std::array<double, 3>& acceleration_m_s2) {
+  sensor_msgs_msg_dds__Imu_ sample{};
+  sample.header_ = HeaderOf(time_us, frame_id_.c_str());
+  sample.orientation_.w_ = 1;
+  sample.orientation_covariance_[0] = -1;
+  sample.angular_velocity_covariance_[0] = -1;
+  sample.linear_acceleration_ = {acceleration_m_s2[0], acceleration_m_s2[1], acceleration_m_s2[2]};
+  writer_.Write(&sample);
+}
+
+Ros2Image::Ros2Image(Bus* bus, const std::string& topic, std::string frame_id)
+    : writer_(bus, sensor_msgs_msg_dds__Image__desc, topic, kImageDepth),
+      frame_id_(std::move(frame_id)) {}
+
+void Ros2Image::Publish(int64_t time_us, int width, int height, const std::vector<uint8_t>& rgb) {
+  static const std::string encoding = "rgb8";
+  sensor_msgs_msg_dds__Image_ sample{};
+  sample.header_ = HeaderOf(time_us, frame_id_.c_str());
+  sample.height_ = static_cast<uint32_t>(height);
+  sample.width_ = static_cast<uint32_t>(width);
+  sample.encoding_ = Text(encoding);
+  sample.step_ = 3 * sample.width_;
+  sample.data_ = Borrowed<dds_sequence_octet>(rgb);
+  writer_.Write(&sample);
+}
+
+Ros2Switch::Ros2Switch(Bus* bus, const std::string& topic)
+    : writer_(bus, std_msgs_msg_dds__Bool__desc, topic, kSensorDepth) {}
+
+void Ros2Switch::Publish(bool is_on) {
+  const std_msgs_msg_dds__Bool_ sample = {is_on};
+  writer_.Write(&sample);
+}
+
+Ros2Number::Ros2Number(Bus* bus, const std::string& topic)
+    : writer_(bus, std_msgs_msg_dds__Float32__desc, topic, kSensorDepth) {}
+
+void Ros2Number::Publish(double value) {
+  const std_msgs_msg_dds__Float32_ sample = {static_cast<float>(value)};
+  writer_.Write(&sample);
+}
+
+Ros2JointCommands::Ros2JointCommands(Bus* bus, const std::string& topic)
+    : reader_(bus, sensor_msgs_msg_dds__JointState__desc, topic, kWaitingMax) {}
+
+std::optional<Ros2JointCommand> Ros2JointCommands::Take() {
+  void* const sample = reader_.Take();
+  if (sample == nullptr) return std::nullopt;
+  const auto& message = *static_cast<const sensor_msgs_msg_dds__JointState_*>(sample);
+  Ros2JointCommand command;
+  command.joints = Copied(message.name_);
+  command.position_rad = Copied(message.position_);
+  command.velocity_rad_s = Copied(message.velocity_);
+  reader_.Return(sample);
+  return command;
+}
+
+}  // namespace openr_host

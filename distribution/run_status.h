@@ -1,0 +1,51 @@
+// What a run says of itself, as plain data; openr_status.idl says what each part is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace openr_host {
+
+struct RunStatus {
+  struct Times {
+    uint64_t count = 0;
+    double mean_us = 0;
+    double p99_us = 0;
+    double max_us = 0;
+  };
+  struct Process {
+    std::string name;
+    std::string host;
+    int64_t pid = 0;
+    std::string lost;
+  };
+  struct Object {
+    int robot = 0;
+    std::string name;
+    std::string process;
+    std::string state;
+    int priority = 0;
+    uint64_t messages = 0;
+    double messages_per_s = 0;
+    uint64_t dropped = 0;
+    int waiting = 0;
+    int waiting_max = 0;
+    Times handlers;
+  };
+
+  std::string run;
+  std::string host;
+  int64_t pid = 0;
+  bool has_ended = false;
+  int64_t virtual_us = 0;
+  double wall_s = 0;
+  double x_real_time = 0;
+  double messages_per_s = 0;
+  uint64_t messages = 0;
+  int64_t waiting = 0;
+  std::vector<Process> processes;
+  std::vector<Object> objects;
+};
+
+}  // namespace openr_host

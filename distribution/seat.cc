@@ -1,0 +1,119 @@
+#include "distribution/seat.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "distribution/latency.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kComingMs = 5'000;  // for one that has been given a session to take it
+constexpr size_t kKnockNameMax = 256;
+
+int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
+
+}  // namespace
+
+std::string HostName() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+std::string NewSessionName() {
+  static int count = 0;
+  std::string host = HostName();
+  // Partitions have wildcards.
+  std::erase_if(host, [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '.'; });
+  return fmt::format("{}-{}-{}", host, getpid(), ++count);
+}
+
+Seat::Seat(Bus* bus, std::string process, bool has_door) : bus_(bus), process_(std::move(process)) {
+  if (has_door) door_ = std::make_unique<MasterDoor>(bus_, process_, LineEnd::kMaster, kDoorTopics);
+}
+
+void Seat::Open(const std::string& session) {
+  Leave();
+  facts_ = {};
+  line_ = std::make_unique<MasterLine>(bus_, process_ + "/" + session, LineEnd::kMaster);
+}
+
+void Seat::Leave() {
+  line_.reset();
+  has_arrived_ = false;
+}
+
+// Who knocks does so again and again until it hears; another one waits until the first has come or
+// has not made it.
+void Seat::AnswerKnock(const openr_wire_Knock& knock) {
+  WireArena arena;
+  openr_wire_Admit admit{};
+  const std::string id = StringOf(knock.id);
+  if (id.size() > kKnockNameMax) return;
+  admit.id = arena.Text(id);
+  admit.session = arena.Text("");
+  admit.refusal = arena.Text("");
+  if (knock.version != openr_wire_VERSION) {
+    admit.refusal =
+        arena.Text(fmt::format("the run speaks version {}, this is version {}; use the "
+                               "same openr",
+                               openr_wire_VERSION, knock.version));
+  } else if (is_shut_) {
+    admit.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
+  } else if (has_arrived_ && knock_ != id) {
+    admit.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
+                                           process_, facts_.pid, facts_.host));
+  } else if (line_ != nullptr && knock_ != id && NowMs() - opened_ms_ < kComingMs) {
+    return;  // it will knock again
+  } else {
+    if (line_ == nullptr || knock_ != id) {
+      session_ = NewSessionName();
+      Open(session_);
+      opened_ms_ = NowMs();
+      knock_ = id;
+    }
+    admit.session = arena.Text(session_);
+  }
+  door_->Send(admit);
+}
+
+void Seat::SendOthersAway() {
+  if (door_ == nullptr) return;
+  while (const auto knock = door_->Receive(0)) AnswerKnock(*knock);
+}
+
+bool Seat::TakeHello(int timeout_ms) {
+  const auto up = line_->Receive(timeout_ms);
+  if (!up) return false;
+  if (up->body._d != openr_wire_UP_HELLO)
+    throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
+  const openr_wire_Hello& hello = up->body._u.hello;
+  facts_ = {StringOf(hello.host), hello.pid};
+  if (hello.version != openr_wire_VERSION)
+    throw ProcessLost(
+        fmt::format("process '{}' (pid {}) speaks version {}, this is version {}; is "
+                    "it the same openr?",
+                    process_, facts_.pid, hello.version, openr_wire_VERSION));
+  return true;
+}
+
+// Its writer may be known here before its reader is; what is sent in between is lost.
+bool Seat::Arrive(int timeout_ms) {
+  if (has_arrived_) return true;
+  if (door_ != nullptr) {
+    if (const auto knock = door_->Receive(line_ == nullptr ? timeout_ms : 0)) AnswerKnock(*knock);
+    SendOthersAway();
+  }
+  if (line_ == nullptr) return false;
+  if (facts_.pid == 0 && !TakeHello(timeout_ms)) return false;
+  for (int waited_ms = 0; !line_->IsConnected(); ++waited_ms) {
+    if (waited_ms >= timeout_ms) return false;
+    usleep(1000);
+  }
+  return has_arrived_ = true;
+}
+
+}  // namespace openr_host

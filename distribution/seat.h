@@ -1,0 +1,78 @@
+// The place of one process in a run, seen from the master: who may come, who is there.
+//
+// Each that comes has a session, with a Line of its own in the partition RUN/PROCESS/SESSION, so
+// that samples of one that is gone never reach its successor.  A process that the run has started
+// is told its session.  One that somebody else starts knocks at the door, two topics in the
+// partition RUN/PROCESS, and hears which session is its own, or why there is none.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "distribution/bus.h"
+
+namespace openr_host {
+
+// The process is gone or talks nonsense; what() says so to people.
+struct ProcessLost : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+constexpr LineTopics kDoorTopics = {&openr_wire_Admit_desc, "openr_admit", &openr_wire_Knock_desc,
+                                    "openr_knock"};
+using MasterDoor = Line<openr_wire_Admit, openr_wire_Knock>;
+using ProcessDoor = Line<openr_wire_Knock, openr_wire_Admit>;
+
+// "host-1234-5": no two of a run are equal.
+std::string NewSessionName();
+std::string HostName();
+
+class Seat {
+ public:
+  struct Facts {  // as who sits there says of itself
+    std::string host;
+    int64_t pid = 0;
+  };
+
+  // `has_door`: somebody else starts the process.
+  Seat(Bus* bus, std::string process, bool has_door);
+
+  // From now on one with this session may come.
+  void Open(const std::string& session);
+
+  // Does what there is to do for one to come, waiting at most `timeout_ms`.  True when it is
+  // there: it has said its name and hears.  Throws ProcessLost when it is of another version.
+  bool Arrive(int timeout_ms);
+  bool has_arrived() const { return has_arrived_; }
+
+  // Answers whoever else knocks: that somebody is there, or that nobody may come.
+  void SendOthersAway();
+  // Nobody may come any more.
+  void Shut() { is_shut_ = true; }
+
+  // Whoever is there is not heard any more.
+  void Leave();
+
+  // Of who is there or is coming; null: nobody.
+  MasterLine* line() const { return line_.get(); }
+  const Facts& facts() const { return facts_; }
+
+ private:
+  bool TakeHello(int timeout_ms);
+  void AnswerKnock(const openr_wire_Knock& knock);
+
+  Bus* const bus_;
+  const std::string process_;
+  std::unique_ptr<MasterDoor> door_;
+  std::unique_ptr<MasterLine> line_;
+  std::string knock_;  // who was given the session
+  std::string session_;
+  int64_t opened_ms_ = 0;  // when
+  bool is_shut_ = false;
+  bool has_arrived_ = false;
+  Facts facts_;
+};
+
+}  // namespace openr_host

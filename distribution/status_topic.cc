@@ -1,0 +1,191 @@
+#include "distribution/status_topic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "openr_status.h"
+
+namespace openr_host {
+namespace {
+
+constexpr char kTopic[] = "openr_status";
+constexpr int kRunsMax = 256;  // of which the newest is kept
+
+dds_entity_t Check(dds_entity_t result, const char* what) {
+  if (result >= 0) return result;
+  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
+}
+
+dds_qos_t* QosOf(const std::string& partition) {
+  dds_qos_t* const qos = dds_create_qos();
+  dds_qset_reliability(qos, DDS_RELIABILITY_BEST_EFFORT, 0);
+  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 1);
+  dds_qset_resource_limits(qos, DDS_LENGTH_UNLIMITED, kRunsMax, 1);
+  const char* names[] = {partition.c_str()};
+  dds_qset_partition(qos, 1, names);
+  return qos;
+}
+
+// As much of it as the type has room for.
+template <size_t N>
+void Put(const std::string& text, char (*out)[N]) {
+  const size_t size = std::min({text.size(), text.find('\0'), N - 1});
+  std::copy_n(text.data(), size, *out);
+  (*out)[size] = '\0';
+}
+
+// What comes from the network is shown on terminals.
+std::string Printable(const char* text) {
+  std::string printable = text;
+  for (char& c : printable) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return printable;
+}
+
+double Figure(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0; }
+
+openr_status_Status Encode(const RunStatus& in, std::vector<openr_status_ProcessStatus>* processes,
+                           std::vector<openr_status_ObjectStatus>* objects) {
+  openr_status_Status out{};
+  Put(in.run, &out.run);
+  Put(in.host, &out.host);
+  out.pid = in.pid;
+  out.has_ended = in.has_ended;
+  out.virtual_us = in.virtual_us;
+  out.wall_s = in.wall_s;
+  out.x_real_time = in.x_real_time;
+  out.messages_per_s = in.messages_per_s;
+  out.messages = in.messages;
+  out.waiting = in.waiting;
+  for (const RunStatus::Process& process : in.processes) {
+    openr_status_ProcessStatus& to = processes->emplace_back();
+    Put(process.name, &to.name);
+    Put(process.host, &to.host);
+    to.pid = process.pid;
+    Put(process.lost, &to.lost);
+  }
+  for (const RunStatus::Object& object : in.objects) {
+    openr_status_ObjectStatus& to = objects->emplace_back();
+    to.robot = object.robot;
+    Put(object.name, &to.name);
+    Put(object.process, &to.process);
+    Put(object.state, &to.state);
+    to.priority = object.priority;
+    to.messages = object.messages;
+    to.messages_per_s = object.messages_per_s;
+    to.dropped = object.dropped;
+    to.waiting = object.waiting;
+    to.waiting_max = object.waiting_max;
+    const RunStatus::Times& times = object.handlers;
+    to.handlers = {times.count, times.mean_us, times.p99_us, times.max_us};
+  }
+  return out;
+}
+
+RunStatus Decode(const openr_status_Status& in) {
+  RunStatus out;
+  out.run = Printable(in.run);
+  out.host = Printable(in.host);
+  out.pid = in.pid;
+  out.has_ended = in.has_ended;
+  out.virtual_us = in.virtual_us;
+  out.wall_s = Figure(in.wall_s);
+  out.x_real_time = Figure(in.x_real_time);
+  out.messages_per_s = Figure(in.messages_per_s);
+  out.messages = in.messages;
+  out.waiting = in.waiting;
+  for (uint32_t i = 0; i < in.processes._length; ++i) {
+    const openr_status_ProcessStatus& from = in.processes._buffer[i];
+    out.processes.push_back(
+        {Printable(from.name), Printable(from.host), from.pid, Printable(from.lost)});
+  }
+  for (uint32_t i = 0; i < in.objects._length; ++i) {
+    const openr_status_ObjectStatus& from = in.objects._buffer[i];
+    const openr_status_Times& times = from.handlers;
+    out.objects.push_back(
+        {from.robot,
+         Printable(from.name),
+         Printable(from.process),
+         Printable(from.state),
+         from.priority,
+         from.messages,
+         Figure(from.messages_per_s),
+         from.dropped,
+         from.waiting,
+         from.waiting_max,
+         {times.count, Figure(times.mean), Figure(times.p99), Figure(times.max)}});
+  }
+  return out;
+}
+
+template <typename Seq, typename T>
+void Give(std::vector<T>* items, Seq* sequence) {
+  const auto count = static_cast<uint32_t>(items->size());
+  *sequence = {count, count, items->data(), false};
+}
+
+}  // namespace
+
+StatusWriter::StatusWriter(Bus* bus) {
+  const dds_entity_t topic =
+      dds_create_topic(bus->participant(), &openr_status_Status_desc, kTopic, nullptr, nullptr);
+  Check(topic, "topic");
+  dds_qos_t* const qos = QosOf(bus->run());
+  const dds_entity_t publisher = dds_create_publisher(bus->participant(), qos, nullptr);
+  writer_ = dds_create_writer(publisher, topic, qos, nullptr);
+  dds_delete_qos(qos);
+  Check(writer_, "writer");
+}
+
+void StatusWriter::Write(const RunStatus& status) {
+  std::vector<openr_status_ProcessStatus> processes;
+  std::vector<openr_status_ObjectStatus> objects;
+  openr_status_Status sample = Encode(status, &processes, &objects);
+  processes.resize(std::min<size_t>(processes.size(), openr_status_PROCESSES_MAX));
+  objects.resize(std::min<size_t>(objects.size(), openr_status_OBJECTS_MAX));
+  Give(&processes, &sample.processes);
+  Give(&objects, &sample.objects);
+  dds_write(writer_, &sample);
+}
+
+StatusReader::StatusReader(Bus* bus) {
+  const dds_entity_t topic =
+      dds_create_topic(bus->participant(), &openr_status_Status_desc, kTopic, nullptr, nullptr);
+  Check(topic, "topic");
+  dds_qos_t* const qos = QosOf(bus->run());
+  const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);
+  reader_ = dds_create_reader(subscriber, topic, qos, nullptr);
+  dds_delete_qos(qos);
+  Check(reader_, "reader");
+  const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
+  Check(condition, "read condition");
+  Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
+}
+
+std::vector<RunStatus> StatusReader::Take() {
+  std::vector<RunStatus> all;
+  for (int i = 0; i < kRunsMax; ++i) {
+    void* sample = nullptr;
+    dds_sample_info_t info;
+    if (dds_take(reader_, &sample, &info, 1, 1) != 1) break;
+    const auto& status = *static_cast<const openr_status_Status*>(sample);
+    if (info.valid_data) {
+      all.push_back(Decode(status));
+    } else {
+      RunStatus gone;  // of such a sample only the key is there
+      gone.run = Printable(status.run);
+      gone.host = Printable(status.host);
+      gone.pid = status.pid;
+      gone.has_ended = true;
+      all.push_back(std::move(gone));
+    }
+    dds_return_loan(reader_, &sample, 1);
+  }
+  return all;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "distribution/status_topic.h"
+#include "openr/commands/commands.h"
+#include "openr/commands/common_flags.h"
+#include "openr/commands/distribution_flags.h"
+#include "openr/commands/top_view.h"
+#include "openr/exit_code.h"
+#include "openr/interrupt.h"
+#include "openr/json_text.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kSliceUs = 50'000;      // between looks at Ctrl-C
+constexpr int64_t kOthersUs = 1'500'000;  // with --once: within which every run has spoken
+
+struct TopFlags {
+  BusOptions bus;
+  bool once = false;
+  bool json = false;
+  int64_t interval_us = 1'000'000;
+  int64_t wait_us = 5'000'000;
+};
+
+class Top {
+ public:
+  explicit Top(const TopFlags& flags)
+      : flags_(flags), bus_(flags.bus), reader_(&bus_), on_screen_(isatty(STDOUT_FILENO) == 1) {}
+
+  // Tables until Ctrl-C.
+  int Watch() {
+    for (int64_t next_us = flags_.interval_us; interrupts_.count() == 0;
+         next_us += flags_.interval_us) {
+      while (NowUs() < next_us && interrupts_.count() == 0) Listen();
+      runs_.Forget(Now_s());
+      if (interrupts_.count() == 0 && !Show()) break;  // nobody reads any more
+    }
+    if (on_screen_ && !flags_.json) fmt::print("\n");
+    return kExitGood;
+  }
+
+  // One table of all that speak.
+  int Once() {
+    while (runs_.empty() && NowUs() < flags_.wait_us && interrupts_.count() == 0) Listen();
+    if (runs_.empty()) return Complain();
+    const bool is_one = flags_.bus.run != "*";
+    const int64_t until_us = std::max(NowUs(), is_one ? 0 : kOthersUs);
+    while (NowUs() < until_us && interrupts_.count() == 0) Listen();
+    return Show() ? kExitGood : kExitWrong;
+  }
+
+ private:
+  int64_t NowUs() const {
+    return (std::chrono::steady_clock::now() - begin_) / std::chrono::microseconds(1);
+  }
+  double Now_s() const { return static_cast<double>(NowUs()) / 1e6; }
+
+  void Listen() {
+    bus_.Wait(kSliceUs);
+    runs_.Take(reader_.Take(), Now_s());
+  }
+
+  // False when it could not be written.
+  bool Show() {
+    if (flags_.json) {
+      fmt::print("{}\n", JsonText(TopJson(runs_.All(), Now_s())));
+    } else if (on_screen_ && !flags_.once) {
+      winsize size{};
+      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+      const size_t rows = size.ws_row > 0 ? size.ws_row : 24;
+      const size_t columns = size.ws_col > 0 ? size.ws_col : 80;
+      fmt::print("\x1b[H{}", OnScreen(TopText(runs_.All(), Now_s()), rows, columns));
+    } else {
+      fmt::print("{}{}", TopText(runs_.All(), Now_s()), flags_.once ? "" : "\n");
+    }
+    return std::fflush(stdout) == 0;
+  }
+
+  int Complain() const {
+    const bool is_one = flags_.bus.run != "*";
+    throw std::runtime_error(fmt::format(
+        "no run{} was heard within {} s in DDS domain {} at {}: a run speaks if objects are placed "
+        "in other processes or with --monitor; with --dds-address it is heard at that address",
+        is_one ? " '" + flags_.bus.run + "'" : "", static_cast<double>(flags_.wait_us) / 1e6,
+        flags_.bus.domain, flags_.bus.address));
+  }
+
+  const TopFlags flags_;
+  const InterruptCounter interrupts_;
+  Bus bus_;
+  StatusReader reader_;
+  const bool on_screen_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  RunsHeard runs_;
+};
+
+int RunTop(const TopFlags& flags) {
+  Top top(flags);
+  return flags.once ? top.Once() : top.Watch();
+}
+
+}  // namespace
+
+void AddTopCommand(CLI::App* app, int* exit_code) {
+  CLI::App* const command =
+      app->add_subcommand("top", "Shows the runs that can be heard: objects, processes, rates");
+  auto flags = std::make_shared<TopFlags>();
+  flags->bus.run = "*";
+  command->add_option("--run-name", flags->bus.run, "Only the run of this name (default: all)");
+  command->add_flag("--once", flags->once, "Show them once; exit 1 when there is none");
+  AddDurationFlag(command, "--wait", &flags->wait_us,
+                  "With --once: how long to listen for the first");
+  AddDurationFlag(command, "--interval", &flags->interval_us, "Time from one table to the next");
+  command->add_flag("--json", flags->json, "JSON, one line each time");
+  AddBusFlags(command, &flags->bus);
+  command->callback([flags, exit_code] {
+    if (flags->interval_us < 100'000)
+      throw CLI::ValidationError("--interval", "less than 100ms; runs speak once a second");
+    *exit_code = RunTop(*flags);
+  });
+}
+
+}  // namespace openr_host

@@ -1,0 +1,204 @@
+#include "openr/commands/top_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Run = RunsHeard::Run;
+
+constexpr double kSilent_s = 3;   // runs speak once a second
+constexpr double kEnded_s = 10;   // that an ended run stays on the screen
+constexpr size_t kStateMax = 40;  // characters of a state in the table
+
+// Where an object runs.
+struct Place {
+  std::string process;
+  std::string host;
+  int64_t pid = 0;
+  std::string lost;
+};
+
+Place PlaceOf(const RunStatus& run, const RunStatus::Object& object) {
+  for (const RunStatus::Process& process : run.processes) {
+    if (!object.process.empty() && process.name == object.process)
+      return {process.name, process.host, process.pid, process.lost};
+  }
+  return {object.process, run.host, run.pid, ""};
+}
+
+// How long nothing was heard, if that is longer than it should be.
+double Silence_s(const Run& run, double now_s) {
+  const double silent_s = now_s - run.heard_s;
+  return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;
+}
+
+using Row = std::array<std::string, 11>;
+
+Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
+  const Place place = PlaceOf(run, object);
+  const std::string process = place.process.empty() ? "-" : place.process;
+  const bool is_timed = object.handlers.count > 0;
+  return {has_robots ? fmt::format("{}:{}", object.robot, object.name) : object.name,
+          place.lost.empty() ? process : process + " (lost)",
+          place.host,
+          std::to_string(place.pid),
+          std::to_string(object.priority),
+          fmt::format("{:.1f}", object.messages_per_s),
+          is_timed ? fmt::format("{:.0f}", object.handlers.mean_us) : "-",
+          is_timed ? fmt::format("{:.0f}", object.handlers.p99_us) : "-",
+          std::to_string(object.waiting),
+          std::to_string(object.dropped),
+          object.state.substr(0, kStateMax)};
+}
+
+std::string Table(const std::vector<Row>& rows) {
+  constexpr size_t kLeft[] = {0, 1, 2, 10};  // columns of words; the others are of numbers
+  std::array<size_t, std::tuple_size_v<Row>> widths{};
+  for (const Row& row : rows) {
+    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (size_t i = 0; i < row.size(); ++i) {
+      const bool is_left = std::find(std::begin(kLeft), std::end(kLeft), i) != std::end(kLeft);
+      line += is_left ? fmt::format("  {:<{}}", row[i], widths[i])
+                      : fmt::format("  {:>{}}", row[i], widths[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string Headline(const Run& run, double now_s) {
+  const RunStatus& status = run.status;
+  std::string text = fmt::format(
+      "{} on {} (pid {}): t={:.3f} s, {:.2f} x real time, {:.0f} messages/s, {} waiting",
+      status.run, status.host, status.pid, static_cast<double>(status.virtual_us) / 1e6,
+      status.x_real_time, status.messages_per_s, status.waiting);
+  const double silent_s = Silence_s(run, now_s);
+  if (status.has_ended) text += "; ended";
+  if (silent_s > 0)
+    text +=
+        fmt::format("; silent for {:.0f} s: it waits for a process, is stopped, or gone", silent_s);
+  return text + "\n";
+}
+
+Json ObjectJson(const RunStatus& run, const RunStatus::Object& object) {
+  const Place place = PlaceOf(run, object);
+  const RunStatus::Times& times = object.handlers;
+  return {{"robot", object.robot},
+          {"name", object.name},
+          {"process", place.process},
+          {"host", place.host},
+          {"pid", place.pid},
+          {"lost", place.lost},
+          {"priority", object.priority},
+          {"state", object.state},
+          {"messages", object.messages},
+          {"messages_per_s", object.messages_per_s},
+          {"handler_us",
+           times.count == 0
+               ? Json()
+               : Json{{"mean", times.mean_us}, {"p99", times.p99_us}, {"max", times.max_us}}},
+          {"queue", object.waiting},
+          {"queue_max", object.waiting_max},
+          {"dropped", object.dropped}};
+}
+
+}  // namespace
+
+void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
+  for (const RunStatus& status : news) {
+    const Key key = {status.run, status.host, status.pid};
+    if (!status.objects.empty()) {
+      runs_[key] = {status, now_s};
+    } else if (const auto found = runs_.find(key); found != runs_.end()) {
+      found->second.status.has_ended = true;  // it went without a word
+      found->second.heard_s = now_s;
+    }
+  }
+}
+
+void RunsHeard::Forget(double now_s) {
+  std::erase_if(runs_, [now_s](const auto& entry) {
+    return entry.second.status.has_ended && now_s - entry.second.heard_s > kEnded_s;
+  });
+}
+
+std::vector<Run> RunsHeard::All() const {
+  std::vector<Run> all;
+  for (const auto& [key, run] : runs_) all.push_back(run);
+  return all;
+}
+
+std::string TopText(const std::vector<Run>& runs, double now_s) {
+  std::string text;
+  for (const Run& run : runs) {
+    const RunStatus& status = run.status;
+    const bool has_robots = std::any_of(status.objects.begin(), status.objects.end(),
+                                        [](const auto& object) { return object.robot > 0; });
+    std::vector<Row> rows = {{"OBJECT", "PROCESS", "HOST", "PID", "PRIO", "MSG/S", "MEAN us",
+                              "P99 us", "QUEUE", "DROPS", "STATE"}};
+    for (const RunStatus::Object& object : status.objects)
+      rows.push_back(RowOf(status, object, has_robots));
+    text += Headline(run, now_s) + Table(rows);
+    for (const RunStatus::Process& process : status.processes) {
+      if (!process.lost.empty()) text += "  lost: " + process.lost + "\n";
+    }
+  }
+  return text.empty() ? "no run was heard yet\n" : text;
+}
+
+Json TopJson(const std::vector<Run>& runs, double now_s) {
+  Json list = Json::array();
+  for (const Run& run : runs) {
+    const RunStatus& status = run.status;
+    Json processes = Json::array(), objects = Json::array();
+    for (const RunStatus::Process& process : status.processes) {
+      processes.push_back({{"name", process.name},
+                           {"host", process.host},
+                           {"pid", process.pid},
+                           {"lost", process.lost}});
+    }
+    for (const RunStatus::Object& object : status.objects)
+      objects.push_back(ObjectJson(status, object));
+    list.push_back({{"run", status.run},
+                    {"host", status.host},
+                    {"pid", status.pid},
+                    {"ended", status.has_ended},
+                    {"silent_s", Silence_s(run, now_s)},
+                    {"virtual_time_s", static_cast<double>(status.virtual_us) / 1e6},
+                    {"wall_time_s", status.wall_s},
+                    {"x_real_time", status.x_real_time},
+                    {"messages", status.messages},
+                    {"messages_per_s", status.messages_per_s},
+                    {"queue", status.waiting},
+                    {"processes", std::move(processes)},
+                    {"objects", std::move(objects)}});
+  }
+  return {{"runs", std::move(list)}};
+}
+
+std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line.substr(0, columns));
+  if (lines.size() > rows && rows > 0) {
+    const size_t left_out = lines.size() - (rows - 1);
+    lines.resize(rows - 1);
+    lines.push_back(fmt::format("... {} more lines", left_out).substr(0, columns));
+  }
+  std::string screen;  // each line to its end; the last one without a new one; the rest is wiped
+  for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
+  return screen + "\x1b[J";
+}
+
+}  // namespace openr_host

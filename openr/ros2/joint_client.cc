@@ -1,0 +1,168 @@
+#include "openr/ros2/joint_client.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "RemoteProtocol.h"
+
+namespace openr_host {
+namespace {
+
+constexpr NetAddress kRemote = {0x7f000001, 1};  // a port that no client of the host has
+
+constexpr double kCentidegPerRad = 100 * 180 / std::numbers::pi;
+// More than any joint turns or its motor can; the robot has the limits.
+constexpr double kPositionMax_rad = 2 * std::numbers::pi;
+constexpr double kSpeedMax_rad_s = 1000;
+
+NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
+  NetworkEvent event;
+  event.kind = kind;
+  event.handle = handle;
+  return event;
+}
+
+}  // namespace
+
+void JointClient::Want(const std::map<int, JointTarget>& targets) {
+  for (const auto& [joint, target] : targets) {
+    JointTarget& wanted = wanted_[joint];
+    const double speed_rad_s = wanted.speed_rad_s;  // holds until it is told otherwise
+    wanted = target;
+    if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
+  }
+}
+
+void JointClient::Listen(NetHandle listener, uint16_t port) {
+  if (port == RC_PORT) {
+    listener_ = listener;
+    accepts_.clear();
+  }
+  PassingNetwork::Listen(listener, port);
+}
+
+void JointClient::Accept(NetHandle listener, NetHandle handle) {
+  if (listener == listener_) accepts_.push_back(handle);
+  PassingNetwork::Accept(listener, handle);
+}
+
+void JointClient::Send(NetHandle handle, const void* data, size_t size) {
+  if (handle != handle_) return PassingNetwork::Send(handle, data, size);
+  taken_ += size;
+  const auto* bytes = static_cast<const Uint8*>(data);
+  while (size > 0 && !is_broken_) {
+    const size_t count = std::min(size, static_cast<size_t>(framer_.Room()));
+    framer_.Take(bytes, static_cast<int>(count));
+    bytes += count;
+    size -= count;
+    HearAnswers();
+  }
+}
+
+void JointClient::HearAnswers() {
+  for (;;) {
+    const RcFramer::Result result = framer_.Next();
+    if (result == RcFramer::NEEDS_MORE) return;
+    RcAnswerHeader header;
+    is_broken_ = result == RcFramer::BROKEN || !header.Read(framer_);
+    if (is_broken_) return refused_("what listens on the port of the remote control is another");
+    --unanswered_;
+    if (header.status == rcOK) continue;
+    constexpr int kBegin = RC_ANSWER_HEADER_SIZE - RC_HEADER_SIZE;
+    RcReader reader(framer_.Payload() + kBegin, framer_.PayloadSize() - kBegin);
+    refused_(reader.String());
+  }
+}
+
+void JointClient::Receive(NetHandle handle, size_t size_max) {
+  if (handle != handle_) return PassingNetwork::Receive(handle, size_max);
+  wants_ = size_max;
+}
+
+void JointClient::Close(NetHandle handle) {
+  if (handle != handle_) return PassingNetwork::Close(handle);
+  is_closing_ = true;
+}
+
+void JointClient::Drop(NetHandle handle, bool reset) {
+  if (handle == listener_) listener_ = 0;
+  std::erase(accepts_, handle);
+  if (handle == handle_) return Forget();
+  PassingNetwork::Drop(handle, reset);
+}
+
+void JointClient::Forget() {
+  handle_ = 0;
+  out_.clear();
+  unanswered_ = 0;
+  taken_ = 0;
+  wants_ = 0;
+  is_closing_ = false;
+  is_broken_ = false;
+  framer_.Reset();
+}
+
+// Takes the place that the robot holds for the next client.
+bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
+  if (listener_ == 0 || accepts_.empty()) return false;
+  const NetHandle handle = accepts_.front();
+  accepts_.pop_front();
+  PassingNetwork::Drop(handle, false);
+  handle_ = handle;
+  events->push_back(EventOf(NetworkEvent::Kind::kAccepted, handle));
+  events->back().remote = kRemote;
+  return true;
+}
+
+void JointClient::Request(int command, int joint, double value) {
+  uint8_t bytes[RC_MAX_PACKET];
+  RcWriter writer(bytes, sizeof bytes);
+  writer.U16(RC_MAGIC);
+  writer.U16(RC_HEADER_SIZE + 5);
+  writer.U8(RC_VERSION);
+  writer.U8(static_cast<Uint32>(command));
+  writer.U16(0);  // answers come in order
+  writer.U8(static_cast<Uint32>(joint));
+  writer.S32(static_cast<Sint32>(std::lround(value * kCentidegPerRad)));
+  out_.append(reinterpret_cast<const char*>(bytes), static_cast<size_t>(writer.Size()));
+  ++unanswered_;
+}
+
+void JointClient::WriteRequests() {
+  if (unanswered_ > 0) return;
+  for (const auto& [joint, target] : std::exchange(wanted_, {})) {
+    if (target.speed_rad_s > 0)
+      Request(rcSPEED, joint, std::min(target.speed_rad_s, kSpeedMax_rad_s));
+    Request(rcMOVE, joint, std::clamp(target.position_rad, -kPositionMax_rad, kPositionMax_rad));
+  }
+}
+
+std::vector<NetworkEvent> JointClient::Poll() {
+  std::vector<NetworkEvent> events = PassingNetwork::Poll();
+  for (const NetworkEvent& event : events) std::erase(accepts_, event.handle);
+  if (handle_ == 0 && (wanted_.empty() || !TakePlace(&events))) return events;
+  if (taken_ > 0) {
+    events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));
+    events.back().count = std::exchange(taken_, 0);
+  }
+  if (is_closing_) {
+    events.push_back(EventOf(NetworkEvent::Kind::kClosed, handle_));
+    Forget();
+    return events;
+  }
+  if (!is_broken_) WriteRequests();
+  if (wants_ > 0 && (is_broken_ || !out_.empty())) {
+    events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));
+    NetworkEvent& event = events.back();
+    if (is_broken_) event.kind = NetworkEvent::Kind::kEnd;
+    event.bytes = out_.substr(0, wants_);
+    out_.erase(0, event.bytes.size());
+    if (is_broken_) event.bytes.clear();
+    wants_ = 0;
+  }
+  return events;
+}
+
+}  // namespace openr_host

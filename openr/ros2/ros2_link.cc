@@ -1,0 +1,111 @@
+#include "openr/ros2/ros2_link.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "openr/ros2/joint_command.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kComplaintsMax = 20;  // of a run
+constexpr int kPatienceFrames = 125;   // 1 s
+constexpr size_t kNamespaceMax = 64;   // characters
+constexpr const char* kCommandTopic = "/joint_command";
+
+}  // namespace
+
+std::string WrongNamespace(const std::string& name) {
+  bool is_good = name.size() <= kNamespaceMax && name.find("__") == std::string::npos;
+  bool at_start = true;  // of a word
+  for (const char c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    const bool is_digit = c >= '0' && c <= '9';
+    is_good = is_good && (is_letter || (!at_start && (is_digit || c == '/')));
+    at_start = c == '/';
+  }
+  if (is_good && !at_start) return "";
+  return fmt::format(
+      "'{}' is no namespace of ROS 2: words of letters, digits and single _ that do not begin with "
+      "a digit, with / between them, {} characters at most",
+      name, kNamespaceMax);
+}
+
+Ros2Link::Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say)
+    : bus_(bus), space_(std::move(space)), say_(std::move(say)), clock_(bus, "clock") {
+  robots_.resize(static_cast<size_t>(options->robots));
+  for (size_t i = 0; i < robots_.size(); ++i)
+    robots_[i].space = robots_.size() == 1 ? space_ : space_ + std::to_string(i);
+  options->network_filter = [this, outer = options->network_filter](
+                                int index, std::unique_ptr<Network> inner) {
+    Robot& robot = robots_.at(static_cast<size_t>(index));
+    const std::string topic = robot.space + kCommandTopic;
+    auto client =
+        std::make_unique<JointClient>(std::move(inner), [this, topic](const std::string& why) {
+          Complain(fmt::format("{}: the robot refuses: {}", topic, why));
+        });
+    robot.client = client.get();
+    std::unique_ptr<Network> result = std::move(client);
+    return outer ? outer(index, std::move(result)) : std::move(result);
+  };
+}
+
+void Ros2Link::Begin(Simulation* simulation) {
+  simulation_ = simulation;
+  for (size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
+    robot.robot = simulation->robots().at(i);
+    robot.topics = std::make_unique<RobotTopics>(bus_, robot.space, robot.robot);
+    robot.commands = std::make_unique<Ros2JointCommands>(bus_, robot.space + kCommandTopic);
+  }
+  const std::string last = robots_.size() == 1 ? "" : " to /" + robots_.back().space;
+  say_(fmt::format("ROS 2: topics of /{}{} in DDS domain {}", robots_.front().space, last,
+                   bus_->domain()));
+}
+
+void Ros2Link::AfterFrame() {
+  const int64_t now_us = simulation_->system().now_us();
+  clock_.Publish(now_us);
+  for (Robot& robot : robots_) {
+    const std::string problem = robot.topics->Publish(now_us);
+    if (!problem.empty()) Complain(robot.space + "/image_raw: " + problem);
+    TakeCommands(&robot);
+  }
+}
+
+void Ros2Link::TakeCommands(Robot* robot) {
+  const std::string topic = robot->space + kCommandTopic;
+  if (robot->commands->HasMisfit()) {
+    Complain(topic +
+             ": a publisher does not match and is not heard; it has to be reliable and to speak "
+             "XCDR1, which is the default of ROS 2");
+  }
+  const bool is_waiting = robot->client->IsWaiting();  // with what came before
+  for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
+    const std::optional<Ros2JointCommand> command = robot->commands->Take();
+    if (!command) break;
+    std::map<int, JointTarget> targets;
+    const std::string problem = ReadJointCommand(*command, robot->robot->model(), &targets);
+    if (!problem.empty()) Complain(fmt::format("{}: refused: {}", topic, problem));
+    robot->client->Want(targets);
+  }
+  robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
+  if (robot->frames_waiting == kPatienceFrames) {
+    robot->frames_waiting = 0;
+    robot->client->GiveUp();  // a command of long ago must not move the robot
+    Complain(fmt::format(
+        "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
+        "RCServer on the stick and started, and has it less than eight clients?",
+        topic));
+  }
+}
+
+void Ros2Link::Complain(const std::string& what) {
+  if (complaints_.size() >= kComplaintsMax || !complaints_.insert(what).second) return;
+  say_("ROS 2: " + what + " (said once)");
+  if (complaints_.size() == kComplaintsMax) say_("ROS 2: no more of this is said");
+}
+
+}  // namespace openr_host

@@ -1,0 +1,169 @@
+// Runs over two hosts, and what the cable between them may do.
+#include "tests/distribution/hosts.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "tests/distribution/sticks.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+
+// What docs/distribution.md states, and some for a busy machine: the lease is 10 s.
+constexpr auto kNamedWithin = std::chrono::seconds(15);
+constexpr auto kShortPartition = std::chrono::seconds(7);
+
+class HostsTest : public testing::Test, public TwoHosts {
+ protected:
+  void SetUp() override {
+    if (!Connect()) GTEST_SKIP() << kNoHosts;
+    folder.Write("where.cfg", "Controller vision\nJointMover legs\nRCServer vision\n@vision " +
+                                  std::string(kThere) + "\n");
+  }
+
+  // The master, with processes legs here and vision there.
+  std::unique_ptr<ProgramRun> Run(const Words& flags) {
+    return StartHere(Words{"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--json",
+                           "--placement", folder.File("where.cfg"), "--record", folder.File("r")} +
+                     flags);
+  }
+  std::unique_ptr<ProgramRun> Join() { return StartThere({"join", "--process", "vision"}); }
+
+  // EXPECTs that both end well and have done what one process does.
+  void ExpectGood(ProgramRun* run, ProgramRun* join, const RecordedRun& one) {
+    const ProgramResult& result = run->Finish();
+    EXPECT_EQ(join->Finish().status, 0) << join->heard();
+    ExpectSame(one, {result.status, result.err, folder.Read("r"),
+                     json::parse(result.out, nullptr, false)});
+  }
+
+  const ScratchFolder folder;
+};
+
+TEST_F(HostsTest, TwoHostsAreOneRun) {
+  const Words flags = {"--for", "5s"};
+  const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
+  ExpectGood(run.get(), join.get(), Record(flags + Words{"--body", "ideal"}));
+  EXPECT_GT(cable().counts().passed, 100u);
+}
+
+TEST_F(HostsTest, BadWeatherChangesNothing) {
+  cable().set_weather({.loss = 0.05, .doubling = 0.05, .delay_us = 2000, .jitter_us = 3000});
+  const Words flags = {"--for", "1s"};
+  const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
+  ExpectGood(run.get(), join.get(), Record(flags + Words{"--body", "ideal"}));
+  const Relay::Counts counts = cable().counts();
+  EXPECT_GT(counts.lost, 0u);
+  EXPECT_GT(counts.doubled, 0u);
+  EXPECT_GT(counts.overtaken, 0u);
+}
+
+// A megabyte is many packets, of which some are lost each time.
+TEST_F(HostsTest, BadWeatherChangesNothingOfMegabytes) {
+  cable().set_weather({.loss = 0.03, .doubling = 0.03, .delay_us = 1000, .jitter_us = 1000});
+  const ScratchFolder stick;
+  MakeBulkStick(stick);
+  folder.Write("where.cfg", "Taker1 vision\n@vision " + std::string(kThere) + "\n");
+  const Words flags = {"--for", "1s", "--stick", stick.path()};
+  const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
+  ExpectGood(run.get(), join.get(), Record(flags + Words{"--body", "ideal"}));
+  EXPECT_GT(cable().counts().lost, 0u);
+}
+
+TEST_F(HostsTest, TopHearsARunOnAnotherHost) {
+  const auto join = Join(), run = Run({"--for", "10min"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  const auto top = StartThere({"top", "--once", "--json"});
+  const ProgramResult& result = top->Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json runs = json::parse(result.out, nullptr, false)["runs"];
+  ASSERT_EQ(runs.size(), 1u);
+  ASSERT_EQ(runs[0]["processes"].size(), 2u);
+  EXPECT_EQ(runs[0]["processes"][1]["pid"], join->pid());
+}
+
+TEST_F(HostsTest, AShortPartitionIsRiddenOut) {
+  cable().set_weather({.delay_us = 2000});  // or it would be over too soon
+  const Words flags = {"--for", "5s"};
+  const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  Cut();
+  EXPECT_TRUE(run->WaitFor("has not answered for 2 s"));
+  Mend();
+  EXPECT_TRUE(run->WaitFor("process 'vision' answers again"));
+  ExpectGood(run.get(), join.get(), Record(flags + Words{"--body", "ideal"}));
+  EXPECT_GT(cable().counts().cut, 0u);
+}
+
+// Of a process that has nothing to say, nothing is heard but that it lives.
+TEST_F(HostsTest, APartitionIsRiddenOutByAProcessThatIsIdle) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  folder.Write("where.cfg", "Trouble vision\n@vision " + std::string(kThere) + "\n");
+  const Words flags = {"--for", "10s", "--stick", stick.path()};
+  const auto join = Join(), run = Run(flags);
+  ASSERT_TRUE(run->WaitFor("Trouble is running"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // its handler has ended
+  Cut();
+  std::this_thread::sleep_for(kShortPartition);
+  Mend();
+  ExpectGood(run.get(), join.get(), Record(flags + Words{"--body", "ideal"}));
+}
+
+TEST_F(HostsTest, ALongPartitionEndsTheRunAndNamesProcessAndHost) {
+  const auto join = Join(), run = Run({"--for", "10min"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  Cut();
+  const auto begin = Clock::now();
+  const ProgramResult& result = run->Finish();
+  EXPECT_LT(Clock::now() - begin, kNamedWithin);
+  EXPECT_EQ(result.status, 1) << result.err;
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  const json& vision = report["processes"][1];
+  EXPECT_EQ(vision["name"], "vision");
+  EXPECT_THAT(vision["lost"].get<std::string>(), HasSubstr("process 'vision' (pid "));
+  EXPECT_THAT(
+      vision["lost"].get<std::string>(),
+      HasSubstr(" on " + vision["host"].get<std::string>() + ") cannot be reached any more"));
+  EXPECT_FALSE(vision["host"].get<std::string>().empty());
+  EXPECT_THAT(result.err, HasSubstr("the run stops here"));
+  EXPECT_EQ(join->Finish().status, 1);
+  EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
+}
+
+TEST_F(HostsTest, WhoIsFreeGoesOnWithoutALostHost) {
+  const auto join = Join(), run = Run({"--for", "14s", "--free-running"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  Cut();
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 1) << result.err;
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_EQ(report["virtual_time_s"], 14);
+  EXPECT_EQ(report["processes"][0]["lost"], "");
+  EXPECT_THAT(report["processes"][1]["lost"].get<std::string>(),
+              HasSubstr("cannot be reached any more"));
+  EXPECT_EQ(join->Finish().status, 1);
+  EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
+}
+
+// Whoever sends hears of it from his own interface.
+TEST_F(HostsTest, APulledCableIsALostHost) {
+  const auto join = Join(), run = Run({"--for", "10min"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  Unplug();
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("has not answered for 2 s"));
+  EXPECT_THAT(result.err, HasSubstr("cannot be reached any more"));
+  EXPECT_EQ(join->Finish().status, 1);
+  EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
+}
+
+}  // namespace
+}  // namespace openr_host

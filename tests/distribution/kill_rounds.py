@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Kills processes of a distributed run and lets them come back, again and again.
+
+Payer, Payee and Ledger (tests/images/Coins) count what is paid and got.  Payer or Payee, in
+processes of their own, is killed with SIGKILL at a random moment and started again by the run;
+then the next round.  In the end no coin may have come twice, and none may be missing that was
+acknowledged by a ready.  Last line: "N passed, N failed", a check each.
+
+    kill_rounds.py --build build/release --rounds 10000 [--free-running] [--seed 1]
+"""
+import argparse
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+CONNECTIONS = """\
+OVirtualRobotComm.Sensor.OSensorFrameVectorData.S Payer.Sensor.OSensorFrameVectorData.O
+Payer.Coins.Coin.S Payee.Coins.Coin.O
+Payer.Book.Entry.S Ledger.Paid.Entry.O
+Payee.Book.Entry.S Ledger.Got.Entry.O
+"""
+BACK = re.compile(r"process '(\w+)' is back \(pid (\d+)")
+SUM = re.compile(r"got (\d+) twice (\d+) missed (\d+) lost (\d+) series (\d+)")
+WAIT_S = 120  # for what must happen: a machine may be slow
+
+
+def make_stick(folder, images):
+    objects = os.path.join(folder, "OPEN-R", "MW", "OBJS")
+    config = os.path.join(folder, "OPEN-R", "MW", "CONF")
+    os.makedirs(objects)
+    os.makedirs(config)
+    names = ["LEDGER.BIN", "PAYER.BIN", "PAYEE.BIN"]
+    for name in names:
+        shutil.copy(os.path.join(images, name), objects)
+    with open(os.path.join(config, "OBJECT.CFG"), "w") as file:
+        file.writelines(f"/MS/OPEN-R/MW/OBJS/{name}\n" for name in names)
+    with open(os.path.join(config, "CONNECT.CFG"), "w") as file:
+        file.write(CONNECTIONS)
+
+
+def children_of(pid):
+    """Name of the process in the run -> pid."""
+    found = {}
+    with open(f"/proc/{pid}/task/{pid}/children") as file:
+        for child in file.read().split():
+            try:
+                with open(f"/proc/{child}/cmdline") as line:
+                    words = line.read().split("\0")
+                found[words[words.index("--process") + 1]] = int(child)
+            except (OSError, ValueError, IndexError):
+                pass  # it has just ended, or is just beginning
+    return found
+
+
+class Run:
+    """openr run, what it says, and which process is back."""
+
+    def __init__(self, build, stick, rounds, free):
+        command = [os.path.join(build, "bin", "openr"), "run", "--stick", stick, "--body", "ideal",
+                   "--no-panel", "--rc-port", "0", "--place", "Payer=payer", "--place",
+                   "Payee=payee", "--restart", str(rounds), "--dds-lease", "10"]
+        command += ["--free-running"] if free else ["--rate", "max"]
+        self.process = subprocess.Popen(command, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                                        text=True, errors="replace")
+        self.changed = threading.Condition()
+        self.returns = 0
+        self.lines = []
+        self.has_ended = False
+        threading.Thread(target=self.listen, daemon=True).start()
+
+    def listen(self):
+        for line in self.process.stderr:
+            with self.changed:
+                if BACK.search(line):
+                    self.returns += 1
+                elif "is gone, the others go on" not in line:
+                    self.lines.append(line.rstrip())
+                    del self.lines[:-200]
+                self.changed.notify_all()
+        with self.changed:
+            self.has_ended = True
+            self.changed.notify_all()
+
+    def wait_for_returns(self, count):
+        with self.changed:
+            return self.changed.wait_for(lambda: self.has_ended or self.returns >= count, WAIT_S) \
+                and self.returns >= count
+
+
+def play(run, rounds, dice):
+    """Kills `rounds` times; how often the one killed came back."""
+    deadline = time.monotonic() + WAIT_S
+    while len(children_of(run.process.pid)) < 2:
+        if time.monotonic() > deadline or run.process.poll() is not None:
+            return 0
+        time.sleep(0.01)
+    time.sleep(1)
+    for number in range(rounds):
+        time.sleep(dice.random() * 0.02)
+        victim = dice.choice(["payer", "payee"])
+        pid = children_of(run.process.pid).get(victim)
+        if pid is None:
+            return number
+        os.kill(pid, signal.SIGKILL)
+        if not run.wait_for_returns(number + 1):
+            return number
+        if (number + 1) % 1000 == 0:
+            print(f"{number + 1} rounds", flush=True)
+    time.sleep(1)
+    return rounds
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--build", required=True)
+    parser.add_argument("--rounds", type=int, default=30)
+    parser.add_argument("--free-running", action="store_true")
+    parser.add_argument("--seed", type=int, default=1)
+    flags = parser.parse_args()
+    checks = []
+    with tempfile.TemporaryDirectory() as stick:
+        make_stick(stick, os.path.join(os.path.abspath(flags.build), "images"))
+        run = Run(flags.build, stick, flags.rounds, flags.free_running)
+        begin = time.monotonic()
+        done = play(run, flags.rounds, random.Random(flags.seed))
+        taken = time.monotonic() - begin
+        checks.append((f"{done} of {flags.rounds} rounds", done == flags.rounds))
+        run.process.send_signal(signal.SIGINT)
+        try:
+            run.process.wait(WAIT_S)
+        except subprocess.TimeoutExpired:
+            run.process.kill()
+        with run.changed:
+            run.changed.wait_for(lambda: run.has_ended, WAIT_S)
+        sums = [SUM.search(line) for line in run.lines if SUM.search(line)]
+    if sums:
+        got, twice, missed, lost, series = map(int, sums[-1].groups())
+        print(f"{done} rounds in {taken:.0f} s: {got} coins got, {lost} came back unread, "
+              f"{series} lives of Payer")
+        checks += [("no coin twice", twice == 0),
+                   ("no acknowledged coin missing", missed == 0),
+                   ("more coins than rounds", got > flags.rounds)]
+    else:
+        checks.append(("the sum of Ledger", False))
+    failed = [name for name, good in checks if not good]
+    for name in failed:
+        print(f"failed: {name}")
+    if failed:
+        print("\n".join(run.lines[-30:]))
+    print(f"{len(checks) - len(failed)} passed, {len(failed)} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,287 @@
+// A process that was lost comes back, with its objects as at the beginning.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/distribution/hosts.h"
+#include "tests/distribution/same_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class ReturnsTest : public testing::Test {
+ protected:
+  // A stick with Payer, Payee and Ledger (tests/images/Coins).
+  ReturnsTest() {
+    stick_.Write("OPEN-R/MW/CONF/OBJECT.CFG",
+                 "/MS/OPEN-R/MW/OBJS/LEDGER.BIN\n/MS/OPEN-R/MW/OBJS/PAYER.BIN\n"
+                 "/MS/OPEN-R/MW/OBJS/PAYEE.BIN\n");
+    stick_.Write("OPEN-R/MW/CONF/CONNECT.CFG",
+                 "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
+                 "Payer.Sensor.OSensorFrameVectorData.O\n"
+                 "Payer.Coins.Coin.S Payee.Coins.Coin.O\n"
+                 "Payer.Book.Entry.S Ledger.Paid.Entry.O\n"
+                 "Payee.Book.Entry.S Ledger.Got.Entry.O\n");
+    stick_.Write("OPEN-R/MW/OBJS/README.TXT", "");
+    for (const char* const name : {"LEDGER.BIN", "PAYER.BIN", "PAYEE.BIN"})
+      std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/" + name, Image(name));
+  }
+  std::string Image(const std::string& name) const { return stick_.File("OPEN-R/MW/OBJS/" + name); }
+  // AddressSanitizer ends a process at a crash before the run can hear of it.
+  static constexpr const char* kNoCrashes = "crashes are reported by the sanitizer";
+#if defined(__SANITIZE_ADDRESS__)
+  static constexpr bool kHasCrashes = false;
+#else
+  static constexpr bool kHasCrashes = true;
+#endif
+  Words OnStick(const Words& flags) const {
+    return Words{"--stick", stick_.path(), "--body", "ideal"} + flags;
+  }
+  // At a pace at which somebody can do something meanwhile.
+  static Words RunAt(const std::string& rate, const Words& flags) {
+    return Words{"run", "--no-panel", "--rc-port", "0", "--json", "--rate", rate} + flags;
+  }
+  static int PidOf(const ProgramRun& run, const std::string& process) {
+    for (const pid_t child : ChildrenOf(run.pid())) {
+      std::ifstream file("/proc/" + std::to_string(child) + "/cmdline");
+      const std::string line{std::istreambuf_iterator<char>(file), {}};
+      if (line.find(process) != std::string::npos) return child;
+    }
+    return -1;
+  }
+  // New code of Payee, by another word in its image.
+  void NewEdition() const {
+    std::ifstream file(Image("PAYEE.BIN"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const size_t at = bytes.find("edition one");
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, 11, "edition two");
+    std::ofstream(Image("PAYEE.NEW"), std::ios::binary) << bytes;
+    std::filesystem::rename(Image("PAYEE.NEW"), Image("PAYEE.BIN"));
+  }
+
+  const ScratchFolder stick_;
+};
+
+// "got 12 twice 0 missed 0 ..." of Ledger.
+void ExpectGoodBooks(const std::string& err) {
+  EXPECT_THAT(err, HasSubstr(" twice 0 missed 0 "));
+  EXPECT_THAT(err, Not(HasSubstr("got 0 ")));
+  EXPECT_THAT(err, Not(HasSubstr("TWICE")));
+  EXPECT_THAT(err, Not(HasSubstr("MISSED")));
+}
+
+const json& Process(const json& report, const std::string& name) {
+  static const json none;
+  for (const json& process : report["processes"]) {
+    if (process["name"] == name) return process;
+  }
+  ADD_FAILURE() << "no process " << name << " in " << report;
+  return none;
+}
+
+TEST_F(ReturnsTest, AfterACrashAtTheSameInstantInEveryRun) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
+  const Words flags = OnStick({"--for", "2s", "--isolate", "Payee", "--restart", "1"});
+  const RecordedRun one = Record(flags);
+  const RecordedRun other = Record(flags);
+  EXPECT_EQ(one.status, 1) << one.err;
+  EXPECT_THAT(one.err, HasSubstr("process 'Payee' is back (pid "));
+  ASSERT_TRUE(one.report.is_object());
+  const json& process = Process(one.report, "Payee");
+  EXPECT_EQ(process["losses"], 1);
+  EXPECT_EQ(process["returns"], 1);
+  EXPECT_EQ(process["lost"], "");
+  EXPECT_EQ(one.Hashes(), other.Hashes());
+  EXPECT_EQ(one.recording, other.recording);
+  EXPECT_DOUBLE_EQ(one.report["virtual_time_s"].get<double>(), 2);
+}
+
+TEST_F(ReturnsTest, TheBooksAreRightAfterwards) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
+  ProgramRun run(RunAt("20", OnStick({"--isolate", "Payee", "--restart", "1"})));
+  ASSERT_TRUE(run.WaitFor("process 'Payee' is back"));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 1);
+  ExpectGoodBooks(run.heard());
+  EXPECT_THAT(run.heard(), HasSubstr(" lost 1 series 1"));  // coin 30
+}
+
+// Both objects of a process begin anew, and what was connected between them is again.
+TEST_F(ReturnsTest, AllObjectsOfAProcess) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
+  const Words flags = OnStick({"--for", "2s", "--place", "Payer=shop", "--place", "Payee=shop"});
+  const RecordedRun run = Record(flags + Words{"--restart", "9"});
+  ASSERT_TRUE(run.report.is_object()) << run.err;
+  EXPECT_EQ(Process(run.report, "shop")["losses"], 10) << "coin 30 of each life";
+  EXPECT_EQ(Process(run.report, "shop")["returns"], 9);
+  EXPECT_DOUBLE_EQ(run.report["virtual_time_s"].get<double>(), 2);
+}
+
+// What came while an object had the processor goes to the new one when that is free.
+TEST_F(ReturnsTest, WhenHandlersTakeTime) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
+  stick_.Write("slow.cost", "Payer * 3000\nPayee * 3000\n");
+  const Words flags = OnStick({"--for", "4s", "--cost", stick_.File("slow.cost"), "--place",
+                               "Payer=shop", "--place", "Payee=shop", "--restart", "2"});
+  const RecordedRun one = Record(flags);
+  ASSERT_TRUE(one.report.is_object()) << one.err;
+  EXPECT_GE(Process(one.report, "shop")["returns"], 1);
+  EXPECT_EQ(one.recording, Record(flags).recording);
+}
+
+TEST_F(ReturnsTest, OneThatCrashesAgainAndAgainIsGivenUp) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const RecordedRun run = Record({"--for", "1s", "--body", "ideal", "--stick", stick.path(),
+                                  "--isolate", "Trouble", "--restart", "2"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("process 'Trouble' is not started again: it was 2 times"));
+  ASSERT_TRUE(run.report.is_object());
+  EXPECT_EQ(Process(run.report, "Trouble")["losses"], 3);
+  EXPECT_NE(Process(run.report, "Trouble")["lost"], "");
+  EXPECT_DOUBLE_EQ(run.report["virtual_time_s"].get<double>(), 1) << "the others go on";
+}
+
+TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {
+  ProgramRun run(RunAt("20", OnStick({"--place", "Payer=payer", "--place", "Payee=payee",
+                                      "--restart", "1", "--for", "60s"})));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  NewEdition();
+  kill(PidOf(run, "payee"), SIGKILL);
+  ASSERT_TRUE(run.WaitFor("process 'payee' is back")) << run.heard();
+  EXPECT_TRUE(run.WaitFor("Payee, edition two")) << "new code";
+  kill(PidOf(run, "payee"), SIGKILL);  // once was what it may
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err,
+              HasSubstr("was killed by signal 9 (Killed); it was started again 1 times; "));
+  EXPECT_THAT(result.err, HasSubstr("the run stops here"));
+}
+
+TEST_F(ReturnsTest, TheDogStandsAgain) {
+  ProgramRun run(RunAt(
+      "10", {"--body", "ideal", "--isolate", "JointMover", "--restart", "3", "--for", "40s"}));
+  ASSERT_TRUE(run.WaitFor("state: accepting-commands"));
+  kill(PidOf(run, "JointMover"), SIGKILL);
+  ASSERT_TRUE(run.WaitFor("process 'JointMover' is back")) << run.heard();
+  const ProgramResult& result = run.Finish();
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_TRUE(report["robots"][0]["standing"].get<bool>());
+  EXPECT_DOUBLE_EQ(report["virtual_time_s"].get<double>(), 40);
+}
+
+TEST_F(ReturnsTest, FreeRunningTheOthersGoOnMeanwhile) {
+  ProgramRun run(RunAt("1", OnStick({"--place", "Payer=payer", "--place", "Payee=payee",
+                                     "--restart", "9", "--free-running"})));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  for (const char* const victim : {"payee", "payer", "payee"}) {
+    kill(PidOf(run, victim), SIGKILL);
+    ASSERT_TRUE(run.WaitFor(std::string("process '") + victim + "' is back")) << run.heard();
+  }
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 1);
+  ExpectGoodBooks(run.heard());
+}
+
+TEST_F(ReturnsTest, ASecondProcessOfANameIsSentAway) {
+  const std::string name = RunName("second");
+  stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
+  ProgramRun first({"join", "--process", "payee", "--run-name", name});
+  ProgramRun run(RunAt("20", OnStick({"--for", "10s", "--placement", stick_.File("where.cfg"),
+                                      "--run-name", name})));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  const ProgramResult second = RunProgram({"join", "--process", "payee", "--run-name", name});
+  EXPECT_EQ(second.status, 1);
+  EXPECT_THAT(second.err, HasSubstr("the run has its process 'payee' already: pid " +
+                                    std::to_string(first.pid())));
+  EXPECT_EQ(run.Finish().status, 0) << run.heard();
+  EXPECT_EQ(first.Finish().status, 0) << first.heard();
+}
+
+TEST_F(ReturnsTest, OneOfAnotherHostComesByItself) {
+  const std::string name = RunName("again");
+  stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
+  ProgramRun join(
+      {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", "1"});
+  ProgramRun run(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
+                                     "--free-running"})));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  kill(ChildrenOf(join.pid()).at(0), SIGKILL);
+  EXPECT_TRUE(run.WaitFor("process 'payee' is back")) << run.heard();
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 1);
+  ExpectGoodBooks(run.heard());
+  EXPECT_EQ(join.Finish().status, 0) << join.heard();
+}
+
+// Nobody is asked for ever.
+TEST_F(ReturnsTest, InLockstepOneOfAnotherHostHasItsChancesToo) {
+  const std::string name = RunName("chances");
+  stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
+  ProgramRun join({"join", "--process", "payee", "--run-name", name, "--dds-lease", "1"});
+  ProgramRun run(RunAt("20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
+                                      "--restart", "1", "--join-wait", "2s"})));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  join.Signal(SIGKILL);
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("process 'payee' did not come back within 2 s"));
+  EXPECT_THAT(result.err, HasSubstr("the run stops here"));
+}
+
+TEST_F(ReturnsTest, AJoinerThatIsRefusedDoesNotComeAgain) {
+  const std::string name = RunName("strange");
+  stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
+  const ScratchFolder other;
+  std::filesystem::copy(stick_.path(), other.File("stick"),
+                        std::filesystem::copy_options::recursive);
+  other.Write("stick/OPEN-R/NEW.TXT", "not on the other one");
+  ProgramRun join({"join", "--process", "payee", "--run-name", name, "--restart", "--stick",
+                   other.File("stick")});
+  ProgramRun run(RunAt(
+      "20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name, "--for", "1s"})));
+  EXPECT_EQ(run.Finish().status, 1);
+  EXPECT_EQ(join.Finish().status, 1) << join.heard();
+  EXPECT_THAT(join.heard(), HasSubstr("is not the stick of the run: its files differ"));
+  EXPECT_THAT(join.heard(), Not(HasSubstr("another one comes")));
+}
+
+// ---- the cable between two hosts
+
+class ReturningHostTest : public ReturnsTest, public TwoHosts {};
+
+TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
+  if (!Connect()) GTEST_SKIP() << kNoHosts;
+  const std::string name = RunName("back");
+  stick_.Write("where.cfg", "Payee payee\n@payee " + std::string(kThere) + "\n");
+  const auto join = StartThere(
+      {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", "2"});
+  const auto run =
+      StartHere(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
+                                    "--dds-lease", "2", "--free-running"})));
+  ASSERT_TRUE(run->WaitFor("Payee, edition one"));
+  Cut();
+  ASSERT_TRUE(run->WaitFor("cannot be reached any more")) << run->heard();
+  Mend();
+  EXPECT_TRUE(run->WaitFor("process 'payee' is back")) << run->heard();
+  run->Signal(SIGINT);
+  EXPECT_EQ(run->Finish().status, 1);
+  ExpectGoodBooks(run->heard());
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+}
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,98 @@
+// What a run says of itself on its topic, and the times in it.
+#include "distribution/status_topic.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <limits>
+
+#include "distribution/latency.h"
+
+namespace openr_host {
+namespace {
+
+class StatusTopicTest : public testing::Test {
+ protected:
+  static BusOptions Options() {
+    BusOptions options;
+    options.run = "status-" + std::to_string(getpid());
+    return options;
+  }
+  // What arrives of `status`.
+  RunStatus Sent(RunStatus status) {
+    status.run = Options().run;
+    writer_.Write(status);
+    const std::vector<RunStatus> heard = reader_.Take();
+    EXPECT_EQ(heard.size(), 1u);
+    return heard.empty() ? RunStatus() : heard[0];
+  }
+
+  Bus bus_{Options()};
+  StatusReader reader_{&bus_};
+  StatusWriter writer_{&bus_};
+};
+
+TEST_F(StatusTopicTest, WhatIsSaidIsHeard) {
+  RunStatus status;
+  status.host = "den";
+  status.pid = 7;
+  status.virtual_us = 5;
+  status.processes = {{"legs", "yard", 9, "gone"}};
+  status.objects = {{1, "Mover", "legs", "standing", 128, 40, 12.5, 2, 3, 5, {4, 90, 120, 130}}};
+  const RunStatus heard = Sent(status);
+  EXPECT_EQ(heard.run, Options().run);
+  EXPECT_EQ(heard.host, "den");
+  EXPECT_EQ(heard.virtual_us, 5);
+  ASSERT_EQ(heard.processes.size(), 1u);
+  EXPECT_EQ(heard.processes[0].lost, "gone");
+  ASSERT_EQ(heard.objects.size(), 1u);
+  EXPECT_EQ(heard.objects[0].name, "Mover");
+  EXPECT_EQ(heard.objects[0].messages_per_s, 12.5);
+  EXPECT_EQ(heard.objects[0].handlers.p99_us, 120);
+}
+
+TEST_F(StatusTopicTest, OnlyTheNewestIsKept) {
+  RunStatus status;
+  status.run = Options().run;
+  for (status.messages = 1; status.messages < 100; ++status.messages) writer_.Write(status);
+  EXPECT_EQ(Sent(status).messages, 100u);
+}
+
+TEST_F(StatusTopicTest, WhatATerminalWouldObeyIsNotHeard) {
+  RunStatus status;
+  status.objects = {{}};
+  status.objects[0].name = "\x1b[2J\n\xc2\x9b";
+  EXPECT_EQ(Sent(status).objects[0].name, "?[2J???");
+}
+
+TEST_F(StatusTopicTest, WhatIsTooLongIsCut) {
+  RunStatus status;
+  status.host = std::string(1000, 'h');
+  status.processes = {{"", "", 0, std::string(1000, 'l')}};
+  status.objects.resize(5000);
+  status.messages_per_s = std::numeric_limits<double>::infinity();
+  const RunStatus heard = Sent(status);
+  EXPECT_EQ(heard.host, std::string(127, 'h'));
+  EXPECT_EQ(heard.processes.at(0).lost, std::string(511, 'l'));
+  EXPECT_EQ(heard.objects.size(), 4096u);
+  EXPECT_EQ(heard.messages_per_s, 0);
+}
+
+TEST(LatencyTest, SinceAnEarlierCopyIsWhatCameToIt) {
+  Latency latency;
+  for (int i = 0; i < 100; ++i) latency.Add(1'000'000);
+  const Latency before = latency;
+  latency.Add(2'000);
+  latency.Add(4'000);
+  const Latency since = latency.Since(before);
+  EXPECT_EQ(since.count(), 2u);
+  EXPECT_DOUBLE_EQ(since.MeanUs(), 3);
+  EXPECT_NEAR(since.MaxUs(), 4, 4.0 / 16);
+  EXPECT_NEAR(since.PercentileUs(0.5), 2, 2.0 / 16);
+  EXPECT_EQ(latency.Since(latency).count(), 0u);
+  EXPECT_EQ(latency.Since(latency).MeanUs(), 0);
+  EXPECT_EQ(latency.Since(latency).PercentileUs(0.99), 0);
+}
+
+}  // namespace
+}  // namespace openr_host

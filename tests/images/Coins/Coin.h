@@ -1,0 +1,23 @@
+// What Payer, Payee and Ledger say to each other.
+//
+// Payer pays one coin at a time and books it; Payee books each that it gets before it asserts
+// ready.  So Ledger, which nobody kills, can tell whether a coin came twice, and whether one that
+// was acknowledged by a ready did not come.
+#ifndef Coin_h_DEFINED
+#define Coin_h_DEFINED
+
+#include <OPENR/OPENRAPI.h>
+
+struct Coin {
+    unsigned int series;   // of this life of the Payer: the time when it began, in ms
+    unsigned int number;   // from 1
+};
+
+// What Payer books: the coin is on its way, those before it are acknowledged or lost.
+struct Paid {
+    Coin coin;
+    unsigned int acknowledged;  // number of the last one whose ready came; 0: none
+    unsigned int lost;          // how many came back unread
+};
+
+#endif  // Coin_h_DEFINED

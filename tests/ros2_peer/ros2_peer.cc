@@ -1,0 +1,275 @@
+// A plain participant on DDS: Cyclone DDS and the public IDL (distribution/ros2/idl), nothing of
+// ours.  What it hears goes to standard output, a line of JSON each.
+//
+//   ros2_peer DOMAIN topics                     the topics of ROS 2 that somebody else has
+//   ros2_peer DOMAIN read TYPE TOPIC N [best]   N samples; best: a best-effort reader
+//   ros2_peer DOMAIN command TOPIC JOINT=RAD[@RAD/S]...
+//                                               to a reader of JointState, when one is there
+//   ros2_peer DOMAIN offer TOPIC                a best-effort writer of JointState, until killed
+#include <dds/dds.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "geometry_msgs.h"
+#include "rosgraph_msgs.h"
+#include "sensor_msgs.h"
+#include "std_msgs.h"
+
+namespace {
+
+constexpr dds_duration_t kPatience = DDS_SECS(60);
+
+[[noreturn]] void Fail(const std::string& what) {
+  std::fprintf(stderr, "ros2_peer: %s\n", what.c_str());
+  std::exit(1);
+}
+
+dds_entity_t Check(dds_entity_t result, const char* what) {
+  if (result < 0) Fail(std::string(what) + ": " + dds_strretcode(-result));
+  return result;
+}
+
+std::string Numbers(const double* values, size_t count) {
+  std::string text = "[";
+  for (size_t i = 0; i < count; ++i) {
+    char number[40];
+    std::snprintf(number, sizeof number, "%s%.9g", i == 0 ? "" : ",", values[i]);
+    text += number;
+  }
+  return text + "]";
+}
+
+std::string Numbers(const dds_sequence_double& values) {
+  return Numbers(values._buffer, values._length);
+}
+
+std::string Text(const std::string& text) { return "\"" + text + "\""; }
+
+std::string Stamp(const builtin_interfaces_msg_dds__Time_& time) {
+  return std::to_string(int64_t{time.sec_} * 1000000 + time.nanosec_ / 1000);
+}
+
+std::string Header(const std_msgs_msg_dds__Header_& header) {
+  return "\"stamp_us\":" + Stamp(header.stamp_) + ",\"frame_id\":" + Text(header.frame_id_);
+}
+
+std::string JsonOfJointState(const void* sample) {
+  const auto& state = *static_cast<const sensor_msgs_msg_dds__JointState_*>(sample);
+  std::string names;
+  for (uint32_t i = 0; i < state.name_._length; ++i)
+    names += (i == 0 ? "" : ",") + Text(state.name_._buffer[i]);
+  return "{" + Header(state.header_) + ",\"name\":[" + names +
+         "],\"position\":" + Numbers(state.position_) +
+         ",\"velocity\":" + Numbers(state.velocity_) + ",\"effort\":" + Numbers(state.effort_) +
+         "}";
+}
+
+std::string JsonOfImu(const void* sample) {
+  const auto& imu = *static_cast<const sensor_msgs_msg_dds__Imu_*>(sample);
+  return "{" + Header(imu.header_) +
+         ",\"acceleration\":" + Numbers(&imu.linear_acceleration_.x_, 3) +
+         ",\"orientation\":" + Numbers(&imu.orientation_.x_, 4) +
+         ",\"orientation_covariance\":" + Numbers(imu.orientation_covariance_, 9) +
+         ",\"angular_velocity_covariance\":" + Numbers(imu.angular_velocity_covariance_, 9) + "}";
+}
+
+std::string JsonOfImage(const void* sample) {
+  const auto& image = *static_cast<const sensor_msgs_msg_dds__Image_*>(sample);
+  std::set<uint32_t> colours;
+  for (uint32_t i = 0; i + 2 < image.data_._length; i += 3) {
+    const uint8_t* const p = image.data_._buffer + i;
+    colours.insert(uint32_t{p[0]} << 16 | uint32_t{p[1]} << 8 | p[2]);
+  }
+  return "{" + Header(image.header_) + ",\"width\":" + std::to_string(image.width_) +
+         ",\"height\":" + std::to_string(image.height_) +
+         ",\"step\":" + std::to_string(image.step_) + ",\"encoding\":" + Text(image.encoding_) +
+         ",\"bytes\":" + std::to_string(image.data_._length) +
+         ",\"colours\":" + std::to_string(colours.size()) + "}";
+}
+
+std::string JsonOfClock(const void* sample) {
+  return "{\"stamp_us\":" +
+         Stamp(static_cast<const rosgraph_msgs_msg_dds__Clock_*>(sample)->clock_) + "}";
+}
+
+std::string JsonOfBool(const void* sample) {
+  return static_cast<const std_msgs_msg_dds__Bool_*>(sample)->data_ ? "true" : "false";
+}
+
+std::string JsonOfFloat(const void* sample) {
+  const double value = static_cast<const std_msgs_msg_dds__Float32_*>(sample)->data_;
+  return Numbers(&value, 1);
+}
+
+struct Type {
+  const dds_topic_descriptor_t* descriptor;
+  std::string (*json)(const void* sample);
+};
+
+Type TypeOf(const std::string& name) {
+  const std::map<std::string, Type> types = {
+      {"sensor_msgs/JointState", {&sensor_msgs_msg_dds__JointState__desc, &JsonOfJointState}},
+      {"sensor_msgs/Imu", {&sensor_msgs_msg_dds__Imu__desc, &JsonOfImu}},
+      {"sensor_msgs/Image", {&sensor_msgs_msg_dds__Image__desc, &JsonOfImage}},
+      {"rosgraph_msgs/Clock", {&rosgraph_msgs_msg_dds__Clock__desc, &JsonOfClock}},
+      {"std_msgs/Bool", {&std_msgs_msg_dds__Bool__desc, &JsonOfBool}},
+      {"std_msgs/Float32", {&std_msgs_msg_dds__Float32__desc, &JsonOfFloat}}};
+  const auto found = types.find(name);
+  if (found == types.end()) Fail("no type " + name);
+  return found->second;
+}
+
+dds_qos_t* MakeQos(dds_reliability_kind_t reliability) {
+  dds_qos_t* const qos = dds_create_qos();
+  dds_qset_reliability(qos, reliability, DDS_SECS(1));
+  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 10);
+  return qos;
+}
+
+dds_entity_t TopicOf(dds_entity_t participant, const Type& type, const char* name) {
+  return Check(dds_create_topic(participant, type.descriptor, name, nullptr, nullptr), "topic");
+}
+
+int Read(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 3) Fail("read TYPE TOPIC N [best]");
+  const Type type = TypeOf(argv[0]);
+  const bool is_best = argc > 3 && std::strcmp(argv[3], "best") == 0;
+  dds_qos_t* const qos = MakeQos(is_best ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE);
+  const dds_entity_t reader = Check(
+      dds_create_reader(participant, TopicOf(participant, type, argv[1]), qos, nullptr), "reader");
+  const dds_entity_t waitset = dds_create_waitset(participant);
+  dds_waitset_attach(waitset, dds_create_readcondition(reader, DDS_ANY_STATE), 0);
+  for (int left = std::atoi(argv[2]); left > 0;) {
+    if (dds_waitset_wait(waitset, nullptr, 0, kPatience) <= 0)
+      Fail(std::string("nothing comes on ") + argv[1]);
+    void* sample = nullptr;
+    dds_sample_info_t info;
+    if (dds_take(reader, &sample, &info, 1, 1) <= 0) continue;
+    if (info.valid_data) {
+      std::printf("%s\n", type.json(sample).c_str());
+      std::fflush(stdout);
+      --left;
+    }
+    dds_return_loan(reader, &sample, 1);
+  }
+  return 0;
+}
+
+int Command(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 1) Fail("command TOPIC JOINT=RAD[@RAD/S]...");
+  std::vector<std::string> names;
+  std::vector<double> positions, velocities;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const size_t equals = word.find('='), at = word.find('@');
+    names.push_back(word.substr(0, equals));
+    if (equals != std::string::npos) positions.push_back(std::atof(word.c_str() + equals + 1));
+    if (at != std::string::npos) velocities.push_back(std::atof(word.c_str() + at + 1));
+  }
+  std::vector<char*> texts;
+  for (std::string& name : names) texts.push_back(name.data());
+  dds_qos_t* const qos = MakeQos(DDS_RELIABILITY_RELIABLE);
+  const Type type = TypeOf("sensor_msgs/JointState");
+  const dds_entity_t writer = Check(
+      dds_create_writer(participant, TopicOf(participant, type, argv[0]), qos, nullptr), "writer");
+  const dds_time_t end = dds_time() + kPatience;
+  dds_publication_matched_status_t readers{};
+  while (readers.current_count == 0) {
+    if (dds_time() > end) Fail(std::string("nobody reads ") + argv[0]);
+    dds_sleepfor(DDS_MSECS(10));
+    dds_get_publication_matched_status(writer, &readers);
+  }
+  sensor_msgs_msg_dds__JointState_ sample{};
+  char nothing[] = "";
+  const auto count = [](const auto& list) { return static_cast<uint32_t>(list.size()); };
+  sample.header_.frame_id_ = nothing;
+  sample.name_ = {count(texts), count(texts), texts.data(), false};
+  sample.position_ = {count(positions), count(positions), positions.data(), false};
+  sample.velocity_ = {count(velocities), count(velocities), velocities.data(), false};
+  Check(dds_write(writer, &sample), "write");
+  Check(dds_wait_for_acks(writer, kPatience), "acknowledgement");
+  return 0;
+}
+
+int Offer(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 1) Fail("offer TOPIC");
+  dds_qos_t* const qos = MakeQos(DDS_RELIABILITY_BEST_EFFORT);
+  const Type type = TypeOf("sensor_msgs/JointState");
+  Check(dds_create_writer(participant, TopicOf(participant, type, argv[0]), qos, nullptr),
+        "writer");
+  dds_sleepfor(kPatience);
+  return 0;
+}
+
+std::string Line(const char* kind, const dds_builtintopic_endpoint_t& endpoint) {
+  dds_reliability_kind_t reliability = DDS_RELIABILITY_BEST_EFFORT;
+  dds_durability_kind_t durability = DDS_DURABILITY_VOLATILE;
+  dds_qget_reliability(endpoint.qos, &reliability, nullptr);
+  dds_qget_durability(endpoint.qos, &durability);
+  uint32_t partitions = 0;
+  char** names = nullptr;
+  dds_qget_partition(endpoint.qos, &partitions, &names);
+  std::string partition;
+  for (uint32_t i = 0; i < partitions; ++i) partition += names[i];
+  uint32_t count = 0;
+  dds_data_representation_id_t* representations = nullptr;
+  dds_qget_data_representation(endpoint.qos, &count, &representations);
+  std::string plain = count == 1 && representations[0] == 0 ? "true" : "false";
+  return std::string("{\"kind\":\"") + kind + "\",\"topic\":" + Text(endpoint.topic_name) +
+         ",\"type\":" + Text(endpoint.type_name) +
+         ",\"reliable\":" + (reliability == DDS_RELIABILITY_RELIABLE ? "true" : "false") +
+         ",\"volatile\":" + (durability == DDS_DURABILITY_VOLATILE ? "true" : "false") +
+         ",\"partition\":" + Text(partition) + ",\"plain_cdr\":" + plain + "}";
+}
+
+// Until nothing new has come for a second after the first.
+int Topics(dds_entity_t participant) {
+  const std::pair<const char*, dds_entity_t> kinds[] = {
+      {"writer",
+       dds_create_reader(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr)},
+      {"reader",
+       dds_create_reader(participant, DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, nullptr, nullptr)}};
+  std::set<std::string> lines;
+  dds_time_t end = dds_time() + kPatience;
+  while (dds_time() < end) {
+    for (const auto& [kind, reader] : kinds) {
+      void* sample = nullptr;
+      dds_sample_info_t info;
+      while (dds_take(reader, &sample, &info, 1, 1) > 0) {
+        const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
+        const bool is_new = info.valid_data && std::strncmp(endpoint.topic_name, "rt/", 3) == 0 &&
+                            lines.insert(Line(kind, endpoint)).second;
+        if (is_new) end = dds_time() + DDS_SECS(1);
+        dds_return_loan(reader, &sample, 1);
+      }
+    }
+    dds_sleepfor(DDS_MSECS(20));
+  }
+  for (const std::string& line : lines) std::printf("%s\n", line.c_str());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) Fail("DOMAIN topics | read ... | command ...");
+  const dds_entity_t participant = Check(
+      dds_create_participant(static_cast<dds_domainid_t>(std::atoi(argv[1])), nullptr, nullptr),
+      "participant");
+  const std::string what = argv[2];
+  int status = 2;
+  if (what == "topics") status = Topics(participant);
+  if (what == "read") status = Read(participant, argc - 3, argv + 3);
+  if (what == "offer") status = Offer(participant, argc - 3, argv + 3);
+  if (what == "command") status = Command(participant, argc - 3, argv + 3);
+  dds_delete(participant);
+  return status;
+}
