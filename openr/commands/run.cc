@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "distribution/monitor.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/commands/distributed_run.h"
 #include "openr/commands/distribution_flags.h"
 #include "openr/console.h"
 #include "openr/crash_log.h"
@@ -25,7 +25,6 @@
 #include "openr/last_words.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
-#include "openr/ros2/ros2_link.h"
 #include "openr/runner.h"
 #include "openr/simulation.h"
 #include "openr/watchdog.h"
@@ -170,7 +169,31 @@ double RateOf(const std::string& text) {
       "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
 }
 
+// Each output is written from its beginning.
+void CheckThatFilesDiffer(const RunFlags& flags) {
+  std::vector<std::pair<std::string, std::string>> named = {
+      {"--report", flags.report_file},   {"--record", flags.record_file},
+      {"--console", flags.console_file}, {"--speaker", flags.simulation.speaker},
+      {"--stdin", flags.stdin_file},     {"--mic", flags.simulation.microphone}};
+  for (const std::string& file : flags.snapshot_files) named.emplace_back("-o", file);
+  std::map<std::string, std::string> flag_of;
+  for (const auto& [flag, file] : named) {
+    if (file.empty() || file == "-" || file == "/dev/null") continue;
+    const auto [first, is_new] =
+        flag_of.emplace(std::filesystem::weakly_canonical(file).string(), flag);
+    if (!is_new) {
+      throw CLI::ValidationError(flag,
+                                 fmt::format("{} is the file of {} already", file, first->second));
+    }
+  }
+}
+
+// Throws CLI::ValidationError when the flags make no sense.
 RunPlan PlanOf(const RunFlags& flags) {
+  CheckThatFilesDiffer(flags);
+  if (flags.panel->count() > 0) {
+    throw CLI::ValidationError("--panel", "there is no web panel in this version");
+  }
   RunPlan plan;
   plan.for_us = flags.for_us;
   plan.until_idle = flags.until_idle;
@@ -178,6 +201,8 @@ RunPlan PlanOf(const RunFlags& flags) {
   plan.snapshots = SnapshotPlans(flags);
   plan.stdin_file = flags.stdin_file;
   plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
+  if (flags.placement.is_free && plan.rate <= 0)
+    throw CLI::ValidationError("--free-running", "needs a clock: --rate max has none");
   return plan;
 }
 
@@ -210,43 +235,6 @@ bool FinishRecording(Recorder* recorder, Simulation* simulation) {
   return problem.empty();
 }
 
-// Each output is written from its beginning.
-void CheckThatFilesDiffer(const RunFlags& flags) {
-  std::vector<std::pair<std::string, std::string>> named = {
-      {"--report", flags.report_file},   {"--record", flags.record_file},
-      {"--console", flags.console_file}, {"--speaker", flags.simulation.speaker},
-      {"--stdin", flags.stdin_file},     {"--mic", flags.simulation.microphone}};
-  for (const std::string& file : flags.snapshot_files) named.emplace_back("-o", file);
-  std::map<std::string, std::string> flag_of;
-  for (const auto& [flag, file] : named) {
-    if (file.empty() || file == "-" || file == "/dev/null") continue;
-    const auto [first, is_new] =
-        flag_of.emplace(std::filesystem::weakly_canonical(file).string(), flag);
-    if (!is_new) {
-      throw CLI::ValidationError(flag,
-                                 fmt::format("{} is the file of {} already", file, first->second));
-    }
-  }
-}
-
-nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
-  auto processes = nlohmann::ordered_json::array();
-  for (const Fleet::ProcessFacts& facts : fleet.Describe()) {
-    processes.push_back(
-        {{"name", facts.name},
-         {"pid", facts.pid},
-         {"host", facts.host},
-         {"objects", facts.objects},
-         {"lost", facts.lost},
-         {"losses", facts.losses},
-         {"returns", facts.returns},
-         {"handlers", facts.handlers},
-         {"handler_us",
-          {{"median", facts.median_us}, {"p99", facts.p99_us}, {"max", facts.max_us}}}});
-  }
-  return processes;
-}
-
 // The report of a run that an object brings down: what there is at that moment, and why.
 void ReportTheEnding(Ending* ending, Simulation* simulation, const RunFacts& facts,
                      const RunFlags& flags, Console* console) {
@@ -262,106 +250,107 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, const RunFacts& fac
   ending->answered = true;
 }
 
-int Run(RunFlags flags) {
-  CheckThatFilesDiffer(flags);
-  if (flags.panel->count() > 0) {
-    throw CLI::ValidationError("--panel", "there is no web panel in this version");
-  }
-  RunPlan plan = PlanOf(flags);
-  if (flags.placement.is_free && plan.rate <= 0)
-    throw CLI::ValidationError("--free-running", "needs a clock: --rate max has none");
-  flags.simulation.log_level = flags.log == "error" ? 1 : flags.log == "warning" ? 2 : 3;
+// One run, from its command line to its report.
+class CommandedRun {
+ public:
+  explicit CommandedRun(const RunFlags& flags);
 
-  Console console(flags.console_file);
-  flags.simulation.console = [&console](std::string_view text) { console.Print(text); };
-  const InterruptCounter interrupts;
-  Recorder recorder(flags.record_file, !flags.no_payloads);
-  const bool records = !flags.record_file.empty();
-  if (records) recorder.Listen(&flags.simulation);
-  const std::unique_ptr<Fleet> fleet =
-      MakeFleet(flags.placement, StickFolder(flags.simulation.stick), flags.handler_limit_us,
-                [&interrupts] { return interrupts.count() >= 2; });
-  if (fleet != nullptr) {
-    flags.simulation.stand_ins = [&fleet](System* system, int robot) {
-      return fleet->StandInsFor(system, robot);
-    };
-  }
-  std::unique_ptr<Bus> own_bus;
-  if (fleet == nullptr && (flags.ros2.is_on || flags.placement.is_monitored))
-    own_bus = MakeBus(flags.placement);
-  Bus* const bus = fleet == nullptr ? own_bus.get() : fleet->bus();
-  std::unique_ptr<Ros2Link> ros2;
-  if (flags.ros2.is_on)
-    ros2 = std::make_unique<Ros2Link>(bus, flags.ros2.space, &flags.simulation, plan.say);
-  Simulation simulation(flags.simulation);
-  console.Print(DescribeObjects(&simulation));
-  const System& system = simulation.system();
-  bool good = simulation.loaded() && !(flags.simulation.strict && system.findings().HasError());
-  if (good && fleet != nullptr) {
-    const std::string problem = fleet->Connect();
-    if (!problem.empty()) {
-      fmt::print(stderr, "openr: {}\n", problem);
-      good = false;
-    }
-  }
-  if (fleet != nullptr) {
-    fleet->OnCrash([&simulation](Object* object) {
-      simulation.robots()[static_cast<size_t>(object->robot)]->CommanderIsGone(object->id);
-    });
-    fleet->OnReturn([&simulation](Object* object) {
-      simulation.robots()[static_cast<size_t>(object->robot)]->CommanderIsBack(object->id);
-    });
-  }
-  bool boots = good;
-  RunFacts facts;
-  facts.seed = flags.simulation.seed;
+  // The exit code.
+  int Run();
+
+ private:
+  SimulationOptions Options();
+  bool RunToTheEnd();
+  bool Report();
+
+  bool records() const { return !flags_.record_file.empty(); }
+  System& system() { return simulation_.system(); }
+
+  const RunFlags flags_;
+  RunPlan plan_;
+  Console console_;
+  const InterruptCounter interrupts_;
+  Recorder recorder_;
+  DistributedRun distribution_;
+  const SimulationOptions options_;
+  Simulation simulation_;
+  bool boots_ = false;
+  RunFacts facts_;
+};
+
+CommandedRun::CommandedRun(const RunFlags& flags)
+    : flags_(flags),
+      plan_(PlanOf(flags)),
+      console_(flags.console_file),
+      recorder_(flags.record_file, !flags.no_payloads),
+      distribution_(flags.placement, flags.ros2, StickFolder(flags.simulation.stick),
+                    flags.handler_limit_us, &interrupts_),
+      options_(Options()),
+      simulation_(options_) {
+  facts_.seed = options_.seed;
+}
+
+// With everybody who listens or takes part.
+SimulationOptions CommandedRun::Options() {
+  SimulationOptions options = flags_.simulation;
+  options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
+  options.console = [this](std::string_view text) { console_.Print(text); };
+  if (records()) recorder_.Listen(&options);
+  distribution_.Enter(&options, plan_.say);  // the recorder hears it as input
+  return options;
+}
+
+int CommandedRun::Run() {
+  console_.Print(DescribeObjects(&simulation_));
+  const bool is_refused = flags_.simulation.strict && system().findings().HasError();
+  boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
+  bool good = boots_;
   if (good) {
-    const LastAnswer answer(flags.json ? console.answer_descriptor() : -1, flags.report_file);
-    const CrashLog crash_log(
-        std::vector<std::string>(static_cast<size_t>(flags.simulation.robots), simulation.stick()));
-    const Watchdog watchdog(flags.handler_limit_us);
-    if (records) {
-      recorder.Begin(&simulation, flags.simulation);
-      plan.recorder = &recorder;
-    }
-    if (fleet != nullptr && flags.placement.is_free)
-      plan.pump = [&fleet](int64_t timeout_us) { fleet->Pump(timeout_us); };
-    std::unique_ptr<Monitor> monitor;
-    if (bus != nullptr) monitor = std::make_unique<Monitor>(&system, bus, fleet.get());
-    if (ros2 != nullptr) ros2->Begin(&simulation);
-    plan.after_frame = [&fleet, &monitor, &ros2] {
-      if (fleet != nullptr) fleet->Watch();
-      if (monitor != nullptr) monitor->Look();
-      if (ros2 != nullptr) ros2->AfterFrame();
-    };
-    Runner runner(&simulation, plan, &interrupts);
-    const auto learn_facts = [&facts, &runner] {
-      facts.wall_time_s = runner.wall_time_s();
-      facts.standing = runner.standing();
-    };
-    const LastWords last_words([&](Ending* ending) {
-      learn_facts();
-      ReportTheEnding(ending, &simulation, facts, flags, &console);
-    });
-    good = runner.Run();
-    if (monitor != nullptr) monitor->End();
-    learn_facts();
-    if (records) good = FinishRecording(&recorder, &simulation) && good;
-    boots = system.booted() || !system.powered_off();
+    good = RunToTheEnd();
   } else {
-    facts.standing.assign(simulation.robots().size(), StandingMonitor(simulation.model()));
+    facts_.standing.assign(simulation_.robots().size(), StandingMonitor(simulation_.model()));
   }
-  if (fleet != nullptr) fleet->ReportLosses();
-  if (!boots) fmt::print(stderr, "openr: the robot does not boot\n");
+  good = Report() && good;
+  return good && !system().findings().HasError() ? kExitGood : kExitWrong;
+}
+
+// False after a complaint.
+bool CommandedRun::RunToTheEnd() {
+  const LastAnswer answer(flags_.json ? console_.answer_descriptor() : -1, flags_.report_file);
+  const CrashLog crash_log(
+      std::vector<std::string>(static_cast<size_t>(options_.robots), simulation_.stick()));
+  const Watchdog watchdog(flags_.handler_limit_us);
+  if (records()) {
+    recorder_.Begin(&simulation_, options_);
+    plan_.recorder = &recorder_;
+  }
+  distribution_.Begin(&simulation_, &plan_);
+  Runner runner(&simulation_, plan_, &interrupts_);
+  const auto learn_facts = [this, &runner] {
+    facts_.wall_time_s = runner.wall_time_s();
+    facts_.standing = runner.standing();
+  };
+  const LastWords last_words([&](Ending* ending) {
+    learn_facts();
+    ReportTheEnding(ending, &simulation_, facts_, flags_, &console_);
+  });
+  bool good = runner.Run();
+  distribution_.RunIsOver();
+  learn_facts();
+  if (records()) good = FinishRecording(&recorder_, &simulation_) && good;
+  boots_ = system().booted() || !system().powered_off();
+  return good;
+}
+
+// False after a complaint.  The processes end when all is known that only they know.
+bool CommandedRun::Report() {
+  distribution_.ReportLosses();
+  if (!boots_) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
-  nlohmann::ordered_json report = MakeReport(&simulation, facts);
-  if (fleet != nullptr) {
-    report["processes"] = DescribeProcesses(*fleet);
-    fleet->End();
-  }
-  fmt::print(stderr, "{}{}", DescribeFindings(&simulation), Summary(report));
-  good = WriteReport(report, flags, &console) && good;
-  return good && !system.findings().HasError() ? kExitGood : kExitWrong;
+  nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
+  distribution_.EndProcesses(&report);
+  fmt::print(stderr, "{}{}", DescribeFindings(&simulation_), Summary(report));
+  return WriteReport(report, flags_, &console_);
 }
 
 }  // namespace
@@ -372,7 +361,7 @@ void AddRunCommand(CLI::App* app, int* exit_code) {
   auto flags = std::make_shared<RunFlags>();
   DescribeRun(command, flags.get());
   DescribeOutput(command, flags.get());
-  command->callback([flags, exit_code] { *exit_code = Run(*flags); });
+  command->callback([flags, exit_code] { *exit_code = CommandedRun(*flags).Run(); });
 }
 
 }  // namespace openr_host

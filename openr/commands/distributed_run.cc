@@ -1,0 +1,101 @@
+#include "openr/commands/distributed_run.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "openr/interrupt.h"
+
+namespace openr_host {
+namespace {
+
+nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
+  auto processes = nlohmann::ordered_json::array();
+  for (const Fleet::ProcessFacts& facts : fleet.Describe()) {
+    processes.push_back(
+        {{"name", facts.name},
+         {"pid", facts.pid},
+         {"host", facts.host},
+         {"objects", facts.objects},
+         {"lost", facts.lost},
+         {"losses", facts.losses},
+         {"returns", facts.returns},
+         {"handlers", facts.handlers},
+         {"handler_us",
+          {{"median", facts.median_us}, {"p99", facts.p99_us}, {"max", facts.max_us}}}});
+  }
+  return processes;
+}
+
+}  // namespace
+
+DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2,
+                               const std::string& stick, int64_t handler_limit_us,
+                               const InterruptCounter* interrupts)
+    : is_free_(placement.is_free),
+      ros2_flags_(ros2),
+      fleet_(MakeFleet(placement, stick, handler_limit_us,
+                       [interrupts] { return interrupts->count() >= 2; })) {
+  if (fleet_ != nullptr) {
+    bus_ = fleet_->bus();
+  } else if (ros2.is_on || placement.is_monitored) {
+    own_bus_ = MakeBus(placement);
+    bus_ = own_bus_.get();
+  }
+}
+
+void DistributedRun::Enter(SimulationOptions* options, const Ros2Link::Say& say) {
+  if (fleet_ != nullptr) {
+    options->stand_ins = [this](System* system, int robot) {
+      return fleet_->StandInsFor(system, robot);
+    };
+  }
+  if (ros2_flags_.is_on) ros2_ = std::make_unique<Ros2Link>(bus_, ros2_flags_.space, options, say);
+}
+
+bool DistributedRun::Connect(Simulation* simulation) {
+  if (fleet_ == nullptr) return true;
+  const std::string problem = fleet_->Connect();
+  if (!problem.empty()) {
+    fmt::print(stderr, "openr: {}\n", problem);
+    return false;
+  }
+  const auto robot_of = [simulation](const Object& object) {
+    return simulation->robots()[static_cast<size_t>(object.robot)];
+  };
+  fleet_->OnCrash([robot_of](Object* object) { robot_of(*object)->CommanderIsGone(object->id); });
+  fleet_->OnReturn([robot_of](Object* object) { robot_of(*object)->CommanderIsBack(object->id); });
+  return true;
+}
+
+void DistributedRun::Begin(Simulation* simulation, RunPlan* plan) {
+  if (fleet_ != nullptr && is_free_)
+    plan->pump = [this](int64_t timeout_us) { fleet_->Pump(timeout_us); };
+  plan->after_frame = [this] { AfterFrame(); };
+  if (bus_ != nullptr)
+    monitor_ = std::make_unique<Monitor>(&simulation->system(), bus_, fleet_.get());
+  if (ros2_ != nullptr) ros2_->Begin(simulation);
+}
+
+void DistributedRun::AfterFrame() {
+  if (fleet_ != nullptr) fleet_->Watch();
+  if (monitor_ != nullptr) monitor_->Look();
+  if (ros2_ != nullptr) ros2_->AfterFrame();
+}
+
+void DistributedRun::RunIsOver() {
+  if (monitor_ != nullptr) monitor_->End();
+}
+
+void DistributedRun::ReportLosses() {
+  if (fleet_ != nullptr) fleet_->ReportLosses();
+}
+
+void DistributedRun::EndProcesses(nlohmann::ordered_json* report) {
+  if (fleet_ == nullptr) return;
+  (*report)["processes"] = DescribeProcesses(*fleet_);
+  fleet_->End();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,58 @@
+// What a run has beyond its own process: processes for some of its objects, ROS 2, those who watch
+// it.  Nothing at all, unless flags ask for it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "distribution/monitor.h"
+#include "openr/commands/distribution_flags.h"
+#include "openr/ros2/ros2_link.h"
+#include "openr/runner.h"
+#include "openr/simulation.h"
+
+namespace openr_host {
+
+class InterruptCounter;
+
+// In the order of its functions.  Outlives the simulation.
+class DistributedRun {
+ public:
+  // Starts the processes of this host.  `stick` is the folder of the run's, `interrupts` outlives
+  // this.  Throws CLI::ValidationError, or std::runtime_error of DDS.
+  DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const std::string& stick,
+                 int64_t handler_limit_us, const InterruptCounter* interrupts);
+
+  // Takes its places in a simulation that is still to be made.
+  void Enter(SimulationOptions* options, const Ros2Link::Say& say);
+
+  // The simulation is loaded: all processes hear the rest.  False after a complaint.
+  bool Connect(Simulation* simulation);
+
+  // Before the runner of `plan` is made.
+  void Begin(Simulation* simulation, RunPlan* plan);
+
+  // Whoever watches hears it.
+  void RunIsOver();
+
+  // Findings about messages that nobody heard.
+  void ReportLosses();
+
+  // Adds them to the report, if there are any, and they end.
+  void EndProcesses(nlohmann::ordered_json* report);
+
+ private:
+  void AfterFrame();
+
+  const bool is_free_;
+  const Ros2Flags ros2_flags_;
+  const std::unique_ptr<Fleet> fleet_;  // null: all is in this process
+  std::unique_ptr<Bus> own_bus_;        // without a fleet
+  Bus* bus_ = nullptr;                  // null: nobody is spoken to
+  std::unique_ptr<Ros2Link> ros2_;
+  std::unique_ptr<Monitor> monitor_;
+};
+
+}  // namespace openr_host
