@@ -29,6 +29,23 @@ dds_qos_t* QosOf(const std::string& partition) {
   return qos;
 }
 
+using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_listener_t*);
+using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
+                                const dds_listener_t*);
+
+// An end of the topic in the partition of the bus's run.  The group has the partition, which is a
+// publisher's or subscriber's.
+dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
+  const dds_entity_t topic =
+      dds_create_topic(bus->participant(), &openr_status_Status_desc, kTopic, nullptr, nullptr);
+  Check(topic, "topic");
+  dds_qos_t* const qos = QosOf(bus->run());
+  const dds_entity_t group = new_group(bus->participant(), qos, nullptr);
+  const dds_entity_t end = new_end(group, topic, qos, nullptr);
+  dds_delete_qos(qos);
+  return Check(end, kTopic);
+}
+
 // As much of it as the type has room for.
 template <size_t N>
 void Put(const std::string& text, char (*out)[N]) {
@@ -130,16 +147,8 @@ void Give(std::vector<T>* items, Seq* sequence) {
 
 }  // namespace
 
-StatusWriter::StatusWriter(Bus* bus) {
-  const dds_entity_t topic =
-      dds_create_topic(bus->participant(), &openr_status_Status_desc, kTopic, nullptr, nullptr);
-  Check(topic, "topic");
-  dds_qos_t* const qos = QosOf(bus->run());
-  const dds_entity_t publisher = dds_create_publisher(bus->participant(), qos, nullptr);
-  writer_ = dds_create_writer(publisher, topic, qos, nullptr);
-  dds_delete_qos(qos);
-  Check(writer_, "writer");
-}
+StatusWriter::StatusWriter(Bus* bus)
+    : writer_(Open(bus, &dds_create_publisher, &dds_create_writer)) {}
 
 void StatusWriter::Write(const RunStatus& status) {
   std::vector<openr_status_ProcessStatus> processes;
@@ -152,15 +161,8 @@ void StatusWriter::Write(const RunStatus& status) {
   dds_write(writer_, &sample);
 }
 
-StatusReader::StatusReader(Bus* bus) {
-  const dds_entity_t topic =
-      dds_create_topic(bus->participant(), &openr_status_Status_desc, kTopic, nullptr, nullptr);
-  Check(topic, "topic");
-  dds_qos_t* const qos = QosOf(bus->run());
-  const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);
-  reader_ = dds_create_reader(subscriber, topic, qos, nullptr);
-  dds_delete_qos(qos);
-  Check(reader_, "reader");
+StatusReader::StatusReader(Bus* bus)
+    : reader_(Open(bus, &dds_create_subscriber, &dds_create_reader)) {
   const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
   Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");

@@ -2,7 +2,7 @@
 # Settings for --dds-config with which processes of a run accept each other and nobody else, and
 # with which nobody else can read what they say (DDS Security, docs/distribution.md).
 #
-#   tools/dds_security.sh DIR NAME...
+#   dds_security.sh DIR NAME...
 #
 # makes DIR/NAME.xml for each name, a host say: its certificate and key, signed by an authority in
 # DIR that is made the first time.  Whoever has ca.key can let others in; NAME.xml is for NAME only.
