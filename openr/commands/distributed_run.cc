@@ -85,6 +85,7 @@ void DistributedRun::AfterFrame() {
 }
 
 void DistributedRun::RunIsOver() {
+  if (ros2_ != nullptr) ros2_->End();
   if (monitor_ != nullptr) monitor_->End();
 }
 

@@ -34,7 +34,7 @@ class DistributedRun {
   // Before the runner of `plan` is made.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Whoever watches hears it.
+  // Whoever watches hears it, and people what they were spared.
   void RunIsOver();
 
   // Findings about messages that nobody heard.

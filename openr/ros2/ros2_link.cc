@@ -10,9 +10,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kComplaintsMax = 20;  // of a run
-constexpr int kPatienceFrames = 125;   // 1 s
-constexpr size_t kNamespaceMax = 64;   // characters
+constexpr int kPatienceFrames = 125;  // 1 s
+constexpr size_t kNamespaceMax = 64;  // characters
 constexpr const char* kCommandTopic = "/joint_command";
 
 }  // namespace
@@ -36,15 +35,17 @@ std::string WrongNamespace(const std::string& name) {
 Ros2Link::Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say)
     : bus_(bus), space_(std::move(space)), say_(std::move(say)), clock_(bus, "clock") {
   robots_.resize(static_cast<size_t>(options->robots));
-  for (size_t i = 0; i < robots_.size(); ++i)
+  for (size_t i = 0; i < robots_.size(); ++i) {
     robots_[i].space = robots_.size() == 1 ? space_ : space_ + std::to_string(i);
+    robots_[i].complaints = std::make_unique<Ros2Complaints>(robots_[i].space, say_);
+  }
   options->network_filter = [this, outer = options->network_filter](
                                 int index, std::unique_ptr<Network> inner) {
     Robot& robot = robots_.at(static_cast<size_t>(index));
     const std::string topic = robot.space + kCommandTopic;
-    auto client =
-        std::make_unique<JointClient>(std::move(inner), [this, topic](const std::string& why) {
-          Complain(fmt::format("{}: the robot refuses: {}", topic, why));
+    auto client = std::make_unique<JointClient>(
+        std::move(inner), [topic, complaints = robot.complaints.get()](const std::string& why) {
+          complaints->Add(fmt::format("{}: the robot refuses: {}", topic, why));
         });
     robot.client = client.get();
     std::unique_ptr<Network> result = std::move(client);
@@ -70,7 +71,7 @@ void Ros2Link::AfterFrame() {
   clock_.Publish(now_us);
   for (Robot& robot : robots_) {
     const std::string problem = robot.topics->Publish(now_us);
-    if (!problem.empty()) Complain(robot.space + "/image_raw: " + problem);
+    if (!problem.empty()) robot.complaints->Add(robot.space + "/image_raw: " + problem);
     TakeCommands(&robot);
   }
 }
@@ -78,9 +79,10 @@ void Ros2Link::AfterFrame() {
 void Ros2Link::TakeCommands(Robot* robot) {
   const std::string topic = robot->space + kCommandTopic;
   if (robot->commands->HasMisfit()) {
-    Complain(topic +
-             ": a publisher does not match and is not heard; it has to be reliable and to speak "
-             "XCDR1, which is the default of ROS 2");
+    robot->complaints->Add(
+        topic +
+        ": a publisher does not match and is not heard; it has to be reliable and to speak "
+        "XCDR1, which is the default of ROS 2");
   }
   const bool is_waiting = robot->client->IsWaiting();  // with what came before
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
@@ -88,24 +90,38 @@ void Ros2Link::TakeCommands(Robot* robot) {
     if (!command) break;
     std::map<int, JointTarget> targets;
     const std::string problem = ReadJointCommand(*command, robot->robot->model(), &targets);
-    if (!problem.empty()) Complain(fmt::format("{}: refused: {}", topic, problem));
+    if (!problem.empty()) robot->complaints->Add(fmt::format("{}: refused: {}", topic, problem));
     robot->client->Want(targets);
   }
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
   if (robot->frames_waiting == kPatienceFrames) {
     robot->frames_waiting = 0;
     robot->client->GiveUp();  // a command of long ago must not move the robot
-    Complain(fmt::format(
+    robot->complaints->Add(fmt::format(
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
         "RCServer on the stick and started, and has it less than eight clients?",
         topic));
   }
 }
 
-void Ros2Link::Complain(const std::string& what) {
-  if (complaints_.size() >= kComplaintsMax || !complaints_.insert(what).second) return;
+void Ros2Link::End() {
+  for (const Robot& robot : robots_) robot.complaints->SayHowManyMore();
+}
+
+void Ros2Complaints::Add(const std::string& what) {
+  if (said_.contains(what)) return;
+  if (said_.size() == kMax) {
+    ++unsaid_count_;
+    return;
+  }
+  said_.insert(what);
   say_("ROS 2: " + what + " (said once)");
-  if (complaints_.size() == kComplaintsMax) say_("ROS 2: no more of this is said");
+  if (said_.size() == kMax) say_(fmt::format("ROS 2: no more of this is said of /{}", robot_));
+}
+
+void Ros2Complaints::SayHowManyMore() const {
+  if (unsaid_count_ == 0) return;
+  say_(fmt::format("ROS 2: /{}: {} more complaints were not said", robot_, unsaid_count_));
 }
 
 }  // namespace openr_host

@@ -1,6 +1,7 @@
 // Joints commanded by a plain DDS participant.
 #include <cmath>
 
+#include "openr/ros2/ros2_link.h"
 #include "tests/distribution/ros2/ros2_run.h"
 #include "virtualrobot/model/robot_model.h"
 
@@ -72,8 +73,40 @@ TEST(Ros2CommandsTest, WhatMakesNoSenseIsRefusedOnceByName) {
 TEST(Ros2CommandsTest, NoFloodOfComplaints) {
   Ros2Run run({});
   for (int i = 0; i < 25; ++i) run.peer().Do({"command", kTopic, "j" + std::to_string(i) + "=0"});
-  ASSERT_TRUE(run.program().WaitFor("ROS 2: no more of this is said"));
-  EXPECT_EQ(CountOf("is no joint of", run.End().err), 20u);
+  ASSERT_TRUE(run.program().WaitFor("ROS 2: no more of this is said of /aibo"));
+  const ProgramResult& result = run.End();
+  EXPECT_EQ(CountOf("is no joint of", result.err), 20u);
+  EXPECT_THAT(result.err, HasSubstr("ROS 2: /aibo: 5 more complaints were not said"));
+}
+
+TEST(Ros2ComplaintsTest, EachOnceAndTheRestIsCounted) {
+  std::vector<std::string> said;
+  Ros2Complaints complaints("aibo", [&](const std::string& line) { said.push_back(line); });
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 23; ++i) complaints.Add("text " + std::to_string(i));
+  }
+  ASSERT_EQ(said.size(), 21u);
+  EXPECT_EQ(said[0], "ROS 2: text 0 (said once)");
+  EXPECT_EQ(said[20], "ROS 2: no more of this is said of /aibo");
+  complaints.SayHowManyMore();
+  EXPECT_EQ(said.back(), "ROS 2: /aibo: 6 more complaints were not said");
+}
+
+TEST(Ros2ComplaintsTest, NothingIsSaidOfNothing) {
+  std::vector<std::string> said;
+  Ros2Complaints complaints("aibo", [&](const std::string& line) { said.push_back(line); });
+  complaints.Add("text");
+  complaints.SayHowManyMore();
+  EXPECT_EQ(said.size(), 1u);
+}
+
+TEST(Ros2CommandsTest, OneRobotsComplaintsDoNotSilenceAnothers) {
+  Ros2Run run({"--robots", "2", "--body", "ideal"});
+  for (int i = 0; i < 21; ++i)
+    run.peer().Do({"command", "rt/aibo0/joint_command", "j" + std::to_string(i) + "=0"});
+  ASSERT_TRUE(run.program().WaitFor("ROS 2: no more of this is said of /aibo0"));
+  run.peer().Do({"command", "rt/aibo1/joint_command", "nose=0"});
+  EXPECT_TRUE(run.program().WaitFor("aibo1/joint_command: refused: 'nose' is no joint"));
 }
 
 TEST(Ros2CommandsTest, TheRobotsOwnRefusalIsHeard) {
