@@ -115,6 +115,33 @@ TEST_F(ReturnsTest, TheBooksAreRightAfterwards) {
   EXPECT_THAT(run.heard(), HasSubstr(" lost 1 series 1"));  // coin 30
 }
 
+// What Register() gave to the one that is gone.
+TEST_F(ReturnsTest, ANameEndsWithItsObject) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
+  ProgramRun run(RunAt("20", OnStick({"--isolate", "Payee"})));
+  ASSERT_TRUE(run.WaitFor("process 'Payee' (pid ")) << run.heard();
+  ASSERT_TRUE(run.WaitFor("is gone, the others go on"));
+  run.Signal(SIGINT);
+  run.Finish();
+  EXPECT_THAT(run.heard(), HasSubstr("Payee registers Purse: 0"));
+  EXPECT_THAT(run.heard(), HasSubstr("Purse is gone"));
+}
+
+TEST_F(ReturnsTest, ANameIsThereAgainWithItsObject) {
+  if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
+  stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
+  ProgramRun run(RunAt("20", OnStick({"--isolate", "Payee", "--restart", "1"})));
+  ASSERT_TRUE(run.WaitFor("process 'Payee' is back"));
+  ASSERT_TRUE(run.WaitFor("Payee, edition one"));
+  run.Signal(SIGINT);
+  run.Finish();
+  const std::string& heard = run.heard();
+  const std::string word = "Payee registers Purse: 0";  // it was free again
+  EXPECT_NE(heard.find(word, heard.find(word) + 1), std::string::npos) << heard;
+  EXPECT_THAT(heard, HasSubstr("Purse is there"));
+}
+
 // Both objects of a process begin anew, and what was connected between them is again.
 TEST_F(ReturnsTest, AllObjectsOfAProcess) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;

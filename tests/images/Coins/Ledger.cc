@@ -1,5 +1,6 @@
 #include "Ledger.h"
 
+#include <MCOOP.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
@@ -29,6 +30,8 @@ Ledger::DoStop(const OSystemEvent&)
 {
     OSYSPRINT(("got %u twice %u missed %u lost %u series %u\n", got_, twice_, missed_, lost_,
                (unsigned int)series_.size()));
+    OID purse;
+    OSYSPRINT(("Purse is %s\n", Find("Purse", &purse) == sSUCCESS ? "there" : "gone"));
     DISABLE_ALL_SUBJECT;
     DEASSERT_READY_TO_ALL_OBSERVER;
     return oSUCCESS;

@@ -1,5 +1,6 @@
 #include "Payee.h"
 
+#include <MCOOP.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 #include <stdio.h>
@@ -29,6 +30,7 @@ Payee::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
+    OSYSPRINT(("Payee registers Purse: %d\n", (int)Register(myOID_, "Purse")));
     return oSUCCESS;
 }
 
