@@ -32,6 +32,16 @@ Answer NewRegion(System* system, const Question& question) {
           {system->regions().New(Number(question, 0), static_cast<ObjectId>(Number(question, 1)))}};
 }
 
+// Whether it was done.  Regions of other processes are none of its business.
+bool ResizeRegion(System* system, const Object* self, const Question& question) {
+  const auto region = static_cast<uint32_t>(Number(question, 0));
+  const auto* const asker = dynamic_cast<const RemoteObject*>(self);
+  const auto* const owner =
+      dynamic_cast<const RemoteObject*>(system->object(system->regions().OwnerOf(region)));
+  if (asker == nullptr || owner == nullptr || asker->process() != owner->process()) return false;
+  return system->regions().Resize(region, Number(question, 1));
+}
+
 // As OObject::RegisterServiceEntry().
 Answer RegisterService(System* system, Object* self, const Question& question) {
   const auto target = static_cast<ObjectId>(Number(question, 0));
@@ -93,10 +103,7 @@ Answer AnswerQuestion(System* system, Object* self, const Question& question) {
     case QuestionKind::kNewRegion:
       return NewRegion(system, question);
     case QuestionKind::kResizeRegion:
-      return {
-          system->regions().Resize(static_cast<uint32_t>(Number(question, 0)), Number(question, 1))
-              ? 1
-              : 0};
+      return {ResizeRegion(system, self, question) ? 1 : 0};
     case QuestionKind::kRegisterService:
       return RegisterService(system, self, question);
     case QuestionKind::kTimedEvent:

@@ -44,6 +44,9 @@ bool RemoteProcess::Serve(const openr_wire_Up& up) {
       SendAnswer({Post(up.body._u.post.posted, self)});
       return true;
     }
+    case openr_wire_UP_STOPPED:
+      if (up.body._u.stopped.timeout_us > kDelayMaxUs) Refuse("a wait until another time");
+      return false;
     default:
       return false;
   }

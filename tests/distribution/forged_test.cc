@@ -1,0 +1,342 @@
+// A process that sends what no process of ours would: the run loses it by name and goes on.
+#include <OPENR/RCRegion.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <limits>
+
+#include "distribution/remote_object.h"
+#include "distribution/remote_process.h"
+#include "runtime/core/api.h"
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr uint32_t kEntry = 9;  // of the object that is elsewhere
+constexpr uint32_t kBytes = 16;
+constexpr int32_t kNobody = 4242;
+constexpr uint32_t kNoRegion = 0x70007;
+
+// A booted system with one object here and one in a process that is played by the test.
+class ForgedTest : public ::testing::Test {
+ protected:
+  ForgedTest() {
+    system_.AddRobot("ERS-210", nullptr);
+    sender_ = system_.AddObject<SubjectProbe>(0, "sender");
+    system_.Boot();
+    system_.RunFor(1000);
+    auto remote = std::make_unique<RemoteObject>(
+        &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
+        [this](RemoteObject*, RemoteObject::Loss, const std::string& why) {
+          losses_.push_back(why);
+          process_.Lose();
+        });
+    remote->name = "Remote";
+    remote->set_selectors({0, 1, 2, 3, kEntry});
+    remote_ = remote.get();
+    Come();
+    process_.Add(remote_);
+    system_.Adopt(std::move(remote));
+    region_here_ = system_.regions().New(kBytes, sender_->host().id);
+    region_there_ = system_.regions().New(kBytes, remote_->id);
+  }
+  static BusOptions Options() {
+    BusOptions options;
+    options.run = "forged-" + std::to_string(getpid());
+    return options;
+  }
+  void Come() {
+    process_.seat().Open("now");
+    line_ = std::make_unique<ProcessLine>(&bus_, "liar/now", LineEnd::kProcess);
+    while (!line_->IsConnected()) usleep(1000);
+    openr_wire_Up up = New(openr_wire_UP_HELLO);
+    up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711};
+    line_->Send(up);
+    process_.WaitForHello(10'000);
+    openr_wire_Welcome welcome{};
+    welcome.stick = arena_.Text("");
+    process_.Welcome(&system_, welcome);
+  }
+
+  openr_wire_Up New(openr_wire_UpKind kind) const {
+    openr_wire_Up up{};
+    up.body._d = kind;
+    return up;
+  }
+  // The handler's end, as it should be.
+  openr_wire_Up Stopped() {
+    openr_wire_Up up = New(openr_wire_UP_STOPPED);
+    openr_wire_Stopped& stopped = up.body._u.stopped;
+    stopped.object = remote_->id;
+    stopped.timeout_us = -1;
+    stopped.why = stopped.state = arena_.Text("");
+    return up;
+  }
+  openr_wire_Up With(const openr_wire_Effect& effect) {
+    openr_wire_Up up = Stopped();
+    up.effects = arena_.Sequence<decltype(up.effects)>(std::vector<openr_wire_Effect>{effect});
+    return up;
+  }
+  openr_wire_Up Note(NoteKind kind, std::vector<uint64_t> numbers) {
+    openr_wire_Effect effect{};
+    effect._d = openr_wire_EFFECT_NOTE;
+    effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
+                      arena_.Text("")};
+    return With(effect);
+  }
+  openr_wire_Message Message(openr_wire_PayloadKind kind) const {
+    openr_wire_Message message{};
+    message.sender = remote_->id;
+    message.target = sender_->host().id;
+    message.selector = sender_->out->GetID().GetSelector();
+    message.payload._d = kind;
+    return message;
+  }
+  openr_wire_Up Post(const openr_wire_Message& message, int64_t delay_us = 0) {
+    openr_wire_Effect effect{};
+    effect._d = openr_wire_EFFECT_POST;
+    effect._u.posted = {message, delay_us};
+    return With(effect);
+  }
+  openr_wire_Up Notify(std::vector<openr_wire_Part> parts, uint32_t notifications = 1) {
+    openr_wire_Message message = Message(openr_wire_PAYLOAD_NOTIFY);
+    openr_wire_Notify& notify = message.payload._u.notify;
+    notify.subject = remote_->id;
+    notify.notifications = notifications;
+    notify.parts = arena_.Sequence<decltype(notify.parts)>(std::move(parts));
+    return Post(message);
+  }
+  openr_wire_Up Ready(std::vector<openr_wire_Returned> regions) {
+    openr_wire_Message message = Message(openr_wire_PAYLOAD_READY);
+    openr_wire_Ready& ready = message.payload._u.ready;
+    ready.observer = remote_->id;
+    ready.selector = kEntry;
+    ready.regions = arena_.Sequence<decltype(ready.regions)>(std::move(regions));
+    return Post(message);
+  }
+  openr_wire_Up Ask(int32_t object, QuestionKind kind, std::vector<uint64_t> numbers,
+                    const std::string& text = "") {
+    openr_wire_Up up = New(openr_wire_UP_QUESTION);
+    up.body._u.question = {object,
+                           static_cast<uint32_t>(kind),
+                           arena_.Numbers(std::move(numbers)),
+                           arena_.Text(text),
+                           {}};
+    return up;
+  }
+
+  // Hands a message to the process, which has sent `ups`.
+  void Deliver(const std::vector<openr_wire_Up>& ups) {
+    for (const openr_wire_Up& up : ups) line_->Send(up);
+    {
+      const CurrentScope scope(&system_, &sender_->host());
+      system_.Post(system_.NewMessage(remote_->id, kEntry));
+    }
+    system_.RunFor(1'000'000);
+    arena_.Clear();
+  }
+  // Why the process was lost; "": it was not.
+  std::string LossBy(const openr_wire_Up& up) {
+    Deliver({up});
+    EXPECT_LE(losses_.size(), 1u);
+    return losses_.empty() ? "" : losses_[0];
+  }
+
+  Bus bus_{Options()};
+  RemoteProcess process_{&bus_, "liar", false, [] { return std::string(); },
+                         [](const std::string&) {}};
+  System system_;
+  SubjectProbe* sender_ = nullptr;
+  RemoteObject* remote_ = nullptr;
+  std::unique_ptr<ProcessLine> line_;
+  WireArena arena_;
+  std::vector<std::string> losses_;
+  uint32_t region_here_ = 0, region_there_ = 0;
+};
+
+TEST_F(ForgedTest, WhatIsInOrderIsNoLoss) {
+  EXPECT_EQ(LossBy(Stopped()), "");
+  EXPECT_EQ(LossBy(Note(NoteKind::kDeleteRegion, {region_there_})), "");
+  EXPECT_EQ(system_.regions().BaseOf(region_there_), nullptr);
+}
+
+TEST_F(ForgedTest, TheLossNamesTheProcess) {
+  EXPECT_EQ(
+      LossBy(New(openr_wire_UP_STATE)),
+      "process 'liar' (pid 4711) sent something in the middle of a handler; is it the same openr?");
+}
+
+TEST_F(ForgedTest, TheEndOfAnotherObjectsHandler) {
+  openr_wire_Up up = Stopped();
+  up.body._u.stopped.object = sender_->host().id;
+  EXPECT_THAT(LossBy(up), HasSubstr("the end of another object's handler"));
+}
+
+TEST_F(ForgedTest, AQuestionInTheNameOfAnother) {
+  EXPECT_THAT(LossBy(Ask(sender_->host().id, QuestionKind::kNewRegion, {16, 1})),
+              HasSubstr("a request of an object that is not its own"));
+}
+
+TEST_F(ForgedTest, AMessageInTheNameOfNobody) {
+  openr_wire_Up up = New(openr_wire_UP_POST);
+  up.body._u.post.object = kNobody;
+  up.body._u.post.posted.message = Message(openr_wire_PAYLOAD_BYTES);
+  EXPECT_THAT(LossBy(up), HasSubstr("a request of an object that is not its own"));
+}
+
+TEST_F(ForgedTest, ANoteThatIsNone) {
+  EXPECT_THAT(LossBy(Note(static_cast<NoteKind>(77), {})), HasSubstr("note 77"));
+}
+
+TEST_F(ForgedTest, TheRegionOfAnother) {
+  EXPECT_THAT(LossBy(Note(NoteKind::kDeleteRegion, {region_here_})),
+              HasSubstr("the end of a region that is not its own"));
+  EXPECT_NE(system_.regions().BaseOf(region_here_), nullptr);
+}
+
+TEST_F(ForgedTest, TheRegionOfAnotherIsTaken) {
+  const auto self = static_cast<uint64_t>(remote_->id);
+  EXPECT_THAT(LossBy(Note(NoteKind::kOwner, {region_here_, self})),
+              HasSubstr("a region that is not its own"));
+  EXPECT_EQ(system_.regions().OwnerOf(region_here_), sender_->host().id);
+}
+
+TEST_F(ForgedTest, ARegionGivenBackTwice) {
+  EXPECT_THAT(LossBy(Note(NoteKind::kUnpin, {region_here_})),
+              HasSubstr("a region given back twice"));
+}
+
+TEST_F(ForgedTest, ARobotThatIsNotThere) {
+  EXPECT_THAT(LossBy(Note(NoteKind::kPowerOff, {std::numeric_limits<uint64_t>::max()})),
+              HasSubstr("an unknown robot"));
+  EXPECT_FALSE(system_.powered_off());
+}
+
+TEST_F(ForgedTest, ANotificationFromARegionThatIsNotThere) {
+  EXPECT_THAT(LossBy(Notify({{1, kNoRegion, kBytes, 0, kBytes, {}}})),
+              HasSubstr("16 bytes in region 0x70007"));
+}
+
+TEST_F(ForgedTest, ANotificationFromBeyondItsRegion) {
+  EXPECT_THAT(LossBy(Notify({{1, region_there_, kBytes, kBytes - 1, 2, {}}})),
+              HasSubstr("2 bytes in region"));
+}
+
+// Offset and size together are 0 in 32 bits.
+TEST_F(ForgedTest, ANotificationFromFarBeyondItsRegion) {
+  const uint32_t offset = 0xfffffff0;
+  EXPECT_THAT(LossBy(Notify({{1, region_there_, 0xffffffff, offset, 0x10, {}}})),
+              HasSubstr("16 bytes in region"));
+}
+
+TEST_F(ForgedTest, ANotificationWithBytesOfAnotherSize) {
+  const std::string bytes(kBytes, 'x');
+  EXPECT_THAT(LossBy(Notify({{1, region_there_, kBytes, 0, kBytes - 1,
+                              WireArena::View(bytes.data(), bytes.size())}})),
+              HasSubstr("a part of another size"));
+}
+
+TEST_F(ForgedTest, ANotificationOfTooMuch) {
+  const openr_wire_Part part = {1, region_there_, kBytes, 0, kBytes, {}};
+  EXPECT_THAT(LossBy(Notify(std::vector<openr_wire_Part>(1000, part))),
+              HasSubstr("a notification of 1000 data"));
+}
+
+TEST_F(ForgedTest, ANotificationThatCountsWrong) {
+  EXPECT_THAT(LossBy(Notify({}, 0xffffffff)), HasSubstr("a notification of"));
+}
+
+TEST_F(ForgedTest, AReadyWithATokenOfItsOwnMaking) {
+  EXPECT_THAT(LossBy(Ready({{99, {}}})), HasSubstr("a ready with an unknown region"));
+}
+
+TEST_F(ForgedTest, AReadyWithTooMuch) {
+  EXPECT_THAT(LossBy(Ready(std::vector<openr_wire_Returned>(1000))),
+              HasSubstr("a ready with 1000 regions"));
+}
+
+TEST_F(ForgedTest, AMessageThatIsTooLong) {
+  const std::string bytes(1 << 20, 'x');
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);
+  message.payload._u.bytes = WireArena::View(bytes.data(), bytes.size());
+  EXPECT_THAT(LossBy(Post(message)), HasSubstr("1048576 bytes"));
+}
+
+TEST_F(ForgedTest, ANetworkMessageThatIsTooShort) {
+  const std::string bytes(3, 'x');
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_ANT);
+  message.payload._u.ant.message = WireArena::View(bytes.data(), bytes.size());
+  EXPECT_THAT(LossBy(Post(message)), HasSubstr("a network message of 3 bytes"));
+}
+
+TEST_F(ForgedTest, AMessageForThePast) {
+  EXPECT_THAT(LossBy(Post(Message(openr_wire_PAYLOAD_BYTES), -1)),
+              HasSubstr("a message for another time"));
+}
+
+TEST_F(ForgedTest, AMessageForTheEndOfTime) {
+  const int64_t never_us = std::numeric_limits<int64_t>::max();
+  EXPECT_THAT(LossBy(Post(Message(openr_wire_PAYLOAD_BYTES), never_us)),
+              HasSubstr("a message for another time"));
+}
+
+TEST_F(ForgedTest, AWaitUntilTheEndOfTime) {
+  openr_wire_Up up = Stopped();
+  up.body._u.stopped.kind = openr_wire_STOP_WAITS;
+  up.body._u.stopped.timeout_us = std::numeric_limits<int64_t>::max();
+  EXPECT_THAT(LossBy(up), HasSubstr("a wait until another time"));
+}
+
+// ---- what changes nothing
+
+TEST_F(ForgedTest, MessagesToNobodyAndRepliesToNobodyAreLeftOut) {
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);
+  message.target = kNobody;
+  EXPECT_EQ(LossBy(Post(message)), "");
+  message.is_reply = true;
+  message.reply_box = 7;
+  EXPECT_EQ(LossBy(Post(message)), "");
+  message.target = sender_->host().id;
+  EXPECT_EQ(LossBy(Post(message)), "");
+  message.target = -1;
+  EXPECT_EQ(LossBy(Post(message)), "");
+}
+
+TEST_F(ForgedTest, NumbersOutOfAllRangesChangeNothing) {
+  const uint64_t huge = std::numeric_limits<uint64_t>::max();
+  for (const uint64_t number : {uint64_t{kNoRegion}, huge, uint64_t{1} << 40}) {
+    for (const NoteKind kind : {NoteKind::kPin, NoteKind::kFinding, NoteKind::kOpenBox,
+                                NoteKind::kCloseBox, NoteKind::kMapBuffer}) {
+      EXPECT_EQ(LossBy(Note(kind, {number, number, number})), "");
+    }
+  }
+}
+
+TEST_F(ForgedTest, QuestionsOutOfAllRangesAreAnswered) {
+  const uint64_t huge = std::numeric_limits<uint64_t>::max();
+  for (uint32_t kind = 0; kind <= static_cast<uint32_t>(QuestionKind::kService) + 1; ++kind) {
+    SCOPED_TRACE(kind);
+    const auto question = static_cast<QuestionKind>(kind);
+    for (const std::vector<uint64_t>& numbers :
+         {std::vector<uint64_t>{}, {huge, huge, huge, huge, huge}, {kNobody, kNobody, 1, 1, 1}}) {
+      Deliver({Ask(remote_->id, question, numbers, "../../name"), Stopped()});
+      ASSERT_TRUE(losses_.empty()) << losses_[0];
+    }
+  }
+}
+
+TEST_F(ForgedTest, ItsOwnRegionMayShrink) {
+  Deliver({Ask(remote_->id, QuestionKind::kResizeRegion, {region_there_, 4}), Stopped()});
+  EXPECT_EQ(system_.regions().SizeOf(region_there_), 4u);
+}
+
+TEST_F(ForgedTest, AnotherObjectsRegionKeepsItsSize) {
+  Deliver({Ask(remote_->id, QuestionKind::kResizeRegion, {region_here_, 4}), Stopped()});
+  EXPECT_EQ(system_.regions().SizeOf(region_here_), kBytes);
+}
+
+}  // namespace
+}  // namespace openr_host
