@@ -1,0 +1,138 @@
+// A robot is switched off while the process of one of its objects is away.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include "distribution/fleet.h"
+#include "openr/simulation.h"
+#include "tests/distribution/sticks.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr int64_t kFrame_us = 8000;
+
+class PowerOffTest : public testing::Test {
+ protected:
+  // Payee in a process that may come back once.
+  void Begin(int robots) {
+    MakeStick(stick_, {"LEDGER.BIN", "PAYER.BIN", "PAYEE.BIN"},
+              "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
+              "Payer.Sensor.OSensorFrameVectorData.O\n"
+              "Payer.Coins.Coin.S Payee.Coins.Coin.O\n"
+              "Payer.Book.Entry.S Ledger.Paid.Entry.O\n"
+              "Payee.Book.Entry.S Ledger.Got.Entry.O\n");
+    FleetOptions options;
+    options.bus.run = "power-off-" + std::to_string(getpid());
+    options.placement.process_of["Payee"] = "payee";
+    options.command = {OPENR_PROGRAM, "join",          "--child-of",      std::to_string(getpid()),
+                       "--run-name",  options.bus.run, "--handler-limit", "0s"};
+    options.stick = stick_.path();
+    options.restarts = 1;
+    options.say = [this](const std::string& line) { said_ += line + "\n"; };
+    fleet_ = std::make_unique<Fleet>(options);
+    SimulationOptions simulation;
+    simulation.stick = stick_.path();
+    simulation.body = "ideal";
+    simulation.robots = robots;
+    simulation.host_network = false;
+    simulation.console = [this](std::string_view text) { printed_ += text; };
+    simulation.stand_ins = [this](System* system, int robot) {
+      return fleet_->StandInsFor(system, robot);
+    };
+    simulation_ = std::make_unique<Simulation>(simulation);
+    ASSERT_EQ(fleet_->Connect(), "");
+    system().Boot();
+    Run(20);
+  }
+  void TearDown() override {
+    if (fleet_ != nullptr) fleet_->End();
+  }
+  System& system() { return simulation_->system(); }
+  Object& payee(int robot) { return *system().FindObject(robot, "Payee"); }
+
+  // As openr run does.
+  void Run(int frames) {
+    for (int i = 0; i < frames && !system().powered_off(); ++i) {
+      system().RunUntil(system().now_us() + kFrame_us);
+      fleet_->Watch();
+    }
+  }
+  // Until the run has heard of it; whom.
+  int64_t Kill() {
+    const int64_t pid = fleet_->Describe()[0].pid;
+    kill(static_cast<pid_t>(pid), SIGKILL);
+    while (fleet_->Describe()[0].losses == 0) fleet_->Watch();
+    return pid;
+  }
+  int StartCount() const {
+    int count = 0;
+    for (size_t at = 0; (at = printed_.find("Payee, edition", at)) != std::string::npos; ++at)
+      ++count;
+    return count;
+  }
+
+  const ScratchFolder stick_;
+  std::unique_ptr<Fleet> fleet_;
+  std::unique_ptr<Simulation> simulation_;
+  std::string said_, printed_;
+};
+
+TEST_F(PowerOffTest, OnlyTheOtherRobotsObjectStartsAgain) {
+  Begin(2);
+  EXPECT_EQ(StartCount(), 2);
+  Kill();
+  system().PowerOff(0);
+  Run(20);
+  EXPECT_THAT(said_, HasSubstr("process 'payee' is back"));
+  EXPECT_EQ(StartCount(), 3);
+  const uint64_t off = payee(0).message_count, on = payee(1).message_count;
+  Run(20);
+  EXPECT_EQ(payee(0).message_count, off);
+  EXPECT_GT(payee(1).message_count, on + 100);
+  ASSERT_EQ(system().findings().all().size(), 1u);
+  EXPECT_THAT(system().findings().all()[0].text, HasSubstr("was killed"));
+}
+
+// One that is off when its process is lost, and comes back with it.
+TEST_F(PowerOffTest, NobodyStartsWhatWasOffBefore) {
+  Begin(2);
+  system().PowerOff(1);
+  Kill();
+  Run(20);
+  EXPECT_THAT(said_, HasSubstr("process 'payee' is back"));
+  EXPECT_EQ(StartCount(), 3);
+  EXPECT_TRUE(payee(1).is_off);
+  EXPECT_FALSE(payee(0).is_off);
+}
+
+TEST_F(PowerOffTest, ARunThatIsOverWaitsForNobody) {
+  Begin(1);
+  const int64_t pid = Kill();
+  system().PowerOff(0);
+  Run(20);
+  fleet_->Watch();
+  EXPECT_EQ(fleet_->Describe()[0].pid, pid) << "another one was started";
+  EXPECT_THAT(said_, Not(HasSubstr("is back")));
+  EXPECT_EQ(StartCount(), 1);
+  EXPECT_EQ(system().findings().all().size(), 1u);
+}
+
+// What is asked to stop is gone already: nobody waits for its answer.
+TEST_F(PowerOffTest, ARobotShutsDownWithoutTheLostOne) {
+  Begin(1);
+  system().Shutdown();
+  Kill();
+  const int64_t before_us = system().now_us();
+  Run(1000);
+  EXPECT_TRUE(system().powered_off());
+  EXPECT_LT(system().now_us(), before_us + 100'000);
+  EXPECT_THAT(said_, Not(HasSubstr("is back")));
+  EXPECT_THAT(printed_, HasSubstr("got "));  // Ledger was asked as ever
+  EXPECT_EQ(system().findings().all().size(), 1u);
+}
+
+}  // namespace
+}  // namespace openr_host
