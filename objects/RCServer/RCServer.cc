@@ -100,7 +100,9 @@ RCServer::NotifySetValue(const ONotifyEvent& event)
 void
 RCServer::ReadyMover(const OReadyEvent& event)
 {
-    if (event.IsAssert()) SendMover();
+    if (!event.IsAssert()) return;
+    handler_.MoverIsReady();
+    SendMover();
 }
 
 // All that wait, as far as one event holds them; the rest goes with the next ready event.

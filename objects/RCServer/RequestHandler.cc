@@ -32,6 +32,14 @@ RequestHandler::SetMover(const SetValueMessage& message)
     keyFrame_ = message.keyFrame;
 }
 
+// JointMover tells its state when that changes.  An RCServer that is put in place of another while
+// the robot stands hears of none; but no command is taken before the robot stands.
+void
+RequestHandler::MoverIsReady()
+{
+    if (state_ < 0) state_ = moverACCEPTING_COMMANDS;
+}
+
 // ---- Answers -------------------------------------------------------------------------
 
 // Room for the header, then frame and status; the header is put in when the size is known.

@@ -23,6 +23,8 @@ public:
     // The newest news of the robot.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
     void SetMover(const SetValueMessage& message);
+    // JointMover takes commands.
+    void MoverIsReady();
 
     // Writes the answer to the packet `request` holds.  REQUIRES: `out` is empty and has room for
     // RC_MAX_PACKET bytes.

@@ -244,6 +244,22 @@ TEST(RequestHandlerTest, BeforeTheRobotStandsItIsBusyAndSaysWhere) {
   EXPECT_EQ(robot.Ask(rcLED, {0, 1}), rcOK);
 }
 
+// One that is put in place of another while the robot stands hears of no change of state.
+TEST(RequestHandlerTest, AMoverThatTakesCommandsStands) {
+  Robot robot;
+  robot.Say(-1, -1);  // nothing yet
+  EXPECT_EQ(robot.Ask(rcMOVE, Robot::JointValue(1, 3000)), rcerrorBUSY);
+  robot.handler.MoverIsReady();
+  EXPECT_EQ(robot.Ask(rcMOVE, Robot::JointValue(1, 3000)), rcOK);
+}
+
+TEST(RequestHandlerTest, WhatTheMoverSaysOfItsStateHolds) {
+  Robot robot;
+  robot.Say(moverCROUCHING, -1);
+  robot.handler.MoverIsReady();
+  EXPECT_EQ(robot.Ask(rcMOVE, Robot::JointValue(1, 3000)), rcerrorBUSY);
+}
+
 TEST(RequestHandlerTest, MoveDuringAMotionIsBusyButLimitsAreNot) {
   Robot robot;
   robot.Say(moverMTN, 3);
