@@ -5,6 +5,8 @@
 //   ros2_peer DOMAIN read TYPE TOPIC N [best]   N samples; best: a best-effort reader
 //   ros2_peer DOMAIN command TOPIC JOINT=RAD[@RAD/S]...
 //                                               to a reader of JointState, when one is there
+//   ros2_peer DOMAIN commands TOPIC MS JOINT=RAD[@RAD/S]...
+//                                               the same, a sample for each, MS apart
 //   ros2_peer DOMAIN offer TOPIC                a best-effort writer of JointState, until killed
 #include <dds/dds.h>
 
@@ -163,39 +165,66 @@ int Read(dds_entity_t participant, int argc, char** argv) {
   return 0;
 }
 
+// To a reader that is there.
+class Commander {
+ public:
+  Commander(dds_entity_t participant, const char* topic) {
+    dds_qos_t* const qos = MakeQos(DDS_RELIABILITY_RELIABLE);
+    const Type type = TypeOf("sensor_msgs/JointState");
+    writer_ = Check(dds_create_writer(participant, TopicOf(participant, type, topic), qos, nullptr),
+                    "writer");
+    const dds_time_t end = dds_time() + kPatience;
+    dds_publication_matched_status_t readers{};
+    while (readers.current_count == 0) {
+      if (dds_time() > end) Fail(std::string("nobody reads ") + topic);
+      dds_sleepfor(DDS_MSECS(10));
+      dds_get_publication_matched_status(writer_, &readers);
+    }
+  }
+
+  void Send(const std::vector<std::string>& words) const {
+    std::vector<std::string> names;
+    std::vector<double> positions, velocities;
+    for (const std::string& word : words) {
+      const size_t equals = word.find('='), at = word.find('@');
+      names.push_back(word.substr(0, equals));
+      if (equals != std::string::npos) positions.push_back(std::atof(word.c_str() + equals + 1));
+      if (at != std::string::npos) velocities.push_back(std::atof(word.c_str() + at + 1));
+    }
+    std::vector<char*> texts;
+    for (std::string& name : names) texts.push_back(name.data());
+    sensor_msgs_msg_dds__JointState_ sample{};
+    char nothing[] = "";
+    const auto count = [](const auto& list) { return static_cast<uint32_t>(list.size()); };
+    sample.header_.frame_id_ = nothing;
+    sample.name_ = {count(texts), count(texts), texts.data(), false};
+    sample.position_ = {count(positions), count(positions), positions.data(), false};
+    sample.velocity_ = {count(velocities), count(velocities), velocities.data(), false};
+    Check(dds_write(writer_, &sample), "write");
+  }
+
+  void WaitUntilTaken() const { Check(dds_wait_for_acks(writer_, kPatience), "acknowledgement"); }
+
+ private:
+  dds_entity_t writer_ = 0;
+};
+
 int Command(dds_entity_t participant, int argc, char** argv) {
   if (argc < 1) Fail("command TOPIC JOINT=RAD[@RAD/S]...");
-  std::vector<std::string> names;
-  std::vector<double> positions, velocities;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const size_t equals = word.find('='), at = word.find('@');
-    names.push_back(word.substr(0, equals));
-    if (equals != std::string::npos) positions.push_back(std::atof(word.c_str() + equals + 1));
-    if (at != std::string::npos) velocities.push_back(std::atof(word.c_str() + at + 1));
+  const Commander commander(participant, argv[0]);
+  commander.Send({argv + 1, argv + argc});
+  commander.WaitUntilTaken();
+  return 0;
+}
+
+int Commands(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 2) Fail("commands TOPIC MS JOINT=RAD[@RAD/S]...");
+  const Commander commander(participant, argv[0]);
+  for (int i = 2; i < argc; ++i) {
+    commander.Send({argv[i]});
+    dds_sleepfor(DDS_MSECS(std::atoi(argv[1])));
   }
-  std::vector<char*> texts;
-  for (std::string& name : names) texts.push_back(name.data());
-  dds_qos_t* const qos = MakeQos(DDS_RELIABILITY_RELIABLE);
-  const Type type = TypeOf("sensor_msgs/JointState");
-  const dds_entity_t writer = Check(
-      dds_create_writer(participant, TopicOf(participant, type, argv[0]), qos, nullptr), "writer");
-  const dds_time_t end = dds_time() + kPatience;
-  dds_publication_matched_status_t readers{};
-  while (readers.current_count == 0) {
-    if (dds_time() > end) Fail(std::string("nobody reads ") + argv[0]);
-    dds_sleepfor(DDS_MSECS(10));
-    dds_get_publication_matched_status(writer, &readers);
-  }
-  sensor_msgs_msg_dds__JointState_ sample{};
-  char nothing[] = "";
-  const auto count = [](const auto& list) { return static_cast<uint32_t>(list.size()); };
-  sample.header_.frame_id_ = nothing;
-  sample.name_ = {count(texts), count(texts), texts.data(), false};
-  sample.position_ = {count(positions), count(positions), positions.data(), false};
-  sample.velocity_ = {count(velocities), count(velocities), velocities.data(), false};
-  Check(dds_write(writer, &sample), "write");
-  Check(dds_wait_for_acks(writer, kPatience), "acknowledgement");
+  commander.WaitUntilTaken();
   return 0;
 }
 
@@ -269,6 +298,7 @@ int main(int argc, char** argv) {
   if (what == "topics") status = Topics(participant);
   if (what == "read") status = Read(participant, argc - 3, argv + 3);
   if (what == "offer") status = Offer(participant, argc - 3, argv + 3);
+  if (what == "commands") status = Commands(participant, argc - 3, argv + 3);
   if (what == "command") status = Command(participant, argc - 3, argv + 3);
   dds_delete(participant);
   return status;
