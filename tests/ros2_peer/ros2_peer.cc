@@ -83,6 +83,19 @@ std::string JsonOfImu(const void* sample) {
          ",\"angular_velocity_covariance\":" + Numbers(imu.angular_velocity_covariance_, 9) + "}";
 }
 
+// The pixel in the middle of each quarter: those above from the left, those below.
+std::string Quarters(const sensor_msgs_msg_dds__Image_& image) {
+  std::string text;
+  for (const uint32_t y : {image.height_ / 4, image.height_ * 3 / 4}) {
+    for (const uint32_t x : {image.width_ / 4, image.width_ * 3 / 4}) {
+      const uint8_t* const p = image.data_._buffer + size_t{y} * image.step_ + size_t{x} * 3;
+      const double colour[] = {double(p[0]), double(p[1]), double(p[2])};
+      text += (text.empty() ? "" : ",") + Numbers(colour, 3);
+    }
+  }
+  return "[" + text + "]";
+}
+
 std::string JsonOfImage(const void* sample) {
   const auto& image = *static_cast<const sensor_msgs_msg_dds__Image_*>(sample);
   std::set<uint32_t> colours;
@@ -93,7 +106,7 @@ std::string JsonOfImage(const void* sample) {
   return "{" + Header(image.header_) + ",\"width\":" + std::to_string(image.width_) +
          ",\"height\":" + std::to_string(image.height_) +
          ",\"step\":" + std::to_string(image.step_) + ",\"encoding\":" + Text(image.encoding_) +
-         ",\"bytes\":" + std::to_string(image.data_._length) +
+         ",\"bytes\":" + std::to_string(image.data_._length) + ",\"quarters\":" + Quarters(image) +
          ",\"colours\":" + std::to_string(colours.size()) + "}";
 }
 

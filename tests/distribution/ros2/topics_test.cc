@@ -86,6 +86,21 @@ TEST(Ros2TopicsTest, TheCameraShowsItsPictureAtItsRate) {
   }
 }
 
+// Red, green over blue, yellow: neither sides nor colours may be mixed up.
+TEST(Ros2TopicsTest, AnImageIsAsTheCameraSeesIt) {
+  const std::string colours[2][2] = {{{'\xb4', '\x3c', '\x32'}, {'\x3c', '\xb4', '\x32'}},
+                                     {{'\x3c', '\x32', '\xb4'}, {'\xc8', '\xc8', '\x28'}}};
+  std::string pixels;
+  for (int y = 0; y < 288; ++y) {
+    for (int x = 0; x < 352; ++x) pixels += colours[y >= 144][x >= 176];
+  }
+  const ScratchFolder folder;
+  folder.Write("images/a.ppm", "P6 352 288 255\n" + pixels);
+  const Ros2Run run({"--images", folder.File("images")}, "1");
+  EXPECT_EQ(run.peer().ReadOne("sensor_msgs/Image", "rt/aibo/image_raw")["quarters"],
+            json::parse("[[180,60,50],[60,180,50],[60,50,180],[200,200,40]]"));
+}
+
 TEST(Ros2TopicsTest, TheClockGoesByFramesForReadersOfBothKinds) {
   const Ros2Run run({}, "1");
   for (const char* kind : {"reliable", "best"}) {

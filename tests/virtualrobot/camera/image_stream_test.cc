@@ -45,10 +45,12 @@ class ShotRecorder : public ImageSource {
   std::string Capture(const CameraShot& shot, Picture* picture) override {
     shots.push_back(shot);
     std::fill(picture->rgb.begin(), picture->rgb.end(), grey);
+    if (paint) paint(picture);
     return problem;
   }
   std::vector<CameraShot> shots;
   uint8_t grey = 100;
+  std::function<void(Picture*)> paint;
   std::string problem;
 };
 
@@ -236,6 +238,36 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   EXPECT_FALSE(robot->ImageIsDue());
   source->problem = "a.png: cannot be read";
   EXPECT_EQ(robot->Look(&picture), "a.png: cannot be read");
+}
+
+// Colours and sides are those of the vector that objects get of the same image.
+TEST_F(ImageTest, SomebodyOutsideSeesWhatObjectsSee) {
+  source->paint = [](Picture* picture) {
+    for (int y = 0; y < picture->height; ++y) {
+      for (int x = 0; x < picture->width; ++x) {
+        uint8_t* const rgb = picture->At(x, y);
+        rgb[0] = static_cast<uint8_t>(60 + x / 4);
+        rgb[1] = static_cast<uint8_t>(60 + y / 4);
+        rgb[2] = static_cast<uint8_t>(140 - x / 8 - y / 8);
+      }
+    }
+  };
+  Boot();
+  RunToFrame(10);
+  Picture picture;
+  EXPECT_EQ(robot->Look(&picture), "");
+  OFbkImage luminance = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Y);
+  OFbkImage red = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Cr);
+  OFbkImage blue = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Cb);
+  for (const int y : {10, 72, 130}) {
+    for (const int x : {10, 88, 165}) {
+      SCOPED_TRACE(fmt::format("{} {}", x, y));
+      const uint8_t* const seen = picture.At(2 * x, 2 * y);
+      EXPECT_NEAR(luminance.Pixel(x, y) + red.Pixel(x, y) - 128, seen[0], 3);
+      EXPECT_NEAR(luminance.Pixel(x, y) + blue.Pixel(x, y) - 128, seen[2], 3);
+      EXPECT_NEAR(luminance.Pixel(x, y), 0.299 * seen[0] + 0.587 * seen[1] + 0.114 * seen[2], 4);
+    }
+  }
 }
 
 // ---- settings
