@@ -19,6 +19,50 @@ TEST(WrapTest, UnderValgrindTheObjectDoesTheSame) {
                     Words{"--handler-limit", "0s", "--wrap", "valgrind -q --error-exitcode=9"}));
 }
 
+bool MayDebug() {
+#if defined(__SANITIZE_ADDRESS__)
+  return false;  // leaks are not looked for under a debugger
+#endif
+  const std::string gdb = "/usr/bin/gdb";
+  if (!std::filesystem::exists(gdb)) return false;
+  return ProgramRun({"-q", "-batch", "-ex", "run", "--args", "/bin/true"}, gdb)
+             .Finish()
+             .out.find("exited normally") != std::string::npos;
+}
+
+TEST(WrapTest, UnderGdbAHandlerIsStoppedAtAndTheRunIsTheSame) {
+  if (!MayDebug()) GTEST_SKIP() << "gdb is not installed, or may not debug";
+  const ScratchFolder folder;
+  folder.Write("commands",
+               "set breakpoint pending on\nbreak JointMover::DoStart\nrun\nbt 1\ncontinue\n");
+  const Words flags = {"--for", "2s", "--body", "ideal"};
+  const RecordedRun debugged =
+      Record(flags + Isolated({"JointMover"}) +
+             Words{"--handler-limit", "0s", "--stdin", "/dev/null", "--wrap",
+                   "gdb -q -batch -x " + folder.File("commands") + " --args"});
+  ExpectSame(Record(flags), debugged);
+  EXPECT_THAT(debugged.err, ::testing::HasSubstr("Breakpoint 1, JointMover::DoStart"));
+  EXPECT_THAT(debugged.err, ::testing::HasSubstr("exited normally"));
+}
+
+// Whatever a tool is, it is started with the command of the process behind its own words.
+TEST(WrapTest, UnderAScriptTheObjectDoesTheSame) {
+  const ScratchFolder folder;
+  folder.Write("tool", "#!/bin/sh\necho \"$1 of $$: $*\" >> " + folder.File("told") +
+                           "\nshift\nexec \"$@\"\n");
+  std::filesystem::permissions(folder.File("tool"), std::filesystem::perms::owner_all);
+  const Words flags = {"--for", "2s", "--body", "ideal"};
+  const RecordedRun wrapped =
+      Record(flags + Isolated({"JointMover"}) + Words{"--wrap", folder.File("tool") + "  -word"});
+  ExpectSame(Record(flags), wrapped);
+  const std::string told = folder.Read("told");
+  EXPECT_THAT(told, ::testing::HasSubstr(" join --child-of "));
+  EXPECT_THAT(told, ::testing::HasSubstr("--process JointMover"));
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1);
+  const json& process = wrapped.report["processes"][0];
+  EXPECT_EQ(told.find("-word of " + process["pid"].dump() + ": -word "), 0u) << told;
+}
+
 TEST(WrapTest, AToolThatIsNotThereIsNamed) {
   const ProgramResult result = RunProgram(
       kQuickly + Words{"--for", "1s", "--isolate", "JointMover", "--wrap", "no-such-tool -q"});
