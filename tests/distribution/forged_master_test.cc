@@ -1,0 +1,105 @@
+// openr join hears what no master of ours would say: it ends with a reason.
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "distribution/bus.h"
+#include "distribution/seat.h"
+#include "tests/distribution/same_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ForgedMasterTest : public testing::Test {
+ protected:
+  ForgedMasterTest()
+      : run_({"join", "--process", "victim", "--session", "now", "--run-name", Options().run}) {
+    seat_.Open("now");
+    for (int i = 0; i < 1000 && !seat_.Arrive(10); ++i) {
+    }
+    EXPECT_TRUE(seat_.has_arrived()) << run_.heard();
+  }
+  static BusOptions Options() {
+    BusOptions options;
+    options.run = "forged-master-" + std::to_string(getpid());
+    return options;
+  }
+  static openr_wire_Down New(openr_wire_DownKind kind) {
+    openr_wire_Down down{};
+    down.body._d = kind;
+    return down;
+  }
+  void Welcome(uint32_t version = openr_wire_VERSION) {
+    openr_wire_Down down = New(openr_wire_DOWN_WELCOME);
+    down.body._u.welcome.version = version;
+    down.body._u.welcome.stick = arena_.Text(OPENR_STICK);
+    seat_.line()->Send(down);
+  }
+  // To the object manager, which every process has.
+  static openr_wire_Down Deliver(openr_wire_PayloadKind kind) {
+    openr_wire_Down down = New(openr_wire_DOWN_DELIVER);
+    openr_wire_Message& message = down.body._u.deliver.message;
+    message.sender = -1;
+    message.payload._d = kind;
+    return down;
+  }
+  // What it says when it has heard `down`.
+  std::string EndBy(const openr_wire_Down& down) {
+    Welcome();
+    seat_.line()->Send(down);
+    const ProgramResult& result = run_.Finish();
+    EXPECT_EQ(result.status, 1) << result.err;
+    return result.err;
+  }
+
+  Bus bus_{Options()};
+  Seat seat_{&bus_, "victim", false};
+  WireArena arena_;
+  ProgramRun run_;
+};
+
+TEST_F(ForgedMasterTest, AnotherVersion) {
+  Welcome(4711);
+  const ProgramResult& result = run_.Finish();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("the master speaks version 4711"));
+}
+
+TEST_F(ForgedMasterTest, AnAnswerToNothing) {
+  EXPECT_THAT(EndBy(New(openr_wire_DOWN_ANSWER)), HasSubstr("the master says what was not asked"));
+}
+
+TEST_F(ForgedMasterTest, AMessageToNobody) {
+  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_BYTES);
+  down.body._u.deliver.message.target = 4242;
+  EXPECT_THAT(EndBy(down), HasSubstr("a message to an object that is not there"));
+}
+
+TEST_F(ForgedMasterTest, AMessageThatIsTooLong) {
+  const std::string bytes(1 << 20, 'x');
+  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_BYTES);
+  down.body._u.deliver.message.payload._u.bytes = WireArena::View(bytes.data(), bytes.size());
+  EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: 1048576 bytes"));
+}
+
+TEST_F(ForgedMasterTest, AReadyWithATokenOfItsOwnMaking) {
+  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_READY);
+  auto& regions = down.body._u.deliver.message.payload._u.ready.regions;
+  regions = arena_.Sequence<std::remove_reference_t<decltype(regions)>>(
+      std::vector<openr_wire_Returned>{{99, {}}});
+  EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: a ready with an unknown region"));
+}
+
+// No memory is taken for it.
+TEST_F(ForgedMasterTest, ARegionLargerThanTheRobot) {
+  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_NOTIFY);
+  auto& parts = down.body._u.deliver.message.payload._u.notify.parts;
+  parts = arena_.Sequence<std::remove_reference_t<decltype(parts)>>(
+      std::vector<openr_wire_Part>{{1, 0x10001, 0xffffffff, 0, 16, {}}});
+  EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: 16 bytes in region 0x10001"));
+}
+
+}  // namespace
+}  // namespace openr_host
