@@ -40,9 +40,6 @@ class Dispatcher {
   // otherwise 0.
   int64_t creep_us() const { return deliveries_at_instant_ > free_deliveries_ ? 1 : 0; }
 
-  // The fiber that runs now, null for the caller's own stack.
-  const Fiber* running_fiber() const { return running_; }
-
  private:
   static void FiberMain(void* dispatcher);
   void Loop();
