@@ -26,6 +26,7 @@ class Ros2ImuTest : public testing::Test {
   Ros2ImuTest() : domain_(NewDomain()), peer_(domain_), bus_(OptionsOf(domain_)) {
     SimulationOptions options;
     options.host_network = false;
+    options.console = [](std::string_view) {};
     options.network_filter = [this](int, std::unique_ptr<Network> inner) {
       auto client = std::make_unique<JointClient>(std::move(inner), [](const std::string&) {});
       client_ = client.get();
