@@ -329,9 +329,10 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
 
 void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session) {
   char line[Message::kPayloadMax];
+  const auto is_gone = [this, session] { return is_lost_ || session != session_; };
   const size_t size = system_->console_input().Read(
-      line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line));
-  if (is_lost_ || session != session_) return;
+      line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line), is_gone);
+  if (is_gone()) return;
   WireArena arena;
   openr_wire_Down down = NewDown(openr_wire_DOWN_RESUME);
   openr_wire_Resume& resume = down.body._u.resume;

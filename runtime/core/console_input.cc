@@ -54,6 +54,12 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
   }
 }
 
+// The line that was meant for the reader, if one was, is another's.
+void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
+  const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
+  if (!waited && !terminal->text.empty()) WakeNext(terminal);
+}
+
 size_t ConsoleInput::ReadElsewhere(char* buffer, size_t size) {
   Object* const self = t_current.object;
   const uint64_t box = system_->NewReplyBox();
@@ -68,7 +74,7 @@ size_t ConsoleInput::ReadElsewhere(char* buffer, size_t size) {
   return count;
 }
 
-size_t ConsoleInput::Read(char* buffer, size_t size) {
+size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>& is_gone) {
   if (system_->uplink() != nullptr) return ReadElsewhere(buffer, size);
   Object* const self = t_current.object;
   Terminal& terminal = terminals_[self->robot];
@@ -76,6 +82,10 @@ size_t ConsoleInput::Read(char* buffer, size_t size) {
     const uint64_t box = system_->NewReplyBox();
     terminal.readers.emplace_back(self->id, box);
     system_->WaitForReply(box, nullptr, 0, nullptr, -1, kWhy);
+    if (is_gone && is_gone()) {
+      GiveUp(&terminal, self->id, box);
+      return 0;
+    }
   }
   const size_t line = terminal.text.find('\n') + 1;
   const size_t count = std::min(line, size);

@@ -38,8 +38,9 @@ class ConsoleInput {
   void EnterDue();
 
   // In a handler: waits for a line and returns how many bytes of it, at most `size`, were put
-  // at `buffer`; the rest comes with the next call.  What is read is echoed.
-  size_t Read(char* buffer, size_t size);
+  // at `buffer`; the rest comes with the next call.  What is read is echoed.  Woken when `is_gone`
+  // holds, it returns 0: the line is the next reader's.
+  size_t Read(char* buffer, size_t size, const std::function<bool()>& is_gone = {});
 
   // Off where a terminal has shown already what was typed.
   void set_echo(bool echo) { echo_ = echo; }
@@ -58,6 +59,7 @@ class ConsoleInput {
   };
 
   void WakeNext(Terminal* terminal);
+  void GiveUp(Terminal* terminal, ObjectId reader, uint64_t box);
   size_t ReadElsewhere(char* buffer, size_t size);
 
   System* const system_;
