@@ -158,7 +158,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = down.body._u.deliver;
     deliver.now_us = system_->now_us();
     const auto is_there = [this](uint32_t region) {
-      return objects_.contains(system_->regions().OwnerOf(region));
+      return objects_.contains(system_->regions().MakerOf(region));
     };
     courier_->Encode(message, is_there, &arena, &deliver.message);
     Send(down);

@@ -60,7 +60,7 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   const uint32_t index = free_.back();
   free_.pop_back();
   Slot& slot = slots_[index];
-  fresh.owner = owner;
+  fresh.owner = fresh.maker = owner;
   fresh.generation = static_cast<uint16_t>(slot.generation + 1);
   fresh.live = true;
   slot = fresh;
@@ -148,6 +148,7 @@ bool RegionTable::Delete(uint32_t id) {
   Slot* const slot = Find(id);
   if (slot == nullptr || !slot->live) return false;
   slot->live = false;
+  slot->maker = kNoObject;
   --live_count_;
   if (uplink_ != nullptr) uplink_->Tell(NoteKind::kDeleteRegion, {id});
   FreeIfUnused(slot);
@@ -156,6 +157,7 @@ bool RegionTable::Delete(uint32_t id) {
 
 void RegionTable::DeleteAllOf(ObjectId owner) {
   for (Slot& slot : slots_) {
+    if (slot.maker == owner) slot.maker = kNoObject;
     if (slot.base == nullptr || !slot.live || slot.owner != owner) continue;
     slot.live = false;
     --live_count_;
@@ -176,6 +178,11 @@ size_t RegionTable::SizeOf(uint32_t id) const {
 ObjectId RegionTable::OwnerOf(uint32_t id) const {
   const Slot* const slot = Find(id);
   return slot == nullptr ? kNoObject : slot->owner;
+}
+
+ObjectId RegionTable::MakerOf(uint32_t id) const {
+  const Slot* const slot = Find(id);
+  return slot == nullptr ? kNoObject : slot->maker;
 }
 
 void RegionTable::SetOwner(uint32_t id, ObjectId owner) {

@@ -56,6 +56,9 @@ class RegionTable {
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
   ObjectId OwnerOf(uint32_t id) const;
+  // The object that had it made, whoever owns it now: the bytes are where that is.  kNoObject when
+  // the block was deleted or its maker was unloaded.
+  ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
   // Blocks stay where they are, so one grows no further than it was made.  False, and no
@@ -87,6 +90,7 @@ class RegionTable {
     char* base = nullptr;
     size_t size = 0;
     ObjectId owner = kNoObject;
+    ObjectId maker = kNoObject;
     int pins = 0;
     uint16_t generation = 0;
     bool live = false;

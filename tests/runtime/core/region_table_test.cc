@@ -48,6 +48,19 @@ TEST(RegionTableTest, PinnedMemoryOutlivesItsBlock) {
   EXPECT_EQ(table.BaseOf(id), nullptr);
 }
 
+TEST(RegionTableTest, ABlockIsWhereItWasMadeWhoeverOwnsIt) {
+  RegionTable table;
+  const uint32_t given = table.New(8, 1), deleted = table.New(8, 1);
+  table.SetOwner(given, 2);
+  EXPECT_EQ(table.MakerOf(given), 1);
+  table.Pin(deleted);
+  table.Delete(deleted);
+  EXPECT_EQ(table.MakerOf(deleted), kNoObject);
+  table.DeleteAllOf(1);
+  EXPECT_NE(table.BaseOf(given), nullptr);
+  EXPECT_EQ(table.MakerOf(given), kNoObject) << "its maker is gone";
+}
+
 TEST(RegionTableTest, TheBlocksOfOneOwnerGoTogether) {
   RegionTable table;
   table.New(8, 1);
