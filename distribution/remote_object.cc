@@ -3,14 +3,13 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/ObjcommMessages.h>
 
-#include <algorithm>
 #include <cstring>
-#include <new>
 
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 
@@ -26,11 +25,10 @@ std::unique_ptr<RemoteObject> RemoteObject::NewOne() const {
 bool RemoteObject::Dispatch(uint32_t, void*) {
   if (running->kind == PayloadKind::kReady) NoteReady();
   if (process_->is_lost()) {
-    NotHeard();
-  } else if (Run()) {
-    return true;
+    Unheard(*running);
+  } else if (!Run()) {
+    AnswerForTheLost(*running);
   }
-  AnswerForTheLost();
   return true;
 }
 
@@ -67,45 +65,26 @@ std::vector<StandingReady> RemoteObject::StandingReadies() const {
 
 void RemoteObject::TakeBack(RCRegion* region) { process_->TakeBack(region); }
 
-void RemoteObject::NotHeard() {
+bool RemoteObject::IsLost() const { return process_->is_lost(); }
+
+void RemoteObject::Unheard(const Message& message) {
   ++unheard_count;
-  process_->Unheard(*running);
-  if (running->kind == PayloadKind::kNotify) Refuse();
+  process_->Unheard(message);
+  if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
+  AnswerForTheLost(message);
 }
 
 // Nobody need wait for what cannot come: the object manager is told that all is well, others get
 // an empty answer.
-void RemoteObject::AnswerForTheLost() {
-  if (running->reply_box == 0) return;
+void RemoteObject::AnswerForTheLost(const Message& request) {
+  if (request.reply_box == 0) return;
+  const CurrentScope scope(system, this);
   OStatusMessage message;
   std::memset(&message, 0, sizeof message);
   message.msgType = omsgOSTATUS;
   message.status = oSUCCESS;
-  system->Reply(system->TakeReplyTicket(), &message,
-                running->selector > oentryDESTROY ? 0 : sizeof message);
-}
-
-// A notification that nobody hears: its regions go back, and the subject need not wait.
-void RemoteObject::Refuse() {
-  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(running->payload);
-  std::vector<RCRegion*> regions;
-  for (int i = 0; i < notify.numOfData; ++i) regions.push_back(notify.data[i].srcRCR);
-  Deassert(running->selector, notify.subjectID, regions);
-}
-
-void RemoteObject::Deassert(uint32_t selector, const SubjectID& subject,
-                            const std::vector<RCRegion*>& regions) {
-  const CurrentScope scope(system, this);
-  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
-  auto& ready = *new (message->payload) OReadyMessage;
-  ready.msgType = omsgREADY_V22;
-  ready.command = objcommCMD_DEASSERT_READY;
-  ready.observerID = OServiceEntry(OidOf(id), selector);
-  ready.numOfData = static_cast<int>(regions.size());
-  std::copy(regions.begin(), regions.end(), ready.rcRegion);
-  message->size = sizeof ready;
-  message->kind = PayloadKind::kReady;
-  system->Post(message);
+  system->Reply({request.sender, request.reply_box}, &message,
+                request.selector > oentryDESTROY ? 0 : sizeof message);
 }
 
 void RemoteObject::HashState(Hasher* hasher) const {

@@ -31,11 +31,7 @@ class RemoteObject : public Object {
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
 
-  // Tells `subject` that the observer with entry `selector` is not ready any more, and gives it
-  // back what it had sent there.
-  void Deassert(uint32_t selector, const SubjectID& subject, const std::vector<RCRegion*>& regions);
-
-  // Messages that came when the process was lost; nobody heard them.
+  // Messages that came, or were to come, when the process was lost; nobody heard them.
   uint64_t unheard_count = 0;
   // Notifications that waited in its subjects when its last handler ended.
   uint64_t pending_there = 0;
@@ -51,6 +47,8 @@ class RemoteObject : public Object {
 
   std::vector<StandingReady> StandingReadies() const override;
   void TakeBack(RCRegion* region) override;
+  void Unheard(const Message& message) override;  // and who waits for an answer need not
+  bool IsLost() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;
@@ -58,9 +56,7 @@ class RemoteObject : public Object {
  private:
   bool Run();
   void NoteReady();
-  void NotHeard();
-  void AnswerForTheLost();
-  void Refuse();
+  void AnswerForTheLost(const Message& request);
 
   RemoteProcess* const process_;
   const LossListener lost_;

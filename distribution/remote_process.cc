@@ -11,6 +11,7 @@
 #include "distribution/remote_object.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {
@@ -258,9 +259,8 @@ void RemoteProcess::GiveBack() {
   for (const Courier::Lent& lent : courier_->TakeLent()) {
     const auto observer = objects_.find(lent.observer);
     if (observer == objects_.end()) continue;
-    observer->second->Deassert(lent.observer_selector,
-                               OServiceEntry(OidOf(lent.subject), lent.subject_selector),
-                               {lent.region});
+    SendDeassert(observer->second, lent.observer_selector,
+                 OServiceEntry(OidOf(lent.subject), lent.subject_selector), {lent.region});
   }
 }
 

@@ -65,6 +65,13 @@ class Object {
   // A region that one of its subjects had sent comes back while the object is being replaced.
   virtual void TakeBack(RCRegion*) {}
 
+  // `message`, which was on its way to it, comes to nobody: it is counted, and what it carries
+  // goes back.
+  virtual void Unheard(const Message& message);
+
+  // Its code is gone for the time being, which is known: nobody complains of what it does not do.
+  virtual bool IsLost() const { return false; }
+
   // Whether an entry `selector` can be called.
   virtual bool HasEntry(uint32_t selector) const = 0;
 

@@ -94,6 +94,29 @@ std::vector<StandingReady> Object::StandingReadies() const {
   return readies;
 }
 
+// What nobody will hear: of an object that comes back that is what is due later.  Answers to what
+// it had asked are nobody's.
+std::vector<Message> System::TakeMessagesTo(Object* object) {
+  std::vector<Message> messages;
+  if (object->blocked != nullptr) {  // for ever: what it waits for comes to its successor
+    for (; !object->held.empty(); object->held.pop_front()) {
+      messages.push_back(*object->held.front());
+      queue_.Release(object->held.front());
+    }
+  }
+  queue_.RemoveIf([object](const Message& message) { return message.target == object->id; },
+                  [&](const Message& message) {
+                    if (!message.is_reply) messages.push_back(message);
+                  });
+  object->waiting -= static_cast<int>(messages.size());
+  return messages;
+}
+
+void Object::Unheard(const Message& message) {
+  if (message.kind != PayloadKind::kReady) ++dropped_count;
+  if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
+}
+
 std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
   Object* const old = object(id);
@@ -105,19 +128,15 @@ std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
           observer.get(), [](const SubjectID&) { return true; },
           [](RCRegion* region) { region->RemoveReference(); });
     }
-    queue_.RemoveIf(
-        [&](const Message& message) { return message.target == id; },
-        [&](const Message& message) {
-          if (message.kind == PayloadKind::kReady) {
-            const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
-            if (ready.command == objcommCMD_ASSERT_READY)
-              readies.push_back({message.selector, ObjectIdOf(ready.observerID.GetOID()),
-                                 ready.observerID.GetSelector()});
-          }
-          if (message.kind != PayloadKind::kNotify) return;
-          const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
-          for (int i = 0; i < notify.numOfData; ++i) notify.data[i].srcRCR->RemoveReference();
-        });
+  }
+  for (const Message& message : TakeMessagesTo(old)) {
+    if (message.kind == PayloadKind::kReady) {
+      const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+      if (ready.command == objcommCMD_ASSERT_READY)
+        readies.push_back({message.selector, ObjectIdOf(ready.observerID.GetOID()),
+                           ready.observerID.GetSelector()});
+    }
+    old->Unheard(message);
   }
   Forget(id);
   std::erase_if(robot(old->robot).directory,
@@ -127,6 +146,7 @@ std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
+  fresh->waiting = old->waiting;  // for the processor
   // A handler that waits, or has the processor still, comes to its end by and by.
   if (old->running != nullptr || old->is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));

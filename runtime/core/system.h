@@ -310,6 +310,7 @@ class System {
   std::string NameInImage(int robot, const std::string& path);
   std::unique_ptr<Object> LoadAgain(const Object& object);
   std::vector<StandingReady> Replace(std::unique_ptr<Object> fresh);
+  std::vector<Message> TakeMessagesTo(Object* object);
   // As its observers would, which know nothing of its replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);

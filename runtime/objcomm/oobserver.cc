@@ -80,6 +80,29 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   return oSUCCESS;
 }
 
+void openr_host::SendDeassert(openr_host::Object* object, uint32_t selector,
+                              const SubjectID& subject, const std::vector<RCRegion*>& regions) {
+  System* const system = object->system;
+  const CurrentScope scope(system, object);
+  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  auto& ready = *new (message->payload) OReadyMessage;
+  ready.msgType = omsgREADY_V22;
+  ready.command = objcommCMD_DEASSERT_READY;
+  ready.observerID = OServiceEntry(OidOf(object->id), selector);
+  ready.numOfData = static_cast<int>(regions.size());
+  std::copy(regions.begin(), regions.end(), ready.rcRegion);
+  message->size = sizeof ready;
+  message->kind = PayloadKind::kReady;
+  system->Post(message);
+}
+
+void openr_host::RefuseNotification(openr_host::Object* object, const Message& message) {
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  std::vector<RCRegion*> regions;
+  for (int i = 0; i < notify.numOfData; ++i) regions.push_back(notify.data[i].srcRCR);
+  SendDeassert(object, message.selector, notify.subjectID, regions);
+}
+
 OStatus OObserver::AssertReady() {
   const ApiScope scope;
   OStatus status = oSUCCESS;

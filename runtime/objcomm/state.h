@@ -33,6 +33,13 @@ struct RegionAccess {
 // bytes of its own to such an entry has no regions in them; that is an error finding.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
+// Tells `subject` that the observer of `object` with entry `selector` is not ready, and gives it
+// back what it had sent there.
+void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
+                  const std::vector<RCRegion*>& regions);
+// The same for a notification on its way that nobody will hear.
+void RefuseNotification(Object* object, const Message& message);
+
 // One observer of one subject.
 struct ObserverLink {
   ObserverID observer;

@@ -9,12 +9,24 @@
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
+#include "runtime/core/schedule.h"
 #include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
 namespace {
 
 constexpr uint32_t kNotifyEntry = 9;
+
+// Delays what is sent to one object.
+class Late : public Schedule {
+ public:
+  size_t Choose(Question, const std::vector<ObjectId>&) override { return 0; }
+  int64_t ExtraDelayUs(const Message& message, int64_t, int64_t) override {
+    return message.target == target && message.kind == PayloadKind::kNotify ? 5000 : 0;
+  }
+
+  ObjectId target = kNoObject;
+};
 
 class LostObserverTest : public ::testing::Test {
  protected:
@@ -24,10 +36,11 @@ class LostObserverTest : public ::testing::Test {
     process_.set_lost();
     auto remote = std::make_unique<RemoteObject>(
         &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
-        [](RemoteObject*, RemoteObject::Loss, const std::string&) {});
+        [](const RemoteObject*, RemoteObject::Loss, const std::string&) {});
     remote->set_selectors({0, 1, 2, 3, kNotifyEntry});
     remote_ = remote.get();
     system_.Adopt(std::move(remote));
+    system_.set_schedule(&late_);
     system_.Boot();
     system_.RunFor(1000);
     Control();
@@ -73,6 +86,7 @@ class LostObserverTest : public ::testing::Test {
   Bus bus_{Options()};
   RemoteProcess process_{&bus_, "gone", false, [] { return std::string(); },
                          [](const std::string&) {}};
+  Late late_;
   System system_;
   SubjectProbe* sender_;
   RemoteObject* remote_;
@@ -93,6 +107,29 @@ TEST_F(LostObserverTest, WhatWasSentComesBackAndNobodyIsReady) {
   EXPECT_EQ(sender_->readies.back(), "deassert");
   EXPECT_EQ(sender_->out->IsReady(), 0);
   EXPECT_EQ(remote_->unheard_count, 3u);  // DoInit, DoStart, the notification
+  RunAs(sender_, [&] { region->RemoveReference(); });
+}
+
+TEST_F(LostObserverTest, WhatWasToComeLaterIsNotForgottenWhenItIsReplaced) {
+  late_.target = remote_->id;
+  RCRegion* region = nullptr;
+  RunAs(sender_, [&] {
+    region = new RCRegion(16);
+    sender_->out->SetData(region);
+    sender_->out->NotifyObservers();
+  });
+  const uint64_t unheard = remote_->unheard_count;
+  uint64_t unheard_at_end = 0;
+  system_.OnReplace([&](ObjectId id) {
+    unheard_at_end = static_cast<RemoteObject*>(system_.object(id))->unheard_count;
+  });
+  std::vector<std::unique_ptr<Object>> fresh;
+  fresh.push_back(remote_->NewOne());
+  system_.Return(std::move(fresh));
+  system_.RunFor(1000);
+  EXPECT_EQ(unheard_at_end, unheard + 1);
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  EXPECT_EQ(sender_->readies.back(), "deassert");
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 
