@@ -186,7 +186,24 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   }
 }
 
+// Whether that `service` is not there may come of an object that is lost.  The name in a service is
+// not always that of its object.
+bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
+  const std::string prefix = service.substr(0, service.find('.') + 1);
+  bool has_lost = false;
+  for (const auto& object : system().objects()) {
+    if (object == nullptr || object->robot != robot) continue;
+    has_lost = has_lost || object->IsLost();
+    if (!object->IsLost() && object->name + '.' == prefix) return false;
+  }
+  for (const auto& [name, entry] : system().robot(robot).directory) {
+    if (name.starts_with(prefix)) return system().object(entry.first)->IsLost();
+  }
+  return has_lost;
+}
+
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
+  if (MayBeLost(connection.robot, service)) return;  // which is reported
   std::string why =
       "no object registered it in DoInit (REGISTER_ALL_ENTRY missing, or the object is not in "
       "OBJECT.CFG)";
@@ -214,6 +231,11 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (subject == directory.end() || observer == directory.end()) return;
 
+  const auto has_lost_end = [&] {  // what is lost is connected when it comes back
+    return system().object(subject->second.first)->IsLost() ||
+           system().object(observer->second.first)->IsLost();
+  };
+  if (has_lost_end()) return;
   OConnectMessage message;
   std::memset(static_cast<void*>(&message), 0, sizeof message);
   message.msgType = omsgCONNECT;
@@ -224,7 +246,7 @@ void ObjectManager::Connect(const Connection& connection) {
   std::memset(&reply, 0, sizeof reply);
   const sError error = system().Call(observer->second.first, observer->second.second, &message,
                                      sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
-  if (error != sSUCCESS || reply.status != oSUCCESS) {
+  if ((error != sSUCCESS || reply.status != oSUCCESS) && !has_lost_end()) {
     system().findings_.Add(
         {Severity::kError, connection.robot, "", 0, system().now_us(),
          fmt::format("{}: connection refused: {} -> {}: status {}", connection.where,

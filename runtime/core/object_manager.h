@@ -44,6 +44,7 @@ class ObjectManager : public CodeObject {
   // To the objects of `robot`, or of all.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
+  bool MayBeLost(int robot, const std::string& service) const;
   void ReportUnknown(const Connection& connection, const std::string& service);
 
   static constexpr int kAllRobots = -1;
