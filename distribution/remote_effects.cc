@@ -106,6 +106,13 @@ int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
   return error;
 }
 
+void RemoteProcess::Unpin(uint32_t region) {
+  const auto pins = pins_.find(region);
+  if (pins == pins_.end()) Refuse("a region given back twice");
+  if (--pins->second == 0) pins_.erase(pins);
+  system_->regions().Unpin(region);
+}
+
 void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers,
                               const std::string& text) {
   const auto number = [&](size_t i) { return i < numbers.size() ? numbers[i] : 0; };
@@ -130,8 +137,7 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
       ++pins_[region];
       return system_->regions().Pin(region);
     case NoteKind::kUnpin:
-      if (--pins_[region] < 0) Refuse("a region given back twice");
-      return system_->regions().Unpin(region);
+      return Unpin(region);
     case NoteKind::kOwner:
       if (!objects_.contains(system_->regions().OwnerOf(region)))
         Refuse("a region that is not its own");

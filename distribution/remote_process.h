@@ -138,6 +138,7 @@ class RemoteProcess {
   void SendAnswer(const Answer& answer);
   void Apply(const openr_wire_Up& up, Object* self);
   void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
+  void Unpin(uint32_t region);
   int32_t Post(const openr_wire_Posted& posted, Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
