@@ -14,6 +14,7 @@ namespace openr_host {
 namespace {
 
 constexpr int64_t kEndMs = 5'000;  // for a process to end when it is told
+constexpr int64_t kInterruptedMs = 500;
 
 }  // namespace
 
@@ -55,7 +56,7 @@ System::StandIns Fleet::StandInsFor(System* system, int robot) {
       const auto id = static_cast<ObjectId>(system_->objects().size());
       auto object = std::make_unique<RemoteObject>(
           system_, id, robot, member->process.get(),
-          [this](RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
+          [this](const RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
             Lost(about, loss, why);
           });
       object->name = name;
@@ -155,23 +156,28 @@ void Fleet::LoadMore(Member* member) {
 
 // Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for
 // ever.  A crash is something else: the object's own end, known to the message.
-void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
+void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
+  if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) return StopTheRun(&process);
   Member* const member = &members_[process.name()];
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
+  if (loss == RemoteObject::Loss::kAtEnd) {
+    process.set_lost();
+    system_->AddFindingAbout(about, Severity::kError, why);
+    return;
+  }
   std::string text = why;
   uint64_t pending = 0;
   for (const auto& [id, object] : member->objects) pending += object->pending_there;
   if (pending > 0) text += fmt::format("; {} notifications that waited in it are lost", pending);
   if (!member->crashed && !options_.is_free && !MayComeBack(*member)) {
-    process.set_lost();
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
-    for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+    StopTheRun(&process);
     return;
   }
   text += fmt::format("; process '{}' (pid {}) is gone, the others go on", process.name(),
@@ -182,6 +188,11 @@ void Fleet::Lost(RemoteObject* about, RemoteObject::Loss loss, const std::string
   PutAway(member);
   if (!crash_listener_) return;
   for (const auto& [id, object] : member->objects) crash_listener_(object);
+}
+
+void Fleet::StopTheRun(RemoteProcess* process) {
+  process->set_lost();
+  for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
 }
 
 void Fleet::Pump(int64_t timeout_us) {
@@ -227,8 +238,8 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
   std::vector<ProcessFacts> all;
   for (const auto& [name, member] : members_) {
     ProcessFacts facts{name,
-                       member.process->facts().host,
-                       member.process->facts().pid,
+                       member.process->seat().last().host,
+                       member.process->seat().last().pid,
                        {},
                        member.lost,
                        member.losses,
@@ -249,7 +260,8 @@ void Fleet::End() {
   for (auto& [name, member] : members_) {
     // One that has not come yet has not heard it.
     const bool has_come = member.process->facts().pid != 0;
-    if (member.child != nullptr) member.child->WaitForEnd(has_come ? kEndMs : 0);
+    const int64_t limit_ms = IsInterrupted() ? kInterruptedMs : kEndMs;
+    if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);
   }
 }
 

@@ -29,7 +29,9 @@ struct FleetOptions {
   int64_t wait_ms = 60'000;  // for a process to come
   int restarts = 0;          // how often each process of this host is started again
   std::function<void(const std::string& line)> say;  // for people
-  std::function<bool()> is_interrupted;              // waiting is to end; null: never
+  // How often the run was asked to end: once, nobody is waited for who is away; twice, it ends at
+  // once.  Null: never.
+  std::function<int()> interrupts;
 };
 
 class Fleet {
@@ -54,7 +56,7 @@ class Fleet {
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;  // why it is not there any more; ""
+    std::string lost;  // why it is not there any more; ""; host and pid are those it had
     int losses = 0;    // how often it was lost, and came back
     int returns = 0;
     uint64_t handlers = 0;  // run there; and how long each took, with the way there and back
@@ -109,6 +111,7 @@ class Fleet {
     bool is_put_away = false;
     bool has_failed = false;  // the last attempt
     int64_t since_ms = 0;     // it has been in this stage
+    bool is_told = false;     // that this takes long
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
@@ -121,8 +124,10 @@ class Fleet {
   void Welcome(Member* member);
   openr_wire_Load NewsFor(Member* member, WireArena* arena);
   void LoadMore(Member* member);
-  bool IsInterrupted() const { return options_.is_interrupted && options_.is_interrupted(); }
-  void Lost(RemoteObject* object, RemoteObject::Loss loss, const std::string& why);
+  bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
+  bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
+  void Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
+  void StopTheRun(RemoteProcess* process);
   std::string UnknownObjects() const;
 
   // fleet_return.cc
@@ -130,6 +135,7 @@ class Fleet {
   void PutAway(Member* member);
   void Enter(Member* member, Stage stage);
   void Tend(Member* member);
+  void CheckArrival(Member* member);
   void StartAgain(Member* member);
   void TakeIn(Member* member);
   void Loaded(Member* member);

@@ -2,6 +2,7 @@
 // beginning.  One step of it at each look; in lockstep the run waits for all of them, so that it
 // takes no virtual time and happens at the same instant in every run.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <stdexcept>
 
@@ -11,9 +12,10 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kEndMs = 5'000;    // for what remains of a process to end by itself
-constexpr int64_t kPauseMs = 1'000;  // after an attempt that failed
-constexpr int64_t kLookUs = 2'000;
+constexpr int64_t kEndMs = 5'000;      // for what remains of a process to end by itself
+constexpr int64_t kPauseMs = 1'000;    // after an attempt that failed
+constexpr int64_t kSilenceMs = 2'000;  // before people are told
+constexpr int kLookUs = 1'000;
 
 int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
 
@@ -27,6 +29,7 @@ bool Fleet::MayComeBack(const Member& member) const {
 void Fleet::Enter(Member* member, Stage stage) {
   member->stage = stage;
   member->since_ms = NowMs();
+  member->is_told = false;
 }
 
 // Messages of its objects that are on their way are delivered first.
@@ -41,8 +44,10 @@ void Fleet::PutAway(Member* member) {
   });
 }
 
+// In lockstep a run that is ending takes nobody back: it would have to wait.
 void Fleet::Tend(Member* member) {
   RemoteProcess& process = *member->process;
+  if (IsEnding() && !options_.is_free && member->stage != Stage::kThere) return;
   try {
     switch (member->stage) {
       case Stage::kThere:
@@ -61,15 +66,27 @@ void Fleet::Tend(Member* member) {
       case Stage::kTaking:
         return;
     }
-    if (member->child != nullptr && !member->child->HowItEnded().empty())
-      throw ProcessLost(member->child->HowItEnded());
-    const bool may_take_time = member->stage == Stage::kComing && member->has_door;
-    if (NowMs() - member->since_ms > options_.wait_ms && !(may_take_time && options_.is_free))
-      throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
-                                    options_.wait_ms / 1000));
+    CheckArrival(member);
   } catch (const std::runtime_error& error) {  // lost again, or it cannot be started
-    GiveUp(member, error.what());
+    if (!IsInterrupted()) GiveUp(member, error.what());
   }
+}
+
+// Throws ProcessLost when one that is coming back has ended, or has had its time.
+void Fleet::CheckArrival(Member* member) {
+  if (member->child != nullptr && !member->child->HowItEnded().empty())
+    throw ProcessLost(member->child->HowItEnded());
+  if (member->stage == Stage::kComing && member->has_door && options_.is_free) return;
+  const int64_t waited_ms = NowMs() - member->since_ms;
+  if (waited_ms > options_.wait_ms)
+    throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
+                                  options_.wait_ms / 1000));
+  if (member->is_told || waited_ms < kSilenceMs) return;
+  member->is_told = true;
+  options_.say(
+      fmt::format("process '{}' has not come back for {} s: not started, stopped, or busy; it has "
+                  "{} s (--join-wait)",
+                  member->name, kSilenceMs / 1000, options_.wait_ms / 1000));
 }
 
 // It did not make it this time.
@@ -168,9 +185,10 @@ void Fleet::WaitForReturns() {
       return member.stage == Stage::kComing || member.stage == Stage::kLoading ||
              (member.stage == Stage::kLeaving && member.is_put_away);
     };
-    while (system_->booted() && is_under_way() && !IsInterrupted()) {
+    while (system_->booted() && is_under_way() && !IsEnding()) {
       Tend(&member);
-      if (is_under_way()) bus_.Wait(kLookUs);
+      // Not for news: those of the others are not read here.
+      if (is_under_way()) usleep(kLookUs);
     }
     if (member.stage != Stage::kGone || member.crashed || system_->powered_off()) continue;
     system_->AddFindingAbout(member.objects.begin()->second, Severity::kError,

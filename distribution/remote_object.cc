@@ -93,8 +93,7 @@ void RemoteObject::HashState(Hasher* hasher) const {
     const std::string bytes = process_->FetchState(id);
     hasher->AddBytes(bytes.data(), bytes.size());
   } catch (const ProcessLost& lost) {
-    process_->set_lost();
-    system->AddFindingAbout(this, Severity::kError, lost.what());
+    lost_(this, Loss::kAtEnd, lost.what());
   }
 }
 

@@ -20,10 +20,10 @@ class RemoteProcess;
 
 class RemoteObject : public Object {
  public:
-  // How a process was lost.
-  enum class Loss { kGone, kCrashed };
+  // How a process was lost; kAtEnd: when all that was wanted of it was what it had come to.
+  enum class Loss { kGone, kCrashed, kAtEnd };
   // Hears of it, in the handler that found out.
-  using LossListener = std::function<void(RemoteObject*, Loss, const std::string& why)>;
+  using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
 
   RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process, LossListener lost)
       : Object(system, id, robot), process_(process), lost_(std::move(lost)) {}

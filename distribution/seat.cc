@@ -37,6 +37,7 @@ Seat::Seat(Bus* bus, std::string process, bool has_door) : bus_(bus), process_(s
 
 void Seat::Open(const std::string& session) {
   Leave();
+  before_ = last();
   facts_ = {};
   line_ = std::make_unique<MasterLine>(bus_, process_ + "/" + session, LineEnd::kMaster);
 }

@@ -58,6 +58,8 @@ class Seat {
   // Of who is there or is coming; null: nobody.
   MasterLine* line() const { return line_.get(); }
   const Facts& facts() const { return facts_; }
+  // Of who was there last.
+  const Facts& last() const { return facts_.pid == 0 ? before_ : facts_; }
 
  private:
   bool TakeHello(int timeout_ms);
@@ -73,6 +75,7 @@ class Seat {
   bool is_shut_ = false;
   bool has_arrived_ = false;
   Facts facts_;
+  Facts before_;
 };
 
 }  // namespace openr_host

@@ -36,7 +36,7 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
     : is_free_(placement.is_free),
       ros2_flags_(ros2),
       fleet_(MakeFleet(placement, stick, handler_limit_us,
-                       [interrupts] { return interrupts->count() >= 2; })) {
+                       [interrupts] { return interrupts->count(); })) {
   if (fleet_ != nullptr) {
     bus_ = fleet_->bus();
   } else if (ros2.is_on || placement.is_monitored) {

@@ -125,7 +125,7 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }  // namespace
 
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
-                                 int64_t handler_limit_us, std::function<bool()> is_interrupted) {
+                                 int64_t handler_limit_us, std::function<int()> interrupts) {
   FleetOptions options;
   options.placement = PlacementOf(flags);
   if (options.placement.empty()) {
@@ -142,7 +142,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   options.stick = std::filesystem::absolute(stick).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;
   options.restarts = flags.restarts;
-  options.is_interrupted = std::move(is_interrupted);
+  options.interrupts = std::move(interrupts);
   options.wrapper = WordsOf(flags.wrapper);
   options.is_free = flags.is_free;
   options.command = {ProgramFile(),     "join",

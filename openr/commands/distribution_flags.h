@@ -41,7 +41,7 @@ void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 // What the flags of placement mean; null when all is in one process.  `stick` is the folder of the
 // run's.  Throws CLI::ValidationError.
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
-                                 int64_t handler_limit_us, std::function<bool()> is_interrupted);
+                                 int64_t handler_limit_us, std::function<int()> interrupts);
 
 // Of a run that is all in this process and speaks DDS all the same.
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags);

@@ -1,0 +1,247 @@
+// What a lost process leaves behind in a run that goes on: readers of the console, regions, lines
+// of CONNECT.CFG, its place in the report.  Teller and Hearer are elsewhere, probes are here.
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "distribution/fleet.h"
+#include "tests/conformance/conform_fixture.h"
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Reader : public CodeObject {
+ public:
+  Reader() {
+    read = AddExtra("Read", [this](void*) {
+      char line[80];
+      lines.emplace_back(line, system().console_input().Read(line, sizeof line));
+    });
+  }
+
+  Selector read;
+  std::vector<std::string> lines;
+};
+
+class LeftBehindTest : public ConformTest {
+ protected:
+  LeftBehindTest() {
+    static int number = 0;
+    options_.bus.run = "left-" + std::to_string(getpid()) + "-" + std::to_string(++number);
+    options_.stick = root;
+    options_.restarts = 1;
+    options_.say = [](const std::string&) {};
+    options_.interrupts = [this] { return interrupts_(); };
+    options_.command = {OPENR_PROGRAM, "join",          "--child-of", std::to_string(getpid()),
+                        "--run-name",  options_.bus.run};
+  }
+  ~LeftBehindTest() override {
+    if (fleet_ != nullptr) fleet_->End();
+  }
+
+  void Place(const std::map<std::string, std::string>& where) {
+    options_.placement.process_of = where;
+    fleet_ = std::make_unique<Fleet>(options_);
+    SystemOptions options;
+    options.console = [this](std::string_view text) { printed += text; };
+    system = std::make_unique<System>(std::move(options));
+    system->AddRobot("ERS-210", stick);
+    reader_ = system->AddObject<Reader>(0, "reader");
+    sender_ = system->AddObject<SubjectProbe>(0, "sender");
+    receiver_ = system->AddObject<ObserverProbe>(0, "receiver");
+    receiver_->on_start = [this] { receiver_->in->AssertReady(); };
+    ASSERT_TRUE(system->LoadStick(0, fleet_->StandInsFor(system.get(), 0)));
+    ASSERT_EQ(fleet_->Connect(), "");
+    system->Boot();
+  }
+
+  Fleet::ProcessFacts Process(const std::string& name) const {
+    for (const Fleet::ProcessFacts& facts : fleet_->Describe()) {
+      if (facts.name == name) return facts;
+    }
+    return {};
+  }
+  void Kill(const std::string& process) const {
+    kill(static_cast<pid_t>(Process(process).pid), SIGKILL);
+  }
+  // And the run hears of it.
+  void Lose(const std::string& process) const {
+    const int before = Process(process).losses;
+    Kill(process);
+    for (; Process(process).losses == before; usleep(1000)) fleet_->Watch();
+  }
+  void Frame() const {
+    system->RunFor(system->frame_us());
+    fleet_->Watch();
+  }
+  // Until it is there, which takes no virtual time but that to find out.
+  void ComeBack(const std::string& process) const {
+    const auto is_away = [&] { return Process(process).returns < Process(process).losses; };
+    for (int i = 0; i < 10'000 && is_away(); ++i) Frame();
+    EXPECT_FALSE(is_away()) << Process(process).lost;
+  }
+  void StartReading() const {
+    system->Post(system->NewMessage(reader_->host().id, reader_->read));
+    system->RunFor(1000);
+  }
+  void Type(const std::string& line) const {
+    system->FeedConsole(0, line);
+    system->RunFor(system->frame_us());
+  }
+
+  FleetOptions options_;
+  std::function<int()> interrupts_ = [] { return 0; };
+  std::unique_ptr<Fleet> fleet_;
+  Reader* reader_ = nullptr;
+  SubjectProbe* sender_ = nullptr;
+  ObserverProbe* receiver_ = nullptr;
+};
+
+TEST_F(LeftBehindTest, OneThatReadTheConsoleTakesNoLine) {
+  Place({{"teller", "acting"}});
+  Settle();
+  Tell("gets");
+  StartReading();
+  Lose("acting");
+  Type("one");
+  StartReading();
+  Type("two");
+  EXPECT_THAT(reader_->lines, ElementsAre("one\n", "two\n"));
+}
+
+TEST_F(LeftBehindTest, ALineOnItsWayToOneThatIsLostIsTheNextReaders) {
+  Place({{"teller", "acting"}});
+  Settle();
+  Tell("gets");
+  StartReading();
+  system->FeedConsole(0, "mine");
+  const int64_t frame_us = system->frame_us();
+  EXPECT_TRUE(system->RunUntil([&] { return system->now_us() == frame_us; }, frame_us));
+  Lose("acting");  // the line has entered, and nobody has it yet
+  system->RunFor(1000);
+  EXPECT_THAT(reader_->lines, ElementsAre("mine\n"));
+}
+
+TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
+  Config("CONNECT.CFG",
+         "Teller.Out.Number.S Receiver.In.Number.O\nSender.Out.Number.S Hearer.In.Number.O\n");
+  Place({{"teller", "both"}, {"hearer", "both"}});
+  RCRegion* kept = nullptr;
+  receiver_->on_notify = [&](const ONotifyEvent& event) {
+    kept = event.RCData(0);
+    kept->AddReference();
+  };
+  Settle();
+  Tell("send 42");
+  ASSERT_NE(kept, nullptr);
+  Lose("both");
+  ComeBack("both");
+  Hear("assert");
+  RunAs(sender_, [&] {
+    sender_->out->SetData(kept);
+    sender_->out->NotifyObservers();
+  });
+  Settle();
+  EXPECT_THAT(printed, HasSubstr("H in 42 "));
+  EXPECT_EQ(Process("both").losses, 1) << Process("both").lost;
+}
+
+TEST_F(LeftBehindTest, LostDuringTheBootItsServicesAreNotMissed) {
+  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  Kill("acting");
+  Settle();
+  EXPECT_TRUE(Found("was killed by signal 9")) << Findings();
+  EXPECT_FALSE(Found("NOT FOUND")) << Findings();
+  ComeBack("acting");
+  Hear("assert");
+  Tell("send 5");
+  EXPECT_THAT(printed, HasSubstr("H in 5 ")) << "its line of CONNECT.CFG is there again";
+}
+
+TEST_F(LeftBehindTest, AWrongLineIsReportedAllTheSame) {
+  Config("CONNECT.CFG",
+         "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Receiver.On.Number.O\n"
+         "Teller.Out.Number.S reader.In.Number.O\n");
+  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  Kill("acting");
+  Settle();
+  EXPECT_TRUE(Found("Receiver.On.Number.O NOT FOUND")) << Findings();
+  EXPECT_TRUE(Found("reader.In.Number.O NOT FOUND")) << Findings();
+}
+
+// The observer's process comes first.
+TEST_F(LeftBehindTest, WhenBothEndsAreLostTheFirstIsNotRefused) {
+  Place({{"hearer", "a"}, {"teller", "b"}});
+  Settle();
+  Lose("a");
+  Lose("b");
+  ComeBack("a");
+  ComeBack("b");
+  EXPECT_FALSE(Found("refused")) << Findings();
+  Hear("assert");
+  Tell("send 5");
+  EXPECT_THAT(printed, HasSubstr("H in 5 "));
+}
+
+// A process whose second start comes to nothing.
+class AwayTest : public LeftBehindTest {
+ protected:
+  AwayTest() {
+    const std::string first = root / "first";
+    options_.wrapper = {
+        "/bin/sh", "-c",
+        "mkdir '" + first + "' 2>&- && exec \"$@\"; mkdir '" + Second() + "'; exec sleep 100",
+        "sh"};
+  }
+  std::string Second() const { return root / "second"; }
+};
+
+TEST_F(AwayTest, AfterControlCNobodyIsWaitedForAndTheReportSaysWhereItWas) {
+  options_.wait_ms = 5'000;
+  Place({{"teller", "acting"}});
+  Settle();
+  const Fleet::ProcessFacts before = Process("acting");
+  ASSERT_GT(before.pid, 0);
+  interrupts_ = [this] { return std::filesystem::exists(Second()) ? 1 : 0; };
+  Lose("acting");
+  for (int i = 0; i < 10; ++i) Frame();
+  EXPECT_TRUE(std::filesystem::exists(Second()));
+  EXPECT_FALSE(Found("the run stops here")) << Findings();
+  EXPECT_FALSE(system->powered_off());
+  EXPECT_EQ(Process("acting").pid, before.pid);
+  EXPECT_EQ(Process("acting").host, before.host);
+}
+
+TEST_F(AwayTest, OneThatDoesNotComeIsNamedAndGivenUp) {
+  std::string said;
+  options_.say = [&said](const std::string& line) { said += line + "\n"; };
+  options_.wait_ms = 4'000;
+  Place({{"teller", "acting"}});
+  Settle();
+  Lose("acting");
+  for (int i = 0; i < 10 && !system->powered_off(); ++i) Frame();
+  EXPECT_THAT(said, HasSubstr("process 'acting' has not come back for 2 s: not started, stopped, "
+                              "or busy; it has 4 s (--join-wait)\n"));
+  EXPECT_TRUE(Found("process 'acting' did not come back within 4 s; the run stops here"))
+      << Findings();
+}
+
+TEST_F(LeftBehindTest, ASecondControlCIsNoFinding) {
+  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  Settle();
+  interrupts_ = [] { return 2; };
+  for (const char* const process : {"acting", "hearing"})
+    kill(static_cast<pid_t>(Process(process).pid), SIGSTOP);
+  Tell("ready?");
+  EXPECT_TRUE(system->powered_off());
+  system->state_hash();
+  EXPECT_EQ(Findings(), "");
+}
+
+}  // namespace
+}  // namespace openr_host
