@@ -46,6 +46,7 @@ struct RunStatus {
   int64_t waiting = 0;
   std::vector<Process> processes;
   std::vector<Object> objects;
+  uint32_t objects_left_out = 0;
 };
 
 }  // namespace openr_host

@@ -115,6 +115,7 @@ RunStatus Decode(const openr_status_Status& in) {
   out.messages_per_s = Figure(in.messages_per_s);
   out.messages = in.messages;
   out.waiting = in.waiting;
+  out.objects_left_out = in.objects_left_out;
   for (uint32_t i = 0; i < in.processes._length; ++i) {
     const openr_status_ProcessStatus& from = in.processes._buffer[i];
     out.processes.push_back(
@@ -155,7 +156,9 @@ void StatusWriter::Write(const RunStatus& status) {
   std::vector<openr_status_ObjectStatus> objects;
   openr_status_Status sample = Encode(status, &processes, &objects);
   processes.resize(std::min<size_t>(processes.size(), openr_status_PROCESSES_MAX));
-  objects.resize(std::min<size_t>(objects.size(), openr_status_OBJECTS_MAX));
+  const size_t told = std::min<size_t>(objects.size(), openr_status_OBJECTS_MAX);
+  sample.objects_left_out = static_cast<uint32_t>(objects.size() - told);
+  objects.resize(told);
   Give(&processes, &sample.processes);
   Give(&objects, &sample.objects);
   dds_write(writer_, &sample);

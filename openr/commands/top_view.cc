@@ -150,6 +150,9 @@ std::string TopText(const std::vector<Run>& runs, double now_s) {
     for (const RunStatus::Object& object : status.objects)
       rows.push_back(RowOf(status, object, has_robots));
     text += Headline(run, now_s) + Table(rows);
+    if (status.objects_left_out > 0)
+      text += fmt::format("  ... {} more objects: a run tells of {}\n", status.objects_left_out,
+                          status.objects.size());
     for (const RunStatus::Process& process : status.processes) {
       if (!process.lost.empty()) text += "  lost: " + process.lost + "\n";
     }
@@ -182,7 +185,8 @@ Json TopJson(const std::vector<Run>& runs, double now_s) {
                     {"messages_per_s", status.messages_per_s},
                     {"queue", status.waiting},
                     {"processes", std::move(processes)},
-                    {"objects", std::move(objects)}});
+                    {"objects", std::move(objects)},
+                    {"objects_left_out", status.objects_left_out}});
   }
   return {{"runs", std::move(list)}};
 }

@@ -75,6 +75,7 @@ TEST_F(StatusTopicTest, WhatIsTooLongIsCut) {
   EXPECT_EQ(heard.host, std::string(127, 'h'));
   EXPECT_EQ(heard.processes.at(0).lost, std::string(511, 'l'));
   EXPECT_EQ(heard.objects.size(), 4096u);
+  EXPECT_EQ(heard.objects_left_out, 904u);
   EXPECT_EQ(heard.messages_per_s, 0);
 }
 

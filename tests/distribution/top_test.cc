@@ -107,15 +107,17 @@ TEST(TopTest, AProcessThatIsBackIsShownWithItsNewId) {
 }
 
 TEST(TopTest, ARunInOneProcessSpeaksWithMonitorOnly) {
-  const std::string name = RunName("one");
-  const Words wait = {"top", "--once", "--json", "--wait", "2s", "--run-name", name};
   {
-    const auto silent = StartRun(name, {});
-    const ProgramResult nothing = RunProgram(wait);
+    ProgramRun silent({"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--for", "10min"});
+    EXPECT_TRUE(silent.WaitFor("state: listening")) << silent.Finish().err;
+    const std::string its_name = "openr-" + std::to_string(silent.pid());
+    const ProgramResult nothing =
+        RunProgram({"top", "--once", "--json", "--wait", "2s", "--run-name", its_name});
     EXPECT_EQ(nothing.status, 1);
-    EXPECT_THAT(nothing.err, HasSubstr("no run '" + name + "' was heard within 2 s"));
+    EXPECT_THAT(nothing.err, HasSubstr("no run '" + its_name + "' was heard within 2 s"));
     EXPECT_TRUE(json::parse(nothing.out, nullptr, false).contains("error")) << nothing.out;
   }
+  const std::string name = RunName("one");
   const auto run = StartRun(name, {"--monitor"});
   EXPECT_EQ(ObjectNamed(Top(name), "JointMover")["pid"], run->pid());
 }
@@ -182,6 +184,14 @@ TEST(TopViewTest, TheTableHasALineForEachObject) {
             "  OBJECT  PROCESS  HOST  PID  PRIO  MSG/S  MEAN us  P99 us  QUEUE  DROPS  STATE\n"
             "  Mover   legs     yard    9   128   12.5       90     120      3      2  standing\n"
             "  Brain   -        den     7    64    0.0        -       -      0      0\n");
+}
+
+TEST(TopViewTest, WhatThereWasNoRoomForIsCounted) {
+  RunsHeard::Run run = MadeUp();
+  EXPECT_THAT(TopText({run}, 1), Not(HasSubstr("more objects")));
+  run.status.objects_left_out = 904;
+  EXPECT_THAT(TopText({run}, 1), HasSubstr("\n  ... 904 more objects: a run tells of 2\n"));
+  EXPECT_EQ(TopJson({run}, 1)["runs"][0]["objects_left_out"], 904);
 }
 
 TEST(TopViewTest, ARunThatSaysNothingIsSilent) {
