@@ -43,6 +43,7 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
     own_bus_ = MakeBus(placement);
     bus_ = own_bus_.get();
   }
+  RefuseIdleFlags(placement, fleet_ != nullptr, bus_ != nullptr);
 }
 
 void DistributedRun::Enter(SimulationOptions* options, const Ros2Link::Say& say) {

@@ -71,6 +71,23 @@ void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
                       "process is on another host)");
   AddDurationFlag(command, "--join-wait", &flags->wait_us, "How long to wait for a process");
   AddBusFlags(command, &flags->bus);
+  for (const char* name : {"--wrap", "--restart", "--join-wait"})
+    flags->of_processes.push_back(command->get_option(name));
+  for (const char* name :
+       {"--run-name", "--dds-domain", "--dds-address", "--dds-peer", "--dds-lease", "--dds-config"})
+    flags->of_dds.push_back(command->get_option(name));
+}
+
+void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_dds) {
+  const std::string alone = "no object is placed in another process (--place)";
+  const auto refuse = [](const std::vector<const CLI::Option*>& options, const std::string& why) {
+    for (const CLI::Option* option : options) {
+      if (option->count() > 0) throw CLI::ValidationError(option->get_name(), why);
+    }
+  };
+  if (!has_processes) refuse(flags.of_processes, alone);
+  if (!has_dds)
+    refuse(flags.of_dds, alone + ", and without --ros2 and --monitor nobody else is spoken to");
 }
 
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags) {

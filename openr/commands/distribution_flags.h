@@ -25,11 +25,16 @@ struct PlacementFlags {
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;
+  std::vector<const CLI::Option*> of_processes;  // mean nothing in a run of one process
+  std::vector<const CLI::Option*> of_dds;        // nor in one that does not speak DDS
 };
 
 // --place, --placement, --isolate, --wrap, --monitor, --run-name, --join-wait and those of
 // AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
+
+// Throws CLI::ValidationError when one of them was given that means nothing in a run like this.
+void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_dds);
 
 // --ros2 and --ros2-namespace.
 struct Ros2Flags {

@@ -129,6 +129,20 @@ TEST_F(FaultsTest, AWrongPlacementFileIsAComplaintWithItsLine) {
   EXPECT_THAT(missing.err, HasSubstr("nothing.cfg: No such file or directory"));
 }
 
+TEST_F(FaultsTest, AFlagThatWouldMeanNothingIsRefused) {
+  const ProgramResult dds = RunProgram(kQuickly + Words{"--for", "1s", "--dds-lease", "3"});
+  EXPECT_EQ(dds.status, 2);
+  EXPECT_THAT(dds.err, HasSubstr("--dds-lease: no object is placed in another process (--place)"));
+  const ProgramResult restart =
+      RunProgram(kQuickly + Words{"--for", "1s", "--restart", "3", "--monitor"});
+  EXPECT_EQ(restart.status, 2);
+  EXPECT_THAT(restart.err, HasSubstr("--restart: no object is placed in another process"));
+  EXPECT_EQ(RunProgram(kQuickly + Words{"--for", "1s", "--body", "ideal", "--monitor", "--run-name",
+                                        "spoken-of"})
+                .status,
+            0);
+}
+
 TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {
   const ScratchFolder folder;
   folder.Write("where.cfg", "JointMover legs\n@legs 127.0.0.1\n");
