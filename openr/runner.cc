@@ -132,7 +132,7 @@ void Runner::AfterFrame() {
   if (plan_.after_frame) plan_.after_frame();
   AnnouncePorts();
   TakeSnapshots(false);
-  if (interrupts_->count() > 0 && paused_us_ < 0) PressPause();
+  if (interrupts_->count() == 1 && paused_us_ < 0) PressPause();
   if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");

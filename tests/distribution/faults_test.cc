@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Words kRun = {"run", "--no-panel", "--rc-port", "0", "--body", "ideal"};
 
@@ -107,6 +108,18 @@ TEST_F(FaultsTest, ControlCIsThePauseButtonHereAsWell) {
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("pause button pressed"));
+}
+
+TEST_F(FaultsTest, ASecondControlCEndsARunThatWaitsForAProcess) {
+  const std::unique_ptr<ProgramRun> run = Start({"--isolate", "JointMover"});
+  kill(OnlyChildOf(*run), SIGSTOP);
+  ASSERT_TRUE(run->WaitFor("has not answered for 2 s"));
+  run->Signal(SIGINT);
+  run->Signal(SIGTERM);  // counts as well, and cannot melt into the one before
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("error: ")));
+  EXPECT_THAT(result.err, Not(HasSubstr("again to end at once")));
 }
 
 TEST_F(FaultsTest, AnObjectThatIsNoneIsNamedWithTheNearest) {
