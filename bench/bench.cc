@@ -9,11 +9,6 @@
 #include <nlohmann/json.hpp>
 
 namespace openr_host {
-namespace {
-
-constexpr int kRounds = 7;
-
-}  // namespace
 
 double WallSeconds() {
   using Clock = std::chrono::steady_clock;
@@ -27,7 +22,7 @@ void RunRows(const std::vector<Row>& rows, const std::string& filter,
   for (const Row& row : rows) {
     if (row.name.find(filter) == std::string::npos) continue;
     std::vector<double> best(row.variants.size(), 1e300);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < row.rounds; ++round) {
       for (size_t i = 0; i < row.variants.size(); ++i) {
         const double begin = WallSeconds();
         row.variants[i].run(row.count);

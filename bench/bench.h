@@ -22,6 +22,7 @@ struct Row {
   int64_t count = 0;              // operations per round
   std::vector<Variant> variants;  // the first is the floor
   double target = 0;              // ratio of the second to the floor that goals name; 0: none
+  int rounds = 7;                 // the best of which counts
 };
 
 // Runs the rows whose name contains `filter`; prints a table to standard output and

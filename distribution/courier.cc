@@ -97,7 +97,7 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
       part.bytes = WireArena::View(data.srcRCR->Base(), data.size);
     parts.push_back(part);
   }
-  out->parts = arena->Sequence<decltype(out->parts)>(std::move(parts));
+  out->parts = arena->Sequence<decltype(out->parts)>(parts);
 }
 
 // An observer may write into what it received.  Most give it back in the handler that got it.
@@ -133,7 +133,7 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
       returned.bytes = WireArena::View(region.Base(), region.Size());
     regions.push_back(returned);
   }
-  out->regions = arena->Sequence<decltype(out->regions)>(std::move(regions));
+  out->regions = arena->Sequence<decltype(out->regions)>(regions);
 }
 
 std::vector<Courier::Lent> Courier::TakeLent() {

@@ -132,9 +132,9 @@ openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.last_box});
   }
-  load.robots = arena->Sequence<decltype(load.robots)>(std::move(robots));
-  load.designs = arena->Sequence<decltype(load.designs)>(std::move(designs));
-  load.objects = arena->Sequence<decltype(load.objects)>(std::move(objects));
+  load.robots = arena->Sequence<decltype(load.robots)>(robots);
+  load.designs = arena->Sequence<decltype(load.designs)>(designs);
+  load.objects = arena->Sequence<decltype(load.objects)>(objects);
   return load;
 }
 

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <cstring>
-#include <memory>
+#include <memory_resource>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,29 +19,34 @@ class WireArena {
  public:
   // A sequence of the generated type Seq over `items`.
   template <typename Seq, typename T>
-  Seq Sequence(std::vector<T> items) {
-    auto kept = std::make_shared<std::vector<T>>(std::move(items));
-    const auto count = static_cast<uint32_t>(kept->size());
-    Seq sequence{count, count, kept->data(), false};
-    kept_.push_back(std::move(kept));
-    return sequence;
+  Seq Sequence(const std::vector<T>& items) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto count = static_cast<uint32_t>(items.size());
+    if (count == 0) return {};
+    void* const kept = memory_.allocate(count * sizeof(T), alignof(T));
+    std::memcpy(kept, items.data(), count * sizeof(T));
+    return {count, count, static_cast<T*>(kept), false};
   }
 
   char* Text(std::string_view text) {
     static char nothing[] = "";
+    text = text.substr(0, text.find('\0'));
     if (text.empty()) return nothing;
-    auto kept = std::make_shared<std::string>(text.substr(0, text.find('\0')));
-    kept_.push_back(kept);
-    return kept->data();
+    auto* const kept = static_cast<char*>(memory_.allocate(text.size() + 1, 1));
+    std::memcpy(kept, text.data(), text.size());
+    kept[text.size()] = '\0';
+    return kept;
   }
 
-  openr_wire_Numbers Numbers(std::vector<uint64_t> numbers) {
-    return Sequence<openr_wire_Numbers>(std::move(numbers));
+  openr_wire_Numbers Numbers(const std::vector<uint64_t>& numbers) {
+    return Sequence<openr_wire_Numbers>(numbers);
   }
 
   openr_wire_Bytes Bytes(const void* data, size_t size) {
-    const auto* const begin = static_cast<const uint8_t*>(data);
-    return Sequence<openr_wire_Bytes>(std::vector<uint8_t>(begin, begin + size));
+    if (size == 0) return {};
+    void* const kept = memory_.allocate(size, 1);
+    std::memcpy(kept, data, size);
+    return View(kept, size);
   }
 
   // Bytes that stay where they are until the sample has been written.
@@ -49,10 +55,11 @@ class WireArena {
     return {count, count, static_cast<uint8_t*>(const_cast<void*>(data)), false};
   }
 
-  void Clear() { kept_.clear(); }
+  void Clear() { memory_.release(); }
 
  private:
-  std::vector<std::shared_ptr<void>> kept_;
+  char first_[1024];  // enough for most samples
+  std::pmr::monotonic_buffer_resource memory_{first_, sizeof first_};
 };
 
 inline std::vector<uint64_t> VectorOf(const openr_wire_Numbers& numbers) {

@@ -55,6 +55,11 @@ openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
 
 void Worker::Send(const openr_wire_Up& up) { line_->Send(up); }
 
+void Worker::TakeEffects(openr_wire_Up* up) {
+  up->effects = arena_.Sequence<decltype(up->effects)>(effects_);
+  effects_.clear();
+}
+
 Worker::Loan Worker::Next(bool answer) {
   if (!answer && !early_.empty()) {
     Loan loan = std::move(early_.front());
@@ -223,19 +228,19 @@ openr_wire_LoadedObject Worker::Describe(const Object& object) {
   for (uint32_t i = 0; i < kSelectorMax; ++i) {
     if (object.HasEntry(i)) selectors.push_back(i);
   }
-  out.selectors = arena_.Numbers(std::move(selectors));
+  out.selectors = arena_.Numbers(selectors);
   std::vector<openr_wire_EntryName> names;
   for (const auto& [selector, name] : object.entry_names)
     names.push_back({selector, arena_.Text(name)});
-  out.names = arena_.Sequence<decltype(out.names)>(std::move(names));
+  out.names = arena_.Sequence<decltype(out.names)>(names);
   return out;
 }
 
 void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
   openr_wire_Up up = NewUp(openr_wire_UP_LOADED);
   auto& objects = up.body._u.loaded.objects;
-  objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(std::move(loaded));
-  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
+  TakeEffects(&up);
   Send(up);
   arena_.Clear();
 }
@@ -341,7 +346,7 @@ void Worker::SendStopped(Object* object) {
   for (const auto& subject : object->subjects) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
-  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  TakeEffects(&up);
   Send(up);
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
@@ -370,7 +375,7 @@ void Worker::SendState(ObjectId id) {
   openr_wire_Up up = NewUp(openr_wire_UP_STATE);
   up.body._u.state.subjects = WireArena::View(subjects.data(), subjects.size());
   auto& bytes = up.body._u.state.regions;
-  bytes = arena.Sequence<std::remove_reference_t<decltype(bytes)>>(std::move(regions));
+  bytes = arena.Sequence<std::remove_reference_t<decltype(bytes)>>(regions);
   Send(up);
 }
 
@@ -380,7 +385,7 @@ void Worker::Forget(ObjectId id) {
   std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_Up up = NewUp(openr_wire_UP_FORGOTTEN);
   up.body._u.forgotten = id;
-  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  TakeEffects(&up);
   Send(up);
   arena_.Clear();
 }
@@ -426,7 +431,7 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   if (may_be_refused) {
     openr_wire_Up up = NewUp(openr_wire_UP_POST);
     up.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id, posted};
-    up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+    TakeEffects(&up);
     Send(up);
     error = static_cast<int32_t>(WaitForAnswer().status);
   } else {
@@ -458,8 +463,7 @@ void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view
   if (is_over_ || (kind == NoteKind::kUnpin && CancelPin(numbers.front()))) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
-  effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
-                    arena_.Text(text)};
+  effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(numbers), arena_.Text(text)};
   effects_.push_back(effect);
 }
 
@@ -470,7 +474,7 @@ Answer Worker::Ask(const Question& question) {
                          static_cast<uint32_t>(question.kind), arena_.Numbers(question.numbers),
                          arena_.Text(question.text),
                          WireArena::View(question.bytes.data(), question.bytes.size())};
-  up.effects = arena_.Sequence<decltype(up.effects)>(std::exchange(effects_, {}));
+  TakeEffects(&up);
   Send(up);
   return WaitForAnswer();
 }

@@ -86,6 +86,8 @@ class Worker : public Uplink {
 
   openr_wire_Up NewUp(openr_wire_UpKind kind);
   void Send(const openr_wire_Up& up);
+  // What handlers did since the last sample goes with `up`.
+  void TakeEffects(openr_wire_Up* up);
   // The next sample, of the kind given if it is an answer that is waited for; empty when the
   // master is gone.
   Loan Next(bool answer);

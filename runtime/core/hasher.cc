@@ -1,6 +1,11 @@
 #include "runtime/core/hasher.h"
 
 #include <xxhash.h>
+// The same hashes with the widest registers of the processor the program finds itself on: Debian's
+// library by itself uses the narrowest, at 64 kB a fifteenth as fast.
+#if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
+#include <xxh_x86dispatch.h>
+#endif
 
 #include <new>
 

@@ -32,7 +32,8 @@ class RegionTable {
   void set_uplink(Uplink* uplink) { uplink_ = uplink; }
 
   // The block of an id given there; null when there is no memory.  One that belongs to an object
-  // elsewhere is a copy and lasts while it is pinned, with KeepCopy() first of all.
+  // elsewhere is a copy and lasts while it is pinned, with KeepCopy() first of all; a later copy of
+  // the same block may find the bytes of this one.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id);
@@ -95,8 +96,11 @@ class RegionTable {
     uint16_t generation = 0;
     bool live = false;
     size_t capacity = 0;  // what it was made with
+    bool is_copy = false;
+    bool is_idle = false;  // a copy that nobody has: memory for the next one
   };
 
+  Slot* FindMemory(uint32_t id);  // also of an idle copy
   Slot* Find(uint32_t id);
   const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
   void FreeIfUnused(Slot* slot);

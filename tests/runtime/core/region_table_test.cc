@@ -71,6 +71,40 @@ TEST(RegionTableTest, TheBlocksOfOneOwnerGoTogether) {
   EXPECT_EQ(table.CountOf(2), 1);
 }
 
+#ifndef __SANITIZE_ADDRESS__
+TEST(RegionTableTest, ACopyThatNobodyHasLendsItsMemoryToTheNext) {
+  RegionTable table;
+  char* const base = table.AdoptCopy(0x10005, 64);
+  table.KeepCopy(0x10005);
+  base[0] = 'x';
+  table.DropCopy(0x10005);
+  uint32_t id = 0;
+  size_t offset = 0;
+  EXPECT_EQ(table.BaseOf(0x10005), nullptr);
+  EXPECT_FALSE(table.Locate(base, &id, &offset));
+  EXPECT_EQ(table.AdoptCopy(0x10005, 64), base);
+  EXPECT_EQ(table.BaseOf(0x10005), base);
+  EXPECT_FALSE(table.WrittenBeyond(0x10005));
+}
+#endif
+
+TEST(RegionTableTest, ACopyOfAnotherSizeOrBlockGetsFreshMemory) {
+  RegionTable table;
+  const auto use = [&table](uint32_t id, size_t size) {
+    char* const base = table.AdoptCopy(id, size);
+    table.KeepCopy(id);
+    const bool fresh = base[0] == 0;
+    base[0] = 'x';
+    EXPECT_EQ(table.SizeOf(id), size);
+    table.DropCopy(id);
+    return fresh;
+  };
+  EXPECT_TRUE(use(0x10005, 64));
+  EXPECT_TRUE(use(0x10005, 128));
+  EXPECT_TRUE(use(0x20005, 128)) << "another block in the same place";
+  EXPECT_EQ(table.live_count(), 0);
+}
+
 TEST(RegionTableTest, ContentIsState) {
   const auto hash = [](const RegionTable& table) {
     Hasher hasher;
