@@ -161,6 +161,7 @@ void* LineBase::Take(int timeout_ms) {
       Return(sample);
       continue;
     }
+    if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
   }
 }

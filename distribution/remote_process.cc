@@ -219,7 +219,9 @@ std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object
 
 void RemoteProcess::Poll() {
   try {
-    while (const Loan up = seat_.line()->Receive(0)) TakeFree(*up);
+    bool came = false;
+    for (; const Loan up = seat_.line()->Receive(0); came = true) TakeFree(*up);
+    if (came) return;
     const std::string problem = WhatIsWrong();
     if (problem.empty()) return;
     if (const Loan last = seat_.line()->Receive(kLastWordMs))
