@@ -13,6 +13,8 @@
 namespace openr_host {
 namespace {
 
+constexpr int kTogetherMax = 16;  // samples in a packet
+
 // Signals of the program are for its own thread, not for those of the library.
 class SignalsBlocked {
  public:
@@ -122,7 +124,9 @@ LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTo
   const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
+  dds_write_set_batch(true);  // of writers that are made from now on
   writer_ = dds_create_writer(publisher, is_master ? down : up, qos, nullptr);
+  dds_write_set_batch(false);
   reader_ = dds_create_reader(subscriber, is_master ? up : down, qos, nullptr);
   dds_delete_qos(qos);
   Check(writer_, "writer");
@@ -149,7 +153,21 @@ bool LineBase::IsConnected() const {
 
 void LineBase::Flush(int timeout_ms) { dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)); }
 
-void LineBase::Write(const void* sample) { Check(dds_write(writer_, sample), "write"); }
+void LineBase::WriteSoon(const void* sample) {
+  Check(dds_write(writer_, sample), "write");
+  if (++unsent_count_ == kTogetherMax) SendOff();
+}
+
+void LineBase::Write(const void* sample) {
+  WriteSoon(sample);
+  SendOff();
+}
+
+void LineBase::SendOff() {
+  if (unsent_count_ == 0) return;
+  unsent_count_ = 0;
+  dds_write_flush(writer_);
+}
 
 void* LineBase::Take(int timeout_ms) {
   for (;;) {
@@ -161,6 +179,7 @@ void* LineBase::Take(int timeout_ms) {
       Return(sample);
       continue;
     }
+    SendOff();
     if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
   }

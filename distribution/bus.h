@@ -88,8 +88,12 @@ class LineBase {
   // Waits until the other end has all that was sent, which is lost with the line otherwise.
   void Flush(int timeout_ms);
 
+  // Now what SendSoon() has kept.
+  void SendOff();
+
  protected:
   void Write(const void* sample);
+  void WriteSoon(const void* sample);
   // The next sample, to be given to Return(); null when none came within `timeout_ms`.
   void* Take(int timeout_ms);
   void Return(void* sample);
@@ -99,6 +103,7 @@ class LineBase {
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
   std::vector<dds_entity_t> owned_;  // with all that belongs to them
+  int unsent_count_ = 0;
 };
 
 template <typename Out, typename In>
@@ -107,6 +112,8 @@ class Line : public LineBase {
   using LineBase::LineBase;
 
   void Send(const Out& sample) { Write(&sample); }
+  // In one packet with what is sent next: when this end finds nothing to take, at the latest.
+  void SendSoon(const Out& sample) { WriteSoon(&sample); }
 
   // A sample on loan.
   class Loan {

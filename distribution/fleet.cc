@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "distribution/latency.h"
 #include "distribution/remote_object.h"
 #include "runtime/config/spelling.h"
 #include "runtime/ipstack/ip_stack.h"
@@ -13,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kEndMs = 5'000;  // for a process to end when it is told
+constexpr int64_t kLookNs = 10'000'000;  // between looks at processes in a free run
+constexpr int64_t kEndMs = 5'000;        // for a process to end when it is told
 constexpr int64_t kInterruptedMs = 500;
 
 }  // namespace
@@ -103,6 +105,7 @@ void Fleet::Welcome(Member* member) {
   welcome.strict = options.strict;
   welcome.guard = options.guard_regions;
   welcome.measure = options.measure_stacks;
+  welcome.free_running = options_.is_free;
   welcome.log_level = options.log_level;
   welcome.stick = arena.Text(options_.stick);
   member->process->Welcome(system_, welcome);
@@ -195,14 +198,29 @@ void Fleet::StopTheRun(RemoteProcess* process) {
   for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
 }
 
+bool Fleet::TakeWhatCame() {
+  bool came = false;
+  for (auto& [name, member] : members_) {
+    if (!member.process->is_lost()) came = member.process->TakeWhatCame() || came;
+  }
+  return came;
+}
+
 void Fleet::Pump(int64_t timeout_us) {
-  bus_.Wait(timeout_us);
-  if (IsInterrupted()) return;
+  for (auto& [name, member] : members_) member.process->SendOff();
+  if (!TakeWhatCame()) {
+    bus_.Wait(timeout_us);
+    if (IsInterrupted()) return;
+    TakeWhatCame();
+  }
+  const int64_t now_ns = Latency::NowNs();
+  const bool is_time = now_ns >= next_look_ns_;
+  if (is_time) next_look_ns_ = now_ns + kLookNs;
   for (auto& [name, member] : members_) {
     RemoteProcess& process = *member.process;
     Tend(&member);
     if (process.is_lost()) continue;
-    process.Poll();
+    if (is_time) process.LookAfter();
     if (process.loss().empty()) continue;
     const auto culprit = member.objects.find(process.culprit());
     Lost(culprit == member.objects.end() ? member.objects.begin()->second : culprit->second,

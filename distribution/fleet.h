@@ -125,6 +125,7 @@ class Fleet {
   openr_wire_Load NewsFor(Member* member, WireArena* arena);
   void LoadMore(Member* member);
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
+  bool TakeWhatCame();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   void Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopTheRun(RemoteProcess* process);
@@ -147,7 +148,8 @@ class Fleet {
   Bus bus_;
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  std::string problem_;  // the first, before Boot()
+  int64_t next_look_ns_ = 0;  // after processes, in a free run
+  std::string problem_;       // the first, before Boot()
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;
   std::vector<std::string> placed_;  // objects that were found

@@ -14,13 +14,19 @@ class Latency {
   // From its making to its end.
   class Timer {
    public:
-    explicit Timer(Latency* latency) : latency_(latency), begin_ns_(NowNs()) {}
-    ~Timer() { latency_->Add(NowNs() - begin_ns_); }
+    // Both get it.
+    Timer(Latency* first, Latency* second) : first_(first), second_(second), begin_ns_(NowNs()) {}
+    ~Timer() {
+      const int64_t ns = NowNs() - begin_ns_;
+      first_->Add(ns);
+      second_->Add(ns);
+    }
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
 
    private:
-    Latency* const latency_;
+    Latency* const first_;
+    Latency* const second_;
     const int64_t begin_ns_;
   };
 

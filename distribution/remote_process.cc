@@ -31,6 +31,7 @@ RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool has_door,
     : name_(std::move(name)),
       health_(std::move(health)),
       say_(std::move(say)),
+      handler_wait_(fmt::format("its handler in process '{}'", name_)),
       seat_(bus, name_, has_door) {}
 
 void RemoteProcess::Refuse(const std::string& what) {
@@ -45,14 +46,27 @@ openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
   return down;
 }
 
-void RemoteProcess::Send(const openr_wire_Down& down) {
+void RemoteProcess::Send(const openr_wire_Down& down, bool soon) {
   if (seat_.line() == nullptr) throw ProcessLost(fmt::format("process '{}' is not there", name_));
   try {
+    if (soon) return seat_.line()->SendSoon(down);
     seat_.line()->Send(down);
   } catch (const std::runtime_error& error) {  // nobody takes it, or DDS has no room
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
                                   facts().pid, error.what()));
   }
+}
+
+void RemoteProcess::SendOff() {
+  if (seat_.line() != nullptr) seat_.line()->SendOff();
+}
+
+// What is done next is sent to a process, too, and does not keep what is sent now waiting.
+bool RemoteProcess::MoreGoesOut() const {
+  const Message* const next = system_->queue().First();
+  if (next == nullptr || next->is_reply) return false;
+  const auto* const target = dynamic_cast<const RemoteObject*>(system_->object(next->target));
+  return target != nullptr && target->blocked == nullptr && !target->is_busy;
 }
 
 RemoteProcess::Loan RemoteProcess::Next() {
@@ -162,10 +176,10 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
     courier_->Encode(message, is_there, &arena, &deliver.message);
-    Send(down);
+    Send(down, is_free_ && MoreGoesOut());
     courier_->Sent(message);
   }
-  const Latency::Timer timer(&latency_), its_own(&latency_of_[object->id]);
+  const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   for (;;) {
     const std::optional<Stop> stop = is_free_ ? AwaitStop(object) : WaitForStop(object);
     if (!stop) return false;
@@ -208,8 +222,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object
   object->boxes.insert(box);
   under_way_[object->id] = box;
   bool timed_out = false;
-  Message* const wake =
-      system_->AwaitReply(box, -1, fmt::format("its handler in process '{}'", name_), &timed_out);
+  Message* const wake = system_->AwaitReply(box, -1, handler_wait_, &timed_out);
   system_->queue().Release(wake);
   if (is_lost_ || session != session_) return std::nullopt;
   Stop stop = std::move(stops_[object->id]);
@@ -217,22 +230,35 @@ std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object
   return stop;
 }
 
-void RemoteProcess::Poll() {
+// What `action` throws is why the process is gone.
+template <typename Action>
+void RemoteProcess::NoteLoss(const Action& action) {
   try {
-    bool came = false;
-    for (; const Loan up = seat_.line()->Receive(0); came = true) TakeFree(*up);
-    if (came) return;
-    const std::string problem = WhatIsWrong();
-    if (problem.empty()) return;
-    if (const Loan last = seat_.line()->Receive(kLastWordMs))
-      return TakeFree(*last);  // its last word
-    throw ProcessLost(problem);
+    action();
   } catch (const ProcessCrashed& crash) {
     loss_ = crash.what();
     crashed_ = true;
   } catch (const ProcessLost& lost) {
     loss_ = lost.what();
   }
+}
+
+bool RemoteProcess::TakeWhatCame() {
+  bool came = false;
+  NoteLoss([this, &came] {
+    for (; const Loan up = seat_.line()->Receive(0); came = true) TakeFree(*up);
+  });
+  return came;
+}
+
+void RemoteProcess::LookAfter() {
+  NoteLoss([this] {
+    const std::string problem = WhatIsWrong();
+    if (problem.empty()) return;
+    if (const Loan last = seat_.line()->Receive(kLastWordMs))
+      return TakeFree(*last);  // its last word
+    throw ProcessLost(problem);
+  });
 }
 
 void RemoteProcess::TakeFree(const openr_wire_Up& up) {

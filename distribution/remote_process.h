@@ -70,12 +70,16 @@ class RemoteProcess {
   void Forget(ObjectId id);
 
   // From now on nobody waits for a handler but its object: what it did comes when it comes, and
-  // Poll() does it.  For runs whose clock is that on the wall.
+  // TakeWhatCame() does it.  For runs whose clock is that on the wall.
   void RunFree() { is_free_ = true; }
 
-  // Does what has come since.  Not from a handler.  Does not throw: handlers that wait hear of a
-  // loss.
-  void Poll();
+  // Of what the handlers of other objects are to do nothing is kept back any more.
+  void SendOff();
+
+  // Does what has come since.  Not from a handler.  True when something had.
+  bool TakeWhatCame();
+  // Whether it is there at all.
+  void LookAfter();
 
   // Times from handing a message over to hearing that its handler is done.
   const Latency& latency() const { return latency_; }
@@ -95,7 +99,7 @@ class RemoteProcess {
   // wait end.
   void Lose();
 
-  // Why it is gone, as Poll() found out; "" while it is not.
+  // Why it is gone, as the two above found out, which do not throw; "" while it is not.
   const std::string& loss() const { return loss_; }
   // Whose handler brought it down, as far as that is known.
   bool has_crashed() const { return crashed_; }
@@ -125,13 +129,16 @@ class RemoteProcess {
   };
 
   openr_wire_Down NewDown(openr_wire_DownKind kind);
-  void Send(const openr_wire_Down& down);
+  void Send(const openr_wire_Down& down, bool soon = false);
+  bool MoreGoesOut() const;
   Loan Next();
   std::optional<Stop> WaitForStop(RemoteObject* object);
   std::optional<Stop> AwaitStop(RemoteObject* object);
   Stop TakeStop(const openr_wire_Up& up);
   void TakeFree(const openr_wire_Up& up);
   bool TakeLoaded(const openr_wire_Up& up, const std::map<ObjectId, RemoteObject*>& objects);
+  template <typename Action>
+  void NoteLoss(const Action& action);
   [[noreturn]] void Crash(const openr_wire_Crashed& crashed);
   void WakeHandler(ObjectId object, uint64_t box);
   bool Serve(const openr_wire_Up& up);
@@ -149,6 +156,7 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
+  const std::string handler_wait_;  // what a proxy waits for
   Seat seat_;
   System* system_ = nullptr;
   std::unique_ptr<Courier> courier_;

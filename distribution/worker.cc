@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "distribution/latency.h"
 #include "distribution/remote_services.h"
 #include "distribution/seat.h"
 #include "runtime/ipstack/ant_message.h"
@@ -20,8 +21,9 @@
 namespace openr_host {
 namespace {
 
-constexpr int kSliceMs = 500;    // between looks at whether the master is there
-constexpr int kKnockMs = 1'000;  // between knocks
+constexpr int kSliceMs = 500;         // between looks at whether the master is there
+constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
+constexpr int kKnockMs = 1'000;       // between knocks
 
 // Stands for an object of another process.
 class AbsentObject : public Object {
@@ -149,6 +151,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
     up.body._u.said = arena.Text(text);
     Send(up);
   };
+  is_free_ = welcome.free_running;
   system_ = std::make_unique<System>(std::move(options));
   system_->trace().set_hashing(false);  // the trace is the master's
   courier_ = std::make_unique<Courier>(system_.get(), true);
@@ -298,9 +301,25 @@ void Worker::Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_ou
   if (!message->is_reply) ++object->waiting;
   waits_.erase(object->id);
   system_->queue().Push(message, object->limits.priority);
-  system_->RunMessages(1);
+  if (is_free_) {
+    RunTimed(object->id);
+  } else {
+    system_->RunMessages(1);
+  }
   courier_->ForgetSample();
   SendStopped(object);
+}
+
+// What other handlers did is sent with what this one does, unless that may take long.
+void Worker::RunTimed(ObjectId id) {
+  if (!quick_.contains(id)) line_->SendOff();
+  const int64_t begin_ns = Latency::NowNs();
+  system_->RunMessages(1);
+  if (Latency::NowNs() - begin_ns < kQuickNs) {
+    quick_.insert(id);
+  } else {
+    quick_.erase(id);
+  }
 }
 
 // Shared buffers are made and destroyed by the master's network stack; its stand-in here knows them
@@ -332,22 +351,25 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
-  stopped.why = arena_.Text("");
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;
     stopped.timeout_us = found->second.timeout_us;
     stopped.size = static_cast<uint32_t>(found->second.size);
-    stopped.why = arena_.Text(found->second.why);
+    stopped.why = WireArena::View(found->second.why.data(), found->second.why.size());
   }
-  stopped.state = arena_.Text(object->state);
+  stopped.state = WireArena::View(object->state.data(), object->state.size());
   stopped.dropped = object->dropped_count;
   stopped.stack_max = object->stack_max;
   for (const auto& subject : object->subjects) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
   TakeEffects(&up);
-  Send(up);
+  if (is_free_) {
+    line_->SendSoon(up);
+  } else {
+    Send(up);
+  }
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
@@ -390,16 +412,21 @@ void Worker::Forget(ObjectId id) {
   arena_.Clear();
 }
 
+void Worker::KeepUntilSent(uint32_t region) {
+  system_->regions().KeepCopy(region);
+  pinned_.push_back(region);
+}
+
 openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
   openr_wire_Posted posted{};
   posted.delay_us = delay_us;
   courier_->Encode(message, nullptr, &arena_, &posted.message);
   if (message.kind == PayloadKind::kNotify) {
     const auto& parts = posted.message.payload._u.notify.parts;
-    for (uint32_t i = 0; i < parts._length; ++i) {
-      system_->regions().KeepCopy(parts._buffer[i].region);
-      pinned_.push_back(parts._buffer[i].region);
-    }
+    for (uint32_t i = 0; i < parts._length; ++i) KeepUntilSent(parts._buffer[i].region);
+  } else if (message.kind == PayloadKind::kReady) {
+    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+    for (int i = 0; i < ready.numOfData; ++i) KeepUntilSent(ready.rcRegion[i]->MemID());
   }
   return posted;
 }

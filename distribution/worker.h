@@ -80,6 +80,7 @@ class Worker : public Uplink {
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
   std::string Serve();
   void Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out);
+  void RunTimed(ObjectId id);
   void SendStopped(Object* object);
   void SendState(ObjectId id);
   void Forget(ObjectId id);
@@ -95,6 +96,7 @@ class Worker : public Uplink {
   bool MayBeRefused(const Message& message);
   bool CancelPin(uint64_t region);
   void FollowBuffers(const Object& object, const Message& message);
+  void KeepUntilSent(uint32_t region);
   openr_wire_Posted Encode(const Message& message, int64_t delay_us);
 
   const WorkerOptions options_;
@@ -106,6 +108,8 @@ class Worker : public Uplink {
   bool is_refused_ = false;
   std::string stick_;  // its folder
   uint64_t turn_ = 0;
+  bool is_free_ = false;                             // the run goes by the clock on the wall
+  std::set<ObjectId> quick_;                         // whose last handler was
   bool is_over_ = false;                             // nobody listens: objects are being unloaded
   std::set<std::pair<ObjectId, uint32_t>> entries_;  // that there are, as far as asked for
   std::deque<Loan> early_;                           // came while an answer was waited for

@@ -85,6 +85,10 @@ int MessageQueue::FirstLevel() const {
   return -1;
 }
 
+const Message* MessageQueue::First() const {
+  return due_count_ == 0 ? nullptr : levels_[static_cast<size_t>(FirstLevel())].head;
+}
+
 ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   candidates_.clear();
   for (const Message* m = list.head; m != nullptr; m = m->next) {

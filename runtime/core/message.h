@@ -77,6 +77,8 @@ class MessageQueue {
   // of the receiver it chooses among those that are as urgent as the first.
   Message* Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
+  // What Pop() without a schedule gives next, which stays; null when nothing is due.
+  const Message* First() const;
 
   // When the next message that is not due yet is due; INT64_MAX when there is none.
   int64_t NextTime() const { return later_.empty() ? INT64_MAX : later_.front().due_us; }

@@ -72,7 +72,6 @@ class ForgedTest : public ::testing::Test {
     openr_wire_Stopped& stopped = up.body._u.stopped;
     stopped.object = remote_->id;
     stopped.timeout_us = -1;
-    stopped.why = stopped.state = arena_.Text("");
     return up;
   }
   openr_wire_Up With(const openr_wire_Effect& effect) {
