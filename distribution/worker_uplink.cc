@@ -1,0 +1,126 @@
+// What handlers here ask and do that concerns others, told to the master.
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/RCRegion.h>
+#include <sError.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "distribution/worker.h"
+
+namespace openr_host {
+
+void Worker::KeepUntilSent(uint32_t region) {
+  system_->regions().KeepCopy(region);
+  pinned_.push_back(region);
+}
+
+openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
+  openr_wire_Posted posted{};
+  posted.delay_us = delay_us;
+  courier_->Encode(message, nullptr, &arena_, &posted.message);
+  if (message.kind == PayloadKind::kNotify) {
+    const auto& parts = posted.message.payload._u.notify.parts;
+    for (uint32_t i = 0; i < parts._length; ++i) KeepUntilSent(parts._buffer[i].region);
+  } else if (message.kind == PayloadKind::kReady) {
+    const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+    for (int i = 0; i < ready.numOfData; ++i) KeepUntilSent(ready.rcRegion[i]->MemID());
+  }
+  return posted;
+}
+
+// Replies, whose boxes may have been given up; full queues, which refuse with --strict only; and
+// entries that are not there.
+bool Worker::MayBeRefused(const Message& message) {
+  if (message.is_reply || system_->options().strict) return true;
+  const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
+  if (entries_.contains(entry)) return false;
+  openr_wire_Up up = NewUp(openr_wire_UP_ENTRY);
+  up.body._u.entry = {message.target, message.selector};
+  Send(up);
+  if (WaitForAnswer().status != 1) return true;
+  entries_.insert(entry);
+  return false;
+}
+
+int32_t Worker::Post(Message* message, int64_t delay_us) {
+  if (is_over_) {
+    system_->queue().Release(message);
+    return sFAIL;
+  }
+  const bool may_be_refused = MayBeRefused(*message);
+  const openr_wire_Posted posted = Encode(*message, delay_us);
+  int32_t error = sSUCCESS;
+  // Where it may be refused, the sender has to know at once; else it goes with everything else the
+  // handler does.
+  if (may_be_refused) {
+    openr_wire_Up up = NewUp(openr_wire_UP_POST);
+    up.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id, posted};
+    TakeEffects(&up);
+    Send(up);
+    error = static_cast<int32_t>(WaitForAnswer().status);
+  } else {
+    openr_wire_Effect effect{};
+    effect._d = openr_wire_EFFECT_POST;
+    effect._u.posted = posted;
+    effects_.push_back(effect);
+  }
+  if (error == sSUCCESS) courier_->Sent(*message);
+  system_->queue().Release(message);
+  return error;
+}
+
+// A region that was taken and given back with nothing told in between: the usual case of an
+// observer.  The master need not hear of either.
+bool Worker::CancelPin(uint64_t region) {
+  const auto is_pin = [region](const openr_wire_Effect& effect) {
+    return effect._d == openr_wire_EFFECT_NOTE &&
+           effect._u.note.kind == static_cast<uint32_t>(NoteKind::kPin) &&
+           effect._u.note.numbers._buffer[0] == region;
+  };
+  const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
+  if (found == effects_.rend()) return false;
+  effects_.erase(std::next(found).base());
+  return true;
+}
+
+void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
+  if (is_over_ || (kind == NoteKind::kUnpin && CancelPin(numbers.front()))) return;
+  openr_wire_Effect effect{};
+  effect._d = openr_wire_EFFECT_NOTE;
+  effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(numbers), arena_.Text(text)};
+  effects_.push_back(effect);
+}
+
+Answer Worker::Ask(const Question& question) {
+  if (is_over_) return {};
+  openr_wire_Up up = NewUp(openr_wire_UP_QUESTION);
+  up.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
+                         static_cast<uint32_t>(question.kind), arena_.Numbers(question.numbers),
+                         arena_.Text(question.text),
+                         WireArena::View(question.bytes.data(), question.bytes.size())};
+  TakeEffects(&up);
+  Send(up);
+  return WaitForAnswer();
+}
+
+Answer Worker::WaitForAnswer() {
+  const Loan down = Next(true);
+  if (!down) {  // in the middle of a handler, which cannot go on
+    options_.say("the master is gone");
+    _exit(1);
+  }
+  const openr_wire_Answer& answer = down->body._u.answer;
+  return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
+}
+
+void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
+  waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
+}
+
+void Worker::WaitsForLine(uint64_t box, size_t size) {
+  waits_[t_current.object->id] = {openr_wire_STOP_READS, box, -1, size, ""};
+}
+
+}  // namespace openr_host
