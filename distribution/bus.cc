@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 #include <string_view>
 
@@ -110,7 +112,8 @@ void Bus::Wait(int64_t timeout_us) {
 
 Bus::~Bus() { dds_delete(domain_); }
 
-LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTopics& topics) {
+LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTopics& topics)
+    : type_(end == LineEnd::kMaster ? topics.up : topics.down) {
   const SignalsBlocked blocked;
   const bool is_master = end == LineEnd::kMaster;
   const dds_entity_t participant = bus->participant();
@@ -140,6 +143,8 @@ LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTo
 }
 
 LineBase::~LineBase() {
+  for (void* const sample : taken_) dds_sample_free(sample, type_, DDS_FREE_ALL);
+  for (void* const sample : blank_) dds_sample_free(sample, type_, DDS_FREE_ALL);
   for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) dds_delete(*entity);
 }
 
@@ -171,13 +176,11 @@ void LineBase::SendOff() {
 
 void* LineBase::Take(int timeout_ms) {
   for (;;) {
-    void* sample = nullptr;
-    dds_sample_info_t info;
-    const int count = Check(dds_take(reader_, &sample, &info, 1, 1), "take");
-    if (count == 1 && info.valid_data) return sample;
-    if (count == 1) {
-      Return(sample);
-      continue;
+    if (!has_taken()) TakeMore();
+    if (has_taken()) {
+      void* const sample = taken_.front();
+      taken_.pop_front();
+      return sample;
     }
     SendOff();
     if (timeout_ms == 0) return nullptr;
@@ -185,6 +188,29 @@ void* LineBase::Take(int timeout_ms) {
   }
 }
 
-void LineBase::Return(void* sample) { dds_return_loan(reader_, &sample, 1); }
+void LineBase::TakeMore() {
+  while (blank_.size() < kTogetherMax) {
+    blank_.push_back(dds_alloc(type_->m_size));
+    std::memset(blank_.back(), 0, type_->m_size);
+  }
+  void* samples[kTogetherMax];
+  dds_sample_info_t infos[kTogetherMax];
+  std::copy_n(blank_.rbegin(), kTogetherMax, samples);
+  const int count = Check(dds_take(reader_, samples, infos, kTogetherMax, kTogetherMax), "take");
+  blank_.resize(blank_.size() - static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    if (infos[i].valid_data) {
+      taken_.push_back(samples[i]);
+    } else {
+      Return(samples[i]);
+    }
+  }
+}
+
+void LineBase::Return(void* sample) {
+  dds_sample_free(sample, type_, DDS_FREE_CONTENTS);
+  std::memset(sample, 0, type_->m_size);
+  blank_.push_back(sample);
+}
 
 }  // namespace openr_host

@@ -9,6 +9,7 @@
 #include <dds/dds.h>
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -91,6 +92,9 @@ class LineBase {
   // Now what SendSoon() has kept.
   void SendOff();
 
+  // Whether the next sample has been taken from DDS already.
+  bool has_taken() const { return !taken_.empty(); }
+
  protected:
   void Write(const void* sample);
   void WriteSoon(const void* sample);
@@ -99,11 +103,16 @@ class LineBase {
   void Return(void* sample);
 
  private:
+  void TakeMore();
+
+  const dds_topic_descriptor_t* const type_;  // of what comes in
   dds_entity_t writer_ = 0;
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
   std::vector<dds_entity_t> owned_;  // with all that belongs to them
   int unsent_count_ = 0;
+  std::deque<void*> taken_;
+  std::vector<void*> blank_;  // samples to take into
 };
 
 template <typename Out, typename In>

@@ -246,7 +246,11 @@ void RemoteProcess::NoteLoss(const Action& action) {
 bool RemoteProcess::TakeWhatCame() {
   bool came = false;
   NoteLoss([this, &came] {
-    for (; const Loan up = seat_.line()->Receive(0); came = true) TakeFree(*up);
+    while (const Loan up = seat_.line()->Receive(0)) {
+      came = true;
+      TakeFree(*up);
+      if (!seat_.line()->has_taken()) break;  // what comes meanwhile is for the next time
+    }
   });
   return came;
 }
