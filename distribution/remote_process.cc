@@ -167,6 +167,8 @@ void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   const uint64_t session = session_;
+  // With the sending: the process may have run before that returns.
+  const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   {
     WireArena arena;
     openr_wire_Down down = NewDown(openr_wire_DOWN_DELIVER);
@@ -179,7 +181,6 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     Send(down, is_free_ && MoreGoesOut());
     courier_->Sent(message);
   }
-  const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   for (;;) {
     const std::optional<Stop> stop = is_free_ ? AwaitStop(object) : WaitForStop(object);
     if (!stop) return false;

@@ -30,7 +30,7 @@ class ForgedTest : public ::testing::Test {
     system_.RunFor(1000);
     auto remote = std::make_unique<RemoteObject>(
         &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
-        [this](RemoteObject*, RemoteObject::Loss, const std::string& why) {
+        [this](const RemoteObject*, RemoteObject::Loss, const std::string& why) {
           losses_.push_back(why);
           process_.Lose();
         });
