@@ -5,6 +5,10 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <system_error>
+
+#include "openr/crash_stack.h"
 #include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
@@ -28,8 +32,11 @@ namespace {
 constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 constexpr size_t kAlternateStackBytes = 256 << 10;  // a report is made on it
 
+constexpr char kFile[] = "/OPEN-R/EMON.LOG";
+
 // Paths of the files, by robot; fixed before the run.
 std::vector<std::string>* g_files = nullptr;
+bool g_adds = false;
 char g_stack[kAlternateStackBytes];
 
 const char* NameOf(int signal) {
@@ -45,26 +52,48 @@ const char* NameOf(int signal) {
   }
 }
 
-void WriteRecord(const SignalText& text, int robot) {
-  text.WriteTo(STDERR_FILENO);
-  if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size()) return;
+// Null when the robot has no file.
+const std::string* FileOf(int robot) {
+  if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size())
+    return nullptr;
   const std::string& file = (*g_files)[static_cast<size_t>(robot)];
-  if (file.empty()) return;
-  // Not open(): that of this process may act for an object.
-  const long descriptor =
-      syscall(SYS_openat, AT_FDCWD, file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (descriptor < 0) return;
-  text.WriteTo(static_cast<int>(descriptor));
-  SignalText note;
-  note.Add("openr: wrote ").Add(file.c_str()).Add("\n").WriteTo(STDERR_FILENO);
+  return file.empty() ? nullptr : &file;
 }
 
-void Crashed(int signal, siginfo_t* info, void*) {
+// What happened first, since the stack, which is added, may be too damaged to be walked.
+void WriteRecord(Ending* ending, const void* context, int robot) {
+  const std::string* const file = FileOf(robot);
+  // Not open(): that of this process may act for an object.
+  const auto descriptor =
+      file == nullptr
+          ? -1
+          : static_cast<int>(syscall(SYS_openat, AT_FDCWD, file->c_str(),
+                                     O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
+  const auto write = [descriptor](const SignalText& text) {
+    text.WriteTo(STDERR_FILENO);
+    if (descriptor >= 0) text.WriteTo(descriptor);
+  };
+  write(ending->record);
+  const CrashStack stack(*ending->object, context);
+  SignalText frames;
+  stack.AddTo(&frames);
+  write(frames);
+  ending->record.Add(frames.text());
+  stack.AddPlace(&ending->finding);
+  if (descriptor < 0) return;
+  SignalText note;
+  note.Add("openr: wrote ").Add(*file).Add("\n").WriteTo(STDERR_FILENO);
+}
+
+void Crashed(int signal, siginfo_t* info, void* context) {
   Ending ending;
   SignalText& text = ending.record;
   text.Add("EXCEPTION ").Add(NameOf(signal));
-  text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16).Add("\n");
-  text.Add("OBJECT ");
+  const bool is_overflow = Fiber::AnyGuardContains(info->si_addr);
+  // That of an instruction, or in the guard, is another one in each run; the stack says where.
+  if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
+    text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
+  text.Add("\nOBJECT ");
   if (!AddCurrentHandler(&text)) {  // the program's own fault
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
@@ -74,16 +103,16 @@ void Crashed(int signal, siginfo_t* info, void*) {
   text.Add("\n");
   ending.finding.Add("crash: ").Add(NameOf(signal)).Add(" in ");
   AddCurrentEntry(&ending.finding);
-  if (Fiber::AnyGuardContains(info->si_addr)) {
+  if (is_overflow) {
     const uint64_t kib = Fiber::kStackBytes >> 10;
     text.Add("STACK overflow: the handler used more than ").AddNumber(kib);
     text.Add(" KiB of stack\n");
     ending.finding.Add(", a stack overflow: more than ").AddNumber(kib).Add(" KiB");
   }
-  ending.finding.Add("; on the robot this stops all objects");
   const int robot = t_current.object->robot;
   BeginEnding(&ending);
-  WriteRecord(text, robot);
+  WriteRecord(&ending, context, robot);
+  ending.finding.Add("; on the robot this stops all objects");
   FinishEnding();
 }
 
@@ -97,11 +126,10 @@ void UseAlternateStack(bool on) {
 
 }  // namespace
 
-CrashLog::CrashLog(const std::vector<std::string>& sticks) {
+CrashLog::CrashLog(const std::vector<std::string>& sticks, bool adds) {
+  g_adds = adds;
   g_files = new std::vector<std::string>;
-  for (const std::string& stick : sticks) {
-    g_files->push_back(stick.empty() ? "" : stick + "/OPEN-R/EMON.LOG");
-  }
+  for (const std::string& stick : sticks) g_files->push_back(stick.empty() ? "" : stick + kFile);
   if constexpr (OPENR_ASAN) return;
   UseAlternateStack(true);
   struct sigaction action {};
@@ -118,6 +146,11 @@ CrashLog::~CrashLog() {
   }
   delete g_files;
   g_files = nullptr;
+}
+
+void CrashLog::BeginAfresh(const std::string& stick) {
+  std::error_code error;  // it is not there, or may not be written: then no record is added either
+  std::filesystem::remove(stick + kFile, error);
 }
 
 }  // namespace openr_host

@@ -16,11 +16,15 @@ namespace openr_host {
 // done: its own report says more.
 class CrashLog {
  public:
-  // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.
-  explicit CrashLog(const std::vector<std::string>& sticks);
+  // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.  `adds`: records that
+  // are there already, of other processes of the run, stay.
+  explicit CrashLog(const std::vector<std::string>& sticks, bool adds = false);
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;
+
+  // Before the processes of a run that add theirs: the record on this stick is of another run.
+  static void BeginAfresh(const std::string& stick);
 };
 
 }  // namespace openr_host

@@ -25,8 +25,8 @@ const char* EntryOf(const Object& object, uint32_t selector) {
 
 }  // namespace
 
-SignalText& SignalText::Add(const char* text) {
-  for (; *text != 0 && size_ < sizeof text_; ++text) text_[size_++] = *text;
+SignalText& SignalText::Add(std::string_view text) {
+  size_ += text.copy(text_ + size_, sizeof text_ - size_);
   return *this;
 }
 

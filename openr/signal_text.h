@@ -11,7 +11,7 @@ struct Current;
 
 class SignalText {
  public:
-  SignalText& Add(const char* text);  // what does not fit is left out
+  SignalText& Add(std::string_view text);  // what does not fit is left out
   SignalText& AddNumber(uint64_t number, unsigned base = 10);
 
   // Writes it to `descriptor`.
@@ -23,7 +23,7 @@ class SignalText {
   std::string_view text() const { return {text_, size_}; }
 
  private:
-  char text_[2048];
+  char text_[4096];
   size_t size_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "openr/crash_log.h"
 #include "openr/interrupt.h"
 
 namespace openr_host {
@@ -43,6 +44,7 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
     own_bus_ = MakeBus(placement);
     bus_ = own_bus_.get();
   }
+  if (fleet_ != nullptr) CrashLog::BeginAfresh(stick);
   RefuseIdleFlags(placement, fleet_ != nullptr, bus_ != nullptr);
 }
 

@@ -25,6 +25,8 @@ class DistributedRun {
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const std::string& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
+  bool has_processes() const { return fleet_ != nullptr; }
+
   // Takes its places in a simulation that is still to be made.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 

@@ -51,7 +51,7 @@ int Join(JoinFlags flags) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
   flags.worker.begins = [&](const std::string& stick) {
-    crash_log.emplace(std::vector<std::string>{stick});
+    crash_log.emplace(std::vector<std::string>{stick}, true);
     watchdog.emplace(flags.handler_limit_us);
   };
   Worker worker(flags.worker);

@@ -318,7 +318,8 @@ int CommandedRun::Run() {
 bool CommandedRun::RunToTheEnd() {
   const LastAnswer answer(flags_.json ? console_.answer_descriptor() : -1, flags_.report_file);
   const CrashLog crash_log(
-      std::vector<std::string>(static_cast<size_t>(options_.robots), simulation_.stick()));
+      std::vector<std::string>(static_cast<size_t>(options_.robots), simulation_.stick()),
+      distribution_.has_processes());
   const Watchdog watchdog(flags_.handler_limit_us);
   if (records()) {
     recorder_.Begin(&simulation_, options_);

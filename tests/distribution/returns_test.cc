@@ -179,6 +179,15 @@ TEST_F(ReturnsTest, OneThatCrashesAgainAndAgainIsGivenUp) {
   EXPECT_EQ(Process(run.report, "Trouble")["losses"], 3);
   EXPECT_NE(Process(run.report, "Trouble")["lost"], "");
   EXPECT_DOUBLE_EQ(run.report["virtual_time_s"].get<double>(), 1) << "the others go on";
+  const auto records = [&stick] {
+    const std::string text = stick.Read("OPEN-R/EMON.LOG");
+    int count = 0;
+    for (size_t at = 0; (at = text.find("EXCEPTION ", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_EQ(records(), 3);
+  RunProgram(kQuickly + Words{"--for", "1s", "--stick", stick.path(), "--isolate", "Trouble"});
+  EXPECT_EQ(records(), 1) << "each run begins afresh";
 }
 
 TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {

@@ -1,5 +1,5 @@
 // openr run as a whole, on the default stick and on sticks that are up to no good.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +9,9 @@ namespace openr_host {
 namespace {
 
 using nlohmann::json;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 
 std::vector<std::string> With(std::vector<std::string> arguments,
                               const std::vector<std::string>& more) {
@@ -212,7 +215,28 @@ TEST(CrashTest, ACrashLeavesARecordOnTheStick) {
   EXPECT_NE(record.find("at address 0x10\n"), std::string::npos) << record;
   EXPECT_NE(record.find("OBJECT Trouble, DoStart (selector 1), message "), std::string::npos)
       << record;
-  EXPECT_EQ(record.find("STACK"), std::string::npos) << record;
+  EXPECT_EQ(record.find("STACK overflow"), std::string::npos) << record;
+}
+
+TEST(CrashTest, TheRecordHasTheStackOfTheObjectAndEndsThere) {
+  const std::string record = RecordOf("crash");
+  EXPECT_THAT(record, ContainsRegex("\nSTACK\n  #0 TROUBLE.BIN\\+0x[0-9a-f]+ Trouble::DoStart"));
+  const std::string last = record.substr(record.rfind('#'));
+  EXPECT_THAT(last, HasSubstr("TROUBLE.BIN+0x"));
+  for (const char* const word : {"crash", "divide", "recurse"})
+    EXPECT_EQ(RecordOf(word), RecordOf(word)) << "no addresses of this host";
+}
+
+TEST(CrashTest, TheStackOfOneThatRecursesIsOfSoManyFrames) {
+  const std::string record = RecordOf("recurse");
+  EXPECT_THAT(record, HasSubstr("  #31 TROUBLE.BIN+0x"));
+  EXPECT_EQ(record.find("  #32 "), std::string::npos) << record;
+}
+
+// Nothing is there to be named; who called it is.
+TEST(CrashTest, WhoCallsNothingIsInTheStack) {
+  const std::string record = RecordOf("callnull");
+  EXPECT_THAT(record, ContainsRegex("  #1 TROUBLE.BIN\\+0x[0-9a-f]+ Trouble::DoStart"));
 }
 
 TEST(CrashTest, TheJsonAnswerSaysWhatHappened) {
@@ -239,9 +263,10 @@ TEST(CrashTest, TheReportIsThatOfARunAndHasTheCrashAmongItsFindings) {
   EXPECT_EQ(finding["severity"], "error");
   EXPECT_EQ(finding["object"], "Trouble");
   EXPECT_GT(finding["message"].get<int>(), 0);
-  EXPECT_EQ(finding["text"],
-            "crash: SIGSEGV (an address that is not the object's) in DoStart (selector 1); on the "
-            "robot this stops all objects");
+  EXPECT_THAT(finding["text"].get<std::string>(),
+              MatchesRegex("crash: SIGSEGV \\(an address that is not the object's\\) in DoStart "
+                           "\\(selector 1\\), at TROUBLE.BIN\\+0x[0-9a-f]+ Trouble::DoStart.*; "
+                           "on the robot this stops all objects"));
 }
 
 TEST(CrashTest, WhatAnObjectPrintedBeforeIsThere) {

@@ -50,6 +50,10 @@ Trouble::DoStart(const OSystemEvent&)
         for (;;) sink = sink + 1;
     } else if (strcmp(word, "crash") == 0) {
         *(volatile int*)16 = 1;
+    } else if (strcmp(word, "callnull") == 0) {
+        void (*volatile nothing)() = 0;
+        nothing();
+        sink = 1;  // not the last thing that is done: a call, not a jump
     } else if (strcmp(word, "divide") == 0) {
         sink = 0;
         sink = 100 / sink;
