@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "distribution/join_advice.h"
 #include "distribution/latency.h"
 #include "distribution/remote_object.h"
 #include "runtime/config/spelling.h"
@@ -148,7 +149,11 @@ void Fleet::LoadMore(Member* member) {
   const openr_wire_Load load = NewsFor(member, &arena);
   try {
     if (!member->is_welcome) {
-      member->process->WaitForHello(options_.wait_ms);
+      const auto host = options_.placement.host_of.find(member->name);
+      member->process->WaitForHello(options_.wait_ms,
+                                    host == options_.placement.host_of.end()
+                                        ? ""
+                                        : JoinAdvice(member->name, host->second, options_.bus));
       Welcome(member);
     }
     member->process->Load(load);

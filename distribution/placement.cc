@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-// Names of processes become partitions of DDS, where '*' and '?' stand for others.
+// Names of runs and processes become partitions of DDS, where '*' and '?' stand for others.
 bool IsName(std::string_view text) {
   return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
@@ -19,14 +19,20 @@ bool IsName(std::string_view text) {
 }
 
 std::string Add(const std::string& object, const std::string& process, Placement* placement) {
-  if (!IsName(process))
-    return fmt::format("'{}' is no name for a process: letters, digits, '_', '-' and '.'", process);
+  const std::string no_name = WhyNoName("process", process);
+  if (!no_name.empty()) return no_name;
   const auto [known, is_new] = placement->process_of.emplace(object, process);
   if (is_new || known->second == process) return "";
   return fmt::format("{} is placed in '{}' already", object, known->second);
 }
 
 }  // namespace
+
+std::string WhyNoName(const std::string& what, const std::string& name) {
+  if (IsName(name)) return "";
+  return fmt::format("'{}' is no name for a {}: up to 64 letters, digits, '_', '-' and '.'", name,
+                     what);
+}
 
 std::vector<std::string> Placement::Processes() const {
   std::set<std::string> names;

@@ -10,6 +10,9 @@
 
 namespace openr_host {
 
+// "" or why this is no name for a process, or a run.
+std::string WhyNoName(const std::string& what, const std::string& name);
+
 struct Placement {
   // Name of an object -> name of a process; who is not named is in the program itself.
   std::map<std::string, std::string> process_of;

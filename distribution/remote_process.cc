@@ -17,6 +17,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kSliceMs = 10;           // between looks at the process
+constexpr int64_t kKnockMs = 300;      // for one that is there to be heard
 constexpr int kLastWordMs = 50;        // for what it said before its end to come
 constexpr int kEndMs = 1'000;          // for a process to hear that the run is over
 constexpr int64_t kSilenceMs = 2'000;  // before people are told
@@ -100,15 +101,16 @@ std::string RemoteProcess::WhatIsWrong() const {
   return problem;
 }
 
-void RemoteProcess::WaitForHello(int64_t limit_ms) {
+void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice) {
+  const std::string then = advice.empty() ? "" : "; " + advice;
   for (int64_t waited_ms = 0; !seat_.Arrive(kSliceMs); waited_ms += kSliceMs) {
     const std::string problem = health_();
     if (!problem.empty()) throw ProcessLost(problem);
     if (waited_ms >= limit_ms)
       throw ProcessLost(
-          fmt::format("process '{}' did not come within {} s; start it there with: "
-                      "openr join --process {}",
-                      name_, limit_ms / 1000, name_));
+          fmt::format("process '{}' did not come within {} s{}", name_, limit_ms / 1000, then));
+    if (waited_ms == kKnockMs && !advice.empty())
+      say_(fmt::format("waiting for process '{}' ({} s){}", name_, limit_ms / 1000, then));
   }
 }
 

@@ -48,8 +48,9 @@ class RemoteProcess {
 
   // Everything here throws ProcessLost.
 
-  // The process has come, within `limit_ms`.
-  void WaitForHello(int64_t limit_ms);
+  // The process has come, within `limit_ms`.  `advice` is what people are to do for one that they
+  // have to start; "" for others.
+  void WaitForHello(int64_t limit_ms, const std::string& advice);
 
   // What holds for the whole run.
   void Welcome(System* system, const openr_wire_Welcome& welcome);

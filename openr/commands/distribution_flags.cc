@@ -47,6 +47,10 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
       ->check(CLI::Validator(WhyNoSettings, ""));
 }
 
+CLI::Validator IsNameOf(const std::string& what) {
+  return {[what](const std::string& name) { return WhyNoName(what, name); }, ""};
+}
+
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
   command->add_option("--place", flags->places,
                       "OBJECT=PROCESS: run an object in a process of this name; repeatable");
@@ -66,9 +70,11 @@ void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
       ->capture_default_str();
   command->add_flag("--monitor", flags->is_monitored,
                     "Speak to openr top; a run in several processes or with --ros2 does anyway");
-  command->add_option("--run-name", flags->bus.run,
-                      "Name of the run, for openr join (default: one of its own; openr when a "
-                      "process is on another host)");
+  command
+      ->add_option("--run-name", flags->bus.run,
+                   "Name of the run, for openr join (default: one of its own; openr when a "
+                   "process is on another host)")
+      ->check(IsNameOf("run"));
   AddDurationFlag(command, "--join-wait", &flags->wait_us, "How long to wait for a process");
   AddBusFlags(command, &flags->bus);
   for (const char* name : {"--wrap", "--restart", "--join-wait"})

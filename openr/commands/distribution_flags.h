@@ -15,6 +15,9 @@ namespace openr_host {
 // --dds-domain, --dds-address, --dds-peer, --dds-config.
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
+// For --run-name and --process; `what`: "run", "process".
+CLI::Validator IsNameOf(const std::string& what);
+
 struct PlacementFlags {
   std::vector<std::string> places;  // OBJECT=PROCESS
   std::string file;

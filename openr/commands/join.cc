@@ -103,8 +103,11 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
       "join", "Runs the objects that a run has placed in a process of another name or host");
   auto flags = std::make_shared<JoinFlags>();
   flags->worker.bus.run = "openr";
-  command->add_option("--process", flags->worker.process, "Its name in the placement")->required();
+  command->add_option("--process", flags->worker.process, "Its name in the placement")
+      ->required()
+      ->check(IsNameOf("process"));
   command->add_option("--run-name", flags->worker.bus.run, "Name of the run")
+      ->check(IsNameOf("run"))
       ->capture_default_str();
   command->add_option("--stick", flags->worker.stick,
                       "A copy of the run's stick (default: the folder that the run names)");

@@ -164,7 +164,20 @@ TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {
                                   "--run-name", "lonely-" + std::to_string(getpid())});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("process 'legs' did not come within 1 s"));
-  EXPECT_THAT(result.err, HasSubstr("openr join --process legs"));
+  const std::string advice =
+      "; start it on 127.0.0.1 with: openr join --process legs --run-name lonely-";
+  EXPECT_THAT(result.err, HasSubstr("waiting for process 'legs' (1 s)" + advice));
+  EXPECT_THAT(result.err, HasSubstr("did not come within 1 s" + advice));
+}
+
+TEST_F(FaultsTest, ANameThatWouldStandForOthersIsRefused) {
+  for (const char* const name : {"", "*", "a?", "a/b"}) {
+    const ProgramResult run =
+        RunProgram(kQuickly + Words{"--for", "1s", "--isolate", "JointMover", "--run-name", name});
+    EXPECT_EQ(run.status, 2) << name;
+    EXPECT_THAT(run.err, HasSubstr(std::string("'") + name + "' is no name for a run"));
+    EXPECT_EQ(RunProgram({"join", "--process", "legs", "--run-name", name}).status, 2) << name;
+  }
 }
 
 TEST_F(FaultsTest, AProcessThatFindsNoRunSaysSo) {
@@ -200,7 +213,11 @@ TEST_F(FaultsTest, AnObjectThatCrashesIsNamed) {
       RunProgram(kQuickly + Words{"--for", "1s", "--stick", stick.path(), "--isolate", "Trouble"});
   EXPECT_EQ(result.status, 1) << result.err;
   EXPECT_THAT(result.err, HasSubstr("process 'Trouble' (pid "));
-  EXPECT_TRUE(json::accept(result.out)) << result.out;
+  ASSERT_TRUE(json::accept(result.out)) << result.out;
+#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+  EXPECT_THAT(stick.Read("OPEN-R/EMON.LOG"), HasSubstr("STACK\n  #0 TROUBLE.BIN+0x"));
+  EXPECT_THAT(result.out, HasSubstr(", at TROUBLE.BIN+0x")) << "a finding";
+#endif
 }
 
 TEST_F(FaultsTest, AnImageThatCannotBeLoadedIsNamed) {

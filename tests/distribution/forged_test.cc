@@ -55,7 +55,7 @@ class ForgedTest : public ::testing::Test {
     openr_wire_Up up = New(openr_wire_UP_HELLO);
     up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711};
     line_->Send(up);
-    process_.WaitForHello(10'000);
+    process_.WaitForHello(10'000, "");
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
     process_.Welcome(&system_, welcome);

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "distribution/join_advice.h"
+
 namespace openr_host {
 namespace {
 
@@ -49,10 +51,11 @@ TEST(PlacementTest, ALineThatIsNoPairIsShown) {
 }
 
 TEST(PlacementTest, NamesThatWouldMeanOthersAreRefusedWithACaret) {
-  EXPECT_EQ(Complaints("Camera vi*\n"),
-            "where.cfg:1: 'vi*' is no name for a process: letters, digits, '_', '-' and '.'\n"
-            "Camera vi*\n"
-            "       ^\n");
+  EXPECT_EQ(
+      Complaints("Camera vi*\n"),
+      "where.cfg:1: 'vi*' is no name for a process: up to 64 letters, digits, '_', '-' and '.'\n"
+      "Camera vi*\n"
+      "       ^\n");
   for (const char* name : {"a/b", "?", "a=b", "\xc3\xa4"})
     EXPECT_NE(Complaints(std::string("Camera ") + name + "\n"), "") << name;
   EXPECT_NE(Complaints("Camera " + std::string(65, 'a') + "\n"), "");
@@ -80,6 +83,21 @@ TEST(PlacementTest, TheCommandLineAddsToIt) {
   EXPECT_EQ(AddPlace("=vision", &placement), "it is OBJECT=PROCESS");
   EXPECT_NE(AddPlace("RCServer=", &placement), "");
   EXPECT_THAT(placement.process_of, ElementsAre(Pair("Camera", "vision")));
+}
+
+TEST(JoinAdviceTest, ItHasTheFlagsThatAreNeeded) {
+  BusOptions bus;
+  bus.run = "openr";
+  EXPECT_EQ(JoinAdvice("vision", "127.0.0.1", bus),
+            "start it on 127.0.0.1 with: openr join --process vision");
+  bus.run = "team";
+  bus.domain = 7;
+  bus.address = "192.168.1.2";
+  bus.config_file = "alpha.xml";
+  EXPECT_EQ(JoinAdvice("vision", "192.168.1.7", bus),
+            "start it on 192.168.1.7 with: openr join --process vision --run-name team "
+            "--dds-domain 7 --dds-address 192.168.1.7 --dds-peer 192.168.1.2 --dds-config FILE "
+            "--stick DIR");
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+#include "distribution/join_advice.h"
+
+#include <fmt/format.h>
+
+namespace openr_host {
+
+std::string JoinAdvice(const std::string& process, const std::string& host, const BusOptions& bus) {
+  const BusOptions assumed;
+  std::string text = fmt::format("start it on {} with: openr join --process {}", host, process);
+  if (bus.run != "openr") text += fmt::format(" --run-name {}", bus.run);
+  if (bus.domain != assumed.domain) text += fmt::format(" --dds-domain {}", bus.domain);
+  if (host != assumed.address) text += fmt::format(" --dds-address {}", host);
+  if (host != bus.address) text += fmt::format(" --dds-peer {}", bus.address);
+  if (!bus.config_file.empty()) text += " --dds-config FILE";  // its own
+  if (host != bus.address) text += " --stick DIR";             // its copy
+  return text;
+}
+
+}  // namespace openr_host
