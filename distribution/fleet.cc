@@ -143,23 +143,43 @@ openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
 }
 
 // The object that is loaded is the last of the news.
-void Fleet::LoadMore(Member* member) {
-  if (!problem_.empty()) return;
+void Fleet::LoadNews(Member* member) {
   WireArena arena;
   const openr_wire_Load load = NewsFor(member, &arena);
-  try {
-    if (!member->is_welcome) {
-      const auto host = options_.placement.host_of.find(member->name);
-      member->process->WaitForHello(options_.wait_ms,
-                                    host == options_.placement.host_of.end()
-                                        ? ""
-                                        : JoinAdvice(member->name, host->second, options_.bus));
-      Welcome(member);
-    }
-    member->process->Load(load);
-  } catch (const ProcessLost& lost) {
-    problem_ = lost.what();
+  if (!member->is_welcome) {
+    const auto host = options_.placement.host_of.find(member->name);
+    member->process->WaitForHello(options_.wait_ms,
+                                  host == options_.placement.host_of.end()
+                                      ? ""
+                                      : JoinAdvice(member->name, host->second, options_.bus));
+    Welcome(member);
   }
+  member->process->Load(load);
+}
+
+void Fleet::LoadMore(Member* member) {
+  while (problem_.empty()) {
+    const bool is_first = member->robots == 0;
+    try {
+      return LoadNews(member);
+    } catch (const ProcessRefused& refused) {
+      if (!is_first || !member->has_door) {
+        problem_ = refused.what();
+      } else {
+        WaitForAnother(member, refused.what());
+      }
+    } catch (const ProcessLost& lost) {
+      problem_ = lost.what();
+    }
+  }
+}
+
+// With another stick than that of the run, say: somebody may have the right one.
+void Fleet::WaitForAnother(Member* member, const std::string& why) {
+  options_.say(fmt::format("{}; the run waits for another one", why));
+  member->process->seat().Leave();
+  member->is_welcome = false;
+  member->robots = member->known = 0;
 }
 
 // Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for
@@ -239,7 +259,7 @@ void Fleet::Watch() {
   for (auto& [name, member] : members_) {
     Tend(&member);
     if (member.process->is_lost()) continue;
-    const std::string problem = member.process->WhatIsWrong();
+    const std::string problem = member.process->WhyItIsGone();
     if (!problem.empty()) Lost(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
   }
   WaitForReturns();

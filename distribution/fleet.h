@@ -124,6 +124,8 @@ class Fleet {
   void Welcome(Member* member);
   openr_wire_Load NewsFor(Member* member, WireArena* arena);
   void LoadMore(Member* member);
+  void LoadNews(Member* member);
+  void WaitForAnother(Member* member, const std::string& why);
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
   bool TakeWhatCame();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }

@@ -24,6 +24,8 @@ constexpr int64_t kSilenceMs = 2'000;  // before people are told
 // Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
 constexpr uint64_t kFirstFreeBox = uint64_t{1} << 40;
 
+int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
+
 }  // namespace
 
 RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool has_door,
@@ -75,13 +77,17 @@ RemoteProcess::Loan RemoteProcess::Next() {
   for (int64_t silent_ms = 0;; silent_ms += kSliceMs) {
     Loan up = seat_.line()->Receive(kSliceMs);
     if (up) {
+      HearOfEnd(*up);
       if (told) say_(fmt::format("process '{}' answers again", name_));
       return up;
     }
     const std::string problem = WhatIsWrong();
     if (!problem.empty()) {  // its last word may be on the way still
       Loan last = seat_.line()->Receive(kLastWordMs);
-      if (last) return last;
+      if (last) {
+        HearOfEnd(*last);
+        return last;
+      }
       throw ProcessLost(problem);
     }
     if (told || silent_ms < kSilenceMs) continue;
@@ -95,10 +101,34 @@ RemoteProcess::Loan RemoteProcess::Next() {
 
 std::string RemoteProcess::WhatIsWrong() const {
   std::string problem = health_();
+  if (problem.empty() && seat_.HasEnded())
+    problem = fmt::format("process '{}' (pid {} on {}) is not there any more: killed, or ended",
+                          name_, facts().pid, facts().host);
   if (problem.empty() && !seat_.line()->IsConnected())
     problem = fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
                           facts().pid, facts().host);
   return problem;
+}
+
+std::string RemoteProcess::WhyItIsGone() {
+  std::string problem = WhatIsWrong();
+  if (problem.empty()) return "";
+  try {
+    if (const Loan last = seat_.line()->Receive(kLastWordMs)) HearOfEnd(*last);
+  } catch (const ProcessLost& lost) {
+    return lost.what();
+  }
+  return problem;
+}
+
+// Its goodbye comes at any time.
+void RemoteProcess::HearOfEnd(const openr_wire_Up& up) const {
+  if (up.body._d != openr_wire_UP_LEFT) return;
+  const openr_wire_Left& left = up.body._u.left;
+  const std::string text = fmt::format("process '{}' (pid {} on {}) {}", name_, facts().pid,
+                                       facts().host, StringOf(left.text));
+  if (left.has_refused) throw ProcessRefused(text);
+  throw ProcessLost(text);
 }
 
 void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice) {
@@ -147,6 +177,7 @@ bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) 
 
 bool RemoteProcess::TakeLoaded(const openr_wire_Up& up,
                                const std::map<ObjectId, RemoteObject*>& objects) {
+  HearOfEnd(up);
   if (Serve(up)) return false;
   if (up.body._d == openr_wire_UP_CRASHED) Crash(up.body._u.crashed);
   if (up.body._d != openr_wire_UP_LOADED) Refuse("no list of its objects");
@@ -223,6 +254,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object
   const uint64_t session = session_;
   const uint64_t box = kFirstFreeBox + turn_;
   object->boxes.insert(box);
+  if (under_way_.empty()) heard_ms_ = NowMs();
   under_way_[object->id] = box;
   bool timed_out = false;
   Message* const wake = system_->AwaitReply(box, -1, handler_wait_, &timed_out);
@@ -255,10 +287,24 @@ bool RemoteProcess::TakeWhatCame() {
       if (!seat_.line()->has_taken()) break;  // what comes meanwhile is for the next time
     }
   });
-  return came;
+  if (!came) return false;
+  heard_ms_ = NowMs();
+  if (std::exchange(is_silent_, false)) say_(fmt::format("process '{}' answers again", name_));
+  return true;
+}
+
+// Of one that has something to do.
+void RemoteProcess::LookForSilence() {
+  if (under_way_.empty() || is_silent_ || NowMs() - heard_ms_ < kSilenceMs) return;
+  is_silent_ = true;
+  say_(
+      fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the others "
+                  "go on",
+                  name_, facts().pid, kSilenceMs / 1000));
 }
 
 void RemoteProcess::LookAfter() {
+  LookForSilence();
   NoteLoss([this] {
     const std::string problem = WhatIsWrong();
     if (problem.empty()) return;
@@ -269,6 +315,7 @@ void RemoteProcess::LookAfter() {
 }
 
 void RemoteProcess::TakeFree(const openr_wire_Up& up) {
+  HearOfEnd(up);
   if (Serve(up)) return;
   if (up.body._d == openr_wire_UP_CRASHED) Crash(up.body._u.crashed);
   if (up.body._d == openr_wire_UP_FORGOTTEN) return Apply(up, nullptr);
@@ -313,6 +360,7 @@ void RemoteProcess::Lose() {
   dropped_.clear();
   under_way_.clear();
   stops_.clear();
+  is_silent_ = false;
   seat_.Leave();
 }
 

@@ -33,6 +33,11 @@ struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
+// It went before it took part: another one of its name may do better.
+struct ProcessRefused : ProcessLost {
+  using ProcessLost::ProcessLost;
+};
+
 class RemoteProcess {
  public:
   // `has_door`: somebody else starts it.  `health` says what is wrong with the process, or "";
@@ -113,6 +118,8 @@ class RemoteProcess {
 
   // Says it of a process that has nothing to do at the moment, too.
   std::string WhatIsWrong() const;
+  // The same, or what its last word says.
+  std::string WhyItIsGone();
 
   // It may end.  Before the System does.
   void End();
@@ -133,6 +140,8 @@ class RemoteProcess {
   void Send(const openr_wire_Down& down, bool soon = false);
   bool MoreGoesOut() const;
   Loan Next();
+  void HearOfEnd(const openr_wire_Up& up) const;
+  void LookForSilence();
   std::optional<Stop> WaitForStop(RemoteObject* object);
   std::optional<Stop> AwaitStop(RemoteObject* object);
   Stop TakeStop(const openr_wire_Up& up);
@@ -173,7 +182,9 @@ class RemoteProcess {
   bool is_free_ = false;
   std::map<ObjectId, uint64_t> under_way_;
   std::map<ObjectId, Stop> stops_;
-  std::string loss_;  // why the process is gone
+  int64_t heard_ms_ = 0;    // the last time, or when it was given something to do
+  bool is_silent_ = false;  // people have been told
+  std::string loss_;        // why the process is gone
   bool crashed_ = false;
   ObjectId culprit_ = kNoObject;
 };

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int64_t kComingMs = 5'000;  // for one that has been given a session to take it
 constexpr size_t kKnockNameMax = 256;
+constexpr int64_t kLookMs = 100;  // between looks at a process
 
 int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
 
@@ -47,6 +48,13 @@ void Seat::Leave() {
   has_arrived_ = false;
 }
 
+// The kernel is not asked in each frame of a run that is fast.
+bool Seat::HasEnded() const {
+  if (!has_arrived_ || NowMs() < next_look_ms_) return false;
+  next_look_ms_ = NowMs() + kLookMs;
+  return pulse_.HasEnded();
+}
+
 // Who knocks does so again and again until it hears; another one waits until the first has come or
 // has not made it.
 void Seat::AnswerKnock(const openr_wire_Knock& knock) {
@@ -65,6 +73,8 @@ void Seat::AnswerKnock(const openr_wire_Knock& knock) {
   } else if (is_shut_) {
     admit.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_arrived_ && knock_ != id) {
+    if (pulse_.HasEnded()) return;  // the run is about to see it; this one will knock again
+    admit.session = arena.Text(kTakenSession);
     admit.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                            process_, facts_.pid, facts_.host));
   } else if (line_ != nullptr && knock_ != id && NowMs() - opened_ms_ < kComingMs) {
@@ -93,6 +103,8 @@ bool Seat::TakeHello(int timeout_ms) {
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = up->body._u.hello;
   facts_ = {StringOf(hello.host), hello.pid};
+  pulse_ = Pulse(StringOf(hello.machine), hello.pid);
+  next_look_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
     throw ProcessLost(
         fmt::format("process '{}' (pid {}) speaks version {}, this is version {}; is "

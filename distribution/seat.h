@@ -12,6 +12,7 @@
 #include <string>
 
 #include "distribution/bus.h"
+#include "distribution/pulse.h"
 
 namespace openr_host {
 
@@ -24,6 +25,9 @@ constexpr LineTopics kDoorTopics = {&openr_wire_Admit_desc, "openr_admit", &open
                                     "openr_knock"};
 using MasterDoor = Line<openr_wire_Admit, openr_wire_Knock>;
 using ProcessDoor = Line<openr_wire_Knock, openr_wire_Admit>;
+
+// Instead of a session: none, as long as somebody else is there.
+constexpr const char* kTakenSession = "taken";
 
 // "host-1234-5": no two of a run are equal.
 std::string NewSessionName();
@@ -46,6 +50,9 @@ class Seat {
   // there: it has said its name and hears.  Throws ProcessLost when it is of another version.
   bool Arrive(int timeout_ms);
   bool has_arrived() const { return has_arrived_; }
+
+  // Whether who is there has been killed, or has ended, as far as that is seen from here.
+  bool HasEnded() const;
 
   // Answers whoever else knocks: that somebody is there, or that nobody may come.
   void SendOthersAway();
@@ -76,6 +83,8 @@ class Seat {
   bool has_arrived_ = false;
   Facts facts_;
   Facts before_;
+  Pulse pulse_;
+  mutable int64_t next_look_ms_ = 0;  // after the process
 };
 
 }  // namespace openr_host

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
 #include "distribution/latency.h"
+#include "distribution/pulse.h"
 #include "distribution/remote_services.h"
 #include "distribution/seat.h"
 #include "runtime/ipstack/ant_message.h"
@@ -19,7 +21,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int kSliceMs = 500;         // between looks at whether the master is there
+constexpr int kSliceMs = 100;         // between looks at whether the master is there
+constexpr int kGoodbyeMs = 1'000;     // for the master to hear it
 constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
 constexpr int kKnockMs = 1'000;       // between knocks
 
@@ -61,6 +64,7 @@ void Worker::TakeEffects(openr_wire_Up* up) {
 }
 
 Worker::Loan Worker::Next(bool answer) {
+  if (!answer && IsEnded()) return {line_.get(), nullptr};
   if (!answer && !early_.empty()) {
     Loan loan = std::move(early_.front());
     early_.pop_front();
@@ -69,7 +73,7 @@ Worker::Loan Worker::Next(bool answer) {
   for (;;) {
     Loan loan = line_->Receive(kSliceMs);
     if (!loan) {
-      if (!line_->IsConnected()) return loan;
+      if (!line_->IsConnected() || (!answer && IsEnded())) return loan;
       continue;
     }
     if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
@@ -81,7 +85,7 @@ Worker::Loan Worker::Next(bool answer) {
 // For the master's end; false when it did not come in time.
 bool Worker::WaitFor(const LineBase& line) const {
   for (int64_t waited_ms = 0; !line.IsConnected(); waited_ms += 5) {
-    if (waited_ms > options_.master_wait_ms) return false;
+    if (waited_ms > options_.master_wait_ms || IsEnded()) return false;
     usleep(5000);
   }
   return true;
@@ -101,16 +105,26 @@ std::string Worker::Knock() {
   WireArena arena;
   const openr_wire_Knock knock = {openr_wire_VERSION, arena.Text(id), arena.Text(HostName()),
                                   getpid()};
-  for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms; waited_ms += kKnockMs) {
+  std::string taken;  // why it has to wait
+  for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEnded();
+       waited_ms += kKnockMs) {
     if (!WaitFor(door)) return NoRun();
     door.Send(knock);  // again and again: whom it hears may be at its end
     const auto admit = door.Receive(kKnockMs);
     if (!admit || StringOf(admit->id) != id) continue;
     session_ = StringOf(admit->session);
+    if (session_ == kTakenSession) {
+      if (!options_.is_patient) return StringOf(admit->refusal);
+      if (taken.empty())
+        options_.say(StringOf(admit->refusal) + "; this one waits until it is gone");
+      taken = StringOf(admit->refusal);
+      usleep(kKnockMs * 1000);
+      continue;
+    }
     is_refused_ = session_.empty();
     return StringOf(admit->refusal);
   }
-  return NoRun();
+  return taken.empty() ? NoRun() : taken;
 }
 
 std::string Worker::Join() {
@@ -121,7 +135,7 @@ std::string Worker::Join() {
   if (!WaitFor(*line_)) return NoRun();
   openr_wire_Up up = NewUp(openr_wire_UP_HELLO);
   up.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process), arena_.Text(HostName()),
-                      getpid()};
+                      getpid(), arena_.Text(MachineName())};
   Send(up);
   const Loan welcome = Next(false);
   if (!welcome) return "the master is gone";
@@ -176,6 +190,10 @@ std::string Worker::LoadMore(const openr_wire_Load& load) {
 std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   std::shared_ptr<FolderStick> stick;
   if (entry.has_stick) {
+    is_refused_ = !std::filesystem::is_directory(stick_);
+    if (is_refused_)
+      return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
+                         stick_);
     stick = std::make_shared<FolderStick>(stick_);
     stick->set_writable(entry.writable);
     is_refused_ = entry.stick_hash != 0 && stick->ContentHash() != entry.stick_hash;
@@ -247,8 +265,22 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
 }
 
 std::string Worker::Run() {
-  const std::string problem = Join();
-  return problem.empty() ? Serve() : problem;
+  std::string problem = Join();
+  if (problem.empty()) problem = Serve();
+  if (line_ == nullptr || !line_->IsConnected()) return problem;
+  if (is_refused_) {
+    SayGoodbye("has come in vain: " + problem);
+  } else if (IsEnded() && !problem.empty()) {
+    SayGoodbye("was ended there");
+  }
+  return problem;
+}
+
+void Worker::SayGoodbye(const std::string& text) {
+  openr_wire_Up up = NewUp(openr_wire_UP_LEFT);
+  up.body._u.left = {is_refused_, arena_.Text(text)};
+  Send(up);
+  line_->Flush(kGoodbyeMs);
 }
 
 std::string Worker::Serve() {

@@ -29,6 +29,8 @@ struct WorkerOptions {
   std::string session;                               // given by the run; "": it has to knock
   std::string stick;                                 // instead of the master's path; "": that one
   int64_t master_wait_ms = 60'000;                   // for the master to show up
+  bool is_patient = false;                           // it waits until the one before it is gone
+  std::function<bool()> is_ended;                    // somebody ends it; null: nobody does
   std::function<void(const std::string& line)> say;  // for people
   // Called before objects are loaded, with the folder of the stick.
   std::function<void(const std::string& stick)> begins;
@@ -70,6 +72,8 @@ class Worker : public Uplink {
 
   std::string Join();
   std::string Knock();
+  bool IsEnded() const { return options_.is_ended && options_.is_ended(); }
+  void SayGoodbye(const std::string& text);
   bool WaitFor(const LineBase& line) const;
   std::string NoRun() const;
   std::string SetUp(const openr_wire_Welcome& welcome);

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -32,6 +33,11 @@ struct JoinFlags {
   pid_t parent = 0;  // the run that started it; 0: none did
 };
 
+std::string WhyNoStick(const std::string& folder) {
+  if (std::filesystem::is_directory(folder)) return "";
+  return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
+}
+
 constexpr int kRefused = 3;  // Join(): it would be the same the next time
 
 // One that a run has started goes when the run goes, however that ends; Ctrl-C is for the run.
@@ -41,8 +47,44 @@ void BecomeChild(pid_t parent) {
   ::signal(SIGINT, SIG_IGN);
 }
 
+volatile sig_atomic_t g_ended_by = 0;  // the first signal
+volatile sig_atomic_t g_child = 0;     // of JoinAgainAndAgain()
+
+// The run is told, and so is a child; of two signals the second ends it at once.
+void NoteTheEnd(int signal) {
+  const int child = g_child;
+  if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
+  if (g_ended_by == 0) g_ended_by = signal;
+}
+
+// Those that somebody has set to be ignored are.
+void CatchTheEnd(int flags) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler == SIG_IGN) continue;
+    action.sa_handler = &NoteTheEnd;
+    // On the alternate stack: an object may be using up its own.
+    action.sa_flags = SA_ONSTACK | flags;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+// As if the signal had not been caught.
+[[noreturn]] void EndBySignal() {
+  ::signal(g_ended_by, SIG_DFL);
+  raise(g_ended_by);
+  _exit(128 + g_ended_by);
+}
+
 int Join(JoinFlags flags) {
-  if (flags.parent != 0) BecomeChild(flags.parent);
+  if (flags.parent != 0) {
+    BecomeChild(flags.parent);
+  } else {
+    CatchTheEnd(static_cast<int>(SA_RESETHAND));
+    flags.worker.is_ended = [] { return g_ended_by != 0; };
+  }
   std::optional<CrashLog> crash_log;
   std::optional<Watchdog> watchdog;
   flags.worker.master_wait_ms = flags.wait_us / 1000;
@@ -62,6 +104,7 @@ int Join(JoinFlags flags) {
   });
   const std::string problem = worker.Run();
   if (problem.empty()) return kExitGood;
+  if (g_ended_by != 0) EndBySignal();
   flags.worker.say(problem);
   return worker.is_refused() ? kRefused : kExitWrong;
 }
@@ -81,18 +124,24 @@ int JoinHere(const JoinFlags& flags) {
 // was brought down, does not matter then.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
+  CatchTheEnd(0);
   for (;;) {
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
     if (child == 0) return JoinHere(flags);
+    g_child = child;
+    if (g_ended_by != 0) kill(child, SIGTERM);  // meanwhile
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
+    g_child = 0;
     if (WIFEXITED(status) && WEXITSTATUS(status) == kExitGood) return kExitGood;
     if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused) return kExitWrong;
+    if (g_ended_by != 0) EndBySignal();
     fmt::print(stderr, "openr: process '{}' (pid {}) has ended; another one comes\n",
                flags.worker.process, child);
     sleep(kPause_s);
+    if (g_ended_by != 0) EndBySignal();
   }
 }
 
@@ -109,8 +158,10 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_option("--run-name", flags->worker.bus.run, "Name of the run")
       ->check(IsNameOf("run"))
       ->capture_default_str();
-  command->add_option("--stick", flags->worker.stick,
-                      "A copy of the run's stick (default: the folder that the run names)");
+  command
+      ->add_option("--stick", flags->worker.stick,
+                   "A copy of the run's stick (default: the folder that the run names)")
+      ->check(CLI::Validator(WhyNoStick, ""));
   AddDurationFlag(command, "--wait", &flags->wait_us, "How long to wait for the run");
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the process when a handler uses more processor time; 0s: never");
@@ -121,6 +172,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);
   command->callback([flags, exit_code] {
+    flags->worker.is_patient = flags->restarts;
     const int code = flags->restarts ? JoinAgainAndAgain(*flags) : Join(*flags);
     *exit_code = code == kRefused && !flags->restarts ? kExitWrong : code;
   });

@@ -53,7 +53,8 @@ class ForgedTest : public ::testing::Test {
     line_ = std::make_unique<ProcessLine>(&bus_, "liar/now", LineEnd::kProcess);
     while (!line_->IsConnected()) usleep(1000);
     openr_wire_Up up = New(openr_wire_UP_HELLO);
-    up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711};
+    up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
+                        arena_.Text("")};
     line_->Send(up);
     process_.WaitForHello(10'000, "");
     openr_wire_Welcome welcome{};

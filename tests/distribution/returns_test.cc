@@ -287,9 +287,10 @@ TEST_F(ReturnsTest, AJoinerThatIsRefusedDoesNotComeAgain) {
   other.Write("stick/OPEN-R/NEW.TXT", "not on the other one");
   ProgramRun join({"join", "--process", "payee", "--run-name", name, "--restart", "--stick",
                    other.File("stick")});
-  ProgramRun run(RunAt(
-      "20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name, "--for", "1s"})));
+  ProgramRun run(RunAt("20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
+                                      "--for", "1s", "--join-wait", "2s"})));
   EXPECT_EQ(run.Finish().status, 1);
+  EXPECT_THAT(run.heard(), HasSubstr("process 'payee' did not come within 2 s"));
   EXPECT_EQ(join.Finish().status, 1) << join.heard();
   EXPECT_THAT(join.heard(), HasSubstr("is not the stick of the run: its files differ"));
   EXPECT_THAT(join.heard(), Not(HasSubstr("another one comes")));

@@ -1,0 +1,128 @@
+// Processes that somebody else has started: killed, stopped, ended there, or with another stick.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include "distribution/seat.h"
+#include "tests/distribution/hosts.h"
+#include "tests/distribution/same_run.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class JoinedTest : public testing::Test {
+ protected:
+  JoinedTest() { folder_.Write("where.cfg", "Controller vision\n@vision 127.0.0.1\n"); }
+
+  std::unique_ptr<ProgramRun> Run(const Words& flags) const {
+    return std::make_unique<ProgramRun>(Words{"run", "--no-panel", "--rc-port", "0", "--body",
+                                              "ideal", "--placement", folder_.File("where.cfg"),
+                                              "--run-name", name_} +
+                                        flags);
+  }
+  std::unique_ptr<ProgramRun> Join(const Words& flags = {}) const {
+    return std::make_unique<ProgramRun>(Words{"join", "--process", "vision", "--run-name", name_} +
+                                        flags);
+  }
+  // What it says of the process when its lease is over, which is after 10 s only.
+  static constexpr const char* kLate = "cannot be reached any more";
+
+  const ScratchFolder folder_;
+  const std::string name_ = RunName(testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(JoinedTest, AKilledOneIsSeenAtOnceAndComesAgain) {
+  const auto join = Join({"--restart"});
+  const auto run = Run({"--free-running"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  const pid_t child = ChildrenOf(join->pid()).at(0);
+  kill(child, SIGKILL);
+  EXPECT_TRUE(run->WaitFor("process 'vision' is back")) << run->heard();
+  EXPECT_THAT(run->heard(), HasSubstr("process 'vision' (pid " + std::to_string(child) + " on " +
+                                      HostName() + ") is not there any more: killed, or ended"));
+  run->Signal(SIGINT);
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_THAT(run->heard(), Not(HasSubstr(kLate)));
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+}
+
+TEST_F(JoinedTest, AKilledOneStopsLockstepAtOnce) {
+  const auto join = Join();
+  const auto run = Run({});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  join->Signal(SIGKILL);
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_THAT(run->heard(), HasSubstr("is not there any more: killed, or ended"));
+  EXPECT_THAT(run->heard(), HasSubstr("the run stops here"));
+}
+
+TEST_F(JoinedTest, WhoEndsOneTellsTheRun) {
+  const auto join = Join();
+  const auto run = Run({});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  const std::string words = "process 'vision' (pid " + std::to_string(join->pid()) + " on " +
+                            HostName() + ") was ended there; the run stops here";
+  join->Signal(SIGTERM);
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_THAT(run->heard(), HasSubstr(words));
+  EXPECT_EQ(join->Finish().status, 128 + SIGTERM) << join->heard();
+}
+
+TEST_F(JoinedTest, ASecondOneTakesThePlaceOfOneThatWasEnded) {
+  const auto first = Join({"--restart"});
+  const auto run = Run({"--free-running"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  const auto second = Join({"--restart"});
+  ASSERT_TRUE(second->WaitFor("the run has its process 'vision' already: pid " +
+                              std::to_string(ChildrenOf(first->pid()).at(0))));
+  ASSERT_TRUE(second->WaitFor("this one waits until it is gone"));
+  first->Signal(SIGINT);
+  EXPECT_EQ(first->Finish().status, 128 + SIGINT) << first->heard();
+  EXPECT_TRUE(run->WaitFor("was ended there; ")) << run->heard();
+  EXPECT_TRUE(run->WaitFor("process 'vision' is back")) << run->heard();
+  run->Signal(SIGINT);
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_EQ(second->Finish().status, 0) << second->heard();
+}
+
+TEST_F(JoinedTest, AStoppedOneIsNamedInAFreeRun) {
+  const auto join = Join();
+  const auto run = Run({"--free-running"});
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  join->Signal(SIGSTOP);
+  EXPECT_TRUE(run->WaitFor("process 'vision' (pid " + std::to_string(join->pid()) +
+                           ") has not answered for 2 s: stopped, or busy; the others go on"))
+      << run->heard();
+  join->Signal(SIGCONT);
+  EXPECT_TRUE(run->WaitFor("process 'vision' answers again"));
+  run->Signal(SIGINT);
+  EXPECT_EQ(run->Finish().status, 0) << run->heard();
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+}
+
+TEST_F(JoinedTest, AfterOneWithAnotherStickTheRunWaitsForTheRightOne) {
+  std::filesystem::copy(OPENR_STICK, folder_.File("other"),
+                        std::filesystem::copy_options::recursive);
+  folder_.Write("other/OPEN-R/NEW.TXT", "not on the other one");
+  const auto wrong = Join({"--stick", folder_.File("other")});
+  const auto run = Run({"--for", "1s"});
+  EXPECT_EQ(wrong->Finish().status, 1);
+  EXPECT_THAT(wrong->heard(), HasSubstr("is not the stick of the run"));
+  ASSERT_TRUE(run->WaitFor("the run waits for another one")) << run->heard();
+  EXPECT_THAT(run->heard(), HasSubstr("process 'vision' (pid "));
+  EXPECT_THAT(run->heard(), HasSubstr("is not the stick of the run: its files differ"));
+  const auto right = Join();
+  EXPECT_EQ(run->Finish().status, 0) << run->heard();
+  EXPECT_EQ(right->Finish().status, 0) << right->heard();
+}
+
+TEST_F(JoinedTest, AFolderThatIsNotThereNeedsNoRun) {
+  const auto join = Join({"--stick", folder_.File("nowhere"), "--wait", "1h"});
+  EXPECT_NE(join->Finish().status, 0);
+  EXPECT_THAT(join->heard(), HasSubstr("nowhere: there is no such folder"));
+}
+
+}  // namespace
+}  // namespace openr_host
