@@ -148,10 +148,10 @@ void Fleet::LoadNews(Member* member) {
   const openr_wire_Load load = NewsFor(member, &arena);
   if (!member->is_welcome) {
     const auto host = options_.placement.host_of.find(member->name);
-    member->process->WaitForHello(options_.wait_ms,
-                                  host == options_.placement.host_of.end()
-                                      ? ""
-                                      : JoinAdvice(member->name, host->second, options_.bus));
+    const std::string advice = host == options_.placement.host_of.end()
+                                   ? ""
+                                   : JoinAdvice(member->name, host->second, options_.bus);
+    member->process->WaitForHello(options_.wait_ms, advice, [this] { return IsEnding(); });
     Welcome(member);
   }
   member->process->Load(load);

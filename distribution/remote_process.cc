@@ -131,15 +131,19 @@ void RemoteProcess::HearOfEnd(const openr_wire_Up& up) const {
   throw ProcessLost(text);
 }
 
-void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice) {
+void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
+                                 const std::function<bool()>& is_ending) {
   const std::string then = advice.empty() ? "" : "; " + advice;
   for (int64_t waited_ms = 0; !seat_.Arrive(kSliceMs); waited_ms += kSliceMs) {
+    if (is_ending())
+      throw ProcessLost(
+          fmt::format("process '{}' had not come when the run was interrupted", name_));
     const std::string problem = health_();
     if (!problem.empty()) throw ProcessLost(problem);
     if (waited_ms >= limit_ms)
       throw ProcessLost(
           fmt::format("process '{}' did not come within {} s{}", name_, limit_ms / 1000, then));
-    if (waited_ms == kKnockMs && !advice.empty())
+    if (waited_ms == (advice.empty() ? kSilenceMs : kKnockMs))
       say_(fmt::format("waiting for process '{}' ({} s){}", name_, limit_ms / 1000, then));
   }
 }
@@ -338,11 +342,21 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
 
 // To each subject as from its observer, which will not be ready any more.
 void RemoteProcess::GiveBack() {
-  for (const Courier::Lent& lent : courier_->TakeLent()) {
-    const auto observer = objects_.find(lent.observer);
-    if (observer == objects_.end()) continue;
-    SendDeassert(observer->second, lent.observer_selector,
-                 OServiceEntry(OidOf(lent.subject), lent.subject_selector), {lent.region});
+  using Entry = std::pair<ObjectId, uint32_t>;
+  std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;  // by observer and subject
+  for (const Courier::Lent& lent : courier_->TakeLent())
+    regions[{{lent.observer, lent.observer_selector}, {lent.subject, lent.subject_selector}}]
+        .push_back(lent.region);
+  for (const auto& [ends, lent] : regions) {
+    const auto& [observer, subject] = ends;
+    const auto found = objects_.find(observer.first);
+    if (found == objects_.end()) continue;
+    for (size_t i = 0; i < lent.size(); i += MAX_NUM_DATA) {
+      const auto begin = lent.begin() + static_cast<ptrdiff_t>(i);
+      const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, lent.end() - begin);
+      SendDeassert(found->second, observer.second,
+                   OServiceEntry(OidOf(subject.first), subject.second), {begin, begin + count});
+    }
   }
 }
 
@@ -412,10 +426,16 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
 
 void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session) {
   char line[Message::kPayloadMax];
-  const auto is_gone = [this, session] { return is_lost_ || session != session_; };
+  const auto is_known = [this, session] { return is_lost_ || session != session_; };
+  std::string problem;
+  const auto is_gone = [&] {
+    if (!is_known()) problem = WhatIsWrong();
+    return is_known() || !problem.empty();
+  };
   const size_t size = system_->console_input().Read(
       line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line), is_gone);
-  if (is_gone()) return;
+  if (is_known()) return;
+  if (!problem.empty()) throw ProcessLost(problem);
   WireArena arena;
   openr_wire_Down down = NewDown(openr_wire_DOWN_RESUME);
   openr_wire_Resume& resume = down.body._u.resume;

@@ -53,9 +53,10 @@ class RemoteProcess {
 
   // Everything here throws ProcessLost.
 
-  // The process has come, within `limit_ms`.  `advice` is what people are to do for one that they
-  // have to start; "" for others.
-  void WaitForHello(int64_t limit_ms, const std::string& advice);
+  // The process has come, within `limit_ms` and before the run is to end.  `advice` is what people
+  // are to do for one that they have to start; "" for others.
+  void WaitForHello(int64_t limit_ms, const std::string& advice,
+                    const std::function<bool()>& is_ending);
 
   // What holds for the whole run.
   void Welcome(System* system, const openr_wire_Welcome& welcome);
@@ -157,6 +158,7 @@ class RemoteProcess {
   void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
   void Unpin(uint32_t region);
   int32_t Post(const openr_wire_Posted& posted, Object* self);
+  static bool Answers(const Message& message, const Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
   void GiveBack();

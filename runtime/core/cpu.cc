@@ -22,6 +22,16 @@ void Cpu::Wait(Object* object, Message* message, int64_t now_us) {
   waiting_.push_back(message);
 }
 
+std::vector<Message*> Cpu::TakeMessagesTo(ObjectId id) {
+  std::vector<Message*> taken;
+  std::erase_if(waiting_, [&](Message* message) {
+    if (message->target != id) return false;
+    taken.push_back(message);
+    return true;
+  });
+  return taken;
+}
+
 void Cpu::Grant(Object* object, int64_t now_us) {
   const int64_t since_us = std::exchange(object->starving_since_us, -1);
   if (since_us >= 0 && now_us - since_us > kStarvedUs) {

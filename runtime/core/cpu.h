@@ -48,6 +48,9 @@ class Cpu {
   // Keeps `message`, for `object`, until the processor is free.
   void Wait(Object* object, Message* message, int64_t now_us);
 
+  // What it keeps for an object that is replaced, the oldest first; the caller's from now on.
+  std::vector<Message*> TakeMessagesTo(ObjectId id);
+
   // `object` gets the processor for a handler, whatever it costs.
   void Grant(Object* object, int64_t now_us);
 

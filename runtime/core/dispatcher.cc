@@ -1,6 +1,7 @@
 #include "runtime/core/dispatcher.h"
 
 #include <exception>
+#include <utility>
 
 #include "runtime/core/assert.h"
 #include "runtime/core/image.h"
@@ -146,12 +147,12 @@ void Dispatcher::DeliverReply(Object* object, Message* message) {
     system_->queue_.Release(message);
     return;
   }
+  if (Message* const earlier = std::exchange(object->replies[message->reply_box], message))
+    system_->queue_.Release(earlier);
   if (object->blocked == nullptr || object->blocked_box != message->reply_box) {
-    object->replies[message->reply_box] = message;
     system_->time_events_.ReplyArrived(object->id, message->reply_box);
     return;
   }
-  object->replies[message->reply_box] = message;
   Fiber* const waiting = object->blocked;
   object->blocked = nullptr;
   t_current = {system_, object, object->is_image};

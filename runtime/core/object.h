@@ -85,11 +85,12 @@ class Object {
   System* const system;
   const ObjectId id;
   const int robot;
-  std::string name;        // OBJECT_NAME of the .ocf file, unique per robot
-  std::string path;        // /MS/... of an image; empty for objects built in code
-  bool is_image = false;   // loaded from a file; its code sees only the Memory Stick
-  bool is_system = false;  // part of the robot, not of the application
-  bool is_off = false;     // its robot is: what is sent to it is dropped
+  std::string name;         // OBJECT_NAME of the .ocf file, unique per robot
+  std::string path;         // /MS/... of an image; empty for objects built in code
+  bool is_image = false;    // loaded from a file; its code sees only the Memory Stick
+  bool is_system = false;   // part of the robot, not of the application
+  bool is_off = false;      // its robot is: what is sent to it is dropped
+  bool is_leaving = false;  // another is about to take its place
   ObjectLimits limits;
   MessageClass post_class = MessageClass::kObject;  // of messages it posts
 

@@ -115,10 +115,11 @@ void ObjectManager::RunTask() {
 
 void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   std::map<ObjectId, std::vector<StandingReady>> readies;
-  for (std::unique_ptr<Object>& object : fresh) {
-    const ObjectId id = object->id;
-    readies[id] = system().Replace(std::move(object));
-  }
+  // None of them hears what another leaves behind.
+  for (const auto& object : fresh) system().object(object->id)->is_leaving = true;
+  for (const auto& object : fresh)
+    readies[object->id] = system().EndMessagesTo(system().object(object->id));
+  for (auto& object : fresh) system().Replace(std::move(object));
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
@@ -126,7 +127,14 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
       const auto found = directory.find(service);
       return found != directory.end() && readies.contains(found->second.first);
     };
-    if (is_fresh(connection.subject) || is_fresh(connection.observer)) Connect(connection);
+    const bool no_subject = unreported_.erase({&connection, connection.subject}) > 0;
+    const bool no_observer = unreported_.erase({&connection, connection.observer}) > 0;
+    if (is_fresh(connection.subject) || is_fresh(connection.observer)) {
+      Connect(connection);
+      continue;
+    }
+    if (no_subject) ReportUnknown(connection, connection.subject);
+    if (no_observer) ReportUnknown(connection, connection.observer);
   }
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
@@ -203,7 +211,10 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  if (MayBeLost(connection.robot, service)) return;  // which is reported
+  if (MayBeLost(connection.robot, service)) {  // which is reported
+    unreported_.emplace(&connection, service);
+    return;
+  }
   std::string why =
       "no object registered it in DoInit (REGISTER_ALL_ENTRY missing, or the object is not in "
       "OBJECT.CFG)";

@@ -10,6 +10,8 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/core/code_object.h"
@@ -56,6 +58,8 @@ class ObjectManager : public CodeObject {
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;       // robots
   std::set<ObjectId> uninitialised_;  // never heard of DoInit
+  // Services that are not there as long as something is lost; looked up only.
+  std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 
 }  // namespace openr_host

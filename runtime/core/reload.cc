@@ -94,21 +94,33 @@ std::vector<StandingReady> Object::StandingReadies() const {
   return readies;
 }
 
-// What nobody will hear: of an object that comes back that is what is due later.  Answers to what
-// it had asked are nobody's.
+// What nobody will hear: of an object that comes back that is what is due later, waits for the
+// processor or leaves when a handler's time is over.  Answers to what it had asked are nobody's.
 std::vector<Message> System::TakeMessagesTo(Object* object) {
   std::vector<Message> messages;
-  if (object->blocked != nullptr) {  // for ever: what it waits for comes to its successor
-    for (; !object->held.empty(); object->held.pop_front()) {
-      messages.push_back(*object->held.front());
-      queue_.Release(object->held.front());
-    }
+  const auto take = [&](Message* message) {
+    messages.push_back(*message);
+    queue_.Release(message);
+  };
+  for (; !object->held.empty(); object->held.pop_front()) take(object->held.front());
+  for (const auto& cpu : cpus_) {
+    for (Message* const message : cpu->TakeMessagesTo(object->id)) take(message);
   }
   queue_.RemoveIf([object](const Message& message) { return message.target == object->id; },
                   [&](const Message& message) {
                     if (!message.is_reply) messages.push_back(message);
                   });
   object->waiting -= static_cast<int>(messages.size());
+  const auto take_outgoing = [&](const std::unique_ptr<Object>& sender) {
+    if (sender == nullptr) return;
+    std::erase_if(sender->outbox, [&](const Object::Outgoing& outgoing) {
+      if (outgoing.message->target != object->id || outgoing.message->is_reply) return false;
+      take(outgoing.message);
+      return true;
+    });
+  };
+  for (const auto& sender : objects_) take_outgoing(sender);
+  for (const auto& sender : outlived_) take_outgoing(sender);
   return messages;
 }
 
@@ -117,18 +129,8 @@ void Object::Unheard(const Message& message) {
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
 }
 
-std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
-  const ObjectId id = fresh->id;
-  Object* const old = object(id);
+std::vector<StandingReady> System::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
-  {
-    const CurrentScope scope(this, old);
-    for (const auto& observer : old->observers) {
-      ReleaseHeld(
-          observer.get(), [](const SubjectID&) { return true; },
-          [](RCRegion* region) { region->RemoveReference(); });
-    }
-  }
   for (const Message& message : TakeMessagesTo(old)) {
     if (message.kind == PayloadKind::kReady) {
       const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
@@ -138,6 +140,20 @@ std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
     }
     old->Unheard(message);
   }
+  return readies;
+}
+
+void System::Replace(std::unique_ptr<Object> fresh) {
+  const ObjectId id = fresh->id;
+  Object* const old = object(id);
+  {
+    const CurrentScope scope(this, old);
+    for (const auto& observer : old->observers) {
+      ReleaseHeld(
+          observer.get(), [](const SubjectID&) { return true; },
+          [](RCRegion* region) { region->RemoveReference(); });
+    }
+  }
   Forget(id);
   std::erase_if(robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
@@ -146,12 +162,11 @@ std::vector<StandingReady> System::Replace(std::unique_ptr<Object> fresh) {
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
-  fresh->waiting = old->waiting;  // for the processor
+  fresh->waiting = old->waiting;  // at a gate
   // A handler that waits, or has the processor still, comes to its end by and by.
   if (old->running != nullptr || old->is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);
-  return readies;
 }
 
 void System::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies) {

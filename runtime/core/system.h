@@ -309,7 +309,9 @@ class System {
                                          const std::string& where);
   std::string NameInImage(int robot, const std::string& path);
   std::unique_ptr<Object> LoadAgain(const Object& object);
-  std::vector<StandingReady> Replace(std::unique_ptr<Object> fresh);
+  // Before Replace(): what is on its way to it comes to nobody.  Who was ready for it.
+  std::vector<StandingReady> EndMessagesTo(Object* old);
+  void Replace(std::unique_ptr<Object> fresh);
   std::vector<Message> TakeMessagesTo(Object* object);
   // As its observers would, which know nothing of its replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);

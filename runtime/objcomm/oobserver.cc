@@ -83,8 +83,14 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
 void openr_host::SendDeassert(openr_host::Object* object, uint32_t selector,
                               const SubjectID& subject, const std::vector<RCRegion*>& regions) {
   System* const system = object->system;
+  openr_host::Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
+  if (sender == nullptr) return;
+  if (sender->is_leaving) {
+    for (RCRegion* const region : regions) sender->TakeBack(region);
+    return;
+  }
   const CurrentScope scope(system, object);
-  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  Message* const message = system->NewMessage(sender->id, subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
   ready.msgType = omsgREADY_V22;
   ready.command = objcommCMD_DEASSERT_READY;
@@ -93,7 +99,16 @@ void openr_host::SendDeassert(openr_host::Object* object, uint32_t selector,
   std::copy(regions.begin(), regions.end(), ready.rcRegion);
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  system->Post(message);
+  if (system->Post(message) == sSUCCESS) return;
+  const CurrentScope there(system, sender);
+  const bool is_here = !sender->subjects.empty();  // its regions are not in another process
+  for (RCRegion* const region : regions) {
+    if (is_here) {
+      region->RemoveReference();
+    } else {
+      sender->TakeBack(region);
+    }
+  }
 }
 
 void openr_host::RefuseNotification(openr_host::Object* object, const Message& message) {

@@ -34,7 +34,7 @@ struct RegionAccess {
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
 // Tells `subject` that the observer of `object` with entry `selector` is not ready, and gives it
-// back what it had sent there.
+// back what it had sent there, at most MAX_NUM_DATA regions.
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
                   const std::vector<RCRegion*>& regions);
 // The same for a notification on its way that nobody will hear.

@@ -122,6 +122,32 @@ TEST_F(FaultsTest, ASecondControlCEndsARunThatWaitsForAProcess) {
   EXPECT_THAT(result.err, Not(HasSubstr("again to end at once")));
 }
 
+TEST_F(FaultsTest, ASecondControlCDuringTheBootIsNoFault) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("hang");
+  ProgramRun run(kRun +
+                 Words{"--stick", stick.path(), "--isolate", "Trouble", "--handler-limit", "0s"});
+  ASSERT_TRUE(run.WaitFor("has not answered for 2 s")) << run.heard();
+  run.Signal(SIGINT);
+  run.Signal(SIGTERM);
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("the robot does not boot")));
+}
+
+TEST_F(FaultsTest, ControlCEndsARunThatWaitsForItsProcesses) {
+  const ScratchFolder folder;
+  folder.Write("where.cfg", "JointMover legs\n@legs 127.0.0.1\n");
+  ProgramRun run(kRun + Words{"--placement", folder.File("where.cfg"), "--join-wait", "10s",
+                              "--run-name", "early-" + std::to_string(getpid())});
+  ASSERT_TRUE(run.WaitFor("waiting for process 'legs'")) << run.heard();
+  run.Signal(SIGINT);
+  const ProgramResult& result = run.Finish();
+  EXPECT_THAT(result.err, HasSubstr("process 'legs' had not come when the run was interrupted"));
+  EXPECT_THAT(result.err, Not(HasSubstr("did not come within")));
+  EXPECT_THAT(result.err, Not(HasSubstr("the robot does not boot")));
+}
+
 TEST_F(FaultsTest, AnObjectThatIsNoneIsNamedWithTheNearest) {
   const ProgramResult result = RunProgram(kQuickly + Words{"--place", "JointMovr=legs"});
   EXPECT_NE(result.status, 0);

@@ -56,7 +56,7 @@ class ForgedTest : public ::testing::Test {
     up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
                         arena_.Text("")};
     line_->Send(up);
-    process_.WaitForHello(10'000, "");
+    process_.WaitForHello(10'000, "", [] { return false; });
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
     process_.Welcome(&system_, welcome);
