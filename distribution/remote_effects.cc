@@ -79,6 +79,13 @@ void RemoteProcess::Apply(const openr_wire_Up& up, Object* self) {
   }
 }
 
+// Whether `message` answers what the handler of `self` was asked, or hands that on.
+bool RemoteProcess::Answers(const Message& message, const Object* self) {
+  const Message* const request = self == nullptr ? nullptr : self->running;
+  return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
+         (message.is_reply ? message.target : message.sender) == request->sender;
+}
+
 int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
   const CurrentScope scope(system_, self);
   Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
@@ -101,7 +108,10 @@ int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
   const bool is_notify = message->kind == PayloadKind::kNotify && self != nullptr;
   const StandingReady used = {is_notify ? posted.message.payload._u.notify.selector : 0,
                               message->target, message->selector};
+  const bool answers = Answers(*message, self);
   const int32_t error = system_->Post(message, posted.delay_us);
+  // Should the process be lost now, nobody else is to answer.
+  if (answers && error == sSUCCESS) self->running->reply_box = 0;
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }

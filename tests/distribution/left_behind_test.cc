@@ -1,10 +1,12 @@
 // What a lost process leaves behind in a run that goes on: readers of the console, regions, lines
 // of CONNECT.CFG, its place in the report.  Teller and Hearer are elsewhere, probes are here.
+#include <MCOOP.h>
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include "distribution/fleet.h"
+#include "runtime/core/api.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/runtime/objcomm/probe.h"
 
@@ -26,6 +28,41 @@ class Reader : public CodeObject {
 
   Selector read;
   std::vector<std::string> lines;
+};
+
+// Answers what it is asked.
+class Asked : public CodeObject {
+ public:
+  Asked() {
+    AddExtra("Question", [](void*) {
+      char answer[] = "42";
+      Reply(answer, sizeof answer);
+    });
+  }
+};
+
+// Asks Teller, and looks at what it says when it is told to.
+class Asker : public CodeObject {
+ public:
+  Asker() {
+    AddExtra("Ask", [this](void* message) {
+      char* const text = static_cast<char*>(message);
+      SendWithRBox(teller, entry, text, std::strlen(text) + 1, &box);
+    });
+    AddExtra("Look", [this](void*) {
+      char reply[32] = "(none)";
+      size_t got = 0;
+      Receive(box, reply, sizeof reply, &got);
+      answer.assign(reply, got);
+    });
+  }
+
+  OID teller;
+  Selector entry = UNDEF;
+  std::string answer;
+
+ private:
+  RID box;
 };
 
 class LeftBehindTest : public ConformTest {
@@ -54,6 +91,8 @@ class LeftBehindTest : public ConformTest {
     reader_ = system->AddObject<Reader>(0, "reader");
     sender_ = system->AddObject<SubjectProbe>(0, "sender");
     receiver_ = system->AddObject<ObserverProbe>(0, "receiver");
+    asked_ = system->AddObject<Asked>(0, "asked");
+    asker_ = system->AddObject<Asker>(0, "asker");
     receiver_->on_start = [this] { receiver_->in->AssertReady(); };
     ASSERT_TRUE(system->LoadStick(0, fleet_->StandInsFor(system.get(), 0)));
     ASSERT_EQ(fleet_->Connect(), "");
@@ -68,6 +107,11 @@ class LeftBehindTest : public ConformTest {
   }
   void Kill(const std::string& process) const {
     kill(static_cast<pid_t>(Process(process).pid), SIGKILL);
+  }
+  bool HasEnded(const std::string& process) const {
+    std::ifstream status("/proc/" + std::to_string(Process(process).pid) + "/stat");
+    std::string id, name, state;
+    return !(status >> id >> name >> state) || state == "Z";
   }
   // And the run hears of it.
   void Lose(const std::string& process) const {
@@ -89,6 +133,16 @@ class LeftBehindTest : public ConformTest {
     system->Post(system->NewMessage(reader_->host().id, reader_->read));
     system->RunFor(1000);
   }
+  // What Teller, or whoever it was, answered to one who waits, or looks later.
+  std::string AnswerTo(const std::string& question, bool waits) {
+    asker_->teller = OidOf(IdOf("teller"));
+    asker_->entry = EntryOf("teller", "Ask");
+    Post("asker", "Ask", question);
+    if (!waits) Settle();
+    Post("asker", "Look", "");
+    Settle();
+    return asker_->answer;
+  }
   void Type(const std::string& line) const {
     system->FeedConsole(0, line);
     system->RunFor(system->frame_us());
@@ -100,6 +154,8 @@ class LeftBehindTest : public ConformTest {
   Reader* reader_ = nullptr;
   SubjectProbe* sender_ = nullptr;
   ObserverProbe* receiver_ = nullptr;
+  Asked* asked_ = nullptr;
+  Asker* asker_ = nullptr;
 };
 
 TEST_F(LeftBehindTest, OneThatReadTheConsoleTakesNoLine) {
@@ -125,6 +181,59 @@ TEST_F(LeftBehindTest, ALineOnItsWayToOneThatIsLostIsTheNextReaders) {
   Lose("acting");  // the line has entered, and nobody has it yet
   system->RunFor(1000);
   EXPECT_THAT(reader_->lines, ElementsAre("mine\n"));
+}
+
+// It dies when the run has looked, and before the line enters.
+TEST_F(LeftBehindTest, ALineDoesNotGoToOneWhoseEndNobodyHasSeen) {
+  Place({{"teller", "acting"}});
+  Settle();
+  Tell("gets");
+  StartReading();
+  Kill("acting");
+  while (!HasEnded("acting")) usleep(1000);
+  Type("mine");
+  EXPECT_THAT(reader_->lines, ElementsAre("mine\n"));
+  EXPECT_EQ(Process("acting").losses, 1);
+}
+
+// Who asked gets the answer that was given, not that of the run in the name of the lost one.
+TEST_F(LeftBehindTest, WhatItAnsweredStands) {
+  Place({{"teller", "acting"}});
+  Settle();
+  EXPECT_EQ(AnswerTo("answer and die", false), std::string("an answer", 10));
+  EXPECT_EQ(Process("acting").losses, 1);
+}
+
+TEST_F(LeftBehindTest, WhatItHandedOnIsAnsweredByTheOther) {
+  Place({{"teller", "acting"}});
+  Settle();
+  EXPECT_EQ(AnswerTo("bequeath", true), std::string("42", 3));
+  EXPECT_EQ(Process("acting").losses, 1);
+}
+
+// More than wait for one object, all of one subject.
+TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
+  Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
+  Place({{"hearer", "hearing"}});
+  Settle();
+  Hear("auto");
+  Hear("assert");
+  std::vector<RCRegion*> regions;
+  for (int i = 0; i < 40; ++i) {
+    Hear("keep");
+    RunAs(sender_, [&] {
+      regions.push_back(new RCRegion(sizeof(int)));
+      sender_->out->SetData(regions.back());
+      sender_->out->NotifyObservers();
+    });
+    Settle();
+    ASSERT_EQ(regions.back()->NumberOfReference(), 2);
+  }
+  Lose("hearing");
+  Settle();
+  EXPECT_FALSE(Found("Exceed max size")) << Findings();
+  for (RCRegion* const region : regions) EXPECT_EQ(region->NumberOfReference(), 1);
+  EXPECT_EQ(sender_->out->ReadyStatus(sender_->out->begin()->GetObserverID()), -1);
 }
 
 TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
@@ -172,6 +281,22 @@ TEST_F(LeftBehindTest, AWrongLineIsReportedAllTheSame) {
   Settle();
   EXPECT_TRUE(Found("Receiver.On.Number.O NOT FOUND")) << Findings();
   EXPECT_TRUE(Found("reader.In.Number.O NOT FOUND")) << Findings();
+}
+
+// When it is back it is known what it has not.
+TEST_F(LeftBehindTest, AWrongLineOfALostOneIsReportedWhenItIsBack) {
+  Config("CONNECT.CFG",
+         "Teller.Ot.Number.S Hearer.In.Number.O\nTelller.Out.Number.S Hearer.In.Number.O\n");
+  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  Kill("acting");
+  Settle();
+  EXPECT_FALSE(Found("NOT FOUND")) << Findings();
+  ComeBack("acting");
+  EXPECT_TRUE(Found("Teller.Ot.Number.S NOT FOUND")) << Findings();
+  EXPECT_TRUE(Found("Telller.Out.Number.S NOT FOUND")) << Findings();
+  const size_t count = system->findings().all().size();
+  Lose("acting");
+  EXPECT_EQ(system->findings().all().size(), count + 1) << "said once";
 }
 
 // The observer's process comes first.

@@ -1,5 +1,6 @@
 #include "Teller.h"
 
+#include <MCOOP.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
@@ -88,7 +89,17 @@ Teller::NotifyLoop(const ONotifyEvent& event)
 void Teller::Command(void* msg) { Run((const char*)msg); }
 void Teller::Tick(void* msg) { OSYSPRINT(("T tick %s\n", (const char*)msg)); }
 
-// Answers "again" in the name of Hand, which asks this object once more; anything else itself.
+// Brings this object down, when what it has done so far is known.
+static void
+Die()
+{
+    OID oid;
+    Find("asked", &oid);
+    *(volatile int*)16 = 1;
+}
+
+// Hands "delegate" on to its own entry, and "bequeath" to another object; anything else it answers
+// itself.
 void
 Teller::Ask(void* msg)
 {
@@ -101,7 +112,18 @@ Teller::Ask(void* msg)
         Delegate(myOID_, selector, word, sizeof word);
         return;
     }
+    if (strcmp((const char*)msg, "bequeath") == 0) {
+        char word[] = "answer";
+        OID heir;
+        Find("asked", &heir);
+        Delegate(heir, 4, word, sizeof word);
+        Die();
+    }
     char answer[] = "an answer";
+    if (strcmp((const char*)msg, "answer and die") == 0) {
+        Reply(answer, sizeof answer);
+        Die();
+    }
     Return(answer, sizeof answer);
     OSYSPRINT(("never reached\n"));
 }
