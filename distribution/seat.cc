@@ -103,7 +103,8 @@ bool Seat::TakeHello(int timeout_ms) {
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = up->body._u.hello;
   facts_ = {StringOf(hello.host), hello.pid};
-  pulse_ = Pulse(StringOf(hello.machine), hello.pid);
+  // Who was started by the run is watched by its parent, which knows more.
+  if (door_ != nullptr) pulse_ = Pulse(StringOf(hello.machine), hello.pid);
   next_look_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
     throw ProcessLost(

@@ -108,10 +108,15 @@ class LeftBehindTest : public ConformTest {
   void Kill(const std::string& process) const {
     kill(static_cast<pid_t>(Process(process).pid), SIGKILL);
   }
+  // With all its threads.
   bool HasEnded(const std::string& process) const {
-    std::ifstream status("/proc/" + std::to_string(Process(process).pid) + "/stat");
+    namespace fs = std::filesystem;
+    const std::string folder = "/proc/" + std::to_string(Process(process).pid);
+    std::ifstream status(folder + "/stat");
     std::string id, name, state;
-    return !(status >> id >> name >> state) || state == "Z";
+    if (!(status >> id >> name >> state)) return true;
+    const fs::directory_iterator threads(folder + "/task");
+    return state == "Z" && std::distance(begin(threads), end(threads)) == 1;
   }
   // And the run hears of it.
   void Lose(const std::string& process) const {

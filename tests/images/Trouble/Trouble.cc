@@ -47,7 +47,7 @@ Trouble::DoStart(const OSystemEvent&)
         fclose(file);
     }
     if (strcmp(word, "hang") == 0) {
-        for (;;) sink = sink + 1;
+        for (;;) sink = 1 - sink;
     } else if (strcmp(word, "crash") == 0) {
         *(volatile int*)16 = 1;
     } else if (strcmp(word, "callnull") == 0) {
