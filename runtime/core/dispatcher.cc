@@ -5,6 +5,7 @@
 
 #include "runtime/core/assert.h"
 #include "runtime/core/image.h"
+#include "runtime/core/object_manager.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -104,7 +105,8 @@ void Dispatcher::Deliver(Message* message) {
     system_->queue_.Release(message);
     return;
   }
-  if (!message->is_reply && (object->blocked != nullptr || object->is_busy)) {
+  if (!message->is_reply &&
+      (object->blocked != nullptr || object->is_busy || system_->manager_->IsTooEarly(*message))) {
     object->held.push_back(message);
     return;
   }
@@ -163,6 +165,7 @@ void Dispatcher::DeliverReply(Object* object, Message* message) {
 void Dispatcher::RunHandler(Object* object, Message* message) {
   system_->trace_.Deliver(*message, system_->now_us_);
   ++object->message_count;
+  if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
   object->running = message;
   object->time_calls = 0;
   char* const base = static_cast<char*>(__builtin_frame_address(0));

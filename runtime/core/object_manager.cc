@@ -67,10 +67,34 @@ void ObjectManager::PostWith(Selector selector, T value) {
   system().Post(message);
 }
 
+void ObjectManager::Begins(ObjectId id) {
+  const auto found = young_.find(id);
+  if (found == young_.end()) return;
+  found->second = true;
+  if (are_connected_) young_.erase(found);
+}
+
+// What came too early is heard now.  Who was not told of DoInit takes no part in the run.
+void ObjectManager::EndYouth() {
+  are_connected_ = true;
+  for (auto next = young_.begin(); next != young_.end();) {
+    const auto young = next++;
+    if (!young->second) continue;
+    Object* const object = system().object(young->first);
+    young_.erase(young);
+    if (object->blocked == nullptr && !object->is_busy) system().ReturnHeld(object);
+  }
+}
+
 void ObjectManager::RunBoot() {
+  are_connected_ = false;
+  for (const auto& object : system().objects()) {
+    if (object != nullptr && !object->is_system) young_.emplace(object->id, false);
+  }
   SendToAll(oentryINIT, oreasonBOOT, true);
   SendToAll(oentryINIT, oreasonBOOT, false);
   for (const Connection& connection : system().connections()) Connect(connection);
+  EndYouth();
   if (system().options().strict && system().findings().HasError()) {
     RefuseToStart();
     return;
@@ -119,7 +143,11 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   for (const auto& object : fresh) system().object(object->id)->is_leaving = true;
   for (const auto& object : fresh)
     readies[object->id] = system().EndMessagesTo(system().object(object->id));
-  for (auto& object : fresh) system().Replace(std::move(object));
+  are_connected_ = false;
+  for (auto& object : fresh) {
+    young_[object->id] = false;
+    system().Replace(std::move(object));
+  }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
@@ -136,6 +164,7 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_subject) ReportUnknown(connection, connection.subject);
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
+  EndYouth();
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().AssertAgain(id, standing);

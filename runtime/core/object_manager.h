@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -30,6 +31,17 @@ class ObjectManager : public CodeObject {
   // one of the manager's handlers.
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
+  // Whether its receiver does not hear `message` yet: the first of all is DoInit, as on the robot,
+  // where it lies in the mailbox before anybody else knows of the object (core.md, 1.4); a ready
+  // waits until the connections are made, or its observer would be unknown.
+  bool IsTooEarly(const Message& message) const {
+    if (young_.empty() || message.sender == host().id) return false;
+    const auto found = young_.find(message.target);
+    return found != young_.end() && (!found->second || message.kind == PayloadKind::kReady);
+  }
+  // The DoInit of object `id` begins.
+  void Begins(ObjectId id);
+
   // How long a DoXxx may wait before it is reported (the robot's value is not
   // known; virtual time).
   static constexpr int64_t kReplyTimeoutUs = 10'000'000;
@@ -46,6 +58,7 @@ class ObjectManager : public CodeObject {
   // To the objects of `robot`, or of all.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
+  void EndYouth();
   bool MayBeLost(int robot, const std::string& service) const;
   void ReportUnknown(const Connection& connection, const std::string& service);
 
@@ -58,6 +71,8 @@ class ObjectManager : public CodeObject {
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;       // robots
   std::set<ObjectId> uninitialised_;  // never heard of DoInit
+  std::map<ObjectId, bool> young_;    // not connected yet; whether it has heard of DoInit
+  bool are_connected_ = true;         // false as long as those in `young_` wait for that
   // Services that are not there as long as something is lost; looked up only.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };

@@ -1,0 +1,117 @@
+// The first that an object hears of is its DoInit, at boot and when it takes another's place.
+#include <OPENR/ObjcommMessages.h>
+#include <gmock/gmock.h>
+
+#include "runtime/core/api.h"
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ElementsAre;
+
+using Log = std::vector<std::string>;
+constexpr Selector kControl = oentryBASE;  // of the first subject
+constexpr int64_t kWaitUs = 5000;
+
+// Waits in its DoInit, while others go on.
+class Sleeper : public CodeObject {
+ public:
+  OStatus DoInit(const OSystemEvent&) override {
+    if (on_init) on_init();
+    bool timed_out = false;
+    const uint64_t box = system().NewReplyBox();
+    system().queue().Release(system().AwaitReply(box, kWaitUs, "nothing", &timed_out));
+    return oSUCCESS;
+  }
+  std::function<void()> on_init;
+};
+
+// Its DoInit comes after that.
+class Newcomer : public SubjectProbe {
+ public:
+  explicit Newcomer(Log* log) : log_(log) {
+    on_ready = [this](const OReadyEvent&) { log_->push_back(readies.back()); };
+    entry = AddExtra("Entry", [this](void*) { log_->push_back("message"); });
+  }
+  OStatus DoInit(const OSystemEvent&) override {
+    log_->push_back("init");
+    RegisterServiceEntry(OServiceEntry(myOID_, kControl), "Sender.Out.Number.S");
+    return oSUCCESS;
+  }
+  Selector entry;
+
+ private:
+  Log* const log_;
+};
+
+class NewcomerTest : public testing::Test {
+ protected:
+  NewcomerTest() {
+    system_.AddRobot("ERS-210", nullptr);
+    receiver_ = system_.AddObject<ObserverProbe>(0, "receiver");
+    sleeper_ = system_.AddObject<Sleeper>(0, "sleeper");
+    newcomer_ = system_.AddObject<Newcomer>(0, "newcomer", &log_);
+    system_.Connect({0, "Sender.Out.Number.S", "Receiver.In.Number.O", "CONNECT.CFG:1"});
+  }
+  template <typename T, typename... Args>
+  T* MakeAnother(const CodeObject& old, Args... args) {
+    auto host = std::make_unique<CodeHost>(&system_, old.host().id, 0);
+    host->name = old.host().name;
+    const CurrentScope scope(&system_, host.get());
+    auto code = std::make_unique<T>(args...);
+    T* const made = code.get();
+    host->code = std::move(code);
+    fresh_.push_back(std::move(host));
+    return made;
+  }
+  void Return() {
+    sleeper_ = MakeAnother<Sleeper>(*sleeper_);
+    newcomer_ = MakeAnother<Newcomer>(*newcomer_, &log_);
+    log_.clear();
+    system_.Return(std::move(fresh_));
+    system_.RunFor(kWaitUs / 2);
+  }
+  void PostToNewcomer() {
+    system_.Post(system_.NewMessage(newcomer_->host().id, newcomer_->entry));
+  }
+
+  Log log_;
+  System system_;
+  ObserverProbe* receiver_;
+  Sleeper* sleeper_;
+  Newcomer* newcomer_;
+  std::vector<std::unique_ptr<Object>> fresh_;
+};
+
+TEST_F(NewcomerTest, AtBootAMessageWaitsForDoInit) {
+  sleeper_->on_init = [this] { PostToNewcomer(); };
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init", "message"));
+}
+
+TEST_F(NewcomerTest, ASuccessorHearsOfDoInitFirst) {
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  Return();
+  PostToNewcomer();
+  system_.RunFor(kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init", "message"));
+}
+
+// As one that reads a notification of the old one only now.
+TEST_F(NewcomerTest, AnObserverThatIsReadyTooEarlyIsReadyWhenItIsConnected) {
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  Return();
+  RunAs(receiver_, [this] { receiver_->in->AssertReady(newcomer_->out->GetID()); });
+  system_.RunFor(kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init", "ready:1"));
+  RunAs(newcomer_, [this] { newcomer_->Send(7); });
+  system_.RunFor(1000);
+  EXPECT_THAT(receiver_->events, ElementsAre("7"));
+}
+
+}  // namespace
+}  // namespace openr_host
