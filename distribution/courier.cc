@@ -167,6 +167,12 @@ bool Courier::HasBorrowed(uint32_t region) const {
                      [region](const auto& entry) { return entry.first->MemID() == region; });
 }
 
+bool Courier::HasLent(uint32_t region) const {
+  return std::any_of(lent_.begin(), lent_.end(), [region](const auto& entry) {
+    return entry.second.region->MemID() == region;
+  });
+}
+
 void Courier::Sent(const Message& message) {
   if (message.kind != PayloadKind::kReady) return;
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);

@@ -50,6 +50,8 @@ class Courier {
   // Whether data of this region came in and have not been given back: it is the newer memory.
   bool HasBorrowed(uint32_t region) const;
 
+  bool HasLent(uint32_t region) const;
+
   // Something that went over there and has not come back.
   struct Lent {
     RCRegion* region;

@@ -26,26 +26,39 @@ uint64_t Number(const Question& question, size_t i) {
   return i < question.numbers.size() ? question.numbers[i] : 0;
 }
 
-Answer NewRegion(System* system, const Question& question) {
-  if (Number(question, 0) > kRobotMemoryBytes) return {0, {RegionTable::kNoRegion}};
-  return {0,
-          {system->regions().New(Number(question, 0), static_cast<ObjectId>(Number(question, 1)))}};
+// Whether object `id` is in the process of `self`, which asks.
+bool IsBeside(const System& system, const Object* self, ObjectId id) {
+  const auto* const asker = dynamic_cast<const RemoteObject*>(self);
+  const auto* const other = dynamic_cast<const RemoteObject*>(system.object(id));
+  return asker != nullptr && other != nullptr && asker->process() == other->process();
+}
+
+Answer NewRegion(System* system, const Object* self, const Question& question) {
+  const auto owner = static_cast<ObjectId>(Number(question, 1));
+  if (Number(question, 0) > kRobotMemoryBytes ||
+      (owner != kNoObject && !IsBeside(*system, self, owner)))
+    return {0, {RegionTable::kNoRegion}};
+  return {0, {system->regions().New(Number(question, 0), owner)}};
 }
 
 // Whether it was done.  Regions of other processes are none of its business.
 bool ResizeRegion(System* system, const Object* self, const Question& question) {
   const auto region = static_cast<uint32_t>(Number(question, 0));
-  const auto* const asker = dynamic_cast<const RemoteObject*>(self);
-  const auto* const owner =
-      dynamic_cast<const RemoteObject*>(system->object(system->regions().OwnerOf(region)));
-  if (asker == nullptr || owner == nullptr || asker->process() != owner->process()) return false;
-  return system->regions().Resize(region, Number(question, 1));
+  return IsBeside(*system, self, system->regions().OwnerOf(region)) &&
+         system->regions().Resize(region, Number(question, 1));
+}
+
+// Whether the bytes of a colour table, which go into its region, are for one of another process.
+bool IsCdtOfAnother(System* system, const Object* self, const Question& question) {
+  const auto region = static_cast<uint32_t>(Number(question, 1));
+  return IsSetCdt(question) && !IsBeside(*system, self, system->regions().OwnerOf(region));
 }
 
 // As OObject::RegisterServiceEntry().
 Answer RegisterService(System* system, Object* self, const Question& question) {
   const auto target = static_cast<ObjectId>(Number(question, 0));
   const auto selector = static_cast<uint32_t>(Number(question, 1));
+  if (!IsBeside(*system, self, target)) return {oFAIL};
   auto& directory = system->robot(self->robot).directory;
   if (!directory.emplace(question.text, std::pair(target, selector)).second)
     return {oALREADY_EXIST};
@@ -101,7 +114,7 @@ Answer AnswerNames(const Question& question) {
 Answer AnswerQuestion(System* system, Object* self, const Question& question) {
   switch (question.kind) {
     case QuestionKind::kNewRegion:
-      return NewRegion(system, question);
+      return NewRegion(system, self, question);
     case QuestionKind::kResizeRegion:
       return {ResizeRegion(system, self, question) ? 1 : 0};
     case QuestionKind::kRegisterService:
@@ -122,6 +135,7 @@ Answer AnswerQuestion(System* system, Object* self, const Question& question) {
         stick->NoteWritten(question.text);
       return {0};
     case QuestionKind::kService:
+      if (IsCdtOfAnother(system, self, question)) return {oINVALID_ARG};
       return ServeRobotCall(system, self->robot, question);
   }
   return {oNOT_SUPPORTED};

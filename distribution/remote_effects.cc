@@ -86,7 +86,44 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
+// Whether the bytes of `region` may come from there: it is its own, or it was lent there.
+bool RemoteProcess::Has(uint32_t region) const {
+  const RegionTable& regions = system_->regions();
+  return objects_.contains(regions.OwnerOf(region)) || objects_.contains(regions.MakerOf(region)) ||
+         courier_->HasLent(region);
+}
+
+// Who `in` says it is from, before it is believed.
+void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
+  const auto is_own = [&](ObjectId id) {
+    return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
+  };
+  const Message* const request = self == nullptr ? nullptr : self->running;
+  const bool hands_on = request != nullptr && !in.is_reply && in.reply_box != 0 &&
+                        in.reply_box == request->reply_box && in.sender == request->sender;
+  if (!is_own(in.sender) && !hands_on) Refuse("a message in the name of another object");
+  // Ends that were given no entry are nobody's.
+  const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
+  if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
+    Refuse("a notification of another object's subject");
+  if (in.payload._d == openr_wire_PAYLOAD_READY && is_others(in.payload._u.ready.observer))
+    Refuse("a ready of another object's observer");
+}
+
+void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
+  CheckEnds(in, self);
+  const auto check_region = [this](uint32_t region) {
+    if (system_->regions().BaseOf(region) != nullptr && !Has(region))
+      Refuse(fmt::format("bytes of region {:#x}, which it has not", region));
+  };
+  if (in.payload._d == openr_wire_PAYLOAD_ANT) check_region(in.payload._u.ant.region);
+  if (in.payload._d != openr_wire_PAYLOAD_NOTIFY) return;
+  const auto& parts = in.payload._u.notify.parts;
+  for (uint32_t i = 0; i < parts._length; ++i) check_region(parts._buffer[i].region);
+}
+
 int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
+  Check(posted.message, self);
   const CurrentScope scope(system_, self);
   Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
   const MessageClass message_class = message->message_class;
@@ -131,11 +168,16 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
   switch (kind) {
     case NoteKind::kFinding:
       system_->AddFindingAbout(system_->object(static_cast<ObjectId>(number(1)) - 1),
-                               static_cast<Severity>(number(0)), text);
+                               number(0) == static_cast<uint64_t>(Severity::kWarning)
+                                   ? Severity::kWarning
+                                   : Severity::kError,
+                               text);
       return;
     case NoteKind::kShutdown:
     case NoteKind::kPowerOff:
       if (number(0) >= static_cast<uint64_t>(system_->robot_count())) Refuse("an unknown robot");
+      if (self != nullptr && number(0) != static_cast<uint64_t>(self->robot))
+        Refuse("the end of another robot");
       if (kind == NoteKind::kPowerOff) return system_->PowerOff(static_cast<int>(number(0)));
       return system_->Shutdown(static_cast<int>(number(0)));
     case NoteKind::kDeleteRegion:

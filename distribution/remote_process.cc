@@ -161,6 +161,10 @@ void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
 void RemoteProcess::BeginLoad(const openr_wire_Load& load) {
   openr_wire_Down down = NewDown(openr_wire_DOWN_LOAD);
   down.body._u.load = load;
+  awaited_.clear();
+  for (uint32_t i = 0; i < load.objects._length; ++i) {
+    if (load.objects._buffer[i].is_yours) awaited_.insert(load.objects._buffer[i].id);
+  }
   Send(down);
 }
 
@@ -190,10 +194,12 @@ bool RemoteProcess::TakeLoaded(const openr_wire_Up& up,
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
     const auto found = objects.find(entry.id);
-    if (found == objects.end()) Refuse("an object that is not its own");
+    if (found == objects.end() || awaited_.erase(entry.id) == 0)
+      Refuse("an object that is not its own, or sent it twice");
     if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
     TakeDescription(entry, found->second);
   }
+  if (!awaited_.empty()) Refuse("nothing of an object that it was to load");
   return true;
 }
 
@@ -463,6 +469,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
       Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
+    if (!objects_.contains(system_->regions().OwnerOf(in.region)))
+      Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));
   }
   return StringOf(state.subjects);

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -158,6 +159,9 @@ class RemoteProcess {
   void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
   void Unpin(uint32_t region);
   int32_t Post(const openr_wire_Posted& posted, Object* self);
+  void Check(const openr_wire_Message& in, const Object* self);
+  void CheckEnds(const openr_wire_Message& in, const Object* self);
+  bool Has(uint32_t region) const;
   static bool Answers(const Message& message, const Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
@@ -173,6 +177,7 @@ class RemoteProcess {
   System* system_ = nullptr;
   std::unique_ptr<Courier> courier_;
   std::map<ObjectId, RemoteObject*> objects_;
+  std::set<ObjectId> awaited_;  // to be loaded there
   uint64_t turn_ = 0;
   uint64_t session_ = 0;                  // counts on when it comes back
   std::map<uint32_t, int> pins_;          // that objects there have, by region

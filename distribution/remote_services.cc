@@ -324,12 +324,12 @@ class RobotCallServer {
         return WithBytes<OPowerStatus>(
             [this](OPowerStatus* value) { return services_->GetPowerStatus(value); });
       case RobotCall::kShutdown: {
-        OBootCondition condition;
+        OBootCondition condition{};
         Copy(question_.bytes, &condition);
         return {services_->Shutdown(condition)};
       }
       case RobotCall::kObservePower: {
-        OPowerStatus notify;
+        OPowerStatus notify{};
         Copy(question_.bytes, &notify);
         return {services_->ObservePowerStatus(notify, Entry())};
       }
@@ -341,7 +341,7 @@ class RobotCallServer {
   Answer ServeClock() {
     switch (static_cast<RobotCall>(Number(0))) {
       case RobotCall::kSetTime: {
-        OTime time;
+        OTime time{};
         Copy(question_.bytes, &time);
         return {services_->SetTime(time)};
       }
@@ -388,6 +388,11 @@ class RobotCallServer {
 };
 
 }  // namespace
+
+bool IsSetCdt(const Question& question) {
+  return !question.numbers.empty() &&
+         question.numbers[0] == static_cast<uint64_t>(RobotCall::kSetCdt);
+}
 
 Answer ServeRobotCall(System* system, int robot, const Question& question) {
   return RobotCallServer(system, robot, question).Serve();

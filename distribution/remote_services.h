@@ -48,6 +48,8 @@ class RemoteServices : public RobotServices {
 };
 
 // What the master does for a QuestionKind::kService of an object of `robot`.
+// Whether it is SetCdtVectorData(), whose bytes go into the region.
+bool IsSetCdt(const Question& question);
 Answer ServeRobotCall(System* system, int robot, const Question& question);
 
 }  // namespace openr_host

@@ -179,6 +179,7 @@ std::string Worker::LoadMore(const openr_wire_Load& load) {
   }
   for (uint32_t i = 0; i < load.designs._length; ++i) {
     const openr_wire_DesignEntry& entry = load.designs._buffer[i];
+    CheckRobot(entry.robot);
     system_->robot(entry.robot).design_data[StringOf(entry.keyword)] = StringOf(entry.path);
   }
   std::vector<openr_wire_LoadedObject> loaded;
@@ -206,11 +207,18 @@ std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   return "";
 }
 
+void Worker::CheckRobot(int robot) const {
+  if (robot < 0 || robot >= system_->robot_count())
+    throw std::runtime_error("something of a robot that is not there");
+}
+
 // In the order of ids, so that each object gets its own.
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const auto next = static_cast<ObjectId>(system_->objects().size());
   if (entry.id < next) return;  // the object manager, which every system has
+  if (entry.id > next) throw std::runtime_error("an object before those that come first");
+  CheckRobot(entry.robot);
   if (entry.is_stack) {
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;

@@ -78,6 +78,7 @@ class Worker : public Uplink {
   std::string NoRun() const;
   std::string SetUp(const openr_wire_Welcome& welcome);
   std::string LoadMore(const openr_wire_Load& load);
+  void CheckRobot(int robot) const;
   std::string AddRobot(const openr_wire_RobotEntry& entry);
   void AddObject(const openr_wire_ObjectEntry& entry, std::vector<openr_wire_LoadedObject>* loaded);
   openr_wire_LoadedObject Describe(const Object& object);

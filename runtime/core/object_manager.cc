@@ -39,13 +39,26 @@ const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 }  // namespace
 
 ObjectManager::ObjectManager() {
-  boot_ = AddExtra("Boot", [this](void*) { RunBoot(); });
-  shutdown_ = AddExtra("Shutdown", [this](void* robot) { RunShutdown(*static_cast<int*>(robot)); });
-  reload_ = AddExtra("Reload", [this](void* id) { RunReload(*static_cast<ObjectId*>(id)); });
-  task_ = AddExtra("Task", [this](void*) { RunTask(); });
+  boot_ = AddExtra("Boot", [this](void*) {
+    if (IsDue(boot_, 0)) RunBoot();
+  });
+  shutdown_ = AddExtra("Shutdown", [this](void* message) {
+    const int robot = *static_cast<int*>(message);
+    if (IsDue(shutdown_, robot)) RunShutdown(robot);
+  });
+  reload_ = AddExtra("Reload", [this](void* message) {
+    const ObjectId id = *static_cast<ObjectId*>(message);
+    if (IsDue(reload_, id)) RunReload(id);
+  });
+  task_ = AddExtra("Task", [this](void*) {
+    if (IsDue(task_, 0)) RunTask();
+  });
 }
 
-void ObjectManager::PostBoot() { system().Post(system().NewMessage(host().id, boot_)); }
+void ObjectManager::PostBoot() {
+  due_.insert({boot_, 0});
+  system().Post(system().NewMessage(host().id, boot_));
+}
 
 void ObjectManager::PostShutdown(int robot) {
   if (!shutting_down_.insert(robot).second) return;
@@ -56,15 +69,30 @@ void ObjectManager::PostReload(ObjectId id) { PostWith(reload_, id); }
 
 void ObjectManager::PostTask(std::function<void()> task) {
   tasks_.push_back(std::move(task));
+  due_.insert({task_, 0});
   system().Post(system().NewMessage(host().id, task_));
 }
 
-template <typename T>
-void ObjectManager::PostWith(Selector selector, T value) {
+void ObjectManager::PostWith(Selector selector, int value) {
+  due_.insert({selector, value});
   Message* const message = system().NewMessage(host().id, selector);
   std::memcpy(message->payload, &value, sizeof value);
   message->size = sizeof value;
   system().Post(message);
+}
+
+// Its id and its entries are no secret, so that objects can send it anything.
+bool ObjectManager::IsDue(Selector selector, int value) {
+  const auto found = due_.find({selector, value});
+  if (found != due_.end()) {
+    due_.erase(found);
+    return true;
+  }
+  system().AddFindingAbout(
+      system().object(host().running->sender), Severity::kError,
+      fmt::format("a message to the object manager that only the system sends: {}; nothing is done",
+                  host().EntryName(selector)));
+  return false;
 }
 
 void ObjectManager::Begins(ObjectId id) {

@@ -47,8 +47,8 @@ class ObjectManager : public CodeObject {
   static constexpr int64_t kReplyTimeoutUs = 10'000'000;
 
  private:
-  template <typename T>
-  void PostWith(Selector selector, T value);
+  void PostWith(Selector selector, int value);
+  bool IsDue(Selector selector, int value);
   void RunBoot();
   void RefuseToStart();
   void RunShutdown(int robot);
@@ -68,6 +68,7 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
+  std::multiset<std::pair<Selector, int>> due_;  // what it has sent itself
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;       // robots
   std::set<ObjectId> uninitialised_;  // never heard of DoInit

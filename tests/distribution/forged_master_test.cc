@@ -45,6 +45,13 @@ class ForgedMasterTest : public testing::Test {
     message.payload._d = kind;
     return down;
   }
+  openr_wire_Down Load(const std::vector<openr_wire_ObjectEntry>& entries) {
+    openr_wire_Down down = New(openr_wire_DOWN_LOAD);
+    auto& objects = down.body._u.load.objects;
+    objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(entries);
+    return down;
+  }
+  char* Nothing() { return arena_.Text(""); }
   // What it says when it has heard `down`.
   std::string EndBy(const openr_wire_Down& down) {
     Welcome();
@@ -99,6 +106,24 @@ TEST_F(ForgedMasterTest, ARegionLargerThanTheRobot) {
   parts = arena_.Sequence<std::remove_reference_t<decltype(parts)>>(
       std::vector<openr_wire_Part>{{1, 0x10001, 0xffffffff, 0, 16, {}}});
   EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: 16 bytes in region 0x10001"));
+}
+
+TEST_F(ForgedMasterTest, AnObjectOfARobotThatIsNotThere) {
+  EXPECT_THAT(EndBy(Load({{1, 77, Nothing(), Nothing(), false, false, false, 0}})),
+              HasSubstr("something of a robot that is not there"));
+}
+
+TEST_F(ForgedMasterTest, AnObjectBeforeTheOthers) {
+  EXPECT_THAT(EndBy(Load({{4242, 0, Nothing(), Nothing(), false, false, false, 0}})),
+              HasSubstr("an object before those that come first"));
+}
+
+TEST_F(ForgedMasterTest, ADesignOfARobotThatIsNotThere) {
+  openr_wire_Down down = New(openr_wire_DOWN_LOAD);
+  auto& designs = down.body._u.load.designs;
+  designs = arena_.Sequence<std::remove_reference_t<decltype(designs)>>(
+      std::vector<openr_wire_DesignEntry>{{-1, Nothing(), Nothing()}});
+  EXPECT_THAT(EndBy(down), HasSubstr("something of a robot that is not there"));
 }
 
 }  // namespace

@@ -1,0 +1,214 @@
+// A process that is played by a test, which says in its place what no process of ours would.
+#pragma once
+
+#include <OPENR/RCRegion.h>
+#include <antEnvMsg.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "distribution/remote_object.h"
+#include "distribution/remote_process.h"
+#include "runtime/core/api.h"
+#include "tests/runtime/objcomm/probe.h"
+
+namespace openr_host {
+
+constexpr uint32_t kEntry = 9;  // of the object that is elsewhere
+constexpr uint32_t kBytes = 16;
+constexpr int32_t kNobody = 4242;
+constexpr uint32_t kNoRegion = 0x70007;
+constexpr ObjectId kObjectManager = 0;
+
+// A booted system with one object here and one in a process that is played by the test.
+class ForgedTest : public ::testing::Test {
+ protected:
+  ForgedTest() {
+    system_.AddRobot("ERS-210", nullptr);
+    sender_ = system_.AddObject<SubjectProbe>(0, "sender");
+    system_.Boot();
+    system_.RunFor(1000);
+    auto remote = std::make_unique<RemoteObject>(
+        &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
+        [this](const RemoteObject*, RemoteObject::Loss, const std::string& why) {
+          losses_.push_back(why);
+          process_.Lose();
+        });
+    remote->name = "Remote";
+    remote->set_selectors({0, 1, 2, 3, kEntry});
+    remote_ = remote.get();
+    Come();
+    process_.Add(remote_);
+    system_.Adopt(std::move(remote));
+    region_here_ = system_.regions().New(kBytes, sender_->host().id);
+    region_there_ = system_.regions().New(kBytes, remote_->id);
+  }
+  static BusOptions Options() {
+    BusOptions options;
+    options.run = "forged-" + std::to_string(getpid());
+    return options;
+  }
+  void Come() {
+    process_.seat().Open("now");
+    line_ = std::make_unique<ProcessLine>(&bus_, "liar/now", LineEnd::kProcess);
+    while (!line_->IsConnected()) usleep(1000);
+    openr_wire_Up up = New(openr_wire_UP_HELLO);
+    up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
+                        arena_.Text("")};
+    line_->Send(up);
+    process_.WaitForHello(10'000, "", [] { return false; });
+    openr_wire_Welcome welcome{};
+    welcome.stick = arena_.Text("");
+    process_.Welcome(&system_, welcome);
+  }
+
+  openr_wire_Up New(openr_wire_UpKind kind) const {
+    openr_wire_Up up{};
+    up.body._d = kind;
+    return up;
+  }
+  // The handler's end, as it should be.
+  openr_wire_Up Stopped() {
+    openr_wire_Up up = New(openr_wire_UP_STOPPED);
+    openr_wire_Stopped& stopped = up.body._u.stopped;
+    stopped.object = remote_->id;
+    stopped.timeout_us = -1;
+    return up;
+  }
+  openr_wire_Up With(const openr_wire_Effect& effect) {
+    openr_wire_Up up = Stopped();
+    up.effects = arena_.Sequence<decltype(up.effects)>(std::vector<openr_wire_Effect>{effect});
+    return up;
+  }
+  openr_wire_Up Note(NoteKind kind, std::vector<uint64_t> numbers) {
+    openr_wire_Effect effect{};
+    effect._d = openr_wire_EFFECT_NOTE;
+    effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
+                      arena_.Text("")};
+    return With(effect);
+  }
+  openr_wire_Message Message(openr_wire_PayloadKind kind) const {
+    openr_wire_Message message{};
+    message.sender = remote_->id;
+    message.target = sender_->host().id;
+    message.selector = sender_->out->GetID().GetSelector();
+    message.payload._d = kind;
+    return message;
+  }
+  openr_wire_Up Post(const openr_wire_Message& message, int64_t delay_us = 0) {
+    openr_wire_Effect effect{};
+    effect._d = openr_wire_EFFECT_POST;
+    effect._u.posted = {message, delay_us};
+    return With(effect);
+  }
+  openr_wire_Up Notify(std::vector<openr_wire_Part> parts, uint32_t notifications = 1) {
+    openr_wire_Message message = Message(openr_wire_PAYLOAD_NOTIFY);
+    openr_wire_Notify& notify = message.payload._u.notify;
+    notify.subject = remote_->id;
+    notify.notifications = notifications;
+    notify.parts = arena_.Sequence<decltype(notify.parts)>(std::move(parts));
+    return Post(message);
+  }
+  openr_wire_Up Ready(std::vector<openr_wire_Returned> regions) {
+    openr_wire_Message message = Message(openr_wire_PAYLOAD_READY);
+    openr_wire_Ready& ready = message.payload._u.ready;
+    ready.observer = remote_->id;
+    ready.selector = kEntry;
+    ready.regions = arena_.Sequence<decltype(ready.regions)>(std::move(regions));
+    return Post(message);
+  }
+  openr_wire_Up Ask(int32_t object, QuestionKind kind, std::vector<uint64_t> numbers,
+                    const std::string& text = "") {
+    openr_wire_Up up = New(openr_wire_UP_QUESTION);
+    up.body._u.question = {object,
+                           static_cast<uint32_t>(kind),
+                           arena_.Numbers(std::move(numbers)),
+                           arena_.Text(text),
+                           {}};
+    return up;
+  }
+
+  // Hands a message to the process, which has sent `ups`.
+  void Deliver(const std::vector<openr_wire_Up>& ups) {
+    for (const openr_wire_Up& up : ups) line_->Send(up);
+    {
+      const CurrentScope scope(&system_, &sender_->host());
+      system_.Post(system_.NewMessage(remote_->id, kEntry));
+    }
+    system_.RunFor(1'000'000);
+    arena_.Clear();
+  }
+  // Why the process was lost; "": it was not.
+  std::string LossBy(const openr_wire_Up& up) {
+    Deliver({up});
+    EXPECT_LE(losses_.size(), 1u);
+    return losses_.empty() ? "" : losses_[0];
+  }
+
+  // The same by `action`, when the process has sent `up`.
+  std::string LossBy(const openr_wire_Up& up, const std::function<void()>& action) {
+    line_->Send(up);
+    arena_.Clear();
+    try {
+      action();
+    } catch (const ProcessLost& lost) {
+      return lost.what();
+    }
+    return "";
+  }
+  openr_wire_Up State(uint32_t region, const std::string& bytes) {
+    openr_wire_Up up = New(openr_wire_UP_STATE);
+    auto& regions = up.body._u.state.regions;
+    regions = arena_.Sequence<std::remove_reference_t<decltype(regions)>>(
+        std::vector<openr_wire_RegionBytes>{{region, arena_.Bytes(bytes.data(), bytes.size())}});
+    return up;
+  }
+  std::string LossByState(const openr_wire_Up& up) {
+    return LossBy(up, [this] { process_.FetchState(remote_->id); });
+  }
+  openr_wire_Up Loaded(const std::vector<ObjectId>& ids) {
+    std::vector<openr_wire_LoadedObject> loaded;
+    for (const ObjectId id : ids) {
+      loaded.push_back({});
+      loaded.back().id = id;
+      loaded.back().name = loaded.back().problem = arena_.Text("");
+    }
+    openr_wire_Up up = New(openr_wire_UP_LOADED);
+    auto& objects = up.body._u.loaded.objects;
+    objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
+    return up;
+  }
+  // To the order to load the object that is elsewhere.
+  std::string LossByLoaded(const openr_wire_Up& up) {
+    return LossBy(up, [this] {
+      openr_wire_ObjectEntry entry{};
+      entry.id = remote_->id;
+      entry.name = entry.path = arena_.Text("");
+      entry.is_yours = true;
+      openr_wire_Load load{};
+      load.objects =
+          arena_.Sequence<decltype(load.objects)>(std::vector<openr_wire_ObjectEntry>{entry});
+      process_.Load(load);
+    });
+  }
+  std::string TextHere() { return {system_.regions().BaseOf(region_here_), kBytes}; }
+
+  Bus bus_{Options()};
+  RemoteProcess process_{&bus_, "liar", false, [] { return std::string(); },
+                         [](const std::string&) {}};
+  System system_;
+  SubjectProbe* sender_ = nullptr;
+  RemoteObject* remote_ = nullptr;
+  std::unique_ptr<ProcessLine> line_;
+  WireArena arena_;
+  std::vector<std::string> losses_;
+  uint32_t region_here_ = 0, region_there_ = 0;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,150 @@
+// A process that speaks in the name of others, or means what is theirs; and what it says of itself.
+#include "tests/distribution/forged.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr uint64_t kSetCdt = 15;  // RobotCall of SetCdtVectorData()
+
+class ForgedTheirsTest : public ForgedTest {};
+
+TEST_F(ForgedTheirsTest, AMessageFromAnother) {
+  for (const int32_t sender : {sender_->host().id, kObjectManager}) {
+    openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);
+    message.sender = sender;
+    EXPECT_THAT(LossBy(Post(message)), HasSubstr("a message in the name of another object"));
+  }
+}
+
+TEST_F(ForgedTheirsTest, ANotificationOfAnothersSubject) {
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_NOTIFY);
+  message.payload._u.notify.subject = sender_->host().id;
+  EXPECT_THAT(LossBy(Post(message)), HasSubstr("a notification of another object's subject"));
+}
+
+TEST_F(ForgedTheirsTest, AReadyOfAnothersObserver) {
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_READY);
+  message.payload._u.ready.observer = sender_->host().id;
+  EXPECT_THAT(LossBy(Post(message)), HasSubstr("a ready of another object's observer"));
+}
+
+TEST_F(ForgedTheirsTest, ANotificationThatWritesIntoTheRegionOfAnother) {
+  const std::string bytes(kBytes, 'x');
+  EXPECT_THAT(LossBy(Notify({{1, region_here_, kBytes, 0, kBytes,
+                              WireArena::View(bytes.data(), bytes.size())}})),
+              HasSubstr("which it has not"));
+  EXPECT_EQ(TextHere(), std::string(kBytes, '\0'));
+}
+
+TEST_F(ForgedTheirsTest, ANotificationWithTheRegionOfAnother) {
+  EXPECT_THAT(LossBy(Notify({{1, region_here_, kBytes, 0, kBytes, {}}})),
+              HasSubstr("which it has not"));
+}
+
+TEST_F(ForgedTheirsTest, NetworkDataInTheRegionOfAnother) {
+  const std::string bytes(sizeof(antEnvMsg), '\0');
+  openr_wire_Message message = Message(openr_wire_PAYLOAD_ANT);
+  message.payload._u.ant.message = WireArena::View(bytes.data(), bytes.size());
+  message.payload._u.ant.region = region_here_;
+  EXPECT_THAT(LossBy(Post(message)), HasSubstr("which it has not"));
+}
+
+TEST_F(ForgedTheirsTest, TheEndOfAnotherRobot) {
+  system_.AddRobot("ERS-210", nullptr);
+  EXPECT_THAT(LossBy(Note(NoteKind::kPowerOff, {1})), HasSubstr("the end of another robot"));
+  EXPECT_FALSE(system_.robot(1).powered_off);
+}
+
+TEST_F(ForgedTheirsTest, OnlyTheSystemTellsTheObjectManagerWhatToDo) {
+  for (uint32_t selector = oentryBASE; selector < oentryBASE + 4; ++selector) {
+    openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);
+    message.target = kObjectManager;
+    message.selector = selector;
+    EXPECT_EQ(LossBy(Post(message)), "");
+    EXPECT_THAT(system_.findings().all().back().text,
+                HasSubstr(system_.object(kObjectManager)->EntryName(selector)));
+    EXPECT_EQ(system_.findings().all().back().object, "Remote");
+  }
+  EXPECT_EQ(system_.findings().all().size(), 4u);
+  EXPECT_FALSE(system_.powered_off());
+}
+
+TEST_F(ForgedTheirsTest, AFindingOfAnUnknownSeverityIsAnError) {
+  EXPECT_EQ(LossBy(Note(NoteKind::kFinding, {77, 0})), "");
+  EXPECT_EQ(system_.findings().all().back().severity, Severity::kError);
+}
+
+TEST_F(ForgedTheirsTest, ANewRegionForAnother) {
+  const int count = system_.regions().CountOf(sender_->host().id);
+  const auto here = static_cast<uint64_t>(sender_->host().id);
+  Deliver({Ask(remote_->id, QuestionKind::kNewRegion, {kBytes, here}), Stopped()});
+  EXPECT_EQ(system_.regions().CountOf(sender_->host().id), count);
+}
+
+TEST_F(ForgedTheirsTest, AServiceOfNobody) {
+  for (const int32_t target : {kNobody, sender_->host().id}) {
+    const auto number = static_cast<uint64_t>(target);
+    Deliver(
+        {Ask(remote_->id, QuestionKind::kRegisterService, {number, kEntry}, "A.B.C.S"), Stopped()});
+    EXPECT_FALSE(system_.robot(0).directory.contains("A.B.C.S"));
+  }
+}
+
+TEST_F(ForgedTheirsTest, AColourTableInTheRegionOfAnother) {
+  const std::string bytes(kBytes, 'x');
+  for (const uint32_t region : {region_here_, region_there_}) {
+    openr_wire_Up up = Ask(remote_->id, QuestionKind::kService, {kSetCdt, region});
+    up.body._u.question.bytes = WireArena::View(bytes.data(), bytes.size());
+    Deliver({up, Stopped()});
+  }
+  EXPECT_EQ(TextHere(), std::string(kBytes, '\0'));
+  EXPECT_EQ(std::string(system_.regions().BaseOf(region_there_), kBytes), bytes);
+}
+
+// ---- of the state, and of what was loaded
+
+TEST_F(ForgedTheirsTest, TheStateIsTaken) {
+  const std::string bytes(kBytes, 'x');
+  EXPECT_EQ(LossByState(State(region_there_, bytes)), "");
+  EXPECT_EQ(std::string(system_.regions().BaseOf(region_there_), kBytes), bytes);
+}
+
+TEST_F(ForgedTheirsTest, AStateWithTheRegionOfAnother) {
+  EXPECT_THAT(LossByState(State(region_here_, std::string(kBytes, 'x'))),
+              HasSubstr("which is not its own"));
+  EXPECT_EQ(TextHere(), std::string(kBytes, '\0'));
+}
+
+TEST_F(ForgedTheirsTest, AStateOfAnotherSize) {
+  EXPECT_THAT(LossByState(State(region_there_, "x")), HasSubstr("which is not so"));
+  EXPECT_THAT(LossByState(State(kNoRegion, "x")), HasSubstr("which is not so"));
+}
+
+TEST_F(ForgedTheirsTest, NoState) { EXPECT_THAT(LossByState(Stopped()), HasSubstr("no state")); }
+
+TEST_F(ForgedTheirsTest, WhatWasLoadedIsTaken) {
+  EXPECT_EQ(LossByLoaded(Loaded({remote_->id})), "");
+  EXPECT_FALSE(remote_->HasEntry(kEntry));
+}
+
+TEST_F(ForgedTheirsTest, AnObjectOfAnotherWasLoaded) {
+  EXPECT_THAT(LossByLoaded(Loaded({remote_->id, sender_->host().id})),
+              HasSubstr("an object that is not its own"));
+}
+
+TEST_F(ForgedTheirsTest, AnObjectWasLoadedTwice) {
+  EXPECT_THAT(LossByLoaded(Loaded({remote_->id, remote_->id})), HasSubstr("or sent it twice"));
+}
+
+TEST_F(ForgedTheirsTest, AnObjectWasNotLoaded) {
+  EXPECT_THAT(LossByLoaded(Loaded({})), HasSubstr("nothing of an object that it was to load"));
+}
+
+TEST_F(ForgedTheirsTest, NothingWasLoaded) {
+  EXPECT_THAT(LossByLoaded(Stopped()), HasSubstr("no list of its objects"));
+}
+
+}  // namespace
+}  // namespace openr_host
