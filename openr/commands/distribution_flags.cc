@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "distribution/dds_settings.h"
 #include "openr/commands/common_flags.h"
 #include "openr/input_file.h"
 #include "openr/install_paths.h"
@@ -45,6 +46,13 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
       ->check(CLI::Validator(WhyNoSettings, ""));
+  // Both flags are known then.
+  command->parse_complete_callback([bus] {
+    if (bus->config_file.empty()) return;
+    const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);
+    if (problem.empty()) return;
+    throw CLI::ValidationError("--dds-config", fmt::format("{}: {}", bus->config_file, problem));
+  });
 }
 
 CLI::Validator IsNameOf(const std::string& what) {

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "distribution/dds_settings.h"
 #include "tests/distribution/same_run.h"
 
 namespace openr_host {
@@ -90,6 +91,57 @@ TEST(SettingsTest, AreAFileThatIsThere) {
         RunProgram({"run", "--for", "1s", "--isolate", "JointMover", "--dds-config", file});
     EXPECT_EQ(result.status, 2) << result.err;
     EXPECT_THAT(result.err, HasSubstr("--dds-config: " + file + ": "));
+  }
+}
+
+class SettingsForADomainTest : public testing::Test {
+ protected:
+  std::string Why(const std::string& text, int domain) const {
+    folder.Write("s.xml", text);
+    return WhyNotForDomain(folder.File("s.xml"), domain);
+  }
+  const ScratchFolder folder;
+};
+
+TEST_F(SettingsForADomainTest, AreReadInThatOneOnly) {
+  const std::string seven =
+      "<?xml version=\"1.0\"?><!-- <Domain id=\"0\"/> --><CycloneDDS>"
+      "<Domain Id='7'><Tracing/></Domain></CycloneDDS>";
+  EXPECT_EQ(Why(seven, 7), "");
+  EXPECT_EQ(Why(seven, 0),
+            "its settings are for domain 7, this is domain 0: they would be left out; write "
+            "<Domain id=\"any\">, or give --dds-domain");
+  EXPECT_EQ(Why("<CycloneDDS><Domain id=\"7\"/><Domain id=\"00\"/></CycloneDDS>", 0), "");
+  for (const char* attribute : {"", " id=\"ANY\"", " id=\"${NOT_SET:-0}\""})
+    EXPECT_EQ(Why(std::string("<CycloneDDS><Domain") + attribute + "/></CycloneDDS>", 0), "");
+  EXPECT_NE(Why("<CycloneDDS><Domain><Id>7</Id></Domain></CycloneDDS>", 0), "");
+  for (const char* nothing : {"<CycloneDDS/>", ""})
+    EXPECT_EQ(Why(nothing, 0), "there are no settings in it");
+}
+
+TEST_F(SettingsForADomainTest, ProtectThatOneOnly) {
+  const std::string two =
+      "<CycloneDDS><Domain><Tracing/></Domain>"
+      "<Domain id=\"7\"><Security/></Domain></CycloneDDS>";
+  EXPECT_EQ(Why(two, 7), "");
+  EXPECT_THAT(Why(two, 0), HasSubstr("its <Security> is for domain 7, this is domain 0, which "
+                                     "would not be protected"));
+}
+
+TEST_F(SettingsForADomainTest, ThatCannotBeReadAreLeftToCyclone) {
+  EXPECT_EQ(Why("<CycloneDDS><Domain id=\"7\">", 0), "");
+  EXPECT_EQ(WhyNotForDomain(folder.File("nothing.xml"), 0), "");
+}
+
+TEST_F(SettingsForADomainTest, AreRefusedByAllWhoTakeThem) {
+  folder.Write("s.xml", "<CycloneDDS><Domain id=\"7\"/></CycloneDDS>");
+  const Words flags = {"--dds-config", folder.File("s.xml"), "--dds-domain", "3"};
+  for (const Words& command : {Words{"run", "--for", "1s", "--isolate", "JointMover"},
+                               Words{"join", "--process", "vision"}, Words{"top", "--once"}}) {
+    const ProgramResult result = RunProgram(command + flags);
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("--dds-config: " + folder.File("s.xml") +
+                                      ": its settings are for domain 7, this is domain 3"));
   }
 }
 
