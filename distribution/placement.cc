@@ -1,6 +1,9 @@
 #include "distribution/placement.h"
 
 #include <fmt/format.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,6 +29,29 @@ std::string Add(const std::string& object, const std::string& process, Placement
   return fmt::format("{} is placed in '{}' already", object, known->second);
 }
 
+struct Resolved {
+  std::string problem;
+  bool is_loopback = false;
+};
+
+Resolved Resolve(const std::string& host) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_DGRAM;
+  addrinfo* list = nullptr;
+  const int error = getaddrinfo(host.c_str(), nullptr, &hints, &list);
+  if (error != 0) return {gai_strerror(error), false};
+  Resolved found;
+  if (list->ai_family == AF_INET) {
+    const auto* const address = reinterpret_cast<const sockaddr_in*>(list->ai_addr);
+    found.is_loopback = ntohl(address->sin_addr.s_addr) >> 24 == IN_LOOPBACKNET;
+  } else if (list->ai_family == AF_INET6) {
+    const auto* const address = reinterpret_cast<const sockaddr_in6*>(list->ai_addr);
+    found.is_loopback = IN6_IS_ADDR_LOOPBACK(&address->sin6_addr);
+  }
+  freeaddrinfo(list);
+  return found;
+}
+
 }  // namespace
 
 std::string WhyNoName(const std::string& what, const std::string& name) {
@@ -43,7 +69,6 @@ std::vector<std::string> Placement::Processes() const {
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics) {
   Placement placement;
-  std::map<std::string, Place> host_lines;
   for (const RecordLine& line : ReadRecords(file, text, kEveryDesign, diagnostics)) {
     if (line.words.size() != 2) {
       diagnostics->push_back(ErrorAt(line.place,
@@ -59,16 +84,37 @@ Placement ParsePlacement(const std::string& file, std::string_view text,
     } else if (!placement.host_of.emplace(first.substr(1), second).second) {
       problem = fmt::format("process '{}' has a host already", first.substr(1));
     } else {
-      host_lines.emplace(first.substr(1), line.place);
+      placement.host_lines.emplace(first.substr(1), line.At(line.words[1]));
     }
     if (!problem.empty()) diagnostics->push_back(ErrorAt(line.At(line.words[1]), problem));
   }
   const std::vector<std::string> processes = placement.Processes();
-  for (const auto& [process, place] : host_lines) {
+  for (const auto& [process, place] : placement.host_lines) {
     if (std::find(processes.begin(), processes.end(), process) == processes.end())
-      diagnostics->push_back(ErrorAt(place, fmt::format("no object is placed in '{}'", process)));
+      diagnostics->push_back(
+          ErrorAt(AtColumn(place, 1), fmt::format("no object is placed in '{}'", process)));
   }
   return placement;
+}
+
+std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address) {
+  const bool is_here = Resolve(own_address).is_loopback;
+  std::vector<Diagnostic> diagnostics;
+  for (const auto& [process, host] : placement.host_of) {
+    const Place& place = placement.host_lines.at(process);
+    const Resolved found = Resolve(host);
+    if (!found.problem.empty()) {
+      diagnostics.push_back(ErrorAt(
+          place,
+          fmt::format("host '{}' cannot be found ({}); give its address", host, found.problem)));
+    } else if (is_here && !found.is_loopback) {
+      diagnostics.push_back(ErrorAt(
+          place, fmt::format("{} cannot reach this run at {}; give --dds-address, the address of "
+                             "this host in the network of that one",
+                             host, own_address)));
+    }
+  }
+  return diagnostics;
 }
 
 std::string AddPlace(const std::string& text, Placement* placement) {

@@ -18,6 +18,7 @@ struct Placement {
   std::map<std::string, std::string> process_of;
   // Processes that somebody starts on another host (openr join), and its address.
   std::map<std::string, std::string> host_of;
+  std::map<std::string, Place> host_lines;  // where the file says so
 
   bool empty() const { return process_of.empty(); }
   // In order of their names, each once.
@@ -35,6 +36,11 @@ struct Placement {
 // What is wrong is added to `diagnostics`.
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics);
+
+// What is wrong with the hosts: they cannot be found, or could not reach a run that has this
+// address
+// (--dds-address).  Asks the name service.
+std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
 // "RCServer=network" of the command line.  "" or what is wrong with it.
 std::string AddPlace(const std::string& text, Placement* placement);

@@ -164,6 +164,8 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
     throw CLI::ValidationError("--free-running",
                                "no object is placed in another process (--place)");
   }
+  const auto wrong_hosts = WrongHosts(options.placement, flags.bus.address);
+  if (!wrong_hosts.empty()) throw CLI::ValidationError("--placement", Render(wrong_hosts));
   options.bus = flags.bus;
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? RunNameOfItsOwn() : "openr";

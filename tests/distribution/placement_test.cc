@@ -75,6 +75,30 @@ TEST(PlacementTest, AProcessHasOneHostAndAnObject) {
               ::testing::StartsWith("where.cfg:2: no object is placed in 'visoin'"));
 }
 
+std::string HostComplaints(const std::string& text, const std::string& own_address) {
+  std::vector<Diagnostic> none;
+  return Render(WrongHosts(ParsePlacement("where.cfg", text, &none), own_address));
+}
+
+TEST(PlacementTest, AnotherHostHasToReachThisOne) {
+  const std::string text = "Camera vision\n@vision 192.168.1.7\n";
+  EXPECT_EQ(HostComplaints(text, "127.0.0.1"),
+            "where.cfg:2: 192.168.1.7 cannot reach this run at 127.0.0.1; give --dds-address, the "
+            "address of this host in the network of that one\n@vision 192.168.1.7\n        ^\n");
+  EXPECT_EQ(HostComplaints(text, "192.168.1.2"), "");
+  EXPECT_EQ(HostComplaints("Camera vision\n@vision 127.0.0.2\n", "127.0.0.1"), "");
+  EXPECT_EQ(HostComplaints("Camera vision\n@vision localhost\n", "127.0.0.1"), "");
+}
+
+TEST(PlacementTest, AHostThatNobodyKnowsIsRefused) {
+  const std::string complaint =
+      HostComplaints("Camera vision\n@vision here..there\n", "192.168.1.2");
+  EXPECT_THAT(complaint,
+              ::testing::StartsWith("where.cfg:2: host 'here..there' cannot be found ("));
+  EXPECT_THAT(complaint, ::testing::EndsWith("; give its address\n@vision here..there\n"
+                                             "        ^\n"));
+}
+
 TEST(PlacementTest, TheCommandLineAddsToIt) {
   Placement placement;
   EXPECT_EQ(AddPlace("Camera=vision", &placement), "");
