@@ -197,6 +197,7 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
     system_->AddFindingAbout(about, Severity::kError, why);
     return;
   }
+  if (loss_listener_) loss_listener_(member->name);
   std::string text = why;
   uint64_t pending = 0;
   for (const auto& [id, object] : member->objects) pending += object->pending_there;

@@ -71,6 +71,11 @@ class Fleet {
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
   void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
+  // `listener` hears which process is gone, at the moment when the run sees it.
+  void OnLoss(std::function<void(const std::string& process)> listener) {
+    loss_listener_ = std::move(listener);
+  }
+
   // Looks at processes that have nothing to do, and lets those that were lost come back.  Not from
   // a handler.
   void Watch();
@@ -152,6 +157,7 @@ class Fleet {
   System* system_ = nullptr;
   int64_t next_look_ns_ = 0;  // after processes, in a free run
   std::string problem_;       // the first, before Boot()
+  std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;
   std::vector<std::string> placed_;  // objects that were found

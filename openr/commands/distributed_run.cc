@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "openr/crash_log.h"
+#include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
 
 namespace openr_host {
@@ -75,6 +76,11 @@ bool DistributedRun::Connect(Simulation* simulation) {
 void DistributedRun::Begin(Simulation* simulation, RunPlan* plan) {
   if (fleet_ != nullptr && is_free_)
     plan->pump = [this](int64_t timeout_us) { fleet_->Pump(timeout_us); };
+  if (fleet_ != nullptr && plan->recorder != nullptr) {
+    fleet_->OnLoss([simulation, recorder = plan->recorder](const std::string& process) {
+      recorder->NoteLoss(process, simulation->system().now_us());
+    });
+  }
   plan->after_frame = [this] { AfterFrame(); };
   if (bus_ != nullptr)
     monitor_ = std::make_unique<Monitor>(&simulation->system(), bus_, fleet_.get());

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -31,27 +32,28 @@ struct ReplayFlags {
 };
 
 int Finish(Replayer* replayer, const ReplayFlags& flags) {
-  for (const std::string& problem : replayer->problems())
-    fmt::print(stderr, "openr: {}\n", problem);
+  std::vector<std::string> problems = replayer->problems();
+  if (!replayer->loss().empty()) problems.push_back(replayer->loss());
+  for (const std::string& problem : problems) fmt::print(stderr, "openr: {}\n", problem);
   const bool equal = replayer->difference().empty();
   const double time_s = static_cast<double>(replayer->system().now_us()) / 1e6;
   if (!equal) fmt::print(stderr, "openr: difference: {}\n", replayer->difference());
-  const char* const how_far = !replayer->problems().empty()
-                                  ? ", as far as the recording can be read"
+  const char* const how_far = !replayer->loss().empty() ? ", up to there"
+                              : !problems.empty()       ? ", as far as the recording can be read"
                               : equal && replayer->at_end() ? ", to the end of the recording"
                                                             : "";
   fmt::print(stderr, "openr: {} messages equal, {:.3f} s of virtual time{}\n", replayer->count(),
              time_s, how_far);
   if (flags.json) {
-    const nlohmann::ordered_json answer = {{"equal", equal && replayer->problems().empty()},
+    const nlohmann::ordered_json answer = {{"equal", equal && problems.empty()},
                                            {"messages", replayer->count()},
                                            {"virtual_time_s", time_s},
                                            {"at_end", replayer->at_end()},
                                            {"difference", replayer->difference()},
-                                           {"problems", replayer->problems()}};
+                                           {"problems", problems}};
     fmt::print("{}\n", JsonText(answer));
   }
-  return equal && replayer->problems().empty() ? kExitGood : kExitWrong;
+  return equal && problems.empty() ? kExitGood : kExitWrong;
 }
 
 int Replay(ReplayFlags flags) {

@@ -323,7 +323,7 @@ bool CommandedRun::RunToTheEnd() {
       distribution_.has_processes());
   const Watchdog watchdog(flags_.handler_limit_us);
   if (records()) {
-    recorder_.Begin(&simulation_, options_);
+    recorder_.Begin(&simulation_, options_, flags_.placement.is_free);
     plan_.recorder = &recorder_;
   }
   distribution_.Begin(&simulation_, &plan_);

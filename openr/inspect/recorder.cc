@@ -16,7 +16,7 @@ void Recorder::Listen(SimulationOptions* options) {
   };
 }
 
-void Recorder::Begin(Simulation* simulation, const SimulationOptions& options) {
+void Recorder::Begin(Simulation* simulation, const SimulationOptions& options, bool is_free) {
   System& system = simulation->system();
   TraceHeader header;
   header.program = OPENR_VERSION;
@@ -31,6 +31,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options) {
   header.robots = options.robots;
   header.seed = options.seed;
   header.strict = options.strict;
+  header.is_free = is_free;
   header.payloads = payloads_;
   writer_ = std::make_unique<TraceWriter>(file_, header);
   system.OnConsoleInput([this, &system](int robot, std::string_view text) {

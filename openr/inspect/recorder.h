@@ -18,11 +18,14 @@ class Recorder {
   // Makes the networks of a simulation that is still to be made report here.
   void Listen(SimulationOptions* options);
 
-  // Begins the file.  REQUIRES: before Boot(); `options` are those of `simulation`.
-  void Begin(Simulation* simulation, const SimulationOptions& options);
+  // Begins the file.  REQUIRES: before Boot(); `options` are those of `simulation`; `is_free`: of a
+  // run that cannot be replayed.
+  void Begin(Simulation* simulation, const SimulationOptions& options, bool is_free = false);
 
   void NotePause(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kPause, time_us); }
   void NoteShutdown(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kShutdown, time_us); }
+
+  void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
   // Returns what went wrong with the file, or "".
   std::string Finish(System* system) { return writer_->Finish(system); }

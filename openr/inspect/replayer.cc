@@ -62,6 +62,12 @@ std::string Replayer::StickOfThen(const std::string& now) {
 }
 
 Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(replay.file) {
+  if (reader_.header().is_free) {
+    throw std::runtime_error(fmt::format(
+        "{}: a free run (--free-running) cannot be replayed: the wall clock decided when "
+        "handlers ended; openr trace shows what happened",
+        file_));
+  }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
   if (options.robots == 1) {  // several cannot write
@@ -161,6 +167,7 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
     at_end_ = true;  // the recording was cut off, or ended inside this instant
     return;
   }
+  if (next->kind == Kind::kLoss) return EndAtLoss();
   if (next->kind != Kind::kMessage) {
     difference_ = fmt::format(
         "after message {}: the recording has input here, the run has "
@@ -174,6 +181,15 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (difference_.empty() && record.payload_hash != last_.record.payload_hash)
     Differ(last_, "its bytes have another hash now");
   if (difference_.empty()) ++count_;
+}
+
+// One process has them all, and a handler there may have done half of its work.
+void Replayer::EndAtLoss() {
+  at_end_ = true;
+  loss_ = fmt::format(
+      "{}: after message {} process '{}' was lost; what came then cannot be replayed, "
+      "openr trace shows it",
+      file_, last_.record.number, reader_.Take().name);
 }
 
 void Replayer::CompareEnd(const TraceEntry& end) {
@@ -203,6 +219,10 @@ bool Replayer::ApplyInput() {
   }
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
+  if (next->kind == Kind::kLoss) {
+    EndAtLoss();
+    return false;
+  }
   const TraceEntry input = reader_.Take();
   if (input.kind == Kind::kConsole) {
     system().FeedConsole(input.robot, input.name);

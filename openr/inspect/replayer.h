@@ -49,6 +49,8 @@ class Replayer {
   // such.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
+  // Why it ends before the run did that was recorded: a process was lost; "".
+  const std::string& loss() const { return loss_; }
 
   // The first difference, with number, time, port and byte; "" while there is none.
   const std::string& difference() const { return difference_; }
@@ -66,6 +68,7 @@ class Replayer {
   void CompareFields(const TraceEntry& recorded, const TraceRecord& record);
   void ComparePayload(const TraceEntry& recorded, const Message& message);
   bool ApplyInput();
+  void EndAtLoss();
   void CompareEnd(const TraceEntry& end);
 
   const std::string file_;
@@ -76,6 +79,7 @@ class Replayer {
   uint64_t count_ = 0;
   bool at_end_ = false;
   std::string difference_;
+  std::string loss_;
 };
 
 }  // namespace openr_host

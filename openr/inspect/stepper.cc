@@ -211,6 +211,7 @@ class Stepper {
       fmt::print("{}\n", DescribeMessage(replayer_->reader(), replayer_->last().record));
     }
     if (!replayer_->difference().empty()) fmt::print("difference: {}\n", replayer_->difference());
+    if (!replayer_->loss().empty()) fmt::print("{}\n", replayer_->loss());
     if (replayer_->at_end()) fmt::print("at the end of the recording\n");
   }
 

@@ -142,6 +142,10 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Varint(static_cast<uint64_t>(entry.robot));
       out->Text(entry.name);
       return;
+    case TraceEntry::Kind::kLoss:
+      out->Zigzag(entry.time_us);
+      out->Text(entry.name);
+      return;
     case TraceEntry::Kind::kStick:
       out->U8(static_cast<uint8_t>(entry.what));
       out->Text(entry.name);
@@ -157,7 +161,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kStick);
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kLoss);
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
@@ -183,6 +187,10 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
     case TraceEntry::Kind::kConsole:
       entry.time_us = in->Zigzag();
       entry.robot = static_cast<int32_t>(in->Varint());
+      entry.name = in->Text();
+      return entry;
+    case TraceEntry::Kind::kLoss:
+      entry.time_us = in->Zigzag();
       entry.name = in->Text();
       return entry;
     case TraceEntry::Kind::kStick:

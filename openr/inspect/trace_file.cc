@@ -28,19 +28,21 @@ constexpr size_t kBlockBytes = 64 << 10;
 constexpr size_t kBlockHead = 4 + 8;  // size, checksum
 
 std::string HeaderText(const TraceHeader& h) {
-  return JsonText(Json{{"program", h.program},
-                       {"stick", h.stick},
-                       {"stick_hash", h.stick_hash},
-                       {"robot", h.robot},
-                       {"body", h.body},
-                       {"world", h.world},
-                       {"cost", h.cost},
-                       {"robots", h.robots},
-                       {"seed", h.seed},
-                       {"microphone", h.microphone},
-                       {"images", h.images},
-                       {"strict", h.strict},
-                       {"payloads", h.payloads}});
+  Json json = {{"program", h.program},
+               {"stick", h.stick},
+               {"stick_hash", h.stick_hash},
+               {"robot", h.robot},
+               {"body", h.body},
+               {"world", h.world},
+               {"cost", h.cost},
+               {"robots", h.robots},
+               {"seed", h.seed},
+               {"microphone", h.microphone},
+               {"images", h.images},
+               {"strict", h.strict},
+               {"payloads", h.payloads}};
+  if (h.is_free) json["free_running"] = true;
+  return JsonText(json);
 }
 
 TraceHeader HeaderOf(std::string_view text) {
@@ -59,6 +61,7 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("images").get_to(h.images);
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
+  h.is_free = json.value("free_running", false);
   return h;
 }
 
@@ -154,6 +157,14 @@ void TraceWriter::AddConsole(int robot, std::string_view text, int64_t time_us) 
   entry.kind = TraceEntry::Kind::kConsole;
   entry.robot = robot;
   entry.name = text;
+  entry.time_us = time_us;
+  Add(entry);
+}
+
+void TraceWriter::AddLoss(const std::string& process, int64_t time_us) {
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kLoss;
+  entry.name = process;
   entry.time_us = time_us;
   Add(entry);
 }

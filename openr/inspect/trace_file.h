@@ -33,6 +33,7 @@ struct TraceHeader {
   int robots = 1;
   uint64_t seed = 1;
   bool strict = false;
+  bool is_free = false;  // --free-running: cannot be replayed
   bool payloads = true;  // messages carry their bytes
 };
 
@@ -47,6 +48,7 @@ struct TraceEntry {
     kEnd = 7,       // time_us, trace_hash, state_hash
     kConsole = 8,   // time_us, robot, name: what was typed
     kStick = 9,     // what, name, payload: a file or folder before objects change it
+    kLoss = 10,     // time_us, name: of a process that was lost; what follows cannot be replayed
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -95,6 +97,7 @@ class TraceWriter {
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
+  void AddLoss(const std::string& process, int64_t time_us);
   void AddConsole(int robot, std::string_view text, int64_t time_us);
   // `path` on the host is about to change; `name` is what it is below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);

@@ -44,6 +44,8 @@ std::string DescribeInput(const TraceEntry& entry) {
       return fmt::format("    input: pause button at t={:.6f}", Seconds(entry.time_us));
     case Kind::kConsole:
       return fmt::format("    input: typed at t={:.6f}: {}", Seconds(entry.time_us), entry.name);
+    case Kind::kLoss:
+      return fmt::format("    loss: process '{}' at t={:.6f}", entry.name, Seconds(entry.time_us));
     case Kind::kShutdown:
       return fmt::format("    input: shutdown at t={:.6f}", Seconds(entry.time_us));
     case Kind::kEnd:

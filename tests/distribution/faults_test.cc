@@ -59,6 +59,32 @@ TEST_F(FaultsTest, AKilledProcessStopsTheRunAndIsNamed) {
   EXPECT_TRUE(found) << report["findings"];
 }
 
+TEST_F(FaultsTest, ARecordingIsReplayedUpToTheLoss) {
+  const ScratchFolder folder;
+  const std::string file = folder.File("r");
+  for (const Words& flags : {Words{}, Words{"--restart", "1"}}) {
+    const std::unique_ptr<ProgramRun> run =
+        Start(Words{"--for", "10min", "--isolate", "JointMover", "--record", file} + flags);
+    kill(OnlyChildOf(*run), SIGKILL);
+    ASSERT_TRUE(run->WaitFor("was killed by signal 9")) << run->heard();
+    if (!flags.empty()) {
+      EXPECT_TRUE(run->WaitFor("is back")) << run->heard();
+    }
+    run->Signal(SIGINT);
+    EXPECT_EQ(run->Finish().status, 1);
+    const ProgramResult replay = RunProgram({"replay", file, "--json"});
+    EXPECT_EQ(replay.status, 1);
+    EXPECT_THAT(replay.err, HasSubstr(" process 'JointMover' was lost; what came then cannot be "
+                                      "replayed, openr trace shows it"));
+    EXPECT_THAT(replay.err, HasSubstr("s of virtual time, up to there"));
+    const json answer = json::parse(replay.out, nullptr, false);
+    EXPECT_EQ(answer["difference"], "");
+    EXPECT_EQ(answer["problems"].size(), 1u);
+    EXPECT_GT(answer["messages"], 100);
+    EXPECT_THAT(RunProgram({"trace", file}).out, HasSubstr("loss: process 'JointMover' at t="));
+  }
+}
+
 TEST_F(FaultsTest, TheOthersEndWithTheRun) {
   const std::unique_ptr<ProgramRun> run =
       Start({"--for", "10min", "--isolate", "JointMover", "--isolate", "Controller"});

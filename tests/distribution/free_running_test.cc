@@ -32,5 +32,18 @@ TEST(FreeRunningTest, ItNeedsAClockAndAPlace) {
               HasSubstr("no object is placed in another process"));
 }
 
+TEST(FreeRunningTest, ARecordingOfItIsShownButNotReplayed) {
+  const ScratchFolder folder;
+  const std::string file = folder.File("r");
+  const ProgramResult run =
+      RunProgram({"run", "--for", "1s", "--body", "ideal", "--no-panel", "--rc-port", "0",
+                  "--record", file, "--free-running", "--isolate", "JointMover"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const ProgramResult replay = RunProgram({"replay", file});
+  EXPECT_EQ(replay.status, 1);
+  EXPECT_THAT(replay.err, HasSubstr(file + ": a free run (--free-running) cannot be replayed"));
+  EXPECT_EQ(RunProgram({"trace", file}).status, 0);
+}
+
 }  // namespace
 }  // namespace openr_host
