@@ -14,6 +14,7 @@
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
+#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {
@@ -120,6 +121,7 @@ void Courier::ForgetSample() {
 void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out) {
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
   out->command = static_cast<uint32_t>(ready.command);
+  out->is_lost = ready.msgType == kDeassertOfLost;
   out->observer = ObjectIdOf(ready.observerID.GetOID());
   out->selector = ready.observerID.GetSelector();
   std::vector<openr_wire_Returned> regions;
@@ -285,7 +287,7 @@ std::string Courier::DecodeReady(const openr_wire_Ready& in, Message* out) {
   if (in.regions._length > MAX_NUM_DATA)
     return fmt::format("a ready with {} regions", in.regions._length);
   auto& ready = *new (out->payload) OReadyMessage;
-  ready.msgType = omsgREADY_V22;
+  ready.msgType = in.is_lost ? kDeassertOfLost : omsgREADY_V22;
   ready.command = static_cast<ObjcommCommand>(in.command);
   ready.observerID = OServiceEntry(OidOf(in.observer), in.selector);
   ready.numOfData = 0;

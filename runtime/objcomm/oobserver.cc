@@ -92,7 +92,7 @@ void openr_host::SendDeassert(openr_host::Object* object, uint32_t selector,
   const CurrentScope scope(system, object);
   Message* const message = system->NewMessage(sender->id, subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
-  ready.msgType = omsgREADY_V22;
+  ready.msgType = kDeassertOfLost;
   ready.command = objcommCMD_DEASSERT_READY;
   ready.observerID = OServiceEntry(OidOf(object->id), selector);
   ready.numOfData = static_cast<int>(regions.size());

@@ -215,6 +215,7 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   if (link == nullptr) return oNOT_FOUND;
   if (msg.command == objcommCMD_DEASSERT_READY) {
     link->ready = -1;
+    link->is_lost = msg.msgType == openr_host::kDeassertOfLost;
     return oSUCCESS;
   }
   if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;

@@ -6,6 +6,7 @@
 
 #include <OPENR/OObserver.h>
 #include <OPENR/OSubject.h>
+#include <OPENR/ObjcommMessages.h>
 
 #include <list>
 #include <memory>
@@ -32,6 +33,9 @@ struct RegionAccess {
 // Whether the message being handled is one of the library's, of this kind.  An object that sends
 // bytes of its own to such an entry has no regions in them; that is an error finding.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
+
+// Type of a deassert that comes from the runtime, for an observer that is gone.
+constexpr OMessageType kDeassertOfLost = 0x10000;
 
 // Tells `subject` that the observer of `object` with entry `selector` is not ready, and gives it
 // back what it had sent there, at most MAX_NUM_DATA regions.
@@ -62,6 +66,7 @@ struct ObserverLink {
   uint64_t sent = 0;               // events
   int64_t sent_us = 0;             // virtual time of the last one
   uint64_t replaced = 0;           // units dropped for newer ones
+  bool is_lost = false;            // it did not deassert itself: it is gone
   bool told_deasserted = false;    // a notify to it while it had deasserted was reported
   int vain_readies = 0;            // asserted in a row while it was ready already
 };

@@ -65,8 +65,9 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 
 namespace {
 
+// Of an observer that is gone the loss is reported; it comes back or it does not.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
-  if (link->told_deasserted || subject.object->is_system) return;
+  if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
   link->told_deasserted = true;
   subject.system->AddFindingAbout(
       subject.object, Severity::kWarning,

@@ -13,6 +13,7 @@
 #include "runtime/core/api.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {
@@ -168,12 +169,23 @@ TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
   ASSERT_EQ(ours.Decode(back, &ready), "");
   theirs.Sent(answer);
   ASSERT_EQ(ReadyOf(ready).numOfData, 2);
+  EXPECT_EQ(ReadyOf(ready).msgType, omsgREADY_V22);
   EXPECT_EQ(ReadyOf(ready).rcRegion[0], large);
   EXPECT_EQ(ReadyOf(ready).rcRegion[1], small);
   EXPECT_EQ(ours.lent_count(), 0u);
   EXPECT_FALSE(theirs.HasBorrowed(small->MemID()));
   LetGo(small);
   LetGo(large);
+}
+
+TEST_F(CourierTest, ADeassertForOneThatIsLostSaysSo) {
+  Message answer = Answer({});
+  const_cast<OReadyMessage&>(ReadyOf(answer)).msgType = kDeassertOfLost;
+  openr_wire_Message back{};
+  theirs.Encode(answer, nullptr, &arena, &back);
+  Message ready = Blank();
+  ASSERT_EQ(ours.Decode(back, &ready), "");
+  EXPECT_EQ(ReadyOf(ready).msgType, kDeassertOfLost);
 }
 
 // In the handler that got it: compared with the sample, which is there still.

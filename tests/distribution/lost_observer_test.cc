@@ -110,6 +110,14 @@ TEST_F(LostObserverTest, WhatWasSentComesBackAndNobodyIsReady) {
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 
+TEST_F(LostObserverTest, NobodySaysThatItHasDeasserted) {
+  RunAs(sender_, [&] { sender_->Send(1); });
+  system_.RunFor(1000);
+  ASSERT_EQ(sender_->readies.back(), "deassert");
+  RunAs(sender_, [&] { sender_->Send(2); });
+  EXPECT_TRUE(system_.findings().all().empty()) << system_.findings().all()[0].text;
+}
+
 TEST_F(LostObserverTest, WhatWasToComeLaterIsNotForgottenWhenItIsReplaced) {
   late_.target = remote_->id;
   RCRegion* region = nullptr;
