@@ -17,6 +17,16 @@ namespace {
 constexpr auto kInterval = std::chrono::seconds(1);
 constexpr double kShortest_s = 1e-3;  // time that rates are made of
 
+// Of the moment between the last word but one and the end rates say nothing.
+void KeepRates(const RunStatus& before, RunStatus* status) {
+  status->x_real_time = before.x_real_time;
+  status->messages_per_s = before.messages_per_s;
+  for (size_t i = 0; i < std::min(before.objects.size(), status->objects.size()); ++i) {
+    status->objects[i].messages_per_s = before.objects[i].messages_per_s;
+    status->objects[i].handlers = before.objects[i].handlers;
+  }
+}
+
 }  // namespace
 
 Monitor::Monitor(const System* system, Bus* bus, const Fleet* fleet)
@@ -72,7 +82,9 @@ void Monitor::Speak(Clock::time_point now, bool has_ended) {
       to.handlers = TimesOf(*remote);
     }
   }
+  if (has_ended && !said_.objects.empty()) KeepRates(said_, &status);
   writer_.Write(status);
+  said_ = std::move(status);
 }
 
 // Since it spoke last.

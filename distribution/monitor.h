@@ -45,6 +45,7 @@ class Monitor {
   Clock::time_point spoke_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
+  RunStatus said_;  // the last time
   std::map<ObjectId, uint64_t> messages_of_;
   std::map<ObjectId, Latency> latency_of_;
 };

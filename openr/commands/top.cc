@@ -73,14 +73,17 @@ class Top {
   bool Show() {
     if (flags_.json) {
       fmt::print("{}\n", JsonText(TopJson(runs_.All(), Now_s())));
-    } else if (on_screen_ && !flags_.once) {
-      winsize size{};
-      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
-      const size_t rows = size.ws_row > 0 ? size.ws_row : 24;
-      const size_t columns = size.ws_col > 0 ? size.ws_col : 80;
-      fmt::print("\x1b[H{}", OnScreen(TopText(runs_.All(), Now_s()), rows, columns));
+      return std::fflush(stdout) == 0;
+    }
+    winsize size{};
+    if (on_screen_) ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+    const size_t rows = size.ws_row > 0 ? size.ws_row : 24;
+    const size_t columns = size.ws_col > 0 ? size.ws_col : 80;
+    const std::string text = TopText(runs_.All(), Now_s(), on_screen_ ? columns : 0);
+    if (on_screen_ && !flags_.once) {
+      fmt::print("\x1b[H{}", OnScreen(text, rows, columns));
     } else {
-      fmt::print("{}{}", TopText(runs_.All(), Now_s()), flags_.once ? "" : "\n");
+      fmt::print("{}{}", text, flags_.once ? "" : "\n");
     }
     return std::fflush(stdout) == 0;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 namespace openr_host {
 namespace {
@@ -38,7 +39,22 @@ double Silence_s(const Run& run, double now_s) {
   return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;
 }
 
-using Row = std::array<std::string, 11>;
+enum Column {
+  kObject,
+  kProcess,
+  kHost,
+  kPid,
+  kPriority,
+  kRate,
+  kMean,
+  kP99,
+  kQueue,
+  kDrops,
+  kState
+};
+constexpr size_t kColumns = kState + 1;
+using Row = std::array<std::string, kColumns>;
+using Widths = std::array<size_t, kColumns>;  // 0: left out
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
   const Place place = PlaceOf(run, object);
@@ -54,27 +70,60 @@ Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots
           is_timed ? fmt::format("{:.0f}", object.handlers.p99_us) : "-",
           std::to_string(object.waiting),
           std::to_string(object.dropped),
-          object.state.substr(0, kStateMax)};
+          place.lost.empty() ? object.state.substr(0, kStateMax) : "lost"};
 }
 
-std::string Table(const std::vector<Row>& rows) {
-  constexpr size_t kLeft[] = {0, 1, 2, 10};  // columns of words; the others are of numbers
-  std::array<size_t, std::tuple_size_v<Row>> widths{};
+size_t LineWidth(const Widths& widths) {
+  size_t sum = 0;
+  for (const size_t width : widths) sum += width == 0 ? 0 : width + 2;
+  return sum;
+}
+
+// The state, which is last, may be cut to a few words' length before another column goes.
+Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
+  constexpr size_t kStateMin = 12;
+  constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};
+  Widths widths{};
   for (const Row& row : rows) {
-    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], row[i].size());
   }
+  if (columns == 0) return widths;
+  const size_t state = std::exchange(widths[kState], std::min(widths[kState], kStateMin));
+  for (const Column column : kGoes) {
+    if (LineWidth(widths) > columns) widths[column] = 0;
+  }
+  const size_t width = LineWidth(widths);
+  if (width < columns) widths[kState] = std::min(state, widths[kState] + columns - width);
+  return widths;
+}
+
+std::string Table(const std::vector<Row>& rows, size_t columns) {
+  constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};  // of words; others are of numbers
+  const Widths widths = WidthsFor(rows, columns);
   std::string text;
   for (const Row& row : rows) {
     std::string line;
     for (size_t i = 0; i < row.size(); ++i) {
+      if (widths[i] == 0) continue;
       const bool is_left = std::find(std::begin(kLeft), std::end(kLeft), i) != std::end(kLeft);
-      line += is_left ? fmt::format("  {:<{}}", row[i], widths[i])
+      line += is_left ? fmt::format("  {:<{}.{}}", row[i], widths[i], widths[i])
                       : fmt::format("  {:>{}}", row[i], widths[i]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
   return text;
+}
+
+// A line of words, at blanks, what follows indented.
+std::string Fold(const std::string& line, size_t columns) {
+  constexpr size_t kIndent = 4;
+  if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";
+  size_t end = line.rfind(' ', columns);
+  if (end == std::string::npos || end <= kIndent) end = columns;
+  const size_t next = line.find_first_not_of(' ', end);
+  if (next == std::string::npos) return line.substr(0, end) + "\n";
+  return line.substr(0, end) + "\n" + Fold(std::string(kIndent, ' ') + line.substr(next), columns);
 }
 
 std::string Headline(const Run& run, double now_s) {
@@ -88,7 +137,7 @@ std::string Headline(const Run& run, double now_s) {
   if (silent_s > 0)
     text +=
         fmt::format("; silent for {:.0f} s: it waits for a process, is stopped, or gone", silent_s);
-  return text + "\n";
+  return text;
 }
 
 Json ObjectJson(const RunStatus& run, const RunStatus::Object& object) {
@@ -139,7 +188,7 @@ std::vector<Run> RunsHeard::All() const {
   return all;
 }
 
-std::string TopText(const std::vector<Run>& runs, double now_s) {
+std::string TopText(const std::vector<Run>& runs, double now_s, size_t columns) {
   std::string text;
   for (const Run& run : runs) {
     const RunStatus& status = run.status;
@@ -149,12 +198,12 @@ std::string TopText(const std::vector<Run>& runs, double now_s) {
                               "P99 us", "QUEUE", "DROPS", "STATE"}};
     for (const RunStatus::Object& object : status.objects)
       rows.push_back(RowOf(status, object, has_robots));
-    text += Headline(run, now_s) + Table(rows);
+    text += Fold(Headline(run, now_s), columns) + Table(rows, columns);
     if (status.objects_left_out > 0)
       text += fmt::format("  ... {} more objects: a run tells of {}\n", status.objects_left_out,
                           status.objects.size());
     for (const RunStatus::Process& process : status.processes) {
-      if (!process.lost.empty()) text += "  lost: " + process.lost + "\n";
+      if (!process.lost.empty()) text += Fold("  lost: " + process.lost, columns);
     }
   }
   return text.empty() ? "no run was heard yet\n" : text;

@@ -32,8 +32,9 @@ class RunsHeard {
   std::map<Key, Run> runs_;
 };
 
-// Lines, each with its end.
-std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s);
+// Lines, each with its end.  `columns`: of the screen, for which columns of the table are left out,
+// the least important first, and other lines are folded; 0: as wide as it is.
+std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s, size_t columns = 0);
 
 // {"runs": [...]}.
 nlohmann::ordered_json TopJson(const std::vector<RunsHeard::Run>& runs, double now_s);

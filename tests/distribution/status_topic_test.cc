@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "distribution/latency.h"
+#include "distribution/monitor.h"
+#include "runtime/core/system.h"
+#include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
 namespace {
@@ -77,6 +80,36 @@ TEST_F(StatusTopicTest, WhatIsTooLongIsCut) {
   EXPECT_EQ(heard.objects.size(), 4096u);
   EXPECT_EQ(heard.objects_left_out, 904u);
   EXPECT_EQ(heard.messages_per_s, 0);
+}
+
+// The last rates are not those of an instant.
+TEST(MonitorTest, ARunThatEndsSaysItsRatesOfBefore) {
+  BusOptions options;
+  options.run = "monitor-" + std::to_string(getpid());
+  Bus bus(options);
+  StatusReader reader(&bus);
+  System system;
+  system.AddRobot("ERS-210", nullptr);
+  system.AddObject<SubjectProbe>(0, "sender");
+  Monitor monitor(&system, &bus, nullptr);
+  system.Boot();
+  system.RunFor(1000);
+  std::vector<RunStatus> said;
+  while (said.empty()) {
+    usleep(10'000);
+    monitor.Look();
+    said = reader.Take();
+  }
+  EXPECT_GT(said[0].messages_per_s, 0);
+  monitor.End();
+  const std::vector<RunStatus> at_end = reader.Take();
+  ASSERT_EQ(at_end.size(), 1u);
+  EXPECT_TRUE(at_end[0].has_ended);
+  EXPECT_EQ(at_end[0].messages_per_s, said[0].messages_per_s);
+  EXPECT_EQ(at_end[0].x_real_time, said[0].x_real_time);
+  ASSERT_GT(said[0].objects.size(), 1u);
+  EXPECT_GT(said[0].objects[1].messages_per_s, 0);
+  EXPECT_EQ(at_end[0].objects[1].messages_per_s, said[0].objects[1].messages_per_s);
 }
 
 TEST(LatencyTest, SinceAnEarlierCopyIsWhatCameToIt) {

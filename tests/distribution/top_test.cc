@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "openr/commands/top_view.h"
 #include "tests/distribution/hosts.h"
@@ -184,6 +185,34 @@ TEST(TopViewTest, TheTableHasALineForEachObject) {
             "  OBJECT  PROCESS  HOST  PID  PRIO  MSG/S  MEAN us  P99 us  QUEUE  DROPS  STATE\n"
             "  Mover   legs     yard    9   128   12.5       90     120      3      2  standing\n"
             "  Brain   -        den     7    64    0.0        -       -      0      0\n");
+}
+
+// 80 columns: what fits, whole.
+TEST(TopViewTest, ANarrowScreenHasTheColumnsThatMatterMost) {
+  RunsHeard::Run run = MadeUp();
+  run.status.objects[0].state = "plays WALK.MTN for the third time";
+  EXPECT_EQ(TopText({run}, 1, 80),
+            "dog on den (pid 7): t=1.500 s, 1.00 x real time, 250 messages/s, 3 waiting\n"
+            "  OBJECT  PROCESS  HOST  PID  MSG/S  MEAN us  P99 us  QUEUE  DROPS  STATE\n"
+            "  Mover   legs     yard    9   12.5       90     120      3      2  plays WALK.M\n"
+            "  Brain   -        den     7    0.0        -       -      0      0\n");
+  EXPECT_EQ(TopText({run}, 1, 50),
+            "dog on den (pid 7): t=1.500 s, 1.00 x real time,\n"
+            "    250 messages/s, 3 waiting\n"
+            "  OBJECT  PROCESS  MSG/S  QUEUE  STATE\n"
+            "  Mover   legs      12.5      3  plays WALK.MTN fo\n"
+            "  Brain   -          0.0      0\n");
+  for (const size_t columns : {40u, 60u, 100u, 200u}) {
+    std::istringstream lines(TopText({run}, 1, columns));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), columns) << line;
+  }
+}
+
+TEST(TopViewTest, AnObjectThatIsLostHasNoOtherState) {
+  RunsHeard::Run run = MadeUp();
+  run.status.processes[0].lost = "process 'legs' (pid 9) was killed by signal 9";
+  EXPECT_THAT(TopText({run}, 1), HasSubstr("  2  lost\n  Brain"));
+  EXPECT_THAT(TopText({run}, 1), Not(HasSubstr("standing")));
 }
 
 TEST(TopViewTest, WhatThereWasNoRoomForIsCounted) {
