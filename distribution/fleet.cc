@@ -1,6 +1,7 @@
 #include "distribution/fleet.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -75,21 +76,29 @@ System::StandIns Fleet::StandInsFor(System* system, int robot) {
 }
 
 std::string Fleet::UnknownObjects() const {
-  std::vector<std::string> known;
+  std::vector<std::string> known, of_the_robot;
   for (const auto& object : system_->objects()) {
-    if (!object->is_system) known.push_back(object->name);
+    std::vector<std::string>* const names = object->is_system ? &of_the_robot : &known;
+    if (std::find(names->begin(), names->end(), object->name) == names->end())
+      names->push_back(object->name);
   }
   for (const auto& [name, process] : options_.placement.process_of) {
     if (std::find(placed_.begin(), placed_.end(), name) != placed_.end()) continue;
+    if (std::find(of_the_robot.begin(), of_the_robot.end(), name) != of_the_robot.end())
+      return fmt::format(
+          "{} cannot be placed in process '{}': it is the robot's own, which stays in openr run "
+          "with "
+          "body and clock; objects of OBJECT.CFG can: {}",
+          name, process, fmt::join(known, ", "));
     return fmt::format(
-        "{} is placed in process '{}', but OBJECT.CFG names no object of that name{}", name,
-        process, DidYouMean(name, known));
+        "{} is placed in process '{}', but OBJECT.CFG names no object of that name{}; there are: "
+        "{}",
+        name, process, DidYouMean(name, known), fmt::join(known, ", "));
   }
   return "";
 }
 
 std::string Fleet::Connect() {
-  if (problem_.empty()) problem_ = UnknownObjects();
   for (auto& [name, member] : members_) {
     LoadMore(&member);
     if (problem_.empty() && options_.is_free) member.process->RunFree();
@@ -209,8 +218,10 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
     StopTheRun(&process);
     return;
   }
-  text += fmt::format("; process '{}' (pid {}) is gone, the others go on", process.name(),
-                      process.facts().pid);
+  if (member->crashed)  // else it is named already
+    text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.facts().pid);
+  const bool waits = !options_.is_free && MayComeBack(*member);
+  text += waits ? "; the run waits for it to come back" : "; the others go on";
   options_.say(text);
   system_->AddFindingAbout(about, Severity::kError, text);
   process.Lose();

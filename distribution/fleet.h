@@ -47,6 +47,9 @@ class Fleet {
   // For System::LoadStick(): stand-ins for the objects that live elsewhere.
   System::StandIns StandInsFor(System* system, int robot);
 
+  // What is wrong with the names of a placement, when all robots have been loaded; "".
+  std::string UnknownObjects() const;
+
   // Before Boot(), when all robots have been loaded: tells all processes of the rest.  "" or what
   // went wrong, here or in a stand-in.
   std::string Connect();
@@ -136,7 +139,6 @@ class Fleet {
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   void Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopTheRun(RemoteProcess* process);
-  std::string UnknownObjects() const;
 
   // fleet_return.cc
   bool MayComeBack(const Member& member) const;

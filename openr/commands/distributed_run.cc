@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "openr/crash_log.h"
 #include "openr/inspect/recorder.h"
@@ -56,6 +57,11 @@ void DistributedRun::Enter(SimulationOptions* options, const Ros2Link::Say& say)
     };
   }
   if (ros2_flags_.is_on) ros2_ = std::make_unique<Ros2Link>(bus_, ros2_flags_.space, options, say);
+}
+
+void DistributedRun::CheckPlaces() const {
+  const std::string problem = fleet_ == nullptr ? "" : fleet_->UnknownObjects();
+  if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 bool DistributedRun::Connect(Simulation* simulation) {

@@ -30,7 +30,11 @@ class DistributedRun {
   // Takes its places in a simulation that is still to be made.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
-  // The simulation is loaded: all processes hear the rest.  False after a complaint.
+  // The simulation is loaded.  Throws std::runtime_error when an object of the placement is not
+  // there.
+  void CheckPlaces() const;
+
+  // All processes hear the rest.  False after a complaint.
   bool Connect(Simulation* simulation);
 
   // Before the runner of `plan` is made.

@@ -301,6 +301,7 @@ SimulationOptions CommandedRun::Options() {
 }
 
 int CommandedRun::Run() {
+  if (simulation_.loaded()) distribution_.CheckPlaces();
   console_.Print(DescribeObjects(&simulation_));
   const bool is_refused = flags_.simulation.strict && system().findings().HasError();
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);

@@ -11,8 +11,10 @@ namespace openr_host {
 namespace {
 
 using ::testing::ContainsRegex;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 const Words kRun = {"run", "--no-panel", "--rc-port", "0", "--body", "ideal"};
 
@@ -83,6 +85,44 @@ TEST_F(FaultsTest, ARecordingIsReplayedUpToTheLoss) {
     EXPECT_GT(answer["messages"], 100);
     EXPECT_THAT(RunProgram({"trace", file}).out, HasSubstr("loss: process 'JointMover' at t="));
   }
+}
+
+// Once with its name, and with what the run does then.
+TEST_F(FaultsTest, ALossIsSaidInOneBreath) {
+  for (const bool is_free : {false, true}) {
+    const std::unique_ptr<ProgramRun> run =
+        Start(Words{"--for", "10min", "--isolate", "JointMover"} +
+              (is_free ? Words{"--free-running"} : Words{"--restart", "1"}));
+    const pid_t child = OnlyChildOf(*run);
+    kill(child, SIGKILL);
+    const std::string begin = "openr: process 'JointMover' (pid " + std::to_string(child) +
+                              ") was killed by signal 9 (Killed); ";
+    ASSERT_TRUE(run->WaitFor(begin)) << run->heard();
+    run->Signal(SIGINT);
+    run->Finish();
+    const std::string& heard = run->heard();
+    const size_t at = heard.find(begin) + begin.size();
+    const std::string rest = heard.substr(at, heard.find('\n', at) - at);
+    EXPECT_THAT(rest, EndsWith(is_free ? "the others go on" : "the run waits for it to come back"));
+    EXPECT_THAT(rest, Not(HasSubstr("process")));
+  }
+}
+
+// Nothing else is said, and no report given.
+TEST_F(FaultsTest, AnObjectThatIsNotThereIsAllThatIsNamed) {
+  const Words run = kQuickly + Words{"--for", "1s", "--body", "ideal", "--isolate", "Controller"};
+  const ProgramResult nobody = RunProgram(run + Words{"--place", "JointMovr=legs"});
+  EXPECT_EQ(nobody.status, 1);
+  EXPECT_EQ(nobody.err,
+            "openr: JointMovr is placed in process 'legs', but OBJECT.CFG names no object of that "
+            "name; did you mean 'JointMover'?; there are: PowerMonitor, JointMover, RCServer, "
+            "Controller\n");
+  EXPECT_EQ(json::parse(nobody.out, nullptr, false).size(), 1u) << nobody.out;
+  const ProgramResult robot = RunProgram(run + Words{"--isolate", "OVirtualRobotComm"});
+  EXPECT_EQ(robot.status, 1);
+  EXPECT_THAT(robot.err, StartsWith("openr: OVirtualRobotComm cannot be placed in process "
+                                    "'OVirtualRobotComm': it is the robot's own, which stays in "
+                                    "openr run with body and clock; "));
 }
 
 TEST_F(FaultsTest, TheOthersEndWithTheRun) {

@@ -26,6 +26,7 @@ Payer.Coins.Coin.S Payee.Coins.Coin.O
 Payer.Book.Entry.S Ledger.Paid.Entry.O
 Payee.Book.Entry.S Ledger.Got.Entry.O
 """
+GONE = re.compile("; (the others go on|the run waits for it to come back)$")
 BACK = re.compile(r"process '(\w+)' is back \(pid (\d+)")
 SUM = re.compile(r"got (\d+) twice (\d+) missed (\d+) lost (\d+) series (\d+)")
 WAIT_S = 120  # for what must happen: a machine may be slow
@@ -80,7 +81,7 @@ class Run:
             with self.changed:
                 if BACK.search(line):
                     self.returns += 1
-                elif "is gone, the others go on" not in line:
+                elif not GONE.search(line):
                     self.lines.append(line.rstrip())
                     del self.lines[:-200]
                 self.changed.notify_all()

@@ -121,7 +121,7 @@ TEST_F(ReturnsTest, ANameEndsWithItsObject) {
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   ProgramRun run(RunAt("20", OnStick({"--isolate", "Payee"})));
   ASSERT_TRUE(run.WaitFor("process 'Payee' (pid ")) << run.heard();
-  ASSERT_TRUE(run.WaitFor("is gone, the others go on"));
+  ASSERT_TRUE(run.WaitFor("is gone; the others go on"));
   run.Signal(SIGINT);
   run.Finish();
   EXPECT_THAT(run.heard(), HasSubstr("Payee registers Purse: 0"));
