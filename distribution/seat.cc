@@ -32,6 +32,14 @@ std::string NewSessionName() {
   return fmt::format("{}-{}-{}", host, getpid(), ++count);
 }
 
+std::string MakerOf(const std::string& session) {
+  const size_t count = session.rfind('-');
+  const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
+  if (count == std::string::npos || pid == std::string::npos) return session;
+  return fmt::format("pid {} on {}", session.substr(pid + 1, count - pid - 1),
+                     session.substr(0, pid));
+}
+
 Seat::Seat(Bus* bus, std::string process, bool has_door) : bus_(bus), process_(std::move(process)) {
   if (has_door) door_ = std::make_unique<MasterDoor>(bus_, process_, LineEnd::kMaster, kDoorTopics);
 }

@@ -32,6 +32,8 @@ constexpr const char* kTakenSession = "taken";
 // "host-1234-5": no two of a run are equal.
 std::string NewSessionName();
 std::string HostName();
+// "pid 1234 on host": who has made the name of a session.
+std::string MakerOf(const std::string& session);
 
 class Seat {
  public:

@@ -1,6 +1,7 @@
 #include "distribution/worker.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -227,6 +228,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
       object->last_box = entry.last_box;
+      own_names_.insert(object->name);
       loaded->push_back(Describe(*object));
       return;
     }
@@ -291,6 +293,13 @@ void Worker::SayGoodbye(const std::string& text) {
   line_->Flush(kGoodbyeMs);
 }
 
+// Of one that the run has started the run says what there is to say.
+void Worker::SayThatItJoined() {
+  if (!options_.session.empty()) return;
+  options_.say(fmt::format("has joined run '{}' ({}) with {}", options_.bus.run, MakerOf(session_),
+                           fmt::join(own_names_, ", ")));
+}
+
 std::string Worker::Serve() {
   for (;;) {
     const Loan down = Next(false);
@@ -302,6 +311,7 @@ std::string Worker::Serve() {
         break;
       }
       case openr_wire_DOWN_DELIVER:
+        if (!std::exchange(has_begun_, true)) SayThatItJoined();
         Deliver(down->body._u.deliver.now_us, down->body._u.deliver.message, false);
         break;
       case openr_wire_DOWN_RESUME:

@@ -84,6 +84,7 @@ class Worker : public Uplink {
   openr_wire_LoadedObject Describe(const Object& object);
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
   std::string Serve();
+  void SayThatItJoined();
   void Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out);
   void RunTimed(ObjectId id);
   void SendStopped(Object* object);
@@ -111,7 +112,9 @@ class Worker : public Uplink {
   std::unique_ptr<Courier> courier_;
   std::string session_;
   bool is_refused_ = false;
-  std::string stick_;  // its folder
+  std::string stick_;                // its folder
+  std::set<std::string> own_names_;  // of its objects
+  bool has_begun_ = false;
   uint64_t turn_ = 0;
   bool is_free_ = false;                             // the run goes by the clock on the wall
   std::set<ObjectId> quick_;                         // whose last handler was

@@ -37,6 +37,7 @@ constexpr char kFile[] = "/OPEN-R/EMON.LOG";
 // Paths of the files, by robot; fixed before the run.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;
+std::string* g_host = nullptr;  // to be named; empty: the run's own
 char g_stack[kAlternateStackBytes];
 
 const char* NameOf(int signal) {
@@ -83,6 +84,7 @@ void WriteRecord(Ending* ending, const void* context, int robot) {
   if (descriptor < 0) return;
   SignalText note;
   note.Add("openr: wrote ").Add(*file).Add("\n").WriteTo(STDERR_FILENO);
+  if (!g_host->empty()) ending->finding.Add("; record: ").Add(*file).Add(" on ").Add(*g_host);
 }
 
 void Crashed(int signal, siginfo_t* info, void* context) {
@@ -126,8 +128,9 @@ void UseAlternateStack(bool on) {
 
 }  // namespace
 
-CrashLog::CrashLog(const std::vector<std::string>& sticks, bool adds) {
+CrashLog::CrashLog(const std::vector<std::string>& sticks, bool adds, const std::string& host) {
   g_adds = adds;
+  g_host = new std::string(host);
   g_files = new std::vector<std::string>;
   for (const std::string& stick : sticks) g_files->push_back(stick.empty() ? "" : stick + kFile);
   if constexpr (OPENR_ASAN) return;
@@ -145,7 +148,9 @@ CrashLog::~CrashLog() {
     UseAlternateStack(false);
   }
   delete g_files;
+  delete g_host;
   g_files = nullptr;
+  g_host = nullptr;
 }
 
 void CrashLog::BeginAfresh(const std::string& stick) {

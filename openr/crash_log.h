@@ -17,8 +17,10 @@ namespace openr_host {
 class CrashLog {
  public:
   // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.  `adds`: records that
-  // are there already, of other processes of the run, stay.
-  explicit CrashLog(const std::vector<std::string>& sticks, bool adds = false);
+  // are there already, of other processes of the run, stay.  `host`: of this process, whose stick
+  // others do not see; the finding says where the record is.
+  explicit CrashLog(const std::vector<std::string>& sticks, bool adds = false,
+                    const std::string& host = "");
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "distribution/seat.h"
 #include "distribution/worker.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -93,7 +94,8 @@ int Join(JoinFlags flags) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
   flags.worker.begins = [&](const std::string& stick) {
-    crash_log.emplace(std::vector<std::string>{stick}, true);
+    const std::string folder = std::filesystem::absolute(stick).lexically_normal();
+    crash_log.emplace(std::vector<std::string>{folder}, true, flags.parent == 0 ? HostName() : "");
     watchdog.emplace(flags.handler_limit_us);
   };
   Worker worker(flags.worker);

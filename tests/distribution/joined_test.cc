@@ -58,6 +58,35 @@ TEST_F(JoinedTest, AKilledOneStopsLockstepAtOnce) {
   EXPECT_THAT(run->heard(), HasSubstr("the run stops here"));
 }
 
+TEST_F(JoinedTest, ItSaysWhichRunItHasJoined) {
+  const auto join = Join();
+  const auto run = Run({});
+  EXPECT_TRUE(join->WaitFor("openr: process 'vision': has joined run '" + name_ + "' (pid " +
+                            std::to_string(run->pid()) + " on " + HostName() +
+                            ") with Controller\n"))
+      << join->heard();
+  EXPECT_TRUE(run->WaitFor("state: listening"));
+  EXPECT_THAT(run->heard(), Not(HasSubstr("has joined")));
+}
+
+// The run does not see the stick that the record is on.
+TEST_F(JoinedTest, ACrashSaysWhereItsRecordIs) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "crashes are reported by the sanitizer";
+#endif
+  const ScratchFolder stick, copy;
+  stick.MakeTrouble("crash");
+  copy.MakeTrouble("crash");
+  folder_.Write("where.cfg", "Trouble vision\n@vision 127.0.0.1\n");
+  const auto join = Join({"--stick", copy.path()});
+  const auto run = Run({"--stick", stick.path(), "--for", "1s"});
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_THAT(run->heard(),
+              HasSubstr("; record: " + copy.File("OPEN-R/EMON.LOG") + " on " + HostName() + "; "));
+  EXPECT_NE(copy.Read("OPEN-R/EMON.LOG"), "");
+  EXPECT_EQ(stick.Read("OPEN-R/EMON.LOG"), "");
+}
+
 TEST_F(JoinedTest, WhoEndsOneTellsTheRun) {
   const auto join = Join();
   const auto run = Run({});
