@@ -23,20 +23,30 @@ constexpr int64_t kInterruptedMs = 500;
 }  // namespace
 
 Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(options_.bus) {
+  if (!options_.placement.host_of.empty()) claim_ = std::make_unique<NameClaim>(&bus_);
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];
     member->name = name;
     member->has_door = options_.placement.host_of.contains(name);
     member->restarts_left = options_.restarts;
     member->process = std::make_unique<RemoteProcess>(
-        &bus_, name, member->has_door,
-        [this, member]() -> std::string {
-          if (IsInterrupted()) return "interrupted";
-          return member->child == nullptr ? "" : member->child->HowItEnded();
-        },
+        &bus_, name, member->has_door, [this, member] { return WhatIsWrongWith(*member); },
         options_.say);
     if (!member->has_door) Start(member);
   }
+}
+
+// Until one that somebody else starts has come it may go to another run of the same name.
+std::string Fleet::WhatIsWrongWith(const Member& member) const {
+  if (IsInterrupted()) return "interrupted";
+  if (member.child != nullptr) return member.child->HowItEnded();
+  const std::string elder = member.has_door && !member.is_welcome ? claim_->Elder() : "";
+  if (elder.empty()) return "";
+  return fmt::format(
+      "there is a run of the name '{}' already ({}), and openr join would not know to which it is "
+      "to "
+      "go; give this one another with --run-name",
+      options_.bus.run, elder);
 }
 
 void Fleet::Start(Member* member) {

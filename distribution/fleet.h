@@ -10,6 +10,7 @@
 
 #include "distribution/bus.h"
 #include "distribution/child_process.h"
+#include "distribution/name_claim.h"
 #include "distribution/placement.h"
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
@@ -129,6 +130,7 @@ class Fleet {
   };
 
   void Start(Member* member);
+  std::string WhatIsWrongWith(const Member& member) const;
   void Welcome(Member* member);
   openr_wire_Load NewsFor(Member* member, WireArena* arena);
   void LoadMore(Member* member);
@@ -155,6 +157,7 @@ class Fleet {
 
   const FleetOptions options_;
   Bus bus_;
+  std::unique_ptr<NameClaim> claim_;  // if somebody else starts processes
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
   int64_t next_look_ns_ = 0;  // after processes, in a free run

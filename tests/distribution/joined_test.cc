@@ -69,6 +69,26 @@ TEST_F(JoinedTest, ItSaysWhichRunItHasJoined) {
   EXPECT_THAT(run->heard(), Not(HasSubstr("has joined")));
 }
 
+TEST_F(JoinedTest, ASecondRunOfTheNameGivesUp) {
+  const auto first = Run({});  // which waits
+  ASSERT_TRUE(first->WaitFor("waiting for process 'vision'"));
+  const auto begun = [&] {
+    return "there is a run of the name '" + name_ + "' already (pid " +
+           std::to_string(first->pid()) + " on " + HostName() + ")";
+  };
+  const auto second = Run({});
+  EXPECT_EQ(second->Finish().status, 1);
+  EXPECT_THAT(second->heard(), HasSubstr(begun()));
+  const auto join = Join();
+  ASSERT_TRUE(first->WaitFor("state: listening")) << first->heard();
+  const auto third = Run({});  // now that the first is under way
+  EXPECT_EQ(third->Finish().status, 1);
+  EXPECT_THAT(third->heard(), HasSubstr(begun()));
+  first->Signal(SIGINT);
+  EXPECT_EQ(first->Finish().status, 0) << first->heard();
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+}
+
 // The run does not see the stick that the record is on.
 TEST_F(JoinedTest, ACrashSaysWhereItsRecordIs) {
 #if defined(__SANITIZE_ADDRESS__)

@@ -1,0 +1,74 @@
+#include "distribution/name_claim.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+#include "distribution/seat.h"
+
+namespace openr_host {
+namespace {
+
+constexpr char kTopic[] = "openr_run";  // nothing is ever sent
+constexpr size_t kSinceDigits = 20;
+constexpr size_t kRunsMax = 64;  // that are looked at
+
+// "since pid on host"; hosts whose clocks differ agree who gives up all the same.
+std::string NewClaim() {
+  const auto since =
+      std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+  return fmt::format("{:0{}} pid {} on {}", since, kSinceDigits, getpid(), HostName());
+}
+
+dds_entity_t Check(dds_entity_t result, const char* what) {
+  if (result >= 0) return result;
+  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
+}
+
+std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
+  dds_builtintopic_endpoint_t* const endpoint = dds_get_matched_publication_data(reader, writer);
+  if (endpoint == nullptr) return "";
+  void* data = nullptr;
+  size_t size = 0;
+  std::string claim;
+  if (dds_qget_userdata(endpoint->qos, &data, &size) && data != nullptr)
+    claim.assign(static_cast<const char*>(data), size);
+  dds_free(data);
+  dds_builtintopic_free_endpoint(endpoint);
+  return claim;
+}
+
+}  // namespace
+
+NameClaim::NameClaim(Bus* bus) : own_(NewClaim()) {
+  const dds_entity_t topic =
+      dds_create_topic(bus->participant(), &openr_wire_Knock_desc, kTopic, nullptr, nullptr);
+  Check(topic, kTopic);
+  dds_qos_t* const qos = dds_create_qos();
+  dds_qset_userdata(qos, own_.data(), own_.size());
+  dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
+  const char* names[] = {bus->run().c_str()};
+  dds_qset_partition(qos, 1, names);
+  const dds_entity_t publisher = dds_create_publisher(bus->participant(), qos, nullptr);
+  const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);
+  const dds_entity_t writer = dds_create_writer(publisher, topic, qos, nullptr);
+  reader_ = dds_create_reader(subscriber, topic, qos, nullptr);
+  dds_delete_qos(qos);
+  Check(writer, kTopic);
+  Check(reader_, kTopic);
+}
+
+std::string NameClaim::Elder() const {
+  std::vector<dds_instance_handle_t> writers(kRunsMax);
+  const dds_return_t count = dds_get_matched_publications(reader_, writers.data(), writers.size());
+  for (size_t i = 0; i < writers.size() && static_cast<dds_return_t>(i) < count; ++i) {
+    const std::string claim = ClaimOf(reader_, writers[i]);
+    if (claim.size() > kSinceDigits && claim < own_) return claim.substr(kSinceDigits + 1);
+  }
+  return "";
+}
+
+}  // namespace openr_host

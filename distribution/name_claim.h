@@ -1,0 +1,23 @@
+// That a run is the only one of its name, as far as it hears others: openr join goes by the name.
+#pragma once
+
+#include <string>
+
+#include "distribution/bus.h"
+
+namespace openr_host {
+
+class NameClaim {
+ public:
+  // Of the bus's run.
+  explicit NameClaim(Bus* bus);
+
+  // "pid 12 on host": a run that has had the name for longer; "".
+  std::string Elder() const;
+
+ private:
+  const std::string own_;  // claims are compared as text
+  dds_entity_t reader_ = 0;
+};
+
+}  // namespace openr_host
