@@ -123,17 +123,18 @@ class Raw {
         domain_(NewDomain()),
         bus_(BusOf(name_, domain_)),
         line_(&bus_, "peer", LineEnd::kMaster, kRawTopics),
-        bytes_(size, 'x') {
+        payloads_(static_cast<size_t>(window), std::string(size, 'x')) {
     StartPeer(Together ? "raw-together" : "raw", fmt::format("{}:{}", domain_, name_));
     WaitFor(&line_);
   }
   void Run(int64_t count) {
     openr_wire_Answer sample{};
-    sample.bytes = WireArena::View(bytes_.data(), bytes_.size());
     for (int64_t i = -window_; i < count; ++i) {
       while (i >= 0 && !line_.Receive(1000)) {
       }
       if (i + window_ >= count) continue;
+      const std::string& bytes = payloads_[static_cast<size_t>(i + window_) % payloads_.size()];
+      sample.bytes = WireArena::View(bytes.data(), bytes.size());
       if (Together) {
         line_.SendSoon(sample);
       } else {
@@ -148,7 +149,7 @@ class Raw {
   const int domain_;
   Bus bus_;
   RawLine line_;
-  std::string bytes_;
+  const std::vector<std::string> payloads_;  // of each that is under way, as ours
 };
 
 // ---- ours

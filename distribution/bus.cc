@@ -3,6 +3,7 @@
 #include <dds/dds.h>
 #include <dds/ddsrt/log.h>
 #include <fmt/format.h>
+#include <malloc.h>
 #include <signal.h>
 
 #include <algorithm>
@@ -15,7 +16,11 @@
 namespace openr_host {
 namespace {
 
-constexpr int kTogetherMax = 16;  // samples in a packet
+// Samples in a packet, and taken at once.  With more, the end that gets them has nothing to do
+// while the other one makes them.
+constexpr int kTogetherMax = 4;
+constexpr int kSpareBytes = 64 << 20;
+constexpr int kBlockMax = 4 << 20;
 
 // Signals of the program are for its own thread, not for those of the library.
 class SignalsBlocked {
@@ -32,6 +37,13 @@ class SignalsBlocked {
  private:
   sigset_t before_;
 };
+
+// Samples of images come and go: the pages of one are for the next, not for the kernel to take back
+// and fill with zeros again.
+void KeepMemory() {
+  mallopt(M_TRIM_THRESHOLD, kSpareBytes);
+  mallopt(M_MMAP_THRESHOLD, kBlockMax);
+}
 
 // An address that cannot be reached is news once, not with each packet to it.
 void Log(void*, const dds_log_data_t* data) {
@@ -82,6 +94,7 @@ dds_qos_t* QosOf(const std::string& partition) {
 
 Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain) {
   const SignalsBlocked blocked;
+  KeepMemory();
   dds_set_log_sink(&Log, nullptr);
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   domain_ = Check(dds_create_domain(domain, Settings(options).c_str()), "domain");
@@ -196,7 +209,8 @@ void LineBase::TakeMore() {
   void* samples[kTogetherMax];
   dds_sample_info_t infos[kTogetherMax];
   std::copy_n(blank_.rbegin(), kTogetherMax, samples);
-  const int count = Check(dds_take(reader_, samples, infos, kTogetherMax, kTogetherMax), "take");
+  const uint32_t wanted = last_bulk_ < kBulk ? kTogetherMax : 1;
+  const int count = Check(dds_take(reader_, samples, infos, kTogetherMax, wanted), "take");
   blank_.resize(blank_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
     if (infos[i].valid_data) {

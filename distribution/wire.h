@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory_resource>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -70,5 +71,28 @@ inline std::string StringOf(const openr_wire_Bytes& bytes) {
 }
 // Of a string member, which may be null.
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
+
+// Bytes of the data of regions in a sample.
+template <typename Sample>
+size_t BulkOf(const Sample&) {
+  return 0;
+}
+inline size_t BulkOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
+inline size_t BulkOf(const openr_wire_Message& message) {
+  if (message.payload._d != openr_wire_PAYLOAD_NOTIFY) return 0;
+  const auto& parts = message.payload._u.notify.parts;
+  return std::accumulate(parts._buffer, parts._buffer + parts._length, size_t{0},
+                         [](size_t sum, const openr_wire_Part& part) { return sum + part.size; });
+}
+inline size_t BulkOf(const openr_wire_Down& down) {
+  return down.body._d == openr_wire_DOWN_DELIVER ? BulkOf(down.body._u.deliver.message) : 0;
+}
+inline size_t BulkOf(const openr_wire_Up& up) {
+  return std::accumulate(up.effects._buffer, up.effects._buffer + up.effects._length, size_t{0},
+                         [](size_t sum, const openr_wire_Effect& effect) {
+                           if (effect._d != openr_wire_EFFECT_POST) return sum;
+                           return sum + BulkOf(effect._u.posted.message);
+                         });
+}
 
 }  // namespace openr_host
