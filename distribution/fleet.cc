@@ -43,9 +43,8 @@ std::string Fleet::WhatIsWrongWith(const Member& member) const {
   const std::string elder = member.has_door && !member.is_welcome ? claim_->Elder() : "";
   if (elder.empty()) return "";
   return fmt::format(
-      "there is a run of the name '{}' already ({}), and openr join would not know to which it is "
-      "to "
-      "go; give this one another with --run-name",
+      "there is a run of the name '{}' already ({}), and openr join would not know where to go; "
+      "give this one another name (--run-name)",
       options_.bus.run, elder);
 }
 
@@ -96,13 +95,11 @@ std::string Fleet::UnknownObjects() const {
     if (std::find(placed_.begin(), placed_.end(), name) != placed_.end()) continue;
     if (std::find(of_the_robot.begin(), of_the_robot.end(), name) != of_the_robot.end())
       return fmt::format(
-          "{} cannot be placed in process '{}': it is the robot's own, which stays in openr run "
-          "with "
+          "{} cannot be placed in process '{}': it is the robot's own and stays in openr run, with "
           "body and clock; objects of OBJECT.CFG can: {}",
           name, process, fmt::join(known, ", "));
     return fmt::format(
-        "{} is placed in process '{}', but OBJECT.CFG names no object of that name{}; there are: "
-        "{}",
+        "{} is placed in process '{}', but OBJECT.CFG names no object of that name{}; it names {}",
         name, process, DidYouMean(name, known), fmt::join(known, ", "));
   }
   return "";

@@ -37,8 +37,7 @@ struct Placement {
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics);
 
-// What is wrong with the hosts: they cannot be found, or could not reach a run that has this
-// address
+// What is wrong with the hosts: they cannot be found, or could not reach a run at this address
 // (--dds-address).  Asks the name service.
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 

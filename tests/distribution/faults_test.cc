@@ -115,14 +115,14 @@ TEST_F(FaultsTest, AnObjectThatIsNotThereIsAllThatIsNamed) {
   EXPECT_EQ(nobody.status, 1);
   EXPECT_EQ(nobody.err,
             "openr: JointMovr is placed in process 'legs', but OBJECT.CFG names no object of that "
-            "name; did you mean 'JointMover'?; there are: PowerMonitor, JointMover, RCServer, "
+            "name; did you mean 'JointMover'?; it names PowerMonitor, JointMover, RCServer, "
             "Controller\n");
   EXPECT_EQ(json::parse(nobody.out, nullptr, false).size(), 1u) << nobody.out;
   const ProgramResult robot = RunProgram(run + Words{"--isolate", "OVirtualRobotComm"});
   EXPECT_EQ(robot.status, 1);
   EXPECT_THAT(robot.err, StartsWith("openr: OVirtualRobotComm cannot be placed in process "
-                                    "'OVirtualRobotComm': it is the robot's own, which stays in "
-                                    "openr run with body and clock; "));
+                                    "'OVirtualRobotComm': it is the robot's own and stays in "
+                                    "openr run, with body and clock; "));
 }
 
 TEST_F(FaultsTest, TheOthersEndWithTheRun) {
