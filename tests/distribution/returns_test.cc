@@ -224,8 +224,10 @@ TEST_F(ReturnsTest, FreeRunningTheOthersGoOnMeanwhile) {
                                      "--restart", "9", "--free-running"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
   for (const char* const victim : {"payee", "payer", "payee"}) {
+    const size_t before = run.heard().size();
     kill(PidOf(run, victim), SIGKILL);
-    ASSERT_TRUE(run.WaitFor(std::string("process '") + victim + "' is back")) << run.heard();
+    ASSERT_TRUE(run.WaitFor(std::string("process '") + victim + "' is back", before))
+        << run.heard();
   }
   run.Signal(SIGINT);
   EXPECT_EQ(run.Finish().status, 1);

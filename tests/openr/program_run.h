@@ -54,9 +54,10 @@ class ProgramRun {
   ProgramRun(const ProgramRun&) = delete;
   ProgramRun& operator=(const ProgramRun&) = delete;
 
-  // Waits until `text` has been said on standard error; false when the program ended without.
-  bool WaitFor(const std::string& text) {
-    while (result_.err.find(text) == std::string::npos) {
+  // Waits until `text` has been said on standard error, behind `from`; false when the program ended
+  // without.
+  bool WaitFor(const std::string& text, size_t from = 0) {
+    while (result_.err.find(text, from) == std::string::npos) {
       if (!ReadSome()) return false;
     }
     return true;

@@ -113,5 +113,85 @@ TEST_F(NewcomerTest, AnObserverThatIsReadyTooEarlyIsReadyWhenItIsConnected) {
   EXPECT_THAT(receiver_->events, ElementsAre("7"));
 }
 
+// ---- handlers that take time
+
+constexpr int64_t kWorkUs = 3000;
+
+// One that has the processor, and sends at the end of its time.
+class Worker : public CodeObject {
+ public:
+  Worker() {
+    work = AddExtra("Work", [this](void*) {
+      if (on_work) on_work();
+    });
+  }
+  Selector work;
+  std::function<void()> on_work;
+};
+
+class WorkCosts : public CostModel {
+ public:
+  int64_t CostUs(const Object& object, uint32_t selector) override {
+    return object.name == "worker" && selector >= oentryBASE ? kWorkUs : 0;
+  }
+};
+
+class LeftMessagesTest : public testing::Test {
+ protected:
+  LeftMessagesTest() {
+    system_.AddRobot("ERS-210", nullptr);
+    worker_ = system_.AddObject<Worker>(0, "worker");
+    old_ = system_.AddObject<Newcomer>(0, "newcomer", &log_);
+    system_.Boot();
+    system_.RunFor(1000);
+    log_.clear();
+  }
+  static SystemOptions Options() {
+    SystemOptions options;
+    options.cost = std::make_shared<WorkCosts>();
+    return options;
+  }
+  void Work() {
+    system_.Post(system_.NewMessage(worker_->host().id, worker_->work));
+    system_.RunFor(kWorkUs / 3);
+  }
+  void PostToOld() { system_.Post(system_.NewMessage(old_->host().id, old_->entry)); }
+  // While the worker has the processor; then its time is over.
+  void ReplaceAndFinish() {
+    auto host = std::make_unique<CodeHost>(&system_, old_->host().id, 0);
+    host->name = "newcomer";
+    {
+      const CurrentScope scope(&system_, host.get());
+      host->code = std::make_unique<Newcomer>(&log_);
+    }
+    fresh_.push_back(std::move(host));
+    system_.Return(std::move(fresh_));
+    system_.RunFor(2 * kWorkUs);
+  }
+
+  Log log_;
+  System system_{Options()};
+  Worker* worker_;
+  Newcomer* old_;
+  std::vector<std::unique_ptr<Object>> fresh_;
+};
+
+TEST_F(LeftMessagesTest, WhatLeavesAtTheEndOfAHandlersTimeIsNotForTheSuccessor) {
+  worker_->on_work = [this] { PostToOld(); };
+  Work();
+  ReplaceAndFinish();
+  EXPECT_THAT(log_, ElementsAre("init"));
+  EXPECT_EQ(system_.FindObject(0, "newcomer")->dropped_count, 1u);
+}
+
+TEST_F(LeftMessagesTest, NorIsWhatWaitsForTheProcessor) {
+  Work();
+  PostToOld();
+  system_.RunFor(kWorkUs / 3);
+  ReplaceAndFinish();
+  EXPECT_THAT(log_, ElementsAre("init"));
+  EXPECT_EQ(system_.FindObject(0, "newcomer")->dropped_count, 1u);
+}
+
 }  // namespace
 }  // namespace openr_host
