@@ -241,6 +241,27 @@ TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
   EXPECT_EQ(sender_->out->ReadyStatus(sender_->out->begin()->GetObserverID()), -1);
 }
 
+// As the robot does with frame numbers.
+TEST_F(LeftBehindTest, WhatAnObserverWroteIntoARegionComesBackWithIt) {
+  Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
+  Place({{"hearer", "hearing"}});
+  Settle();
+  Hear("assert");
+  Hear("remember");
+  RCRegion* region = nullptr;
+  RunAs(sender_, [&] {
+    region = new RCRegion(sizeof(int));
+    std::memcpy(region->Base(), "\1\2\3\4", sizeof(int));
+    sender_->out->SetData(region);
+    sender_->out->NotifyObservers();
+  });
+  Settle();
+  Hear("poke");
+  Hear("assert");
+  EXPECT_EQ(region->NumberOfReference(), 1);
+  EXPECT_EQ(std::string(region->Base(), sizeof(int)), std::string(sizeof(int), '\0'));
+}
+
 TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Receiver.In.Number.O\nSender.Out.Number.S Hearer.In.Number.O\n");
