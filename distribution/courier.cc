@@ -150,7 +150,7 @@ std::vector<RCRegion*> Courier::TakeLentOf(ObjectId subject) {
   std::erase_if(lent_, [&](const auto& entry) {
     if (entry.second.subject != subject) return false;
     regions.push_back(entry.second.region);
-    taken_back_.insert(entry.first);
+    taken_back_[entry.first] = entry.second.region->MemID();
     return true;
   });
   return regions;
@@ -170,9 +170,12 @@ bool Courier::HasBorrowed(uint32_t region) const {
 }
 
 bool Courier::HasLent(uint32_t region) const {
-  return std::any_of(lent_.begin(), lent_.end(), [region](const auto& entry) {
+  const auto is_lent = [region](const auto& entry) {
     return entry.second.region->MemID() == region;
-  });
+  };
+  const auto is_kept = [region](const auto& entry) { return entry.second == region; };
+  return std::any_of(lent_.begin(), lent_.end(), is_lent) ||
+         std::any_of(taken_back_.begin(), taken_back_.end(), is_kept);
 }
 
 void Courier::Sent(const Message& message) {

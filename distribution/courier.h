@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +49,7 @@ class Courier {
   // Whether data of this region came in and have not been given back: it is the newer memory.
   bool HasBorrowed(uint32_t region) const;
 
+  // Whether this region went over there and may be there still.
   bool HasLent(uint32_t region) const;
 
   // Something that went over there and has not come back.
@@ -99,8 +99,9 @@ class Courier {
   static bool IsChanged(const RCRegion& region, const Borrowed& borrowed);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, Lent> lent_;           // by our token
-  std::set<uint64_t> taken_back_;           // by TakeLentOf(); may still be given back
+  std::map<uint64_t, Lent> lent_;  // by our token
+  // By TakeLentOf(): the regions of tokens that may still be given back.
+  std::map<uint64_t, uint32_t> taken_back_;
   std::map<RCRegion*, Borrowed> borrowed_;  // looked up only, by stand-in
   std::vector<RCRegion*> of_sample_;        // whose bytes are there still
 };

@@ -62,7 +62,7 @@ class SettingsFile {
       file->has_others_ = true;
     } else if (parent == kDomain && IsSame(name, "Id")) {  // of older versions
       *element = kDomainId;
-    } else if (parent == kDomain && IsSame(name, "Security")) {
+    } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;
     }
     return 1;

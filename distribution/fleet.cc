@@ -98,9 +98,8 @@ std::string Fleet::UnknownObjects() const {
           "{} cannot be placed in process '{}': it is the robot's own and stays in openr run, with "
           "body and clock; objects of OBJECT.CFG can: {}",
           name, process, fmt::join(known, ", "));
-    return fmt::format(
-        "{} is placed in process '{}', but OBJECT.CFG names no object of that name{}; it names {}",
-        name, process, DidYouMean(name, known), fmt::join(known, ", "));
+    return fmt::format("{} is placed in process '{}', but OBJECT.CFG names {} only{}", name,
+                       process, fmt::join(known, ", "), DidYouMean(name, known));
   }
   return "";
 }
@@ -127,6 +126,7 @@ void Fleet::Welcome(Member* member) {
   welcome.stick = arena.Text(options_.stick);
   member->process->Welcome(system_, welcome);
   member->is_welcome = true;
+  if (member->has_door) claim_->Settle();
 }
 
 // What has come to the tables since the last time.
@@ -203,8 +203,9 @@ void Fleet::WaitForAnother(Member* member, const std::string& why) {
 void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
-  if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) return StopTheRun(&process);
   Member* const member = &members_[process.name()];
+  if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
+  if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) return StopTheRun(&process);
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
@@ -213,7 +214,6 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
     system_->AddFindingAbout(about, Severity::kError, why);
     return;
   }
-  if (loss_listener_) loss_listener_(member->name);
   std::string text = why;
   uint64_t pending = 0;
   for (const auto& [id, object] : member->objects) pending += object->pending_there;

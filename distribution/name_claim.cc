@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "distribution/seat.h"
@@ -16,7 +17,7 @@ constexpr char kTopic[] = "openr_run";  // nothing is ever sent
 constexpr size_t kSinceDigits = 20;
 constexpr size_t kRunsMax = 64;  // that are looked at
 
-// "since pid on host"; hosts whose clocks differ agree who gives up all the same.
+// "since pid on host"; as long as both wait, hosts whose clocks differ agree who gives up.
 std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
@@ -26,6 +27,15 @@ std::string NewClaim() {
 dds_entity_t Check(dds_entity_t result, const char* what) {
   if (result >= 0) return result;
   throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
+}
+
+// In the partition of the run.
+dds_qos_t* QosOf(const Bus& bus) {
+  dds_qos_t* const qos = dds_create_qos();
+  dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
+  const char* names[] = {bus.run().c_str()};
+  dds_qset_partition(qos, 1, names);
+  return qos;
 }
 
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
@@ -43,22 +53,30 @@ std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
 
 }  // namespace
 
-NameClaim::NameClaim(Bus* bus) : own_(NewClaim()) {
-  const dds_entity_t topic =
-      dds_create_topic(bus->participant(), &openr_wire_Knock_desc, kTopic, nullptr, nullptr);
-  Check(topic, kTopic);
-  dds_qos_t* const qos = dds_create_qos();
-  dds_qset_userdata(qos, own_.data(), own_.size());
-  dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
-  const char* names[] = {bus->run().c_str()};
-  dds_qset_partition(qos, 1, names);
-  const dds_entity_t publisher = dds_create_publisher(bus->participant(), qos, nullptr);
+NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
+  topic_ = dds_create_topic(bus->participant(), &openr_wire_Knock_desc, kTopic, nullptr, nullptr);
+  Check(topic_, kTopic);
+  dds_qos_t* const qos = QosOf(*bus);
   const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);
-  const dds_entity_t writer = dds_create_writer(publisher, topic, qos, nullptr);
-  reader_ = dds_create_reader(subscriber, topic, qos, nullptr);
+  reader_ = dds_create_reader(subscriber, topic_, qos, nullptr);
+  dds_delete_qos(qos);
+  Check(reader_, kTopic);
+  Announce(own_);
+}
+
+// A writer whose user data is the claim; claims that were announced before stay.
+void NameClaim::Announce(const std::string& claim) {
+  dds_qos_t* const qos = QosOf(*bus_);
+  dds_qset_userdata(qos, claim.data(), claim.size());
+  const dds_entity_t publisher = dds_create_publisher(bus_->participant(), qos, nullptr);
+  const dds_entity_t writer = dds_create_writer(publisher, topic_, qos, nullptr);
   dds_delete_qos(qos);
   Check(writer, kTopic);
-  Check(reader_, kTopic);
+}
+
+void NameClaim::Settle() {
+  if (std::exchange(is_settled_, true)) return;
+  Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 
 std::string NameClaim::Elder() const {

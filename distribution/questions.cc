@@ -2,6 +2,7 @@
 
 #include <MCOOP.h>
 #include <OPENR/OPENR.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -50,8 +51,18 @@ bool ResizeRegion(System* system, const Object* self, const Question& question) 
 
 // Whether the bytes of a colour table, which go into its region, are for one of another process.
 bool IsCdtOfAnother(System* system, const Object* self, const Question& question) {
+  if (!IsSetCdt(question)) return false;
   const auto region = static_cast<uint32_t>(Number(question, 1));
-  return IsSetCdt(question) && !IsBeside(*system, self, system->regions().OwnerOf(region));
+  const RegionTable& regions = system->regions();
+  if (regions.BaseOf(region) == nullptr || IsBeside(*system, self, regions.OwnerOf(region)) ||
+      IsBeside(*system, self, regions.MakerOf(region)))
+    return false;
+  system->AddFindingAbout(
+      self, Severity::kError,
+      fmt::format("SetCdtVectorData({:#x}): the memory is in another process of a distributed run; "
+                  "place both objects in one",
+                  region));
+  return true;
 }
 
 // As OObject::RegisterServiceEntry().

@@ -88,9 +88,13 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
 
 // Whether the bytes of `region` may come from there: it is its own, or it was lent there.
 bool RemoteProcess::Has(uint32_t region) const {
+  return IsOwn(region) || courier_->HasLent(region);
+}
+
+// An object may have made a region and given it to another one.
+bool RemoteProcess::IsOwn(uint32_t region) const {
   const RegionTable& regions = system_->regions();
-  return objects_.contains(regions.OwnerOf(region)) || objects_.contains(regions.MakerOf(region)) ||
-         courier_->HasLent(region);
+  return objects_.contains(regions.OwnerOf(region)) || objects_.contains(regions.MakerOf(region));
 }
 
 // Who `in` says it is from, before it is believed.

@@ -469,7 +469,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
       Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
-    if (!objects_.contains(system_->regions().OwnerOf(in.region)))
+    if (!IsOwn(in.region))
       Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));
   }

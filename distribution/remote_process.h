@@ -162,6 +162,7 @@ class RemoteProcess {
   void Check(const openr_wire_Message& in, const Object* self);
   void CheckEnds(const openr_wire_Message& in, const Object* self);
   bool Has(uint32_t region) const;
+  bool IsOwn(uint32_t region) const;
   static bool Answers(const Message& message, const Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);

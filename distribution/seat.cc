@@ -28,7 +28,9 @@ std::string NewSessionName() {
   static int count = 0;
   std::string host = HostName();
   // Partitions have wildcards.
-  std::erase_if(host, [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '.'; });
+  std::erase_if(host, [](unsigned char c) {
+    return std::isalnum(c) == 0 && c != '-' && c != '.' && c != '_';
+  });
   return fmt::format("{}-{}-{}", host, getpid(), ++count);
 }
 

@@ -56,6 +56,10 @@ ObjectManager::ObjectManager() {
 }
 
 void ObjectManager::PostBoot() {
+  are_connected_ = false;
+  for (const auto& object : system().objects()) {
+    if (object != nullptr && !object->is_system) young_.emplace(object->id, false);
+  }
   due_.insert({boot_, 0});
   system().Post(system().NewMessage(host().id, boot_));
 }
@@ -115,10 +119,6 @@ void ObjectManager::EndYouth() {
 }
 
 void ObjectManager::RunBoot() {
-  are_connected_ = false;
-  for (const auto& object : system().objects()) {
-    if (object != nullptr && !object->is_system) young_.emplace(object->id, false);
-  }
   SendToAll(oentryINIT, oreasonBOOT, true);
   SendToAll(oentryINIT, oreasonBOOT, false);
   for (const Connection& connection : system().connections()) Connect(connection);

@@ -37,7 +37,13 @@ class ObjectManager : public CodeObject {
   bool IsTooEarly(const Message& message) const {
     if (young_.empty() || message.sender == host().id) return false;
     const auto found = young_.find(message.target);
-    return found != young_.end() && (!found->second || message.kind == PayloadKind::kReady);
+    if (found == young_.end()) return false;
+    if (message.kind == PayloadKind::kReady) return true;
+    return !found->second && !HoldsUpBoot(message);
+  }
+  // A question in somebody's DoInit: with the answer the others' would wait.
+  bool HoldsUpBoot(const Message& message) const {
+    return message.reply_box != 0 && young_.contains(message.sender);
   }
   // The DoInit of object `id` begins.
   void Begins(ObjectId id);

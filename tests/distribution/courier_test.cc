@@ -178,6 +178,23 @@ TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
   LetGo(large);
 }
 
+// The other side may hand on what it has, also when the subject that sent it is gone.
+TEST_F(CourierTest, WhatASubjectThatIsGoneHadSentIsOverThereStill) {
+  RCRegion* const region = NewRegion("before");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region}), &out), "");
+  EXPECT_THAT(ours.TakeLentOf(wire.payload._u.notify.subject), testing::ElementsAre(region));
+  EXPECT_TRUE(ours.HasLent(region->MemID()));
+  const Message answer = Answer({NotifyOf(out).data[0].srcRCR});
+  openr_wire_Message back{};
+  theirs.Encode(answer, nullptr, &arena, &back);
+  Message ready = Blank();
+  ASSERT_EQ(ours.Decode(back, &ready), "");
+  theirs.Sent(answer);
+  EXPECT_FALSE(ours.HasLent(region->MemID()));
+  LetGo(region);
+}
+
 TEST_F(CourierTest, ADeassertForOneThatIsLostSaysSo) {
   Message answer = Answer({});
   const_cast<OReadyMessage&>(ReadyOf(answer)).msgType = kDeassertOfLost;

@@ -124,6 +124,10 @@ TEST_F(SettingsForADomainTest, ProtectThatOneOnly) {
       "<CycloneDDS><Domain><Tracing/></Domain>"
       "<Domain id=\"7\"><Security/></Domain></CycloneDDS>";
   EXPECT_EQ(Why(two, 7), "");
+  EXPECT_EQ(Why("<CycloneDDS><Domain><DDSSecurity/></Domain>"  // its older name
+                "<Domain id=\"7\"><Security/></Domain></CycloneDDS>",
+                0),
+            "");
   EXPECT_THAT(Why(two, 0), HasSubstr("its <Security> is for domain 7, this is domain 0, which "
                                      "would not be protected"));
 }

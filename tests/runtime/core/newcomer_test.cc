@@ -91,6 +91,26 @@ TEST_F(NewcomerTest, AtBootAMessageWaitsForDoInit) {
   EXPECT_THAT(log_, ElementsAre("init", "message"));
 }
 
+// As the constructors of an image do.
+TEST_F(NewcomerTest, AMessageFromBeforeTheBootWaitsForDoInit) {
+  PostToNewcomer();
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("init", "message"));
+}
+
+// Who asks in a DoInit is answered, or the boot would wait for itself.
+TEST_F(NewcomerTest, AQuestionInADoInitIsHeardAtOnce) {
+  sleeper_->on_init = [this] {
+    Message* const question = system_.NewMessage(newcomer_->host().id, newcomer_->entry);
+    question->reply_box = system_.NewReplyBox();
+    system_.Post(question);
+  };
+  system_.Boot();
+  system_.RunFor(2 * kWaitUs);
+  EXPECT_THAT(log_, ElementsAre("message", "init"));
+}
+
 TEST_F(NewcomerTest, ASuccessorHearsOfDoInitFirst) {
   system_.Boot();
   system_.RunFor(2 * kWaitUs);
