@@ -10,8 +10,9 @@
 #include <atomic>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 #include <string_view>
+
+#include "distribution/dds_check.h"
 
 namespace openr_host {
 namespace {
@@ -52,11 +53,6 @@ void Log(void*, const dds_log_data_t* data) {
   while (text.ends_with('\n')) text.remove_suffix(1);
   if (text.find("conn_write") != std::string_view::npos && told.exchange(true)) return;
   fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
-}
-
-dds_entity_t Check(dds_entity_t result, const char* what) {
-  if (result >= 0) return result;
-  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
 }
 
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }

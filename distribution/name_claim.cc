@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "distribution/dds_check.h"
 #include "distribution/seat.h"
 
 namespace openr_host {
@@ -22,11 +22,6 @@ std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
   return fmt::format("{:0{}} pid {} on {}", since, kSinceDigits, getpid(), HostName());
-}
-
-dds_entity_t Check(dds_entity_t result, const char* what) {
-  if (result >= 0) return result;
-  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
 }
 
 // In the partition of the run.

@@ -1,11 +1,9 @@
 #include "distribution/status_topic.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "distribution/dds_check.h"
 #include "openr_status.h"
 
 namespace openr_host {
@@ -13,11 +11,6 @@ namespace {
 
 constexpr char kTopic[] = "openr_status";
 constexpr int kRunsMax = 256;  // of which the newest is kept
-
-dds_entity_t Check(dds_entity_t result, const char* what) {
-  if (result >= 0) return result;
-  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
-}
 
 dds_qos_t* QosOf(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();

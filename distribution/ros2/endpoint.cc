@@ -1,16 +1,9 @@
 #include "distribution/ros2/endpoint.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
+#include "distribution/dds_check.h"
 
 namespace openr_host {
 namespace {
-
-dds_entity_t Check(dds_entity_t result, const std::string& what) {
-  if (result >= 0) return result;
-  throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));
-}
 
 // One of ours: a message of ROS 2 is "plain CDR" (XCDR version 1), and nothing is kept for readers
 // that come later.
