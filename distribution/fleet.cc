@@ -317,6 +317,14 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
   return all;
 }
 
+std::map<ObjectId, uint64_t> Fleet::HeapMax() const {
+  std::map<ObjectId, uint64_t> all;
+  for (const auto& [name, member] : members_) {
+    for (const auto& [id, object] : member.objects) all[id] = object->heap_max;
+  }
+  return all;
+}
+
 void Fleet::End() {
   for (auto& [name, member] : members_) member.process->End();
   for (auto& [name, member] : members_) {

@@ -70,6 +70,9 @@ class Fleet {
   };
   std::vector<ProcessFacts> Describe() const;
 
+  // Bytes of heap that each object elsewhere had at most.
+  std::map<ObjectId, uint64_t> HeapMax() const;
+
   // `listener` hears of each object of a process that is gone, if the run goes on without, and of
   // each that has come back.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }

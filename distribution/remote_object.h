@@ -35,6 +35,7 @@ class RemoteObject : public Object {
   uint64_t unheard_count = 0;
   // Notifications that waited in its subjects when its last handler ended.
   uint64_t pending_there = 0;
+  uint64_t heap_max = 0;  // bytes that it had at most
 
   // One in its place, for a process that has come back.
   std::unique_ptr<RemoteObject> NewOne() const;

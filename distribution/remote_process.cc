@@ -255,7 +255,9 @@ RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_Up& up) {
   object->state = StringOf(stopped.state);
   object->dropped_count += stopped.dropped - std::exchange(dropped_[object->id], stopped.dropped);
   object->stack_max = stopped.stack_max;
-  objects_.at(object->id)->pending_there = stopped.pending;
+  RemoteObject* const remote = objects_.at(object->id);
+  remote->heap_max = stopped.heap_max;
+  remote->pending_there = stopped.pending;
   return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
 }
 

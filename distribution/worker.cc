@@ -409,6 +409,7 @@ void Worker::SendStopped(Object* object) {
   stopped.state = WireArena::View(object->state.data(), object->state.size());
   stopped.dropped = object->dropped_count;
   stopped.stack_max = object->stack_max;
+  if (object->arena != nullptr) stopped.heap_max = object->arena->bytes_in_use_max();
   for (const auto& subject : object->subjects) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }

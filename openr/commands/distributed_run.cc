@@ -111,6 +111,8 @@ void DistributedRun::ReportLosses() {
 void DistributedRun::EndProcesses(nlohmann::ordered_json* report) {
   if (fleet_ == nullptr) return;
   (*report)["processes"] = DescribeProcesses(*fleet_);
+  for (const auto& [id, bytes] : fleet_->HeapMax())
+    (*report)["objects"][static_cast<size_t>(id)]["heap_bytes_max"] = bytes;
   fleet_->End();
 }
 

@@ -76,6 +76,24 @@ TEST_F(GraphsTest, TheReportNamesProcessesThatAreProcesses) {
   }
 }
 
+TEST_F(GraphsTest, TheReportKnowsTheHeapOfObjectsElsewhere) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "AddressSanitizer has the heap";
+#endif
+  const auto heap = [](const Words& places) {
+    const RecordedRun run = Record(Words{"--for", "2s", "--body", "ideal"} + places);
+    std::map<std::string, double> bytes;
+    for (const json& object : run.report["objects"])
+      bytes[object["name"]] = object["heap_bytes_max"];
+    return bytes;
+  };
+  auto here = heap({}), there = heap(kFive);
+  for (const char* name : {"JointMover", "RCServer", "Controller"}) {
+    EXPECT_GT(here[name], 0) << name;
+    EXPECT_NEAR(there[name], here[name], here[name] / 2) << name;
+  }
+}
+
 TEST_F(GraphsTest, ARecordingOfManyProcessesIsReplayedInOne) {
   const ScratchFolder folder;
   const ProgramResult run =
