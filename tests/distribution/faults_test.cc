@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "tests/distribution/kill_process.h"
 #include "tests/distribution/same_run.h"
 
 namespace openr_host {
@@ -31,10 +32,11 @@ class FaultsTest : public testing::Test {
     EXPECT_TRUE(run->WaitFor("state: listening")) << run->Finish().err;
     return run;
   }
+  // -1 if there is none, or more.
   static pid_t OnlyChildOf(const ProgramRun& run) {
     const std::vector<pid_t> children = ChildrenOf(run.pid());
     EXPECT_EQ(children.size(), 1u);
-    return children.empty() ? -1 : children[0];
+    return children.size() == 1 ? children[0] : -1;
   }
 };
 
@@ -42,8 +44,7 @@ TEST_F(FaultsTest, AKilledProcessStopsTheRunAndIsNamed) {
   const std::unique_ptr<ProgramRun> run =
       Start({"--for", "10min", "--isolate", "JointMover", "--json"});
   const pid_t child = OnlyChildOf(*run);
-  ASSERT_GT(child, 0);
-  kill(child, SIGKILL);
+  KillProcess(child, SIGKILL);
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 1) << result.err;
   const std::string words =
@@ -66,7 +67,7 @@ TEST_F(FaultsTest, ARecordingIsReplayedUpToTheLoss) {
   for (const Words& flags : {Words{}, Words{"--restart", "1"}}) {
     const std::unique_ptr<ProgramRun> run =
         Start(Words{"--for", "10min", "--isolate", "JointMover", "--record", file} + flags);
-    kill(OnlyChildOf(*run), SIGKILL);
+    KillProcess(OnlyChildOf(*run), SIGKILL);
     ASSERT_TRUE(run->WaitFor("was killed by signal 9")) << run->heard();
     if (!flags.empty()) {
       EXPECT_TRUE(run->WaitFor("is back")) << run->heard();
@@ -93,7 +94,7 @@ TEST_F(FaultsTest, ALossIsSaidInOneBreath) {
         Start(Words{"--for", "10min", "--isolate", "JointMover"} +
               (is_free ? Words{"--free-running"} : Words{"--restart", "1"}));
     const pid_t child = OnlyChildOf(*run);
-    kill(child, SIGKILL);
+    KillProcess(child, SIGKILL);
     const std::string begin = "openr: process 'JointMover' (pid " + std::to_string(child) +
                               ") was killed by signal 9 (Killed); ";
     ASSERT_TRUE(run->WaitFor(begin)) << run->heard();
@@ -130,22 +131,21 @@ TEST_F(FaultsTest, TheOthersEndWithTheRun) {
       Start({"--for", "10min", "--isolate", "JointMover", "--isolate", "Controller"});
   const std::vector<pid_t> children = ChildrenOf(run->pid());
   ASSERT_EQ(children.size(), 2u);
-  kill(children[0], SIGKILL);
+  KillProcess(children[0], SIGKILL);
   EXPECT_EQ(run->Finish().status, 1);
   for (const pid_t child : children) EXPECT_FALSE(IsAlive(child));
 }
 
 // What matters is that it is said and that nothing else happens; the run waits as long as it takes.
 TEST_F(FaultsTest, AStoppedProcessIsNamedAndChangesNothing) {
-  const Words flags = {"--for", "3s", "--seed", "3", "--json"};
-  const json alone = json::parse(RunProgram(kQuickly + Words{"--body", "ideal"} + flags).out);
+  const Words flags = {"--for", "3s", "--seed", "3", "--json", "--rate", "3"};
+  const json alone = json::parse(RunProgram(kRun + flags).out);
   const std::unique_ptr<ProgramRun> run = Start(flags + Isolated({"JointMover"}));
   const pid_t child = OnlyChildOf(*run);
-  ASSERT_GT(child, 0);
-  kill(child, SIGSTOP);
+  KillProcess(child, SIGSTOP);
   EXPECT_TRUE(run->WaitFor("process 'JointMover' (pid " + std::to_string(child) +
                            ") has not answered for 2 s"));
-  kill(child, SIGCONT);
+  KillProcess(child, SIGCONT);
   EXPECT_TRUE(run->WaitFor("process 'JointMover' answers again"));
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 0) << result.err;
@@ -178,7 +178,7 @@ TEST_F(FaultsTest, ControlCIsThePauseButtonHereAsWell) {
 
 TEST_F(FaultsTest, ASecondControlCEndsARunThatWaitsForAProcess) {
   const std::unique_ptr<ProgramRun> run = Start({"--isolate", "JointMover"});
-  kill(OnlyChildOf(*run), SIGSTOP);
+  KillProcess(OnlyChildOf(*run), SIGSTOP);
   ASSERT_TRUE(run->WaitFor("has not answered for 2 s"));
   run->Signal(SIGINT);
   run->Signal(SIGTERM);  // counts as well, and cannot melt into the one before
@@ -281,13 +281,15 @@ TEST_F(FaultsTest, AJoinerWithAnotherStickIsRefused) {
   const std::string name = "strange-" + std::to_string(getpid());
   ProgramRun join(
       {"join", "--process", "legs", "--run-name", name, "--stick", folder.File("stick")});
-  const ProgramResult run = RunProgram(
-      kQuickly + Words{"--for", "1s", "--placement", folder.File("where.cfg"), "--run-name", name});
-  EXPECT_EQ(run.status, 1) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("process 'legs'"));
+  ProgramRun run(kQuickly +
+                 Words{"--for", "1s", "--placement", folder.File("where.cfg"), "--run-name", name});
+  ASSERT_TRUE(run.WaitFor("the run waits for another one")) << run.heard();
   const ProgramResult& joined = join.Finish();
   EXPECT_EQ(joined.status, 1) << joined.err;
   EXPECT_THAT(joined.err, HasSubstr("is not the stick of the run: its files differ"));
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 1) << run.heard();
+  EXPECT_THAT(run.heard(), HasSubstr("process 'legs' had not come when the run was interrupted"));
 }
 
 // In one process a crash is the robot's.  Here the robot stands, and the object is named.

@@ -16,6 +16,7 @@
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
+#include "tests/distribution/wait_until.h"
 #include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
@@ -57,7 +58,7 @@ class ForgedTest : public ::testing::Test {
   void Come() {
     process_.seat().Open("now");
     line_ = std::make_unique<ProcessLine>(&bus_, "liar/now", LineEnd::kProcess);
-    while (!line_->IsConnected()) usleep(1000);
+    WaitUntil("the other end", [this] { return line_->IsConnected(); });
     openr_wire_Up up = New(openr_wire_UP_HELLO);
     up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
                         arena_.Text("")};

@@ -4,6 +4,7 @@
 
 #include "distribution/seat.h"
 #include "tests/distribution/hosts.h"
+#include "tests/distribution/kill_process.h"
 #include "tests/distribution/same_run.h"
 
 namespace openr_host {
@@ -38,7 +39,7 @@ TEST_F(JoinedTest, AKilledOneIsSeenAtOnceAndComesAgain) {
   const auto run = Run({"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
   const pid_t child = ChildrenOf(join->pid()).at(0);
-  kill(child, SIGKILL);
+  KillProcess(child, SIGKILL);
   EXPECT_TRUE(run->WaitFor("process 'vision' is back")) << run->heard();
   EXPECT_THAT(run->heard(), HasSubstr("process 'vision' (pid " + std::to_string(child) + " on " +
                                       HostName() + ") is not there any more: killed, or ended"));

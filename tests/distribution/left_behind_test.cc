@@ -8,6 +8,8 @@
 #include "distribution/fleet.h"
 #include "runtime/core/api.h"
 #include "tests/conformance/conform_fixture.h"
+#include "tests/distribution/kill_process.h"
+#include "tests/distribution/wait_until.h"
 #include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
@@ -105,9 +107,7 @@ class LeftBehindTest : public ConformTest {
     }
     return {};
   }
-  void Kill(const std::string& process) const {
-    kill(static_cast<pid_t>(Process(process).pid), SIGKILL);
-  }
+  void Kill(const std::string& process) const { KillProcess(Process(process).pid, SIGKILL); }
   // With all its threads.
   bool HasEnded(const std::string& process) const {
     namespace fs = std::filesystem;
@@ -122,7 +122,10 @@ class LeftBehindTest : public ConformTest {
   void Lose(const std::string& process) const {
     const int before = Process(process).losses;
     Kill(process);
-    for (; Process(process).losses == before; usleep(1000)) fleet_->Watch();
+    WaitUntil("the loss of " + process, [&] {
+      fleet_->Watch();
+      return Process(process).losses > before;
+    });
   }
   void Frame() const {
     system->RunFor(system->frame_us());
@@ -164,7 +167,7 @@ class LeftBehindTest : public ConformTest {
 };
 
 TEST_F(LeftBehindTest, OneThatReadTheConsoleTakesNoLine) {
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Tell("gets");
   StartReading();
@@ -176,7 +179,7 @@ TEST_F(LeftBehindTest, OneThatReadTheConsoleTakesNoLine) {
 }
 
 TEST_F(LeftBehindTest, ALineOnItsWayToOneThatIsLostIsTheNextReaders) {
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Tell("gets");
   StartReading();
@@ -190,12 +193,12 @@ TEST_F(LeftBehindTest, ALineOnItsWayToOneThatIsLostIsTheNextReaders) {
 
 // It dies when the run has looked, and before the line enters.
 TEST_F(LeftBehindTest, ALineDoesNotGoToOneWhoseEndNobodyHasSeen) {
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Tell("gets");
   StartReading();
   Kill("acting");
-  while (!HasEnded("acting")) usleep(1000);
+  WaitUntil("its end", [&] { return HasEnded("acting"); });
   Type("mine");
   EXPECT_THAT(reader_->lines, ElementsAre("mine\n"));
   EXPECT_EQ(Process("acting").losses, 1);
@@ -203,14 +206,14 @@ TEST_F(LeftBehindTest, ALineDoesNotGoToOneWhoseEndNobodyHasSeen) {
 
 // Who asked gets the answer that was given, not that of the run in the name of the lost one.
 TEST_F(LeftBehindTest, WhatItAnsweredStands) {
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   EXPECT_EQ(AnswerTo("answer and die", false), std::string("an answer", 10));
   EXPECT_EQ(Process("acting").losses, 1);
 }
 
 TEST_F(LeftBehindTest, WhatItHandedOnIsAnsweredByTheOther) {
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   EXPECT_EQ(AnswerTo("bequeath", true), std::string("42", 3));
   EXPECT_EQ(Process("acting").losses, 1);
@@ -219,7 +222,7 @@ TEST_F(LeftBehindTest, WhatItHandedOnIsAnsweredByTheOther) {
 // More than wait for one object, all of one subject.
 TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
-  Place({{"hearer", "hearing"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
   Settle();
   Hear("auto");
   Hear("assert");
@@ -244,7 +247,7 @@ TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
 // As the robot does with frame numbers.
 TEST_F(LeftBehindTest, WhatAnObserverWroteIntoARegionComesBackWithIt) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
-  Place({{"hearer", "hearing"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
   Settle();
   Hear("assert");
   Hear("remember");
@@ -265,7 +268,7 @@ TEST_F(LeftBehindTest, WhatAnObserverWroteIntoARegionComesBackWithIt) {
 TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Receiver.In.Number.O\nSender.Out.Number.S Hearer.In.Number.O\n");
-  Place({{"teller", "both"}, {"hearer", "both"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "both"}, {"hearer", "both"}}));
   RCRegion* kept = nullptr;
   receiver_->on_notify = [&](const ONotifyEvent& event) {
     kept = event.RCData(0);
@@ -287,7 +290,7 @@ TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
 }
 
 TEST_F(LeftBehindTest, LostDuringTheBootItsServicesAreNotMissed) {
-  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}, {"hearer", "hearing"}}));
   Kill("acting");
   Settle();
   EXPECT_TRUE(Found("was killed by signal 9")) << Findings();
@@ -302,7 +305,7 @@ TEST_F(LeftBehindTest, AWrongLineIsReportedAllTheSame) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Receiver.On.Number.O\n"
          "Teller.Out.Number.S reader.In.Number.O\n");
-  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}, {"hearer", "hearing"}}));
   Kill("acting");
   Settle();
   EXPECT_TRUE(Found("Receiver.On.Number.O NOT FOUND")) << Findings();
@@ -313,7 +316,7 @@ TEST_F(LeftBehindTest, AWrongLineIsReportedAllTheSame) {
 TEST_F(LeftBehindTest, AWrongLineOfALostOneIsReportedWhenItIsBack) {
   Config("CONNECT.CFG",
          "Teller.Ot.Number.S Hearer.In.Number.O\nTelller.Out.Number.S Hearer.In.Number.O\n");
-  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}, {"hearer", "hearing"}}));
   Kill("acting");
   Settle();
   EXPECT_FALSE(Found("NOT FOUND")) << Findings();
@@ -327,7 +330,7 @@ TEST_F(LeftBehindTest, AWrongLineOfALostOneIsReportedWhenItIsBack) {
 
 // The observer's process comes first.
 TEST_F(LeftBehindTest, WhenBothEndsAreLostTheFirstIsNotRefused) {
-  Place({{"hearer", "a"}, {"teller", "b"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
   Settle();
   Lose("a");
   Lose("b");
@@ -354,7 +357,7 @@ class AwayTest : public LeftBehindTest {
 
 TEST_F(AwayTest, AfterControlCNobodyIsWaitedForAndTheReportSaysWhereItWas) {
   options_.wait_ms = 5'000;
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   const Fleet::ProcessFacts before = Process("acting");
   ASSERT_GT(before.pid, 0);
@@ -372,7 +375,7 @@ TEST_F(AwayTest, OneThatDoesNotComeIsNamedAndGivenUp) {
   std::string said;
   options_.say = [&said](const std::string& line) { said += line + "\n"; };
   options_.wait_ms = 4'000;
-  Place({{"teller", "acting"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Lose("acting");
   for (int i = 0; i < 10 && !system->powered_off(); ++i) Frame();
@@ -383,11 +386,11 @@ TEST_F(AwayTest, OneThatDoesNotComeIsNamedAndGivenUp) {
 }
 
 TEST_F(LeftBehindTest, ASecondControlCIsNoFinding) {
-  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}, {"hearer", "hearing"}}));
   Settle();
   interrupts_ = [] { return 2; };
   for (const char* const process : {"acting", "hearing"})
-    kill(static_cast<pid_t>(Process(process).pid), SIGSTOP);
+    KillProcess(Process(process).pid, SIGSTOP);
   Tell("ready?");
   EXPECT_TRUE(system->powered_off());
   system->state_hash();

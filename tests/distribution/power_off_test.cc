@@ -4,7 +4,9 @@
 
 #include "distribution/fleet.h"
 #include "openr/simulation.h"
+#include "tests/distribution/kill_process.h"
 #include "tests/distribution/sticks.h"
+#include "tests/distribution/wait_until.h"
 
 namespace openr_host {
 namespace {
@@ -63,8 +65,11 @@ class PowerOffTest : public testing::Test {
   // Until the run has heard of it; whom.
   int64_t Kill() {
     const int64_t pid = fleet_->Describe()[0].pid;
-    kill(static_cast<pid_t>(pid), SIGKILL);
-    while (fleet_->Describe()[0].losses == 0) fleet_->Watch();
+    KillProcess(pid, SIGKILL);
+    WaitUntil("the loss", [this] {
+      fleet_->Watch();
+      return fleet_->Describe()[0].losses > 0;
+    });
     return pid;
   }
   int StartCount() const {
@@ -81,7 +86,7 @@ class PowerOffTest : public testing::Test {
 };
 
 TEST_F(PowerOffTest, OnlyTheOtherRobotsObjectStartsAgain) {
-  Begin(2);
+  ASSERT_NO_FATAL_FAILURE(Begin(2));
   EXPECT_EQ(StartCount(), 2);
   Kill();
   system().PowerOff(0);
@@ -98,7 +103,7 @@ TEST_F(PowerOffTest, OnlyTheOtherRobotsObjectStartsAgain) {
 
 // One that is off when its process is lost, and comes back with it.
 TEST_F(PowerOffTest, NobodyStartsWhatWasOffBefore) {
-  Begin(2);
+  ASSERT_NO_FATAL_FAILURE(Begin(2));
   system().PowerOff(1);
   Kill();
   Run(20);
@@ -109,7 +114,7 @@ TEST_F(PowerOffTest, NobodyStartsWhatWasOffBefore) {
 }
 
 TEST_F(PowerOffTest, ARunThatIsOverWaitsForNobody) {
-  Begin(1);
+  ASSERT_NO_FATAL_FAILURE(Begin(1));
   const int64_t pid = Kill();
   system().PowerOff(0);
   Run(20);
@@ -122,7 +127,7 @@ TEST_F(PowerOffTest, ARunThatIsOverWaitsForNobody) {
 
 // What is asked to stop is gone already: nobody waits for its answer.
 TEST_F(PowerOffTest, ARobotShutsDownWithoutTheLostOne) {
-  Begin(1);
+  ASSERT_NO_FATAL_FAILURE(Begin(1));
   system().Shutdown();
   Kill();
   const int64_t before_us = system().now_us();

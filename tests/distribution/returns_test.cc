@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "tests/distribution/hosts.h"
+#include "tests/distribution/kill_process.h"
 #include "tests/distribution/same_run.h"
 
 namespace openr_host {
@@ -46,6 +47,7 @@ class ReturnsTest : public testing::Test {
   static Words RunAt(const std::string& rate, const Words& flags) {
     return Words{"run", "--no-panel", "--rc-port", "0", "--json", "--rate", rate} + flags;
   }
+  // -1 if there is none.
   static int PidOf(const ProgramRun& run, const std::string& process) {
     for (const pid_t child : ChildrenOf(run.pid())) {
       std::ifstream file("/proc/" + std::to_string(child) + "/cmdline");
@@ -194,11 +196,11 @@ TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {
   ProgramRun run(RunAt("20", OnStick({"--place", "Payer=payer", "--place", "Payee=payee",
                                       "--restart", "1", "--for", "60s"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
-  NewEdition();
-  kill(PidOf(run, "payee"), SIGKILL);
+  ASSERT_NO_FATAL_FAILURE(NewEdition());
+  KillProcess(PidOf(run, "payee"), SIGKILL);
   ASSERT_TRUE(run.WaitFor("process 'payee' is back")) << run.heard();
   EXPECT_TRUE(run.WaitFor("Payee, edition two")) << "new code";
-  kill(PidOf(run, "payee"), SIGKILL);  // once was what it may
+  KillProcess(PidOf(run, "payee"), SIGKILL);  // once was what it may
   const ProgramResult& result = run.Finish();
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err,
@@ -210,7 +212,7 @@ TEST_F(ReturnsTest, TheDogStandsAgain) {
   ProgramRun run(RunAt(
       "10", {"--body", "ideal", "--isolate", "JointMover", "--restart", "3", "--for", "40s"}));
   ASSERT_TRUE(run.WaitFor("state: accepting-commands"));
-  kill(PidOf(run, "JointMover"), SIGKILL);
+  KillProcess(PidOf(run, "JointMover"), SIGKILL);
   ASSERT_TRUE(run.WaitFor("process 'JointMover' is back")) << run.heard();
   const ProgramResult& result = run.Finish();
   const json report = json::parse(result.out, nullptr, false);
@@ -225,7 +227,7 @@ TEST_F(ReturnsTest, FreeRunningTheOthersGoOnMeanwhile) {
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
   for (const char* const victim : {"payee", "payer", "payee"}) {
     const size_t before = run.heard().size();
-    kill(PidOf(run, victim), SIGKILL);
+    KillProcess(PidOf(run, victim), SIGKILL);
     ASSERT_TRUE(run.WaitFor(std::string("process '") + victim + "' is back", before))
         << run.heard();
   }
@@ -257,7 +259,7 @@ TEST_F(ReturnsTest, OneOfAnotherHostComesByItself) {
   ProgramRun run(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
                                      "--free-running"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
-  kill(ChildrenOf(join.pid()).at(0), SIGKILL);
+  KillProcess(ChildrenOf(join.pid()).at(0), SIGKILL);
   EXPECT_TRUE(run.WaitFor("process 'payee' is back")) << run.heard();
   run.Signal(SIGINT);
   EXPECT_EQ(run.Finish().status, 1);

@@ -9,6 +9,7 @@
 #include "distribution/latency.h"
 #include "distribution/monitor.h"
 #include "runtime/core/system.h"
+#include "tests/distribution/wait_until.h"
 #include "tests/runtime/objcomm/probe.h"
 
 namespace openr_host {
@@ -95,11 +96,11 @@ TEST(MonitorTest, ARunThatEndsSaysItsRatesOfBefore) {
   system.Boot();
   system.RunFor(1000);
   std::vector<RunStatus> said;
-  while (said.empty()) {
-    usleep(10'000);
+  WaitUntil("what it says", [&] {
     monitor.Look();
     said = reader.Take();
-  }
+    return !said.empty();
+  });
   EXPECT_GT(said[0].messages_per_s, 0);
   monitor.End();
   const std::vector<RunStatus> at_end = reader.Take();

@@ -7,6 +7,7 @@
 
 #include "openr/commands/top_view.h"
 #include "tests/distribution/hosts.h"
+#include "tests/distribution/kill_process.h"
 
 namespace openr_host {
 namespace {
@@ -81,8 +82,7 @@ TEST(TopTest, ALostProcessIsShownAsLost) {
   const std::string name = RunName("lost");
   const auto run = StartRun(name, {"--isolate", "JointMover", "--free-running"});
   const pid_t child = ObjectNamed(Top(name), "JointMover")["pid"];
-  ASSERT_GT(child, 1);
-  kill(child, SIGKILL);
+  KillProcess(child, SIGKILL);
   std::string lost;
   for (int i = 0; i < 10 && lost.empty(); ++i) lost = ObjectNamed(Top(name), "JointMover")["lost"];
   EXPECT_THAT(lost, HasSubstr("process 'JointMover' (pid " + std::to_string(child) +
@@ -96,8 +96,7 @@ TEST(TopTest, AProcessThatIsBackIsShownWithItsNewId) {
   const std::string name = RunName("back");
   const auto run = StartRun(name, {"--isolate", "JointMover", "--restart", "1"});
   const pid_t child = ObjectNamed(Top(name), "JointMover")["pid"];
-  ASSERT_GT(child, 1);
-  kill(child, SIGKILL);
+  KillProcess(child, SIGKILL);
   ASSERT_TRUE(run->WaitFor("process 'JointMover' is back")) << run->heard();
   for (int i = 0; i < 2; ++i) {  // counts that began anew are no great rates
     const json mover = ObjectNamed(Top(name), "JointMover");
@@ -113,9 +112,9 @@ TEST(TopTest, ARunInOneProcessSpeaksWithMonitorOnly) {
     EXPECT_TRUE(silent.WaitFor("state: listening")) << silent.Finish().err;
     const std::string its_name = "openr-" + std::to_string(silent.pid());
     const ProgramResult nothing =
-        RunProgram({"top", "--once", "--json", "--wait", "2s", "--run-name", its_name});
+        RunProgram({"top", "--once", "--json", "--wait", "1500ms", "--run-name", its_name});
     EXPECT_EQ(nothing.status, 1);
-    EXPECT_THAT(nothing.err, HasSubstr("no run '" + its_name + "' was heard within 2 s"));
+    EXPECT_THAT(nothing.err, HasSubstr("no run '" + its_name + "' was heard within 1.5 s"));
     EXPECT_TRUE(json::parse(nothing.out, nullptr, false).contains("error")) << nothing.out;
   }
   const std::string name = RunName("one");

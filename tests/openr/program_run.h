@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -55,9 +56,11 @@ class ProgramRun {
   ProgramRun& operator=(const ProgramRun&) = delete;
 
   // Waits until `text` has been said on standard error, behind `from`; false when the program ended
-  // without.
+  // without, or has said other things for two minutes.
   bool WaitFor(const std::string& text, size_t from = 0) {
+    const auto deadline = Clock::now() + std::chrono::milliseconds(kPatienceMs);
     while (result_.err.find(text, from) == std::string::npos) {
+      if (Clock::now() > deadline) Signal(SIGKILL);
       if (!ReadSome()) return false;
     }
     return true;
@@ -93,6 +96,8 @@ class ProgramRun {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   // False when both outputs have ended.
   bool ReadSome() {
     pollfd wanted[2] = {{out_, POLLIN, 0}, {err_, POLLIN, 0}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "RemoteProtocol.h"
+#include "tests/distribution/kill_process.h"
 #include "tests/distribution/ros2/ros2_run.h"
 #include "virtualrobot/model/robot_model.h"
 
@@ -75,7 +76,7 @@ class LostRemoteControlTest : public testing::Test {
   static void KillRemoteControl(Ros2Run* run) {
     const std::vector<pid_t> children = ChildrenOf(run->program().pid());
     ASSERT_EQ(children.size(), 1u);
-    kill(children[0], SIGKILL);
+    KillProcess(children[0], SIGKILL);
   }
   static void ExpectThatJointsObey(const Ros2Run& run) {
     run.peer().Do({"command", kTopic, "neck_pan=0.5"});
@@ -91,7 +92,7 @@ TEST_F(LostRemoteControlTest, CommandsAfterItCameBackWork) {
   run.WaitForStanding();
   ProgramRun stream(Words{run.domain()} + Stream(), ROS2_PEER);
   EXPECT_LT(std::abs(run.peer().Position("aibo", "neck_pan")), 0.4);  // on its way
-  KillRemoteControl(&run);
+  ASSERT_NO_FATAL_FAILURE(KillRemoteControl(&run));
   ASSERT_TRUE(run.program().WaitFor("process 'RCServer' is back")) << run.program().heard();
   EXPECT_EQ(stream.Finish().status, 0);
   ExpectThatJointsObey(run);
@@ -103,7 +104,7 @@ TEST_F(LostRemoteControlTest, ARunWithoutItGoesOnAndSaysWhatIsMissing) {
   run.WaitForStanding();
   ProgramRun stream(Words{run.domain()} + Stream(), ROS2_PEER);
   EXPECT_TRUE(run.peer().ReadOne("sensor_msgs/JointState", "rt/aibo/joint_states").is_object());
-  KillRemoteControl(&run);
+  ASSERT_NO_FATAL_FAILURE(KillRemoteControl(&run));
   ASSERT_TRUE(run.program().WaitFor("process 'RCServer' (pid ")) << run.program().heard();
   ASSERT_TRUE(run.program().WaitFor(
       "aibo/joint_command: the remote control of the robot has not taken a command for 1 s"));
