@@ -1,6 +1,8 @@
 // --free-running: the wall clock rules.
 #include <gmock/gmock.h>
 
+#include <chrono>
+
 #include "tests/distribution/same_run.h"
 
 namespace openr_host {
@@ -9,11 +11,13 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(FreeRunningTest, ObjectsElsewhereDoTheirWork) {
+  const auto begin = std::chrono::steady_clock::now();
   const ProgramResult result =
       RunProgram(Words{"run", "--for", "5s", "--body", "ideal", "--no-panel", "--rc-port", "0",
-                       "--json", "--free-running"} +
+                       "--json", "--free-running", "--rate", "5"} +
                  Isolated({"JointMover", "RCServer"}));
   EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1)) << "5 s at 5";
   const json report = json::parse(result.out, nullptr, false);
   ASSERT_EQ(report["processes"].size(), 2u) << result.out;
   for (const json& process : report["processes"]) {

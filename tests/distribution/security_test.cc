@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <memory>
 
 #include "distribution/dds_settings.h"
 #include "tests/distribution/same_run.h"
@@ -15,53 +16,65 @@ const Words kFlags = {"--for", "3s", "--body", "ideal"};
 
 class SecurityTest : public testing::Test {
  protected:
-  void SetUp() override {
+  // Keys take their time, and are the same for all tests.
+  static void SetUpTestSuite() {
+    keys = std::make_unique<ScratchFolder>();
     for (const char* authority : {"ours", "theirs"}) {
-      const std::string command = std::string(OPENR_DDS_SECURITY) + " " + folder.File(authority) +
-                                  " alpha beta 2>" + folder.File("said");
-      if (std::system(command.c_str()) != 0)
-        GTEST_SKIP() << "settings cannot be made (openssl): " << folder.Read("said");
+      const std::string command = std::string(OPENR_DDS_SECURITY) + " " + keys->File(authority) +
+                                  " alpha beta 2>" + keys->File("said");
+      if (std::system(command.c_str()) == 0) continue;
+      why_not = "settings cannot be made (openssl): " + keys->Read("said");
+      return;
     }
-    const ProgramResult result = RunProgram({"top", "--once", "--wait", "100ms", "--run-name", name,
-                                             "--dds-config", Settings("ours/alpha")});
+    const ProgramResult result = RunProgram({"top", "--once", "--wait", "100ms", "--run-name",
+                                             "nobody", "--dds-config", Settings("ours/alpha")});
     if (result.err.find("Could not load") != std::string::npos)
-      GTEST_SKIP() << "the plugins of Cyclone DDS are not installed: " << result.err;
+      why_not = "the plugins of Cyclone DDS are not installed: " + result.err;
+  }
+  static void TearDownTestSuite() { keys.reset(); }
+  void SetUp() override {
+    if (!why_not.empty()) GTEST_SKIP() << why_not;
     folder.Write("where.cfg", "Controller vision\nJointMover legs\n@vision 127.0.0.1\n");
   }
-  std::string Settings(const std::string& of) const { return folder.File(of + ".xml"); }
 
-  // JointMover in a process that is started, Controller in one that joins; "": without settings.
-  void RunAndJoin(const std::string& joins_with, RecordedRun* run, ProgramResult* join) const {
-    Words words = {"join", "--process", "vision", "--run-name", name, "--wait", "3s"};
-    if (!joins_with.empty()) words = words + Words{"--dds-config", Settings(joins_with)};
-    ProgramRun joining(words);
-    *run = Record(kFlags + Words{"--placement", folder.File("where.cfg"), "--run-name", name,
-                                 "--join-wait", "3s", "--dds-config", Settings("ours/alpha")});
-    *join = joining.Finish();
+  static std::string Settings(const std::string& of) { return keys->File(of + ".xml"); }
+  // "": without settings.
+  static Words With(const std::string& settings) {
+    return settings.empty() ? Words{} : Words{"--dds-config", Settings(settings)};
+  }
+  // Controller's process.
+  std::unique_ptr<ProgramRun> Join(const std::string& settings, const std::string& wait) const {
+    return std::make_unique<ProgramRun>(
+        Words{"join", "--process", "vision", "--run-name", name, "--wait", wait} + With(settings));
+  }
+  // With JointMover in a process that is started.
+  RecordedRun RunWithJoiner(const std::string& join_wait) const {
+    return Record(kFlags + With("ours/alpha") +
+                  Words{"--placement", folder.File("where.cfg"), "--run-name", name, "--join-wait",
+                        join_wait});
   }
 
+  static inline std::unique_ptr<ScratchFolder> keys;
+  static inline std::string why_not;
   const ScratchFolder folder;
   const std::string name = "secret-" + std::to_string(getpid());
 };
 
 TEST_F(SecurityTest, WhoIsOfOneAuthorityIsOneRun) {
-  RecordedRun run;
-  ProgramResult join;
-  RunAndJoin("ours/beta", &run, &join);
-  EXPECT_EQ(join.status, 0) << join.err;
+  const auto join = Join("ours/beta", "60s");
+  const RecordedRun run = RunWithJoiner("60s");
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
   ExpectSame(Record(kFlags), run);
 }
 
 TEST_F(SecurityTest, OthersAreNotLetIn) {
-  for (const char* settings : {"", "theirs/beta"}) {
-    SCOPED_TRACE(settings);
-    RecordedRun run;
-    ProgramResult join;
-    RunAndJoin(settings, &run, &join);
-    EXPECT_EQ(run.status, 1);
-    EXPECT_THAT(run.err, HasSubstr("process 'vision' did not come within 3 s"));
-    EXPECT_EQ(join.status, 1);
-    EXPECT_THAT(join.err, HasSubstr("no run '" + name + "'"));
+  const auto open = Join("", "3s"), other = Join("theirs/beta", "3s");
+  const RecordedRun run = RunWithJoiner("3s");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("process 'vision' did not come within 3 s"));
+  for (const auto& intruder : {open.get(), other.get()}) {
+    EXPECT_EQ(intruder->Finish().status, 1);
+    EXPECT_THAT(intruder->heard(), HasSubstr("no run '" + name + "'"));
   }
 }
 
@@ -69,10 +82,14 @@ TEST_F(SecurityTest, OthersDoNotHear) {
   ProgramRun run(Words{"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--monitor",
                        "--run-name", name, "--dds-config", Settings("ours/alpha")});
   ASSERT_TRUE(run.WaitFor("state: listening"));
-  const Words top = {"top", "--once", "--wait", "2s", "--run-name", name};
-  EXPECT_EQ(RunProgram(top + Words{"--dds-config", Settings("ours/beta")}).status, 0);
-  EXPECT_EQ(RunProgram(top + Words{"--dds-config", Settings("theirs/beta")}).status, 1);
-  EXPECT_EQ(RunProgram(top).status, 1);
+  const auto top = [this](const std::string& settings, const std::string& wait) {
+    return std::make_unique<ProgramRun>(Words{"top", "--once", "--wait", wait, "--run-name", name} +
+                                        With(settings));
+  };
+  const auto open = top("", "2s"), other = top("theirs/beta", "2s"), ours = top("ours/beta", "60s");
+  EXPECT_EQ(ours->Finish().status, 0) << ours->heard();
+  EXPECT_EQ(other->Finish().status, 1);
+  EXPECT_EQ(open->Finish().status, 1);
 }
 
 // Topics of ROS 2 are protected as well.

@@ -12,7 +12,7 @@ TEST(WrapTest, UnderValgrindTheObjectDoesTheSame) {
 #endif
   if (std::system("valgrind --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "valgrind is not installed";
-  const Words flags = {"--for", "2s", "--body", "ideal"};
+  const Words flags = {"--for", "500ms", "--body", "ideal"};
   const RecordedRun one = Record(flags);
   const RecordedRun watched = Record(flags + Isolated({"JointMover"}) +
                                      Words{"--handler-limit", "0s", "--wrap", "valgrind -q"});
@@ -50,7 +50,7 @@ TEST(WrapTest, UnderGdbAHandlerIsStoppedAtAndTheRunIsTheSame) {
   const ScratchFolder folder;
   folder.Write("commands",
                "set breakpoint pending on\nbreak JointMover::DoStart\nrun\nbt 1\ncontinue\n");
-  const Words flags = {"--for", "2s", "--body", "ideal"};
+  const Words flags = {"--for", "500ms", "--body", "ideal"};
   const RecordedRun debugged =
       Record(flags + Isolated({"JointMover"}) +
              Words{"--handler-limit", "0s", "--stdin", "/dev/null", "--wrap",
@@ -66,7 +66,7 @@ TEST(WrapTest, UnderAScriptTheObjectDoesTheSame) {
   folder.Write("tool", "#!/bin/sh\necho \"$1 of $$: $*\" >> " + folder.File("told") +
                            "\nshift\nexec \"$@\"\n");
   std::filesystem::permissions(folder.File("tool"), std::filesystem::perms::owner_all);
-  const Words flags = {"--for", "2s", "--body", "ideal"};
+  const Words flags = {"--for", "500ms", "--body", "ideal"};
   const RecordedRun wrapped =
       Record(flags + Isolated({"JointMover"}) + Words{"--wrap", folder.File("tool") + "  -word"});
   ExpectSame(Record(flags), wrapped);

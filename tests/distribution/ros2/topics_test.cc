@@ -1,5 +1,7 @@
 // What a plain DDS participant hears of a run.
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "tests/distribution/ros2/ros2_run.h"
 #include "virtualrobot/model/robot_model.h"
@@ -128,41 +130,56 @@ TEST(Ros2TopicsTest, StampsOfAllTopicsAreOfOneClock) {
   EXPECT_LT(joints_us, after_us);
 }
 
-TEST(Ros2TopicsTest, ListeningChangesNothing) {
-  const RecordedRun alone = Record({"--for", "8s"});
-  const ScratchFolder folder;
-  const std::string domain = NewDomain();
-  const Ros2Peer peer(domain);
-  ProgramRun run({"run", "--rate", "1", "--no-panel", "--rc-port", "0", "--json", "--record",
-                  folder.File("r"), "--for", "8s", "--ros2", "--dds-domain", domain});
-  EXPECT_EQ(peer.Read("sensor_msgs/Image", "rt/aibo/image_raw", 3).size(), 3u);
-  EXPECT_EQ(peer.Read("sensor_msgs/JointState", "rt/aibo/joint_states", 3).size(), 3u);
-  const ProgramResult& result = run.Finish();
-  const RecordedRun heard = {result.status, result.err, folder.Read("r"),
-                             json::parse(result.out, nullptr, false)};
-  ExpectSame(alone, heard);
+// A run of some seconds that others listen to.
+class Ros2ListenedToTest : public testing::Test {
+ protected:
+  static constexpr const char* kTime = "4s";
+
+  static void SetUpTestSuite() { alone = std::make_unique<RecordedRun>(Record({"--for", kTime})); }
+  static void TearDownTestSuite() { alone.reset(); }
+
+  void Listen(const std::string& type, const std::string& topic) {
+    listeners_.push_back(
+        std::make_unique<ProgramRun>(Words{domain_, "read", type, topic, "3"}, ROS2_PEER));
+  }
+  // They are there first: a slow machine starts them later than the run ends.
+  void ExpectTheSameRun(const Words& flags) {
+    const ScratchFolder folder;
+    const ProgramResult result =
+        RunProgram(Words{"run", "--rate", "1", "--no-panel", "--rc-port", "0", "--json", "--record",
+                         folder.File("r"), "--for", kTime, "--ros2", "--dds-domain", domain_} +
+                   flags);
+    for (const auto& listener : listeners_) {
+      const ProgramResult& heard = listener->Finish();
+      EXPECT_EQ(heard.status, 0) << heard.err;
+      EXPECT_EQ(std::count(heard.out.begin(), heard.out.end(), '\n'), 3) << heard.out;
+    }
+    ExpectSame(*alone, {result.status, result.err, folder.Read("r"),
+                        json::parse(result.out, nullptr, false)});
+  }
+
+  static inline std::unique_ptr<RecordedRun> alone;
+  const std::string domain_ = NewDomain();
+  const Ros2Peer peer_{domain_};  // its settings
+  std::vector<std::unique_ptr<ProgramRun>> listeners_;
+};
+
+TEST_F(Ros2ListenedToTest, ListeningChangesNothing) {
+  Listen("sensor_msgs/Image", "rt/aibo/image_raw");
+  Listen("sensor_msgs/JointState", "rt/aibo/joint_states");
+  ExpectTheSameRun({});
 }
 
-TEST(Ros2TopicsTest, TheBusOfARunInSeveralProcessesIsShared) {
-  const RecordedRun alone = Record({"--for", "8s"});
-  const ScratchFolder folder;
-  const std::string domain = NewDomain();
-  const Ros2Peer peer(domain);
-  ProgramRun run({"run", "--rate", "1", "--no-panel", "--rc-port", "0", "--json", "--record",
-                  folder.File("r"), "--for", "8s", "--ros2", "--dds-domain", domain, "--isolate",
-                  "RCServer"});
-  EXPECT_EQ(peer.Read("sensor_msgs/Imu", "rt/aibo/imu", 3).size(), 3u);
-  const ProgramResult& result = run.Finish();
-  const RecordedRun heard = {result.status, result.err, folder.Read("r"),
-                             json::parse(result.out, nullptr, false)};
-  ExpectSame(alone, heard);
+TEST_F(Ros2ListenedToTest, TheBusOfARunInSeveralProcessesIsShared) {
+  Listen("sensor_msgs/Imu", "rt/aibo/imu");
+  ExpectTheSameRun({"--isolate", "RCServer"});
 }
 
 TEST(Ros2TopicsTest, AReaderThatStopsStopsNeitherTheRunNorOtherReaders) {
   const std::string domain = NewDomain();
   const Ros2Peer peer(domain);
   ProgramRun run({"run", "--rate", "2", "--no-panel", "--rc-port", "0", "--console", "/dev/null",
-                  "--for", "20s", "--ros2", "--dds-domain", domain});
+                  "--ros2", "--dds-domain", domain});
   // It is not taken for dead.
   std::string settings = DocumentedSettings();
   const std::string discovery = "<Discovery>";
@@ -174,9 +191,10 @@ TEST(Ros2TopicsTest, AReaderThatStopsStopsNeitherTheRunNorOtherReaders) {
   ASSERT_TRUE(reader.WaitForOutput("rgb8"));
   reader.Signal(SIGSTOP);
   EXPECT_EQ(peer.Read("sensor_msgs/Image", "rt/aibo/image_raw", 20).size(), 20u);
+  EXPECT_EQ(peer.Read("rosgraph_msgs/Clock", "rt/clock", 200).size(), 200u);
+  run.Signal(SIGINT);
   const ProgramResult& result = run.Finish();  // ends it if it hangs
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("20.000 s of virtual time"));
   reader.Signal(SIGKILL);
 }
 
