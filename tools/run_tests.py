@@ -2,7 +2,8 @@
 """Runs the test programs of a build, a few at a time, and the script tests.
 
 Every program prints "N passed, N failed" (", N skipped") as its last line; the last line here
-is the sum.  A program that crashes or hangs counts as one failure more.
+is the sum.  A program that crashes or hangs counts as one failure more.  Programs whose tests
+mostly wait are run in parts, all at a time and beside the others.
 """
 import argparse
 import concurrent.futures
@@ -17,22 +18,23 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program; with sanitizers, on two busy cores
+SHARDS = {"distribution_tests": 4}  # for processes and leases; ros2_run.h has domains for four
 
 
-def environment():
-    env = dict(os.environ)
+def environment(shard):
+    env = {**os.environ, **shard}
     env.setdefault("ASAN_OPTIONS", "detect_leaks=0:detect_stack_use_after_return=0")
     env.setdefault("LSAN_OPTIONS", "print_suppressions=0")
     env.setdefault("UBSAN_OPTIONS", "print_stacktrace=1")
     return env
 
 
-def run(name, command):
+def run(name, command, shard):
     """Returns (name, passed, failed, skipped, output, seconds)."""
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="openr-test-") as scratch:
         try:
-            done = subprocess.run(command, cwd=scratch, env=environment(), timeout=LIMIT_S,
+            done = subprocess.run(command, cwd=scratch, env=environment(shard), timeout=LIMIT_S,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
             output, status = done.stdout.decode(errors="replace"), done.returncode
@@ -52,23 +54,35 @@ def run(name, command):
     return name, passed, failed, skipped, output, seconds
 
 
+def parts(name):
+    """What a part of the test program is called, and the environment that says which it is."""
+    count = SHARDS[name]
+    return [(f"{name} {i + 1}/{count}",
+             {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}) for i in range(count)]
+
+
 def jobs(build, pattern):
-    """Name and command of everything to run."""
-    found = []
+    """Name, command and environment of everything to run: what waits, and the others."""
+    waiting, found = [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
     for program in sorted((build / "bin").glob("*_tests")):
-        found.append((program.name, [str(program)] + gtest))
+        command = [str(program)] + gtest
+        if program.name in SHARDS:
+            waiting += [(name, command, shard) for name, shard in parts(program.name)]
+        else:
+            found.append((program.name, command, {}))
     header_check = ROOT / "tests/runtime/include/check_headers.sh"
     if pattern in header_check.name:
         found.append((header_check.name, ["sh", str(header_check), str(ROOT / "runtime/include"),
-                                          "headers"]))
+                                          "headers"], {}))
     surface = ROOT / "tests/surface/sdk_surface_test.py"
     if pattern in surface.name:
-        found.append((surface.name, [sys.executable, str(surface)]))
+        found.append((surface.name, [sys.executable, str(surface)], {}))
     examples = ROOT / "tests/examples/run_examples.py"
     if pattern in examples.name:
-        found.append((examples.name, [sys.executable, str(examples), "--build", str(build)]))
-    return found
+        found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],
+                      {}))
+    return waiting, found
 
 
 def main():
@@ -77,9 +91,11 @@ def main():
     parser.add_argument("--filter", default="")
     arguments = parser.parse_args()
     sums = [0, 0, 0]
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        todo = [pool.submit(run, name, command)
-                for name, command in jobs(arguments.build.resolve(), arguments.filter)]
+    waiting, others = jobs(arguments.build.resolve(), arguments.filter)
+    with concurrent.futures.ThreadPoolExecutor(max(1, len(waiting))) as waiters, \
+            concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        todo = [waiters.submit(run, *job) for job in waiting]
+        todo += [pool.submit(run, *job) for job in others]
         for future in concurrent.futures.as_completed(todo):
             name, passed, failed, skipped, output, seconds = future.result()
             if failed:

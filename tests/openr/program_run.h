@@ -39,9 +39,12 @@ class ProgramRun {
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
     argv.push_back(nullptr);
-    if (posix_spawn(&child_, program.c_str(), &actions, nullptr, argv.data(), environ) != 0) {
+    posix_spawnattr_t attributes;
+    MakeAttributes(&attributes);
+    if (posix_spawn(&child_, program.c_str(), &actions, &attributes, argv.data(), environ) != 0) {
       child_ = -1;
     }
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     close(out[1]);
     close(err[1]);
@@ -58,17 +61,20 @@ class ProgramRun {
   // Waits until `text` has been said on standard error, behind `from`; false when the program ended
   // without, or has said other things for two minutes.
   bool WaitFor(const std::string& text, size_t from = 0) {
-    const auto deadline = Clock::now() + std::chrono::milliseconds(kPatienceMs);
-    while (result_.err.find(text, from) == std::string::npos) {
-      if (Clock::now() > deadline) Signal(SIGKILL);
-      if (!ReadSome()) return false;
-    }
-    return true;
+    return WaitUntil([&] { return result_.err.find(text, from) != std::string::npos; });
   }
 
   // The same for standard output.
   bool WaitForOutput(const std::string& text) {
-    while (result_.out.find(text) == std::string::npos) {
+    return WaitUntil([&] { return result_.out.find(text) != std::string::npos; });
+  }
+
+  // The same for what it has said so far, in whatever way.
+  template <typename Condition>
+  bool WaitUntil(const Condition& holds) {
+    const auto deadline = Clock::now() + std::chrono::milliseconds(kPatienceMs);
+    while (!holds()) {
+      if (Clock::now() > deadline) Signal(SIGKILL);
       if (!ReadSome()) return false;
     }
     return true;
@@ -97,6 +103,16 @@ class ProgramRun {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // Ctrl-C reaches it, though tests that a shell has put into the background ignore it.
+  static void MakeAttributes(posix_spawnattr_t* attributes) {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    posix_spawnattr_init(attributes);
+    posix_spawnattr_setsigdefault(attributes, &signals);
+    posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);
+  }
 
   // False when both outputs have ended.
   bool ReadSome() {
