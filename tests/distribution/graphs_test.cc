@@ -1,5 +1,8 @@
 // The default stick in one process, in two, and with a process for each object: the same bytes.
 // The examples are compared by tests/examples, other people's objects by apart_test.cc.
+#include <gmock/gmock.h>
+#include <signal.h>
+
 #include "tests/distribution/sticks.h"
 
 namespace openr_host {
@@ -59,21 +62,22 @@ TEST_F(GraphsTest, OfTwoDogsTheHashes) {
 }
 
 TEST_F(GraphsTest, TheReportNamesProcessesThatAreProcesses) {
-  const RecordedRun run =
-      Record(Words{"--for", "1s", "--body", "ideal"} + kTwo + Isolated({"JointMover"}));
-  ASSERT_TRUE(run.report.is_object()) << run.err;
-  const json& processes = run.report["processes"];
+  ProgramRun run(Words{"run", "--no-panel", "--rc-port", "0", "--json", "--body", "ideal"} + kTwo +
+                 Isolated({"JointMover"}));
+  ASSERT_TRUE(run.WaitFor("state: listening")) << run.heard();
+  const std::vector<pid_t> children = ChildrenOf(run.pid());
+  run.Signal(SIGINT);
+  const ProgramResult& result = run.Finish();
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  const json& processes = report["processes"];
   ASSERT_EQ(processes.size(), 2u);
   EXPECT_EQ(processes[0]["name"], "JointMover");
   EXPECT_EQ(processes[1]["name"], "brain");
   EXPECT_EQ(processes[1]["objects"], json({"RCServer", "Controller"}));
-  EXPECT_GT(processes[0]["pid"], 1);
-  EXPECT_NE(processes[0]["pid"], processes[1]["pid"]);
   EXPECT_EQ(processes[0]["lost"], "");
-  for (const json& process : processes) {
-    const pid_t pid = process["pid"];
-    EXPECT_NE(kill(pid, 0), 0) << "the process has outlived the run";
-  }
+  const std::vector<pid_t> named = {processes[0]["pid"], processes[1]["pid"]};
+  EXPECT_THAT(named, testing::UnorderedElementsAreArray(children));
 }
 
 TEST_F(GraphsTest, TheReportKnowsTheHeapOfObjectsElsewhere) {

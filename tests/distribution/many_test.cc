@@ -12,6 +12,9 @@ void Replace(const std::string& from, const std::string& to, std::string* bytes)
     bytes->replace(at, from.size(), to);
 }
 
+// They get to know each other slowly where others compile.
+const Words kPatiently = {"--join-wait", "110s"};
+
 class ManyTest : public testing::Test {
  protected:
   static std::string Name(int i, int count) { return fmt::format("Passer{:02}", i % count); }
@@ -51,7 +54,7 @@ TEST_F(ManyTest, ThirtyTwoParticipantsAreOneRun) {
   const RecordedRun one = Record(Flags("300ms"));
   EXPECT_EQ(one.status, 0) << one.err;
   EXPECT_GT(one.report.value("messages", 0), 8000);
-  const RecordedRun many = Record(Flags("300ms") + Isolated(objects));
+  const RecordedRun many = Record(Flags("300ms") + kPatiently + Isolated(objects));
   ExpectSame(one, many);
   ASSERT_EQ(many.report["processes"].size(), 31u);
   for (const json& process : many.report["processes"])
@@ -65,7 +68,7 @@ TEST_F(ManyTest, ThreeRunsAtATimeDoNotHearEachOther) {
   const ScratchFolder folder;
   std::vector<std::unique_ptr<ProgramRun>> runs;
   for (const char* name : {"a", "b", "c"}) {
-    runs.push_back(std::make_unique<ProgramRun>(flags + Isolated(objects) +
+    runs.push_back(std::make_unique<ProgramRun>(flags + kPatiently + Isolated(objects) +
                                                 Words{"--record", folder.File(name)}));
   }
   for (size_t i = 0; i < runs.size(); ++i) {

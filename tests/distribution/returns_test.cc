@@ -240,13 +240,14 @@ TEST_F(ReturnsTest, ASecondProcessOfANameIsSentAway) {
   const std::string name = RunName("second");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
   ProgramRun first({"join", "--process", "payee", "--run-name", name});
-  ProgramRun run(RunAt("20", OnStick({"--for", "10s", "--placement", stick_.File("where.cfg"),
-                                      "--run-name", name})));
+  ProgramRun run(
+      RunAt("20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
   const ProgramResult second = RunProgram({"join", "--process", "payee", "--run-name", name});
   EXPECT_EQ(second.status, 1);
   EXPECT_THAT(second.err, HasSubstr("the run has its process 'payee' already: pid " +
                                     std::to_string(first.pid())));
+  run.Signal(SIGINT);
   EXPECT_EQ(run.Finish().status, 0) << run.heard();
   EXPECT_EQ(first.Finish().status, 0) << first.heard();
 }
@@ -254,8 +255,7 @@ TEST_F(ReturnsTest, ASecondProcessOfANameIsSentAway) {
 TEST_F(ReturnsTest, OneOfAnotherHostComesByItself) {
   const std::string name = RunName("again");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
-  ProgramRun join(
-      {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", "1"});
+  ProgramRun join({"join", "--process", "payee", "--run-name", name, "--restart"});
   ProgramRun run(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
                                      "--free-running"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
@@ -271,14 +271,14 @@ TEST_F(ReturnsTest, OneOfAnotherHostComesByItself) {
 TEST_F(ReturnsTest, InLockstepOneOfAnotherHostHasItsChancesToo) {
   const std::string name = RunName("chances");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
-  ProgramRun join({"join", "--process", "payee", "--run-name", name, "--dds-lease", "1"});
+  ProgramRun join({"join", "--process", "payee", "--run-name", name});
   ProgramRun run(RunAt("20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
-                                      "--restart", "1", "--join-wait", "2s"})));
+                                      "--restart", "1", "--join-wait", "5s"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
   join.Signal(SIGKILL);
   const ProgramResult& result = run.Finish();
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.err, HasSubstr("process 'payee' did not come back within 2 s"));
+  EXPECT_THAT(result.err, HasSubstr("process 'payee' did not come back within 5 s"));
   EXPECT_THAT(result.err, HasSubstr("the run stops here"));
 }
 
@@ -291,11 +291,12 @@ TEST_F(ReturnsTest, AJoinerThatIsRefusedDoesNotComeAgain) {
   other.Write("stick/OPEN-R/NEW.TXT", "not on the other one");
   ProgramRun join({"join", "--process", "payee", "--run-name", name, "--restart", "--stick",
                    other.File("stick")});
-  ProgramRun run(RunAt("20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
-                                      "--for", "1s", "--join-wait", "2s"})));
-  EXPECT_EQ(run.Finish().status, 1);
-  EXPECT_THAT(run.heard(), HasSubstr("process 'payee' did not come within 2 s"));
+  ProgramRun run(RunAt(
+      "20", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name, "--for", "1s"})));
+  ASSERT_TRUE(run.WaitFor("the run waits for another one")) << run.heard();
   EXPECT_EQ(join.Finish().status, 1) << join.heard();
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 1);
   EXPECT_THAT(join.heard(), HasSubstr("is not the stick of the run: its files differ"));
   EXPECT_THAT(join.heard(), Not(HasSubstr("another one comes")));
 }
@@ -309,10 +310,10 @@ TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
   const std::string name = RunName("back");
   stick_.Write("where.cfg", "Payee payee\n@payee " + std::string(kThere) + "\n");
   const auto join = StartThere(
-      {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", "2"});
+      {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", "4"});
   const auto run =
       StartHere(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
-                                    "--dds-lease", "2", "--free-running"})));
+                                    "--dds-lease", "4", "--free-running"})));
   ASSERT_TRUE(run->WaitFor("Payee, edition one"));
   Cut();
   ASSERT_TRUE(run->WaitFor("cannot be reached any more")) << run->heard();

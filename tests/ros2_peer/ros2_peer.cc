@@ -241,6 +241,16 @@ int Commands(dds_entity_t participant, int argc, char** argv) {
   return 0;
 }
 
+// Over and over, until it is ended by a signal.
+int Stream(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 3) Fail("stream TOPIC MS JOINT=RAD[@RAD/S]...");
+  const Commander commander(participant, argv[0]);
+  for (int i = 2;; i = i + 1 < argc ? i + 1 : 2) {
+    commander.Send({argv[i]});
+    dds_sleepfor(DDS_MSECS(std::atoi(argv[1])));
+  }
+}
+
 int Offer(dds_entity_t participant, int argc, char** argv) {
   if (argc < 1) Fail("offer TOPIC");
   dds_qos_t* const qos = MakeQos(DDS_RELIABILITY_BEST_EFFORT);
@@ -311,6 +321,7 @@ int main(int argc, char** argv) {
   if (what == "topics") status = Topics(participant);
   if (what == "read") status = Read(participant, argc - 3, argv + 3);
   if (what == "offer") status = Offer(participant, argc - 3, argv + 3);
+  if (what == "stream") status = Stream(participant, argc - 3, argv + 3);
   if (what == "commands") status = Commands(participant, argc - 3, argv + 3);
   if (what == "command") status = Command(participant, argc - 3, argv + 3);
   dds_delete(participant);
