@@ -45,10 +45,11 @@ class TwoHosts {
 
   // The program with these arguments, and the addresses of the two.
   std::unique_ptr<ProgramRun> StartHere(const Words& arguments) {
-    return StartIn(here_, arguments + Words{"--dds-address", kHere, "--dds-peer", kThere});
+    return StartIn(here_, "here", arguments + Words{"--dds-address", kHere, "--dds-peer", kThere});
   }
   std::unique_ptr<ProgramRun> StartThere(const Words& arguments) {
-    return StartIn(there_, arguments + Words{"--dds-address", kThere, "--dds-peer", kHere});
+    return StartIn(there_, "there",
+                   arguments + Words{"--dds-address", kThere, "--dds-peer", kHere});
   }
 
  private:
@@ -70,10 +71,15 @@ class TwoHosts {
     close(end);
     return -1;
   }
-  static std::unique_ptr<ProgramRun> StartIn(const std::string& host, const Words& arguments) {
-    return std::make_unique<ProgramRun>(
-        Words{"-c", "exec ip netns exec \"$0\" \"$@\"", host, OPENR_PROGRAM} + arguments,
-        "/bin/sh");
+  // In a process that knows its host by this name.
+  static std::unique_ptr<ProgramRun> StartIn(const std::string& host, const std::string& name,
+                                             const Words& arguments) {
+    return std::make_unique<ProgramRun>(Words{"-c",
+                                              "exec ip netns exec \"$0\" unshare --uts "
+                                              "sh -c 'hostname \"$0\" && exec \"$@\"' \"$@\"",
+                                              host, name, OPENR_PROGRAM} +
+                                            arguments,
+                                        "/bin/sh");
   }
 
   const std::string here_ = RunName("openr-a");

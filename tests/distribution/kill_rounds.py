@@ -27,6 +27,8 @@ Payer.Book.Entry.S Ledger.Paid.Entry.O
 Payee.Book.Entry.S Ledger.Got.Entry.O
 """
 GONE = re.compile(r"; (the others go on|the run waits for it to come back)( \(\d+ times\))?$")
+# In the words of Payer and Payee, once in a life: a coin has gone all the way to Ledger.
+WORKS = re.compile(r"(Payer)'s first coin has been got|(Payee) has booked its first coin")
 BACK = re.compile(r"process '(\w+)' is back \(pid (\d+)")
 SUM = re.compile(r"got (\d+) twice (\d+) missed (\d+) lost (\d+) series (\d+)")
 WAIT_S = 120  # for what must happen: a machine may be slow
@@ -76,6 +78,8 @@ class Run:
                                         text=True, errors="replace")
         self.changed = threading.Condition()
         self.returns = 0
+        self.working = set()  # processes whose first coin has been got since they came
+        self.lives = 0  # of Payer, that have paid
         self.lines = []
         self.has_ended = False
         threading.Thread(target=self.listen, daemon=True).start()
@@ -83,8 +87,13 @@ class Run:
     def listen(self):
         for line in self.process.stderr:
             with self.changed:
-                if BACK.search(line):
+                back, works = BACK.search(line), WORKS.search(line)
+                if back:
                     self.returns += 1
+                    self.working.discard(back.group(1))
+                elif works:
+                    self.working.add((works.group(1) or works.group(2)).lower())
+                    self.lives += works.group(1) is not None
                 elif not GONE.search(line):
                     self.lines.append(line.rstrip())
                     del self.lines[:-200]
@@ -99,14 +108,17 @@ class Run:
                 and self.returns >= count
 
 
-def play(run, rounds, dice):
+    def wait_for_work(self):
+        """Until coins of both lives that are there now have been got."""
+        with self.changed:
+            return self.changed.wait_for(lambda: self.has_ended or len(self.working) == 2, WAIT_S) \
+                and len(self.working) == 2
+
+
+def play(run, rounds, dice, kills):
     """Kills `rounds` times; how often the one killed came back."""
-    deadline = time.monotonic() + WAIT_S
-    while len(children_of(run.process.pid)) < 2:
-        if time.monotonic() > deadline or run.process.poll() is not None:
-            return 0
-        time.sleep(0.01)
-    time.sleep(1)
+    if not run.wait_for_work():
+        return 0
     for number in range(rounds):
         time.sleep(dice.random() * 0.02)
         victim = dice.choice(["payer", "payee"])
@@ -114,11 +126,11 @@ def play(run, rounds, dice):
         if pid is None:
             return number
         os.kill(pid, signal.SIGKILL)
+        kills[victim] += 1
         if not run.wait_for_returns(number + 1):
             return number
         if (number + 1) % 1000 == 0:
             print(f"{number + 1} rounds", flush=True)
-    time.sleep(1)
     return rounds
 
 
@@ -134,8 +146,10 @@ def main():
         make_stick(stick, os.path.join(os.path.abspath(flags.build), "images"))
         run = Run(flags.build, stick, flags.rounds, flags.free_running)
         begin = time.monotonic()
-        done = play(run, flags.rounds, random.Random(flags.seed))
+        kills = {"payer": 0, "payee": 0}
+        done = play(run, flags.rounds, random.Random(flags.seed), kills)
         taken = time.monotonic() - begin
+        checks.append(("coins got after the last return", run.wait_for_work()))
         checks.append((f"{done} of {flags.rounds} rounds", done == flags.rounds))
         run.process.send_signal(signal.SIGINT)
         try:
@@ -151,7 +165,9 @@ def main():
               f"{series} lives of Payer")
         checks += [("no coin twice", twice == 0),
                    ("no acknowledged coin missing", missed == 0),
-                   ("more coins than rounds", got > flags.rounds)]
+                   ("more coins than rounds", got > flags.rounds),
+                   (f"{series} series of {run.lives} lives that paid, with {kills['payer']} kills",
+                    run.lives <= series <= kills["payer"] + 1)]
     else:
         checks.append(("the sum of Ledger", False))
     failed = [name for name, good in checks if not good]

@@ -18,7 +18,7 @@ IsFragile()
     return true;
 }
 
-Payee::Payee()
+Payee::Payee() : hasBooked_(false)
 {
     coin_.series = 0;
     coin_.number = 0;
@@ -78,6 +78,8 @@ Payee::Book()
     if (coin_.number == 0 || !subject[sbjBook]->IsReady()) return;
     subject[sbjBook]->SetData(&coin_, sizeof(coin_));
     subject[sbjBook]->NotifyObservers();
+    if (!hasBooked_) OSYSPRINT(("Payee has booked its first coin\n"));
+    hasBooked_ = true;
     coin_.number = 0;
     observer[obsCoins]->AssertReady();
 }

@@ -29,6 +29,7 @@ private:
     void Book();
 
     Coin coin_;  // number 0: none
+    bool hasBooked_;
 };
 
 #endif  // Payee_h_DEFINED

@@ -1,5 +1,6 @@
 #include "Payer.h"
 
+#include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
 Payer::Payer() : isUnderWay_(false), left_(0)
@@ -50,6 +51,7 @@ Payer::ReadyCoins(const OReadyEvent& event)
 {
     if (isUnderWay_) {
         if (event.IsAssert()) {
+            if (paid_.acknowledged == 0) OSYSPRINT(("Payer's first coin has been got\n"));
             paid_.acknowledged = paid_.coin.number;
         } else {
             ++paid_.lost;
