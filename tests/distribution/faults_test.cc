@@ -302,9 +302,39 @@ TEST_F(FaultsTest, AnObjectThatCrashesIsNamed) {
   EXPECT_THAT(result.err, HasSubstr("process 'Trouble' (pid "));
   ASSERT_TRUE(json::accept(result.out)) << result.out;
 #if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
-  EXPECT_THAT(stick.Read("OPEN-R/EMON.LOG"), HasSubstr("STACK\n  #0 TROUBLE.BIN+0x"));
-  EXPECT_THAT(result.out, HasSubstr(", at TROUBLE.BIN+0x")) << "a finding";
+  const std::string log = stick.Read("OPEN-R/EMON.LOG");
+  EXPECT_THAT(log, ContainsRegex("OBJECT Trouble, DoStart .selector 1., message [0-9]+, t=0 us\n"));
+  EXPECT_THAT(log, HasSubstr("STACK\n  #0 TROUBLE.BIN+0x"));
+  const json finding = json::parse(result.out)["findings"].at(0);
+  EXPECT_EQ(finding["object"], "Trouble");
+  EXPECT_THAT(log, HasSubstr("message " + finding["message"].dump() + ","));
+  EXPECT_THAT(finding["text"].get<std::string>(),
+              HasSubstr(" in DoStart (selector 1), at TROUBLE.BIN+0x"));
 #endif
+}
+
+TEST_F(FaultsTest, AHandlerThatDoesNotReturnIsNamed) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("hang");
+  const ProgramResult result =
+      RunProgram(kQuickly + Words{"--for", "1s", "--stick", stick.path(), "--isolate", "Trouble",
+                                  "--handler-limit", "500ms"});
+  EXPECT_EQ(result.status, 1) << result.err;
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_EQ(report["virtual_time_s"], 1) << "the others go on";
+  ASSERT_EQ(report["findings"].size(), 1u) << report["findings"];
+  const json& finding = report["findings"][0];
+  EXPECT_EQ(finding["object"], "Trouble");
+  EXPECT_GT(finding["message"], 0);
+  const std::string words =
+      "a handler does not return: DoStart (selector 1) has used more than 0.5 s of processor time "
+      "(--handler-limit)";
+  EXPECT_THAT(finding["text"].get<std::string>(), HasSubstr(words));
+  EXPECT_EQ(report["processes"][0]["lost"], words);
+  EXPECT_THAT(result.err, HasSubstr("a handler does not return: Trouble, DoStart (selector 1), "
+                                    "message " +
+                                    finding["message"].dump() + ", t=0 us; "));
 }
 
 TEST_F(FaultsTest, AnImageThatCannotBeLoadedIsNamed) {

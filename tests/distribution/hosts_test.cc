@@ -21,7 +21,7 @@ const Words kShortLease = {"--dds-lease", "4"};
 class HostsTest : public testing::Test, public TwoHosts {
  protected:
   void SetUp() override {
-    if (!Connect()) GTEST_SKIP() << kNoHosts;
+    ConnectOrSkip();
     folder.Write("where.cfg", "Controller vision\nJointMover legs\nRCServer vision\n@vision " +
                                   std::string(kThere) + "\n");
   }
@@ -165,6 +165,26 @@ TEST_F(HostsTest, WhoIsFreeGoesOnWithoutALostHost) {
   EXPECT_GT(report["virtual_time_s"].get<double>(), lost_s + 0.2) << report["findings"];
   EXPECT_EQ(join->Finish().status, 1);
   EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
+}
+
+// A handler elsewhere is a packet there and one back.
+TEST_F(HostsTest, ALongCableIsInTheLatency) {
+  cable().set_weather({.delay_us = 20'000});
+  const auto join = Join(), run = Run({"--free-running"});
+  ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // sensors come to it
+  run->Signal(SIGINT);
+  const ProgramResult& result = run->Finish();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  const json& legs = report["processes"][0];
+  const json& vision = report["processes"][1];
+  EXPECT_GT(vision["handlers"], 10) << report["processes"];
+  EXPECT_GE(vision["handler_us"]["median"], 40'000);
+  EXPECT_LT(legs["handler_us"]["median"], vision["handler_us"]["median"]);
+  EXPECT_GT(cable().counts().bytes, 100 * vision["handlers"].get<uint64_t>());
 }
 
 // Whoever sends hears of it from his own interface.

@@ -1,6 +1,7 @@
 // openr join by hand, on this host; hosts_test.cc has two.
 #include "tests/distribution/hosts.h"
 #include "tests/distribution/same_run.h"
+#include "tests/distribution/wait_until.h"
 
 namespace openr_host {
 namespace {
@@ -17,22 +18,27 @@ class JoinTest : public testing::Test {
   const ScratchFolder folder;
 };
 
-TEST_F(JoinTest, ByHandOnThisHost) {
+TEST_F(JoinTest, ByHandOnThisHostWhoComesFirstWaits) {
   const RecordedRun one = Record(kFlags);
   const std::string name = RunName("hand");
   ProgramRun join({"join", "--process", "vision", "--run-name", name});
+  const std::string threads = "/proc/" + std::to_string(join.pid()) + "/task";
+  WaitUntil("its DDS", [&] {  // which has some
+    return std::distance(std::filesystem::directory_iterator(threads), {}) > 3;
+  });
   ExpectSame(one, Record(kFlags +
                          Words{"--placement", PlacementWithHost("127.0.0.1"), "--run-name", name}));
   EXPECT_EQ(join.Finish().status, 0) << join.heard();
 }
 
-TEST_F(JoinTest, WhoComesFirstDoesNotMatter) {
+TEST_F(JoinTest, WhoComesLateIsWaitedFor) {
   const std::string name = RunName("late");
   const RecordedRun one = Record(kFlags);
   const std::string recording = folder.File("r");
   ProgramRun run(kQuickly + kFlags +
                  Words{"--placement", PlacementWithHost("127.0.0.1"), "--run-name", name,
                        "--record", recording});
+  ASSERT_TRUE(run.WaitFor("waiting for process 'vision'")) << run.heard();
   ProgramRun join({"join", "--process", "vision", "--run-name", name});
   EXPECT_EQ(run.Finish().status, 0) << run.heard();
   EXPECT_EQ(join.Finish().status, 0) << join.heard();

@@ -30,6 +30,8 @@ class JoinedTest : public testing::Test {
   // What it says of the process when its lease is over, which is after 10 s only.
   static constexpr const char* kLate = "cannot be reached any more";
 
+  inline static const Words kShortLease = {"--dds-lease", "4"};
+
   const ScratchFolder folder_;
   const std::string name_ = RunName(testing::UnitTest::GetInstance()->current_test_info()->name());
 };
@@ -57,6 +59,31 @@ TEST_F(JoinedTest, AKilledOneStopsLockstepAtOnce) {
   EXPECT_EQ(run->Finish().status, 1);
   EXPECT_THAT(run->heard(), HasSubstr("is not there any more: killed, or ended"));
   EXPECT_THAT(run->heard(), HasSubstr("the run stops here"));
+}
+
+// The run cannot say that it is over.
+TEST_F(JoinedTest, WithoutItsMasterItEnds) {
+  const auto join = Join(kShortLease);
+  const auto run = Run(kShortLease);
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  run->Signal(SIGKILL);
+  EXPECT_EQ(join->Finish().status, 1);
+  EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
+}
+
+TEST_F(JoinedTest, WithoutItsMasterItWaitsForTheNext) {
+  const auto join = Join(kShortLease + Words{"--restart"});
+  const auto run = Run(kShortLease);
+  ASSERT_TRUE(run->WaitFor("state: listening"));
+  run->Signal(SIGKILL);
+  ASSERT_TRUE(join->WaitFor("the master is gone")) << join->heard();
+  const auto next = Run(kShortLease);
+  ASSERT_TRUE(next->WaitFor("state: listening")) << next->heard();
+  EXPECT_TRUE(join->WaitFor("has joined run '" + name_ + "' (pid " + std::to_string(next->pid())))
+      << join->heard();
+  next->Signal(SIGINT);
+  EXPECT_EQ(next->Finish().status, 0) << next->heard();
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
 }
 
 TEST_F(JoinedTest, ItSaysWhichRunItHasJoined) {

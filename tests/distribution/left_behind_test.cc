@@ -244,6 +244,14 @@ TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
   EXPECT_EQ(sender_->out->ReadyStatus(sender_->out->begin()->GetObserverID()), -1);
 }
 
+TEST_F(LeftBehindTest, WhatWaitedInsideItIsCounted) {
+  Place({{"teller", "acting"}, {"hearer", "hearing"}});
+  Settle();
+  Tell("send 5");  // for an observer that is not ready
+  Lose("acting");
+  EXPECT_TRUE(Found("; 1 notifications that waited in it are lost; ")) << Findings();
+}
+
 // As the robot does with frame numbers.
 TEST_F(LeftBehindTest, WhatAnObserverWroteIntoARegionComesBackWithIt) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");

@@ -117,7 +117,9 @@ int64_t Relay::SendWhatIsDue() {
     const int64_t wait_ns = first->first - NowNs();
     if (wait_ns > 0) return wait_ns;
     const Packet& packet = first->second;
-    if (write(ends_[packet.to], packet.bytes.data(), packet.bytes.size()) > 0) ++counts_.passed;
+    const ssize_t written = write(ends_[packet.to], packet.bytes.data(), packet.bytes.size());
+    if (written > 0) ++counts_.passed;
+    if (written > 0) counts_.bytes += static_cast<uint64_t>(written);
     if (packet.number < last_arrived_[packet.to]) ++counts_.overtaken;
     last_arrived_[packet.to] = std::max(last_arrived_[packet.to], packet.number);
     under_way_.erase(first);

@@ -29,6 +29,7 @@ class Relay {
  public:
   struct Counts {
     uint64_t passed = 0;
+    uint64_t bytes = 0;  // of those
     uint64_t lost = 0;
     uint64_t doubled = 0;
     uint64_t overtaken = 0;  // arrived after one that was sent later

@@ -303,10 +303,12 @@ TEST_F(ReturnsTest, AJoinerThatIsRefusedDoesNotComeAgain) {
 
 // ---- the cable between two hosts
 
-class ReturningHostTest : public ReturnsTest, public TwoHosts {};
+class ReturningHostTest : public ReturnsTest, public TwoHosts {
+ protected:
+  void SetUp() override { ConnectOrSkip(); }
+};
 
 TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
-  if (!Connect()) GTEST_SKIP() << kNoHosts;
   const std::string name = RunName("back");
   stick_.Write("where.cfg", "Payee payee\n@payee " + std::string(kThere) + "\n");
   const auto join = StartThere(
