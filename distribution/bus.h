@@ -19,8 +19,11 @@
 namespace openr_host {
 
 // The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.  The
-// most there is.  And of others.
+// most there is.  If they may come back often: until its lease is over every participant of the
+// domain takes one that was killed for a reader that is slow, and keeps for it what it announces.
+// And of others.
 constexpr int kWatchedLease_s = 3600;
+constexpr int kReturningLease_s = 60;
 constexpr int kLease_s = 10;
 
 struct BusOptions {

@@ -205,7 +205,10 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
-  if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) return StopTheRun(&process);
+  if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
+    process.set_lost();
+    return StopTheRun();
+  }
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
@@ -218,12 +221,14 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
   uint64_t pending = 0;
   for (const auto& [id, object] : member->objects) pending += object->pending_there;
   if (pending > 0) text += fmt::format("; {} notifications that waited in it are lost", pending);
+  const size_t in_hand = process.CountInHand();
+  if (in_hand > 0) text += fmt::format("; {} messages that it had been handed are lost", in_hand);
   if (!member->crashed && !options_.is_free && !MayComeBack(*member)) {
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
-    StopTheRun(&process);
-    return;
+    process.set_lost();
+    return StopTheRun();
   }
   if (member->crashed)  // else it is named already
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.facts().pid);
@@ -237,8 +242,7 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
   for (const auto& [id, object] : member->objects) crash_listener_(object);
 }
 
-void Fleet::StopTheRun(RemoteProcess* process) {
-  process->set_lost();
+void Fleet::StopTheRun() {
   for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
 }
 
@@ -276,7 +280,7 @@ void Fleet::Pump(int64_t timeout_us) {
 void Fleet::Watch() {
   if (options_.is_free || IsInterrupted()) return;  // Pump() does; the run ends anyway
   for (auto& [name, member] : members_) {
-    Tend(&member);
+    if (!IsUnderWay(member)) Tend(&member);
     if (member.process->is_lost()) continue;
     const std::string problem = member.process->WhyItIsGone();
     if (!problem.empty()) Lost(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);

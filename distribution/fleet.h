@@ -143,19 +143,21 @@ class Fleet {
   bool TakeWhatCame();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   void Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
-  void StopTheRun(RemoteProcess* process);
+  void StopTheRun();
 
   // fleet_return.cc
   bool MayComeBack(const Member& member) const;
   void PutAway(Member* member);
   void Enter(Member* member, Stage stage);
-  void Tend(Member* member);
+  void Tend(Member* member, bool is_its_turn = true);
   void CheckArrival(Member* member);
   void StartAgain(Member* member);
   void TakeIn(Member* member);
   void Loaded(Member* member);
   void Replaced(ObjectId id);
   void GiveUp(Member* member, const std::string& why);
+  bool IsUnderWay(const Member& member) const;
+  bool TendAll();
   void WaitForReturns();
 
   const FleetOptions options_;

@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kEndMs = 5'000;      // for what remains of a process to end by itself
+constexpr int64_t kRecordMs = 5'000;   // for a process that crashed to write its record
 constexpr int64_t kPauseMs = 1'000;    // after an attempt that failed
 constexpr int64_t kSilenceMs = 2'000;  // before people are told
 constexpr int kLookUs = 1'000;
@@ -44,8 +44,9 @@ void Fleet::PutAway(Member* member) {
   });
 }
 
-// In lockstep a run that is ending takes nobody back: it would have to wait.
-void Fleet::Tend(Member* member) {
+// In lockstep a run that is ending takes nobody back: it would have to wait.  `is_its_turn`: it may
+// begin with its images, if it is there.
+void Fleet::Tend(Member* member, bool is_its_turn) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kThere) return;
   try {
@@ -58,8 +59,9 @@ void Fleet::Tend(Member* member) {
         StartAgain(member);
         return;
       case Stage::kComing:
-        if (process.seat().Arrive(0)) TakeIn(member);
-        break;
+        if (!process.seat().Arrive(0)) break;
+        if (is_its_turn) TakeIn(member);
+        return;
       case Stage::kLoading:
         if (process.HasLoaded(member->successors)) Loaded(member);
         break;
@@ -103,8 +105,8 @@ void Fleet::StartAgain(Member* member) {
   if (!member->is_put_away || !system_->booted()) return;
   if (member->has_failed && NowMs() - member->since_ms < kPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
-    if (member->crashed && NowMs() - member->since_ms < kEndMs) return;  // it writes its record
-    member->child.reset();                                               // cut off, or stopped
+    if (member->crashed && NowMs() - member->since_ms < kRecordMs) return;
+    member->child.reset();  // cut off, or stopped
   }
   if (!MayComeBack(*member)) {
     if (options_.restarts > 0)
@@ -178,22 +180,30 @@ void Fleet::Replaced(ObjectId id) {
   }
 }
 
-// In lockstep.
-void Fleet::WaitForReturns() {
+bool Fleet::IsUnderWay(const Member& member) const {
+  return member.stage == Stage::kComing || member.stage == Stage::kLoading ||
+         (member.stage == Stage::kLeaving && member.is_put_away);
+}
+
+// One step of each that is under way; true when one is still.  They come in any order, and take
+// their places in that of their names, so that every run is the same.
+bool Fleet::TendAll() {
+  bool is_first = true;
   for (auto& [name, member] : members_) {
-    const auto is_under_way = [&member = member] {
-      return member.stage == Stage::kComing || member.stage == Stage::kLoading ||
-             (member.stage == Stage::kLeaving && member.is_put_away);
-    };
-    while (system_->booted() && is_under_way() && !IsEnding()) {
-      Tend(&member);
-      // Not for news: those of the others are not read here.
-      if (is_under_way()) usleep(kLookUs);
-    }
+    if (IsUnderWay(member)) Tend(&member, is_first);
+    is_first = is_first && !IsUnderWay(member);
+  }
+  return !is_first;
+}
+
+// In lockstep.  Not for news: those of the others are not read here.
+void Fleet::WaitForReturns() {
+  while (system_->booted() && !IsEnding() && TendAll()) usleep(kLookUs);
+  for (const auto& [name, member] : members_) {
     if (member.stage != Stage::kGone || member.crashed || system_->powered_off()) continue;
     system_->AddFindingAbout(member.objects.begin()->second, Severity::kError,
                              fmt::format("{}; the run stops here", member.lost));
-    for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+    StopTheRun();
   }
 }
 

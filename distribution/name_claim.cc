@@ -75,6 +75,7 @@ void NameClaim::Settle() {
 }
 
 std::string NameClaim::Elder() const {
+  if (is_settled_) return "";
   std::vector<dds_instance_handle_t> writers(kRunsMax);
   const dds_return_t count = dds_get_matched_publications(reader_, writers.data(), writers.size());
   for (size_t i = 0; i < writers.size() && static_cast<dds_return_t>(i) < count; ++i) {

@@ -67,6 +67,12 @@ void RemoteObject::TakeBack(RCRegion* region) { process_->TakeBack(region); }
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
+// The end of a run has its time, whoever is at work.
+bool RemoteObject::IsAtWorkElsewhere() const {
+  return process_->IsAtWork(id) && running->selector != oentrySTOP &&
+         running->selector != oentryDESTROY;
+}
+
 void RemoteObject::Unheard(const Message& message) {
   ++unheard_count;
   process_->Unheard(message);

@@ -50,6 +50,7 @@ class RemoteObject : public Object {
   void TakeBack(RCRegion* region) override;
   void Unheard(const Message& message) override;  // and who waits for an answer need not
   bool IsLost() const override;
+  bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
   bool Dispatch(uint32_t selector, void* payload) override;
   void HashState(Hasher* hasher) const override;

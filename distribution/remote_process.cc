@@ -112,9 +112,9 @@ std::string RemoteProcess::WhatIsWrong() const {
 
 std::string RemoteProcess::WhyItIsGone() {
   std::string problem = WhatIsWrong();
-  if (problem.empty()) return "";
   try {
-    if (const Loan last = seat_.line()->Receive(kLastWordMs)) HearOfEnd(*last);
+    if (const Loan last = seat_.line()->Receive(problem.empty() ? 0 : kLastWordMs))
+      HearOfEnd(*last);
   } catch (const ProcessLost& lost) {
     return lost.what();
   }
@@ -346,70 +346,6 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   wake->is_reply = true;
   wake->reply_box = box;
   system_->Post(wake);
-}
-
-// To each subject as from its observer, which will not be ready any more.
-void RemoteProcess::GiveBack() {
-  using Entry = std::pair<ObjectId, uint32_t>;
-  std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;  // by observer and subject
-  for (const Courier::Lent& lent : courier_->TakeLent())
-    regions[{{lent.observer, lent.observer_selector}, {lent.subject, lent.subject_selector}}]
-        .push_back(lent.region);
-  for (const auto& [ends, lent] : regions) {
-    const auto& [observer, subject] = ends;
-    const auto found = objects_.find(observer.first);
-    if (found == objects_.end()) continue;
-    for (size_t i = 0; i < lent.size(); i += MAX_NUM_DATA) {
-      const auto begin = lent.begin() + static_cast<ptrdiff_t>(i);
-      const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, lent.end() - begin);
-      SendDeassert(found->second, observer.second,
-                   OServiceEntry(OidOf(subject.first), subject.second), {begin, begin + count});
-    }
-  }
-}
-
-void RemoteProcess::Lose() {
-  is_lost_ = true;
-  GiveBack();
-  courier_->LoseOther();
-  for (const auto& [id, object] : objects_) {
-    if (object->blocked != nullptr) WakeHandler(id, object->blocked_box);
-  }
-  for (const auto& [region, count] : pins_) {
-    for (int i = 0; i < count; ++i) system_->regions().Unpin(region);
-  }
-  pins_.clear();
-  dropped_.clear();
-  under_way_.clear();
-  stops_.clear();
-  is_silent_ = false;
-  seat_.Leave();
-}
-
-void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
-  objects_ = objects;
-  ++session_;
-  is_lost_ = false;
-  loss_.clear();
-  crashed_ = false;
-  culprit_ = kNoObject;
-}
-
-void RemoteProcess::TakeBack(RCRegion* region) { courier_->TakeBack(region); }
-
-void RemoteProcess::Unheard(const Message& message) {
-  if (courier_ != nullptr) courier_->Sent(message);
-}
-
-void RemoteProcess::Forget(ObjectId id) {
-  for (RCRegion* region : courier_->TakeLentOf(id)) system_->object(id)->TakeBack(region);
-  openr_wire_Down down = NewDown(openr_wire_DOWN_FORGET);
-  down.body._u.forgotten = id;
-  Send(down);
-  if (is_free_) return;
-  const Loan up = Next();
-  if (up->body._d != openr_wire_UP_FORGOTTEN) Refuse("something else when it was to forget");
-  Apply(*up, nullptr);
 }
 
 // The proxy's handler waits as the real one does; what comes meanwhile is other objects' turn.

@@ -81,6 +81,13 @@ class RemoteProcess {
   // TakeWhatCame() does it.  For runs whose clock is that on the wall.
   void RunFree() { is_free_ = true; }
 
+  // In a free run: a handler of the object is under way, and not waiting for anybody.
+  bool IsAtWork(ObjectId object) const { return under_way_.contains(object); }
+
+  // Messages in its objects' hands in a free run, but for what comes back when it is lost, and for
+  // that of the handler that brought it down.
+  size_t CountInHand() const;
+
   // Of what the handlers of other objects are to do nothing is kept back any more.
   void SendOff();
 

@@ -147,16 +147,15 @@ double Runner::wall_time_s() const {
 }
 
 // Up to `stop_us`, no faster than the wall clock; what other processes did is done when it comes.
-void Runner::RunFreely(int64_t stop_us) {
-  constexpr int64_t kSliceUs = 1000;  // so late may be what is due between two frames
+void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
+  constexpr double kSliceUs = 1000;  // so late may be what is due between two frames
   System& system = simulation_->system();
-  if (free_begin_ns_ == 0) free_begin_ns_ = WallClockNs();
   while (!system.powered_off()) {
-    const double wall_us = static_cast<double>(WallClockNs() - free_begin_ns_) / 1000;
-    const auto clock_us = static_cast<int64_t>(wall_us * plan_.rate);
+    const int64_t clock_us = pacer->TimeNow(system.now_us());
     system.RunUntil(std::clamp(clock_us, system.now_us(), stop_us));
+    const double left_us = static_cast<double>(stop_us - clock_us) / plan_.rate;
+    plan_.pump(static_cast<int64_t>(std::clamp(left_us, 0.0, kSliceUs)));
     if (clock_us >= stop_us) return;
-    plan_.pump(std::min(kSliceUs, stop_us - clock_us));
   }
 }
 
@@ -171,7 +170,7 @@ bool Runner::Run() {
     typed.Feed(&system);
     const int64_t stop_us = NextStop();
     if (plan_.pump) {
-      RunFreely(stop_us);
+      RunFreely(stop_us, &pacer);
     } else {
       if (paused_us_ < 0) pacer.WaitFor(stop_us);
       system.RunUntil(stop_us);

@@ -13,6 +13,7 @@
 namespace openr_host {
 
 class InterruptCounter;
+class Pacer;
 class Recorder;
 class Simulation;
 
@@ -55,7 +56,7 @@ class Runner {
   int64_t NextStop() const;
   void AfterFrame();
   void PressPause();
-  void RunFreely(int64_t stop_us);
+  void RunFreely(int64_t stop_us, Pacer* pacer);
   void TakeSnapshots(bool at_end);
   void Take(const SnapshotPlan& snapshot);
   void AnnouncePorts();
@@ -71,10 +72,8 @@ class Runner {
   int64_t paused_us_ = -1;  // when the button was pressed
   bool shutdown_posted_ = false;
   bool good_ = true;
-  int64_t begin_ns_ = 0;  // while it runs
-  int64_t wall_time_ns_ = 0;
-  int64_t free_begin_ns_ = 0;  // wall clock at virtual time 0 of a run with a pump  // of what is
-                               // over, less that of pictures
+  int64_t begin_ns_ = 0;      // while it runs
+  int64_t wall_time_ns_ = 0;  // of what is over, less that of pictures
 };
 
 }  // namespace openr_host

@@ -40,7 +40,7 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
       ->add_option(
           "--dds-lease", bus->lease_s,
           "Seconds without a sign of life after which a process is gone (default: 10; 3600 "
-          "for those of this host, whose end the run sees)")
+          "for those of this host, whose end the run sees, 60 with --restart)")
       ->check(CLI::Range(1, kWatchedLease_s));
   command
       ->add_option("--dds-config", bus->config_file,
@@ -153,6 +153,12 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
+// A debugger may hold a process that --wrap has started.
+int WatchedLease(const PlacementFlags& flags) {
+  if (flags.bus.lease_s != 0) return flags.bus.lease_s;
+  return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;
+}
+
 }  // namespace
 
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
@@ -169,7 +175,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   options.bus = flags.bus;
   if (options.bus.run.empty())
     options.bus.run = options.placement.host_of.empty() ? RunNameOfItsOwn() : "openr";
-  const int watched_s = flags.bus.lease_s == 0 ? kWatchedLease_s : flags.bus.lease_s;
+  const int watched_s = WatchedLease(flags);
   if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
   options.stick = std::filesystem::absolute(stick).lexically_normal();

@@ -72,6 +72,9 @@ class Object {
   // Its code is gone for the time being, which is known: nobody complains of what it does not do.
   virtual bool IsLost() const { return false; }
 
+  // Its handler runs on another clock, so that virtual time does not say whether it takes long.
+  virtual bool IsAtWorkElsewhere() const { return false; }
+
   // Whether an entry `selector` can be called.
   virtual bool HasEntry(uint32_t selector) const = 0;
 

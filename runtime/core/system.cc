@@ -324,9 +324,12 @@ int32_t System::Call(ObjectId target, uint32_t selector, const void* data, size_
   const Object* const callee = object(target);
   const int32_t error = SendWithReply(message, &box);
   if (error != sSUCCESS) return error;
-  return WaitForReply(
-      box, reply, reply_size, nullptr, timeout_us,
-      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector)));
+  const std::string why =
+      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
+  for (;;) {
+    const int32_t result = WaitForReply(box, reply, reply_size, nullptr, timeout_us, why);
+    if (result != sTIMEOUT || !object(target)->IsAtWorkElsewhere()) return result;
+  }
 }
 
 System::ReplyTicket System::TakeReplyTicket() {

@@ -1,0 +1,90 @@
+// Two processes of other hosts, lost at the same time; and one whose end only its goodbye tells.
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "distribution/name_claim.h"
+#include "tests/distribution/hosts.h"
+#include "tests/distribution/sticks.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class BothLostTest : public testing::Test {
+ protected:
+  BothLostTest() {
+    folder_.Write("where.cfg",
+                  "Controller brain\nRCServer door\n@brain 127.0.0.1\n@door 127.0.0.1\n");
+  }
+  std::unique_ptr<ProgramRun> Join(const std::string& process) const {
+    return std::make_unique<ProgramRun>(
+        Words{"join", "--process", process, "--run-name", name_, "--wait", "10min"});
+  }
+
+  const ScratchFolder folder_;
+  const std::string name_ = RunName("both");
+};
+
+// In lockstep both are waited for at the same time, whatever their names: "brain" needs two
+// chances.
+TEST_F(BothLostTest, WhoComesBackFirstKeepsItsChance) {
+  const auto brain = Join("brain"), door = Join("door");
+  ProgramRun run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--rate", "1",
+                  "--placement", folder_.File("where.cfg"), "--run-name", name_, "--restart", "2",
+                  "--join-wait", "5s"});
+  ASSERT_TRUE(run.WaitFor("state: listening")) << run.heard();
+  brain->Signal(SIGKILL);
+  door->Signal(SIGKILL);
+  const auto second_door = Join("door");
+  ASSERT_TRUE(run.WaitFor("process 'brain' did not come back within 5 s")) << run.heard();
+  const auto second_brain = Join("brain");
+  EXPECT_TRUE(run.WaitFor("process 'brain' is back")) << run.heard();
+  EXPECT_TRUE(run.WaitFor("process 'door' is back")) << run.heard();
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 1);  // two losses
+  EXPECT_THAT(run.heard(), Not(HasSubstr("process 'door' did not come back")));
+  EXPECT_EQ(second_brain->Finish().status, 0) << second_brain->heard();
+  EXPECT_EQ(second_door->Finish().status, 0) << second_door->heard();
+}
+
+// Its lease is not over before anybody's patience is.
+TEST(GoodbyeTest, AnIdleProcessOfAnotherHostSaysThatItGoes) {
+  TwoHosts hosts;
+  if (!hosts.Connect()) GTEST_SKIP() << kNoHosts;
+  const ScratchFolder folder;
+  folder.Write("where.cfg", "Controller vision\n@vision " + std::string(TwoHosts::kThere) + "\n");
+  const auto join = hosts.StartThere({"join", "--process", "vision", "--dds-lease", "1000"});
+  const auto run =
+      hosts.StartHere({"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--rate", "1",
+                       "--placement", folder.File("where.cfg"), "--dds-lease", "1000"});
+  ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
+  join->Signal(SIGINT);
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_THAT(run->heard(), HasSubstr("was ended there; the run stops here"));
+  EXPECT_EQ(join->Finish().status, 128 + SIGINT);
+}
+
+// Two runs of one name: one has its processes, and a clock that is ahead of the other's.
+TEST_F(BothLostTest, ARunThatHasBegunGivesWayToNobody) {
+  ProgramRun elder({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--placement",
+                    folder_.File("where.cfg"), "--run-name", name_});
+  ASSERT_TRUE(elder.WaitFor("waiting for process"));
+  BusOptions options;
+  options.run = name_;
+  Bus bus(options);
+  NameClaim claim(&bus);
+  for (int ms = 0; claim.Elder().empty() && ms < 60'000; ++ms) usleep(1000);
+  ASSERT_THAT(claim.Elder(), HasSubstr("pid " + std::to_string(elder.pid())));
+  elder.Signal(SIGSTOP);  // it would end
+  claim.Settle();
+  EXPECT_EQ(claim.Elder(), "");
+  elder.Signal(SIGCONT);
+  EXPECT_EQ(elder.Finish().status, 1);
+  EXPECT_THAT(elder.heard(), HasSubstr("there is a run of the name '" + name_ + "' already"));
+}
+
+}  // namespace
+}  // namespace openr_host
