@@ -40,3 +40,9 @@ set(OPENR_SDK_TOOL openr_sdk)
 set(OPENR_HEADERS ${PROJECT_SOURCE_DIR}/runtime/include)
 set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing
   $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
+
+# Most of a compiler's work is what the sources include: for these targets it reads several
+# sources at a time.
+function(openr_in_batches)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+endfunction()

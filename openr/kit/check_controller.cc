@@ -18,7 +18,6 @@ namespace openr_host {
 namespace {
 
 constexpr int kFrameMs = 8;
-constexpr size_t kNone = std::string::npos;
 
 // Which function of the controller's life a piece of code belongs to, directly or not.
 enum class Part { kMain, kRun, kDie };

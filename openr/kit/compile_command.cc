@@ -54,7 +54,7 @@ bool TakesNextWord(const std::string& flag) {
 }
 
 // Flags for the robot, and flags the kit decides about.
-bool IsForTheRobot(const std::string& flag) {
+bool IsRobotFlag(const std::string& flag) {
   // Everything about the processor begins with -m.
   static const char* const kStarts[] = {"-m",    "-std=", "-Werror", "-pedantic", "-fpic",
                                         "-fPIC", "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
@@ -102,7 +102,7 @@ CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool 
     if (word == "-w") command.is_quiet = true;
     if (word == "-G" || word == "-V" || word == "-b") {
       i += has_next;
-    } else if (IsForTheRobot(word)) {
+    } else if (IsRobotFlag(word)) {
       continue;
     } else if (TakesNextWord(word) && has_next) {
       const std::string& value = arguments[++i];

@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kNone = std::string::npos;
-
 bool IsKeyword(const std::string& word) {
   static const std::set<std::string> kWords = {"if",     "for",   "while",  "switch",
                                                "return", "catch", "sizeof", "do"};

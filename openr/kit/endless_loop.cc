@@ -8,8 +8,6 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kNone = std::string::npos;
-
 class LoopFinder {
  public:
   LoopFinder(const std::string& code, const std::function<bool(std::string_view)>& is_true)

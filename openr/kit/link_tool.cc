@@ -35,7 +35,7 @@ int Refuse(const std::string& why) {
 }
 
 // Object files of a former build for the robot look new to make.
-bool IsForTheRobot(const std::string& file) {
+bool IsRobotObject(const std::string& file) {
   Elf32_Ehdr header{};  // the machine is at the same place in files of 64 bits
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(&header), sizeof header);
@@ -44,7 +44,7 @@ bool IsForTheRobot(const std::string& file) {
 
 std::string FileForTheRobot(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
-    if (IsForTheRobot(file)) return file;
+    if (IsRobotObject(file)) return file;
   }
   return "";
 }

@@ -8,7 +8,6 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kNone = std::string::npos;
 constexpr size_t kExpandedMax = 4 << 20;  // macros that double each other
 
 bool IsNumber(std::string_view word) {

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-constexpr char kSource[] = R"(/*
+constexpr char kTemplate[] = R"(/*
  * {}: blinks the mode indicator on the head.
  */
 
@@ -63,7 +63,7 @@ std::vector<NewFile> MakeNewController(const std::string& name) {
   const std::string makefile = SdkRoot() + "/controller/Makefile.openr";
   const std::optional<std::string> text = ReadText(makefile);
   if (!text) throw std::runtime_error(makefile + " is missing; it belongs to the program");
-  return {{name + ".c", fmt::format(kSource, name)},
+  return {{name + ".c", fmt::format(kTemplate, name)},
           {"Makefile.sources",
            fmt::format("# The sources of the controller, C and C++.\nSOURCES = {}.c\n", name)},
           {"Makefile.openr", *text}};

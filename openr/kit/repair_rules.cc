@@ -12,7 +12,6 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kNone = std::string::npos;
 using Edits = std::vector<Edit>;
 
 // A complaint, and the text with and without comments.

@@ -5,7 +5,6 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kNone = std::string_view::npos;
 
 // Where a comment that begins at `at` ends, or `at` if none begins there.
 size_t EndOfComment(std::string_view text, size_t at) {

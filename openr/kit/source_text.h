@@ -12,8 +12,10 @@ std::string WithoutComments(std::string_view text);
 // The position of a line and a column, both from 1; npos when the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);
 
-// The next position from `at` on (before `at`) that is not a blank or the end of a line; npos if
-// there is none.
+// A position that there is not.
+inline constexpr size_t kNone = std::string_view::npos;
+
+// The next position from `at` on (before `at`) that is not a blank or the end of a line, or kNone.
 size_t NextOf(std::string_view text, size_t at);
 size_t PreviousOf(std::string_view text, size_t at);
 

@@ -17,6 +17,8 @@
 
 namespace openr_host {
 
+inline constexpr char kDistance[] = "PRM:/r1/c1/c2/c3/p1-Sensor:p1";
+
 // A world with a wall across the dog's way, its near side `distance_m` ahead of where it begins.
 inline std::string WorldWithWall(double distance_m) {
   static const TempFolder folder;

@@ -10,7 +10,6 @@ namespace {
 
 constexpr char kBack[] = "PRM:/r6/s1-Sensor:s1";
 constexpr char kHeadFront[] = "PRM:/r1/c1/c2/c3/f2-Sensor:f2";
-constexpr char kDistance[] = "PRM:/r1/c1/c2/c3/p1-Sensor:p1";
 constexpr char kMode[] = "PRM:/r1/c1/c2/c3/l7-LED2:l7";
 constexpr char kBlue[] = "PRM:/r6/l1-LED2:l1";
 constexpr char kOrange[] = "PRM:/r6/l2-LED2:l2";

@@ -4,7 +4,6 @@
 namespace openr_host {
 namespace {
 
-constexpr char kDistance[] = "PRM:/r1/c1/c2/c3/p1-Sensor:p1";
 constexpr char kLight[] = "PRM:/r1/c1/c2/c3/l7-LED2:l7";
 
 struct Course {

@@ -30,7 +30,7 @@ Range Span(const JsonReader& pair, double scale) {
   return {v[0] * scale, v[1] * scale};
 }
 
-int Body(const RobotModel& model, const JsonReader& name) {
+int BodyNamed(const RobotModel& model, const JsonReader& name) {
   const int body = model.FindBody(name.Text());
   if (body < 0) name.Fail("no body '{}'", name.Text());
   return body;
@@ -70,8 +70,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   joint.name = row.At("name").Text();
   joint.locator = row.At("locator").Text();
   if (model->FindJoint(joint.name) >= 0) row.Fail("a second joint '{}'", joint.name);
-  joint.parent = Body(*model, row.At("parent"));
-  joint.child = Body(*model, row.At("child"));
+  joint.parent = BodyNamed(*model, row.At("parent"));
+  joint.child = BodyNamed(*model, row.At("child"));
   if (joint.parent >= joint.child) row.At("child").Fail("must come after its parent in bodies");
   BodyPart& child = model->bodies[joint.child];
   if (child.joint >= 0) row.At("child").Fail("'{}' already hangs on a joint", child.name);
@@ -143,7 +143,7 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
     sensor.min = static_cast<int64_t>(range.min);
     sensor.max = static_cast<int64_t>(range.max);
   }
-  if (row.Has("body")) sensor.body = Body(*model, row.At("body"));
+  if (row.Has("body")) sensor.body = BodyNamed(*model, row.At("body"));
   if (row.Has("place")) sensor.place_m = Metres(row.At("place"));
   if (row.Has("direction")) sensor.direction = Unit(row.At("direction"));
   if (row.Has("lookup")) sensor.lookup = ReadLookup(row.At("lookup"));
@@ -168,7 +168,7 @@ void ReadPaws(const JsonReader& root, RobotModel* model) {
     row.AllowOnly({"leg", "body", "centre", "radius", "sensor"});
     Paw paw;
     paw.leg = row.At("leg").Text();
-    paw.body = Body(*model, row.At("body"));
+    paw.body = BodyNamed(*model, row.At("body"));
     paw.centre_m = Metres(row.At("centre"));
     paw.radius_m = row.At("radius").NumberAbove(0) / 1000;
     paw.sensor = model->FindSensorByLocator(row.At("sensor").Text());
@@ -204,7 +204,7 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
 void ReadCamera(const JsonReader& camera, RobotModel* model) {
   Camera& c = model->camera;
   c.locator = camera.At("locator").Text();
-  c.body = Body(*model, camera.At("body"));
+  c.body = BodyNamed(*model, camera.At("body"));
   c.place_m = Metres(camera.At("place"));
   c.direction = Unit(camera.At("direction"));
   const std::vector<double> pixels = camera.At("pixels").Numbers(2);
