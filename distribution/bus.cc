@@ -68,13 +68,13 @@ std::string Settings(const BusOptions& options) {
       "<Discovery><LeaseDuration>{}s</LeaseDuration><ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex><Peers>{}</Peers></Discovery>"
       "<Internal><SocketReceiveBufferSize min=\"default\" max=\"10MB\"/>"
-      "<WriterLingerDuration>0s</WriterLingerDuration><MaxSampleSize>64MB</MaxSampleSize>"
+      "<WriterLingerDuration>0s</WriterLingerDuration><MaxSampleSize>{}MB</MaxSampleSize>"
       // Nobody who writes waits for one that is stopped: there is one message for each object.
       "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
       "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
       "</Internal>"
       "</Domain></CycloneDDS>",
-      options.address, LeaseOf(options), options.participants_max, peers);
+      options.address, LeaseOf(options), options.participants_max, peers, kSampleMax_MB);
   if (!options.config_file.empty()) text += ",file://" + options.config_file;
   return text;
 }

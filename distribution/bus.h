@@ -77,6 +77,9 @@ struct LineTopics {
 constexpr LineTopics kWireTopics = {&openr_wire_Down_desc, "openr_down", &openr_wire_Up_desc,
                                     "openr_up"};
 
+// A sample is refused that is larger.
+constexpr size_t kSampleMax_MB = 64;
+
 // Samples with so many bytes have packets of their own and are taken one at a time: the next one
 // finds the same memory in the processor's cache.
 constexpr size_t kBulk = 16 << 10;

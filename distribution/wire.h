@@ -72,24 +72,38 @@ inline std::string StringOf(const openr_wire_Bytes& bytes) {
 // Of a string member, which may be null.
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
 
-// Bytes of the data of regions in a sample.
+// Bytes of the data of regions that go with a sample.
 template <typename Sample>
 size_t BulkOf(const Sample&) {
   return 0;
 }
 inline size_t BulkOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
+// Of the `bytes` of each.
+template <typename Seq>
+size_t BytesOf(const Seq& items) {
+  return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},
+                         [](size_t sum, const auto& item) { return sum + item.bytes._length; });
+}
 inline size_t BulkOf(const openr_wire_Message& message) {
-  if (message.payload._d != openr_wire_PAYLOAD_NOTIFY) return 0;
-  const auto& parts = message.payload._u.notify.parts;
-  return std::accumulate(parts._buffer, parts._buffer + parts._length, size_t{0},
-                         [](size_t sum, const openr_wire_Part& part) { return sum + part.size; });
+  switch (message.payload._d) {
+    case openr_wire_PAYLOAD_NOTIFY:
+      return BytesOf(message.payload._u.notify.parts);
+    case openr_wire_PAYLOAD_READY:
+      return BytesOf(message.payload._u.ready.regions);
+    default:
+      return 0;
+  }
 }
 inline size_t BulkOf(const openr_wire_Down& down) {
   return down.body._d == openr_wire_DOWN_DELIVER ? BulkOf(down.body._u.deliver.message) : 0;
 }
+inline size_t BulkOf(const openr_wire_UpBody& body) {
+  if (body._d == openr_wire_UP_POST) return BulkOf(body._u.post.posted.message);
+  return body._d == openr_wire_UP_STATE ? BytesOf(body._u.state.regions) : 0;
+}
 inline size_t BulkOf(const openr_wire_Up& up) {
-  return std::accumulate(up.effects._buffer, up.effects._buffer + up.effects._length, size_t{0},
-                         [](size_t sum, const openr_wire_Effect& effect) {
+  return std::accumulate(up.effects._buffer, up.effects._buffer + up.effects._length,
+                         BulkOf(up.body), [](size_t sum, const openr_wire_Effect& effect) {
                            if (effect._d != openr_wire_EFFECT_POST) return sum;
                            return sum + BulkOf(effect._u.posted.message);
                          });

@@ -57,11 +57,10 @@ openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
   return up;
 }
 
-void Worker::Send(const openr_wire_Up& up) { line_->Send(up); }
-
 void Worker::TakeEffects(openr_wire_Up* up) {
   up->effects = arena_.Sequence<decltype(up->effects)>(effects_);
   effects_.clear();
+  in_sample_.clear();
 }
 
 Worker::Loan Worker::Next(bool answer) {
@@ -289,7 +288,7 @@ std::string Worker::Run() {
 void Worker::SayGoodbye(const std::string& text) {
   openr_wire_Up up = NewUp(openr_wire_UP_LEFT);
   up.body._u.left = {is_refused_, arena_.Text(text)};
-  Send(up);
+  line_->Send(up);
   line_->Flush(kGoodbyeMs);
 }
 
@@ -414,11 +413,7 @@ void Worker::SendStopped(Object* object) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
   TakeEffects(&up);
-  if (is_free_) {
-    line_->SendSoon(up);
-  } else {
-    Send(up);
-  }
+  Send(up, is_free_);
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();

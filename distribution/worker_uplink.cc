@@ -1,19 +1,57 @@
 // What handlers here ask and do that concerns others, told to the master.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
+#include <fmt/format.h>
 #include <sError.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "distribution/worker.h"
 
 namespace openr_host {
 
+// Nothing is thrown: it would go through the code of an object, which may catch it, or be blamed
+// for it.
+void Worker::Send(const openr_wire_Up& up, bool soon) {
+  try {
+    soon ? line_->SendSoon(up) : line_->Send(up);
+  } catch (const std::exception& error) {
+    const size_t bulk_MB = BulkOf(up) >> 20;
+    if (bulk_MB + 1 < kSampleMax_MB)
+      GiveUp(fmt::format("could not send to the run: {}", error.what()));
+    GiveUp(
+        fmt::format("could not send {} MB to the run, {} MB at once is the most: an object has "
+                    "to notify less in one handler, or to stay in openr run",
+                    bulk_MB, kSampleMax_MB));
+  }
+}
+
+// What the handler did is lost, and it cannot go on.
+void Worker::GiveUp(const std::string& why) {
+  options_.say(why);
+  try {
+    SayGoodbye(why);
+  } catch (const std::exception&) {  // the run sees that this process ends
+  }
+  _exit(1);
+}
+
 void Worker::KeepUntilSent(uint32_t region) {
   system_->regions().KeepCopy(region);
   pinned_.push_back(region);
+}
+
+// However many observers a region is for, its bytes go with the first notification of a sample; the
+// master has them when it comes to the next.
+void Worker::SendOnce(openr_wire_Part* part) {
+  const auto [first, is_first] = in_sample_.try_emplace(part->region, *part);
+  const openr_wire_Part& sent = first->second;
+  if (!is_first && part->offset >= sent.offset &&
+      uint64_t{part->offset} + part->size <= uint64_t{sent.offset} + sent.size)
+    part->bytes = {};
 }
 
 openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
@@ -22,7 +60,10 @@ openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
   courier_->Encode(message, nullptr, &arena_, &posted.message);
   if (message.kind == PayloadKind::kNotify) {
     const auto& parts = posted.message.payload._u.notify.parts;
-    for (uint32_t i = 0; i < parts._length; ++i) KeepUntilSent(parts._buffer[i].region);
+    for (uint32_t i = 0; i < parts._length; ++i) {
+      KeepUntilSent(parts._buffer[i].region);
+      SendOnce(&parts._buffer[i]);
+    }
   } else if (message.kind == PayloadKind::kReady) {
     const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
     for (int i = 0; i < ready.numOfData; ++i) KeepUntilSent(ready.rcRegion[i]->MemID());
@@ -106,13 +147,16 @@ Answer Worker::Ask(const Question& question) {
 }
 
 Answer Worker::WaitForAnswer() {
-  const Loan down = Next(true);
-  if (!down) {  // in the middle of a handler, which cannot go on
-    options_.say("the master is gone");
-    _exit(1);
+  try {
+    if (const Loan down = Next(true)) {
+      const openr_wire_Answer& answer = down->body._u.answer;
+      return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
+    }
+  } catch (const std::exception& error) {
+    GiveUp(fmt::format("could not hear the run: {}", error.what()));
   }
-  const openr_wire_Answer& answer = down->body._u.answer;
-  return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
+  options_.say("the master is gone");
+  _exit(1);  // in the middle of a handler, which cannot go on
 }
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {

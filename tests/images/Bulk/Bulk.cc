@@ -2,13 +2,26 @@
 
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
+#include <stdio.h>
 
-static const unsigned int kSize = 1 << 20;
-static const unsigned int kRounds = 12;
+// What BULK.TXT of the stick may say: bytes of a region, regions at a time, rounds.
+static unsigned int bytesEach = 1 << 20;
+static unsigned int regions = 1;
+static unsigned int rounds = 12;
+
+static void
+ReadPlan()
+{
+    FILE* const file = fopen("/MS/OPEN-R/MW/DATA/P/BULK.TXT", "r");
+    if (file == 0) return;
+    if (fscanf(file, "%u %u %u", &bytesEach, &regions, &rounds) != 3) OSYSPRINT(("Bulk: what?\n"));
+    fclose(file);
+}
 
 OStatus
 Bulk::DoInit(const OSystemEvent&)
 {
+    ReadPlan();
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
@@ -42,13 +55,16 @@ void
 Bulk::ReadyOut(const OReadyEvent&)
 {
     OSubject* const out = subject[sbjOut];
-    if (!out->IsAllReady() || round_ >= kRounds) return;
+    if (!out->IsAllReady() || round_ >= rounds) return;
     ++round_;
-    RCRegion* const region = new RCRegion(kSize);
-    unsigned char* const bytes = (unsigned char*)region->Base();
-    for (unsigned int i = 0; i < kSize; i++) bytes[i] = (unsigned char)(i * 31 + (i >> 8) * round_);
-    out->SetData(region);
-    region->RemoveReference();
+    for (unsigned int k = 0; k < regions; k++) {
+        RCRegion* const region = new RCRegion(bytesEach);
+        unsigned char* const bytes = (unsigned char*)region->Base();
+        for (unsigned int i = 0; i < bytesEach; i++)
+            bytes[i] = (unsigned char)(i * 31 + (i >> 8) * round_);
+        out->SetData(region);
+        region->RemoveReference();
+    }
     out->SetData(&round_, sizeof(round_));
     out->NotifyObservers();
 }
