@@ -13,6 +13,7 @@
 #include "distribution/pulse.h"
 #include "distribution/remote_services.h"
 #include "distribution/seat.h"
+#include "runtime/core/indivisible.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/ipstack/loopback_network.h"
@@ -158,6 +159,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.free_deliveries = INT64_MAX;  // the master counts them
   options.uplink = this;
   options.console = [this](std::string_view text) {
+    const Indivisible indivisible;
     WireArena arena;
     openr_wire_Up up = NewUp(openr_wire_UP_SAID);
     up.body._u.said = arena.Text(text);

@@ -48,7 +48,7 @@ class Worker : public Uplink {
   bool is_refused() const { return is_refused_; }
 
   // Tells the master that the handler that runs ends this process; from a signal handler on top of
-  // the object's code.
+  // the object's code, but not while it is Indivisible.
   void TellCrash(std::string_view text);
 
   // ---- Uplink

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "distribution/worker.h"
+#include "runtime/core/indivisible.h"
 
 namespace openr_host {
 
@@ -86,6 +87,7 @@ bool Worker::MayBeRefused(const Message& message) {
 }
 
 int32_t Worker::Post(Message* message, int64_t delay_us) {
+  const Indivisible indivisible;
   if (is_over_) {
     system_->queue().Release(message);
     return sFAIL;
@@ -127,6 +129,7 @@ bool Worker::CancelPin(uint64_t region) {
 }
 
 void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
+  const Indivisible indivisible;
   if (is_over_ || (kind == NoteKind::kUnpin && CancelPin(numbers.front()))) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
@@ -135,6 +138,7 @@ void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view
 }
 
 Answer Worker::Ask(const Question& question) {
+  const Indivisible indivisible;
   if (is_over_) return {};
   openr_wire_Up up = NewUp(openr_wire_UP_QUESTION);
   up.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,

@@ -10,6 +10,7 @@
 #include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
+#include "runtime/core/indivisible.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -23,13 +24,7 @@ uint64_t g_limit_s_tenths = 0;
 uint64_t g_message = 0;  // the handler seen at the last tick
 int g_seen = 0;          // ticks in a row
 
-void Tick(int) {
-  const Object* const object = t_current.object;
-  const uint64_t message =
-      object == nullptr || object->running == nullptr ? 0 : object->running->number;
-  g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
-  g_message = message;
-  if (g_seen < kTicks) return;
+void EndTheHandler() {
   Ending ending;
   const auto add_limit = [](SignalText* text) {
     text->Add(" has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
@@ -46,6 +41,15 @@ void Tick(int) {
   BeginEnding(&ending);
   ending.record.WriteTo(STDERR_FILENO);
   FinishEnding();
+}
+
+void Tick(int) {
+  const Object* const object = t_current.object;
+  const uint64_t message =
+      object == nullptr || object->running == nullptr ? 0 : object->running->number;
+  g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
+  g_message = message;
+  if (g_seen >= kTicks && !Indivisible::PutOff(&EndTheHandler)) EndTheHandler();
 }
 
 }  // namespace

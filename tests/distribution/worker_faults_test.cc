@@ -41,5 +41,24 @@ TEST(WorkerFaultsTest, RegionsThatAreTooMuchAreNamed) {
   EXPECT_THAT(report["processes"][0]["lost"].get<std::string>(), HasSubstr(words));
 }
 
+// ---- a handler that does not return
+
+// It is mostly found while it speaks to the run.  Others go on until the end.
+TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamedAsItself) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("flood");
+  const ProgramResult result =
+      RunProgram(kQuickly + kIdeal +
+                 Words{"--for", "1s", "--stick", stick.path(), "--isolate", "Trouble",
+                       "--handler-limit", "500ms", "--console", "/dev/null"});
+  EXPECT_EQ(result.status, 1);
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_EQ(report["virtual_time_s"], 1) << result.err;
+  EXPECT_EQ(report["processes"][0]["lost"],
+            "a handler does not return: DoStart (selector 1) has used more than 0.5 s of processor "
+            "time (--handler-limit)");
+}
+
 }  // namespace
 }  // namespace openr_host

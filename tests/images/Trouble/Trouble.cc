@@ -48,6 +48,8 @@ Trouble::DoStart(const OSystemEvent&)
     }
     if (strcmp(word, "hang") == 0) {
         for (;;) sink = 1 - sink;
+    } else if (strcmp(word, "flood") == 0) {
+        for (;;) OSYSPRINT(("x"));
     } else if (strcmp(word, "crash") == 0) {
         *(volatile int*)16 = 1;
     } else if (strcmp(word, "callnull") == 0) {

@@ -1,0 +1,29 @@
+#include "runtime/core/indivisible.h"
+
+#include <signal.h>
+
+namespace openr_host {
+namespace {
+
+volatile sig_atomic_t g_depth = 0;
+void (*volatile g_end)() = nullptr;
+
+}  // namespace
+
+Indivisible::Indivisible() { g_depth = g_depth + 1; }
+
+Indivisible::~Indivisible() {
+  g_depth = g_depth - 1;
+  if (g_depth != 0 || g_end == nullptr) return;
+  void (*const end)() = g_end;
+  g_end = nullptr;
+  end();
+}
+
+bool Indivisible::PutOff(void (*end)()) {
+  if (g_depth == 0) return false;
+  g_end = end;
+  return true;
+}
+
+}  // namespace openr_host
