@@ -276,22 +276,29 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
 }
 
 std::string Worker::Run() {
-  std::string problem = Join();
-  if (problem.empty()) problem = Serve();
-  if (line_ == nullptr || !line_->IsConnected()) return problem;
-  if (is_refused_) {
-    SayGoodbye("has come in vain: " + problem);
-  } else if (IsEnded() && !problem.empty()) {
-    SayGoodbye("was ended there");
+  std::string problem, goodbye;
+  try {
+    problem = Join();
+    if (problem.empty()) problem = Serve();
+  } catch (const std::exception& error) {
+    problem = error.what();
+    goodbye = "could not go on: " + problem;
   }
+  if (is_refused_) goodbye = "has come in vain: " + problem;
+  if (IsEnded() && !problem.empty()) goodbye = "was ended there";
+  if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;
 }
 
 void Worker::SayGoodbye(const std::string& text) {
+  if (line_ == nullptr || !line_->IsConnected()) return;
   openr_wire_Up up = NewUp(openr_wire_UP_LEFT);
   up.body._u.left = {is_refused_, arena_.Text(text)};
-  line_->Send(up);
-  line_->Flush(kGoodbyeMs);
+  try {
+    line_->Send(up);
+    line_->Flush(kGoodbyeMs);
+  } catch (const std::exception&) {  // the run sees that this process ends
+  }
 }
 
 // Of one that the run has started the run says what there is to say.

@@ -33,10 +33,7 @@ void Worker::Send(const openr_wire_Up& up, bool soon) {
 // What the handler did is lost, and it cannot go on.
 void Worker::GiveUp(const std::string& why) {
   options_.say(why);
-  try {
-    SayGoodbye(why);
-  } catch (const std::exception&) {  // the run sees that this process ends
-  }
+  SayGoodbye(why);
   _exit(1);
 }
 

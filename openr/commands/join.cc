@@ -1,4 +1,5 @@
 #include <errno.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <string.h>
@@ -39,7 +40,9 @@ std::string WhyNoStick(const std::string& folder) {
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
 
-constexpr int kRefused = 3;  // Join(): it would be the same the next time
+// Exit codes of a child.
+constexpr int kRefused = 3;  // it would be the same the next time
+constexpr int kOffline = 4;  // it could not so much as look for the run
 
 // One that a run has started goes when the run goes, however that ends; Ctrl-C is for the run.
 void BecomeChild(pid_t parent) {
@@ -79,7 +82,29 @@ void CatchTheEnd(int flags) {
   _exit(128 + g_ended_by);
 }
 
-int Join(JoinFlags flags) {
+// While it lives nothing is said on standard error.
+class Hush {
+ public:
+  explicit Hush(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
+    const int nowhere = is_on ? open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
+    if (nowhere < 0) return;
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+  ~Hush() {
+    if (before_ < 0) return;
+    dup2(before_, STDERR_FILENO);
+    close(before_);
+  }
+  Hush(const Hush&) = delete;
+  Hush& operator=(const Hush&) = delete;
+
+ private:
+  const int before_;
+};
+
+// `is_known`: people know already if this process cannot take part.  Throws std::exception then.
+int Join(JoinFlags flags, bool is_known = false) {
   if (flags.parent != 0) {
     BecomeChild(flags.parent);
   } else {
@@ -98,50 +123,69 @@ int Join(JoinFlags flags) {
     crash_log.emplace(std::vector<std::string>{folder}, true, flags.parent == 0 ? HostName() : "");
     watchdog.emplace(flags.handler_limit_us);
   };
-  Worker worker(flags.worker);
+  std::optional<Worker> worker;
+  {
+    const Hush hush(is_known);
+    worker.emplace(flags.worker);
+  }
   const LastWords last_words([&worker](Ending* ending) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
-    worker.TellCrash(ending->finding.text());
+    worker->TellCrash(ending->finding.text());
   });
-  const std::string problem = worker.Run();
+  const std::string problem = worker->Run();
   if (problem.empty()) return kExitGood;
   if (g_ended_by != 0) EndBySignal();
   flags.worker.say(problem);
-  return worker.is_refused() ? kRefused : kExitWrong;
+  return worker->is_refused() ? kRefused : kExitWrong;
 }
 
 // In a process of its own; does not throw.
-int JoinHere(const JoinFlags& flags) {
+int JoinHere(const JoinFlags& flags, bool is_known) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
-    return Join(flags);
+    return Join(flags, is_known);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "openr: {}\n", error.what());
-    return kRefused;
+    if (!is_known) fmt::print(stderr, "openr: {}\n", error.what());
+    return kOffline;
   }
 }
 
+// How a child of its own that does it ended: what waitpid() says.
+int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
+  *child = fork();
+  if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
+  if (*child == 0) exit(JoinHere(flags, is_known));
+  g_child = *child;
+  if (g_ended_by != 0) kill(*child, SIGTERM);  // meanwhile
+  int status = 0;
+  while (waitpid(*child, &status, 0) < 0 && errno == EINTR) {
+  }
+  g_child = 0;
+  return status;
+}
+
 // A new process whenever one ends before the run is over: what it was in the middle of, or how it
-// was brought down, does not matter then.
+// was brought down, does not matter then.  One whose network is away tries again until it is there,
+// and says so once; at the beginning it is a wrong flag.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   CatchTheEnd(0);
-  for (;;) {
-    const pid_t child = fork();
-    if (child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
-    if (child == 0) return JoinHere(flags);
-    g_child = child;
-    if (g_ended_by != 0) kill(child, SIGTERM);  // meanwhile
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    g_child = 0;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == kExitGood) return kExitGood;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused) return kExitWrong;
+  bool is_offline = false;
+  for (bool is_first = true;; is_first = false) {
+    pid_t child = 0;
+    const int status = JoinInChild(flags, is_offline, &child);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : kExitWrong;
+    if (code == kExitGood) return kExitGood;
+    if (code == kRefused || (code == kOffline && is_first)) return kExitWrong;
     if (g_ended_by != 0) EndBySignal();
-    fmt::print(stderr, "openr: process '{}' (pid {}) has ended; another one comes\n",
-               flags.worker.process, child);
+    if (code != kOffline) {
+      fmt::print(stderr, "openr: process '{}' (pid {}) has ended; another one comes\n",
+                 flags.worker.process, child);
+    } else if (!is_offline) {
+      fmt::print(stderr, "openr: process '{}': tries again until it can\n", flags.worker.process);
+    }
+    is_offline = code == kOffline;
     sleep(kPause_s);
     if (g_ended_by != 0) EndBySignal();
   }

@@ -1,0 +1,99 @@
+// openr join --restart: what it tries again after, and what not.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include "distribution/bus.h"
+#include "distribution/seat.h"
+#include "tests/distribution/hosts.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+int CountOf(const std::string& text, const std::string& in) {
+  int count = 0;
+  for (size_t at = in.find(text); at != std::string::npos; at = in.find(text, at + 1)) ++count;
+  return count;
+}
+
+class JoinRestartTest : public testing::Test, public TwoHosts {
+ protected:
+  // The interface of the other host.
+  static void SetThere(const std::string& state) {
+    const std::string command = "ip -n " + RunName("openr-b") + " link set cable " + state;
+    EXPECT_EQ(std::system(command.c_str()), 0);
+  }
+  std::unique_ptr<ProgramRun> Run(const Words& flags) {
+    folder_.Write("where.cfg", "Controller vision\n@vision " + std::string(kThere) + "\n");
+    return StartHere(Words{"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--placement",
+                           folder_.File("where.cfg"), "--dds-lease", "2"} +
+                     flags);
+  }
+  const ScratchFolder folder_;
+};
+
+TEST_F(JoinRestartTest, ItIsThereAgainWhenItsInterfaceIs) {
+  if (!Connect()) GTEST_SKIP() << kNoHosts;
+  const auto join = StartThere({"join", "--process", "vision", "--restart", "--dds-lease", "2"});
+  const auto first = Run({"--for", "10min"});
+  ASSERT_TRUE(first->WaitFor("state: listening")) << first->heard();
+  SetThere("down");
+  EXPECT_EQ(first->Finish().status, 1) << first->heard();
+  const std::string words = "openr: process 'vision': tries again until it can\n";
+  ASSERT_TRUE(join->WaitFor(words)) << join->heard();
+  EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
+  sleep(3);  // some attempts
+  SetThere("up");
+  const auto second = Run({"--for", "100ms"});
+  EXPECT_EQ(second->Finish().status, 0) << second->heard();
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+  EXPECT_EQ(CountOf(words, join->heard()), 1);
+  EXPECT_EQ(CountOf("does not match an available interface", join->heard()), 1);
+  EXPECT_EQ(CountOf("has joined run", join->heard()), 2);
+}
+
+TEST(JoinRestartFlagTest, AnAddressThatIsNotOfThisHostIsRefusedAtOnce) {
+  const ProgramResult result =
+      RunProgram({"join", "--process", "vision", "--restart", "--dds-address", "192.0.2.1"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("openr: Cyclone DDS: domain: "));
+  EXPECT_THAT(result.err, Not(HasSubstr("tries again")));
+}
+
+// The master is played by the test.
+TEST(JoinRestartFlagTest, WhatAMasterSaysAmissIsNotItsEnd) {
+  BusOptions options;
+  options.run = RunName("amiss");
+  Bus bus(options);
+  Seat seat(&bus, "victim", false);
+  seat.Open("now");
+  ProgramRun join(
+      {"join", "--process", "victim", "--session", "now", "--run-name", options.run, "--restart"});
+  while (!seat.Arrive(10)) {
+  }
+  openr_wire_Down down{};
+  WireArena arena;
+  down.body._d = openr_wire_DOWN_WELCOME;
+  down.body._u.welcome.version = openr_wire_VERSION;
+  down.body._u.welcome.stick = arena.Text(OPENR_STICK);
+  seat.line()->Send(down);
+  down.body = {};
+  down.body._d = openr_wire_DOWN_DELIVER;
+  down.body._u.deliver.message.target = 4242;
+  seat.line()->Send(down);
+  EXPECT_TRUE(join.WaitFor("has ended; another one comes")) << join.heard();
+  EXPECT_THAT(join.heard(),
+              HasSubstr("process 'victim': a message to an object that is not there"));
+  const auto left = seat.line()->Receive(1000);
+  ASSERT_TRUE(left);
+  ASSERT_EQ(left->body._d, openr_wire_UP_LEFT);
+  EXPECT_STREQ(left->body._u.left.text,
+               "could not go on: a message to an object that is not there");
+  join.Signal(SIGTERM);
+  EXPECT_EQ(join.Finish().status, 128 + SIGTERM);
+}
+
+}  // namespace
+}  // namespace openr_host
