@@ -25,6 +25,7 @@ namespace {
 
 constexpr int kSliceMs = 100;         // between looks at whether the master is there
 constexpr int kGoodbyeMs = 1'000;     // for the master to hear it
+constexpr int kLastWordMs = 3'000;    // the same: it is not known otherwise
 constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
 constexpr int kKnockMs = 1'000;       // between knocks
 
@@ -434,6 +435,7 @@ void Worker::TellCrash(std::string_view text) {
   up.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                         arena.Text(text)};
   Send(up);
+  line_->Flush(kLastWordMs);  // nobody sends it again when this process is gone
 }
 
 void Worker::SendState(ObjectId id) {

@@ -103,7 +103,28 @@ class Hush {
   const int before_;
 };
 
+struct Outcome {
+  std::string problem;
+  bool is_refused = false;
+};
+
 // `is_known`: people know already if this process cannot take part.  Throws std::exception then.
+// When it returns, others have heard that the process leaves.
+Outcome Work(const WorkerOptions& options, bool is_known) {
+  std::optional<Worker> worker;
+  {
+    const Hush hush(is_known);
+    worker.emplace(options);
+  }
+  const LastWords last_words([&worker](Ending* ending) {
+    if (ending->object == nullptr) return;
+    const CurrentScope scope(ending->object->system, ending->object);
+    worker->TellCrash(ending->finding.text());
+  });
+  const std::string problem = worker->Run();
+  return {problem, worker->is_refused()};
+}
+
 int Join(JoinFlags flags, bool is_known = false) {
   if (flags.parent != 0) {
     BecomeChild(flags.parent);
@@ -123,21 +144,11 @@ int Join(JoinFlags flags, bool is_known = false) {
     crash_log.emplace(std::vector<std::string>{folder}, true, flags.parent == 0 ? HostName() : "");
     watchdog.emplace(flags.handler_limit_us);
   };
-  std::optional<Worker> worker;
-  {
-    const Hush hush(is_known);
-    worker.emplace(flags.worker);
-  }
-  const LastWords last_words([&worker](Ending* ending) {
-    if (ending->object == nullptr) return;
-    const CurrentScope scope(ending->object->system, ending->object);
-    worker->TellCrash(ending->finding.text());
-  });
-  const std::string problem = worker->Run();
-  if (problem.empty()) return kExitGood;
+  const Outcome outcome = Work(flags.worker, is_known);
+  if (outcome.problem.empty()) return kExitGood;
   if (g_ended_by != 0) EndBySignal();
-  flags.worker.say(problem);
-  return worker->is_refused() ? kRefused : kExitWrong;
+  flags.worker.say(outcome.problem);
+  return outcome.is_refused ? kRefused : kExitWrong;
 }
 
 // In a process of its own; does not throw.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include "tests/distribution/hosts.h"
 #include "tests/distribution/same_run.h"
 #include "tests/distribution/sticks.h"
 
@@ -58,6 +59,67 @@ TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamedAsItself) {
   EXPECT_EQ(report["processes"][0]["lost"],
             "a handler does not return: DoStart (selector 1) has used more than 0.5 s of processor "
             "time (--handler-limit)");
+}
+
+// ---- on another host
+
+class OtherHostTest : public testing::Test, public TwoHosts {
+ protected:
+  // Trouble is there and does `word`.
+  void Begin(const std::string& word, const Words& join, const Words& run) {
+    if (!Connect()) GTEST_SKIP() << kNoHosts;
+    stick_.MakeTrouble(word);
+    stick_.Write("where.cfg", "Trouble away\n@away " + std::string(kThere) + "\n");
+    join_ = StartFarAway(Words{"join", "--process", "away"} + join);
+    run_ = StartHere(Words{"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--json",
+                           "--stick", stick_.path(), "--placement", stick_.File("where.cfg")} +
+                     run);
+  }
+
+  // The openr of join_.
+  pid_t Joined() const { return ChildrenOf(join_->pid()).at(0); }
+
+  const ScratchFolder stick_;
+  std::unique_ptr<ProgramRun> join_, run_;
+
+ private:
+  // Where this one's process ids mean nothing: that it ends is known by what is heard of it.
+  static std::unique_ptr<ProgramRun> StartFarAway(const Words& arguments) {
+    const char* const command =
+        "exec ip netns exec \"$0\" unshare --pid --fork --mount-proc \"$@\"";
+    return std::make_unique<ProgramRun>(Words{"-c", command, RunName("openr-b"), OPENR_PROGRAM} +
+                                            arguments +
+                                            Words{"--dds-address", kThere, "--dds-peer", kHere},
+                                        "/bin/sh");
+  }
+};
+
+// The packet with the last word is lost.
+TEST_F(OtherHostTest, ALastWordIsSentUntilItIsHeard) {
+  Begin("hang", {"--handler-limit", "4s"}, {"--for", "1s"});
+  if (run_ == nullptr) return;
+  ASSERT_TRUE(run_->WaitFor("has not answered for 2 s")) << run_->heard();
+  Cut();
+  EXPECT_TRUE(join_->WaitFor("openr: a handler does not return")) << join_->heard();
+  usleep(100'000);
+  Mend();
+  EXPECT_EQ(run_->Finish().status, 1);
+  EXPECT_THAT(run_->heard(), HasSubstr("a handler does not return: DoStart (selector 1) has used"));
+  EXPECT_THAT(run_->heard(), Not(HasSubstr("cannot be reached")));
+}
+
+// Between its handlers: lockstep hears of it at the next frame, not when the lease is over.
+TEST_F(OtherHostTest, AnIdleOneThatIsEndedLeavesAtOnce) {
+  Begin("nothing", {}, {"--for", "8s"});
+  if (run_ == nullptr) return;
+  ASSERT_TRUE(run_->WaitFor("Trouble is running")) << run_->heard();
+  kill(Joined(), SIGTERM);
+  EXPECT_EQ(join_->Finish().status, 128 + SIGTERM) << join_->heard();
+  EXPECT_EQ(run_->Finish().status, 1);
+  EXPECT_THAT(run_->heard(), HasSubstr("was ended there; the run stops here"));
+  const json report = json::parse(run_->Finish().out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << run_->heard();
+  EXPECT_LT(report["virtual_time_s"], 8);
 }
 
 }  // namespace
