@@ -288,6 +288,10 @@ void Fleet::Watch() {
   WaitForReturns();
 }
 
+void Fleet::Hurry() {
+  for (auto& [name, member] : members_) member.process->Hurry();
+}
+
 void Fleet::ReportLosses() {
   for (const auto& [name, member] : members_) {
     for (const auto& [id, object] : member.objects) {

@@ -91,6 +91,9 @@ class Fleet {
   // handler.
   void Pump(int64_t timeout_us);
 
+  // From now on a process that does not answer is soon given up.
+  void Hurry();
+
   // Findings about messages that nobody heard.
   void ReportLosses();
 

@@ -19,6 +19,7 @@ namespace {
 constexpr int kSliceMs = 10;           // between looks at the process
 constexpr int64_t kKnockMs = 300;      // for one that is there to be heard
 constexpr int kLastWordMs = 50;        // for what it said before its end to come
+constexpr int64_t kHasteMs = 500;      // for an answer when the run is being brought down
 constexpr int kEndMs = 1'000;          // for a process to hear that the run is over
 constexpr int64_t kSilenceMs = 2'000;  // before people are told
 // Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
@@ -90,6 +91,11 @@ RemoteProcess::Loan RemoteProcess::Next() {
       }
       throw ProcessLost(problem);
     }
+    if (is_in_haste_ && silent_ms >= kHasteMs)
+      throw ProcessLost(
+          fmt::format("process '{}' (pid {}) did not answer when the run was brought "
+                      "down",
+                      name_, facts().pid));
     if (told || silent_ms < kSilenceMs) continue;
     told = true;
     say_(

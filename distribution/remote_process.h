@@ -107,6 +107,9 @@ class RemoteProcess {
   // False when its process was lost before the end of the handler.
   bool RunHandler(RemoteObject* object, const Message& message);
 
+  // From now on it is soon given up when it does not answer.
+  void Hurry() { is_in_haste_ = true; }
+
   // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
   std::string FetchState(ObjectId object);
 
@@ -197,7 +200,8 @@ class RemoteProcess {
   bool is_free_ = false;
   std::map<ObjectId, uint64_t> under_way_;
   std::map<ObjectId, Stop> stops_;
-  int64_t heard_ms_ = 0;    // the last time, or when it was given something to do
+  int64_t heard_ms_ = 0;  // the last time, or when it was given something to do
+  bool is_in_haste_ = false;
   bool is_silent_ = false;  // people have been told
   std::string loss_;        // why the process is gone
   bool crashed_ = false;

@@ -108,12 +108,19 @@ void DistributedRun::ReportLosses() {
   if (fleet_ != nullptr) fleet_->ReportLosses();
 }
 
-void DistributedRun::EndProcesses(nlohmann::ordered_json* report) {
+void DistributedRun::Hurry() {
+  if (fleet_ != nullptr) fleet_->Hurry();
+}
+
+void DistributedRun::Describe(nlohmann::ordered_json* report) const {
   if (fleet_ == nullptr) return;
   (*report)["processes"] = DescribeProcesses(*fleet_);
   for (const auto& [id, bytes] : fleet_->HeapMax())
     (*report)["objects"][static_cast<size_t>(id)]["heap_bytes_max"] = bytes;
-  fleet_->End();
+}
+
+void DistributedRun::EndProcesses() {
+  if (fleet_ != nullptr) fleet_->End();
 }
 
 }  // namespace openr_host

@@ -46,8 +46,14 @@ class DistributedRun {
   // Findings about messages that nobody heard.
   void ReportLosses();
 
-  // Adds them to the report, if there are any, and they end.
-  void EndProcesses(nlohmann::ordered_json* report);
+  // Something brings the run down, and a report is still to be made: no process is waited for long.
+  void Hurry();
+
+  // Adds what is known of the processes to the report, if there are any.
+  void Describe(nlohmann::ordered_json* report) const;
+
+  // They may end.
+  void EndProcesses();
 
  private:
   void AfterFrame();

@@ -236,13 +236,15 @@ bool FinishRecording(Recorder* recorder, Simulation* simulation) {
 }
 
 // The report of a run that an object brings down: what there is at that moment, and why.
-void ReportTheEnding(Ending* ending, Simulation* simulation, const RunFacts& facts,
-                     const RunFlags& flags, Console* console) {
+void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
+                     const RunFacts& facts, const RunFlags& flags, Console* console) {
   {
     const CurrentScope scope(&simulation->system(), ending->object);
     simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
   }
+  distribution->Hurry();
   nlohmann::ordered_json report = MakeReport(simulation, facts);
+  distribution->Describe(&report);
   std::string_view record = ending->record.text();
   while (record.ends_with('\n')) record.remove_suffix(1);
   report["error"] = std::string(record);
@@ -335,7 +337,7 @@ bool CommandedRun::RunToTheEnd() {
   };
   const LastWords last_words([&](Ending* ending) {
     learn_facts();
-    ReportTheEnding(ending, &simulation_, facts_, flags_, &console_);
+    ReportTheEnding(ending, &simulation_, &distribution_, facts_, flags_, &console_);
   });
   bool good = runner.Run();
   distribution_.RunIsOver();
@@ -351,7 +353,8 @@ bool CommandedRun::Report() {
   if (!boots_) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
-  distribution_.EndProcesses(&report);
+  distribution_.Describe(&report);
+  distribution_.EndProcesses();
   fmt::print(stderr, "{}{}", DescribeFindings(&simulation_), Summary(report));
   return WriteReport(report, flags_, &console_);
 }

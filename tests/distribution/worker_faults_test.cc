@@ -61,6 +61,55 @@ TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamedAsItself) {
             "time (--handler-limit)");
 }
 
+// ---- Trouble in openr run itself, which ends the run
+
+class EndingTest : public testing::Test {
+ protected:
+  Words RunThat(const std::string& word) {
+    MakeStick(stick_, {"TAKER1.BIN", "TROUBLE.BIN"}, "");
+    stick_.Write("OPEN-R/MW/DATA/P/TROUBLE.TXT", word);
+    return kQuickly + kIdeal +
+           Words{"--for", "1s", "--stick", stick_.path(), "--isolate", "Taker1"};
+  }
+  const ScratchFolder stick_;
+};
+
+TEST_F(EndingTest, TheReportOfACrashKnowsTheProcesses) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "crashes are reported by the sanitizer";
+#endif
+  const ProgramResult result = RunProgram(RunThat("crash"));
+  EXPECT_EQ(result.status, 1);
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << result.err;
+  EXPECT_THAT(report["error"].get<std::string>(), HasSubstr("OBJECT Trouble, DoStart"));
+  ASSERT_TRUE(report.contains("processes"));
+  const json& taker = report["processes"][0];
+  EXPECT_EQ(taker["name"], "Taker1");
+  EXPECT_EQ(taker["lost"], "");
+  EXPECT_EQ(taker["handlers"], 2);
+  for (const json& object : report["objects"]) {
+    if (object["name"] == "Taker1") {
+      EXPECT_GT(object["heap_bytes_max"], 0);
+    }
+  }
+}
+
+// It would have the state of its objects.
+TEST_F(EndingTest, AStoppedProcessDoesNotCostTheReport) {
+  ProgramRun run(RunThat("halfhang") + Words{"--handler-limit", "2s"});
+  ASSERT_TRUE(run.WaitFor("half a line")) << run.heard();
+  const pid_t child = ChildrenOf(run.pid()).at(0);
+  kill(child, SIGSTOP);
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 1);
+  const json report = json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(report.contains("processes")) << result.err;
+  EXPECT_EQ(report["processes"][0]["lost"], "process 'Taker1' (pid " + std::to_string(child) +
+                                                ") did not answer when the run was brought down");
+  EXPECT_TRUE(report.contains("state_hash"));
+}
+
 // ---- on another host
 
 class OtherHostTest : public testing::Test, public TwoHosts {
