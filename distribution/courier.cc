@@ -156,12 +156,30 @@ std::vector<RCRegion*> Courier::TakeLentOf(ObjectId subject) {
   return regions;
 }
 
+std::vector<uint64_t> Courier::TakeDropped() {
+  std::vector<uint64_t> tokens;
+  std::erase_if(dropped_, [&](const auto& entry) {
+    if (system_->regions().BaseOf(entry.second) != nullptr) return false;  // it may be handed on
+    tokens.push_back(entry.first);
+    return true;
+  });
+  return tokens;
+}
+
+void Courier::Dropped(const std::vector<uint64_t>& tokens) {
+  for (const uint64_t token : tokens) taken_back_.erase(token);
+}
+
 void Courier::LoseOther() {
+  taken_back_.clear();
   for (auto& [region, borrowed] : borrowed_) borrowed.token = 0;
 }
 
 void Courier::TakeBack(RCRegion* region) {
-  if (borrowed_.contains(region)) DropStandIn(region);
+  const auto found = borrowed_.find(region);
+  if (found == borrowed_.end()) return;
+  if (makes_copies_ && found->second.token != 0) dropped_[found->second.token] = region->MemID();
+  DropStandIn(region);
 }
 
 bool Courier::HasBorrowed(uint32_t region) const {

@@ -66,6 +66,12 @@ class Courier {
   // The regions of what subjects of one object had sent.
   std::vector<RCRegion*> TakeLentOf(ObjectId subject);
 
+  // By tokens of the other side: what no ready will give back, since it was taken back here and
+  // nobody has it any more.
+  std::vector<uint64_t> TakeDropped();
+  // The same, said by the other side.
+  void Dropped(const std::vector<uint64_t>& tokens);
+
   // The other side is gone: what came from there is nobody's any more when it is given back.
   void LoseOther();
 
@@ -103,6 +109,7 @@ class Courier {
   // By TakeLentOf(): the regions of tokens that may still be given back.
   std::map<uint64_t, uint32_t> taken_back_;
   std::map<RCRegion*, Borrowed> borrowed_;  // looked up only, by stand-in
+  std::map<uint64_t, uint32_t> dropped_;    // regions by token: see TakeDropped()
   std::vector<RCRegion*> of_sample_;        // whose bytes are there still
 };
 

@@ -83,7 +83,12 @@ void RemoteProcess::Forget(ObjectId id) {
   if (is_free_) return;
   const Loan up = Next();
   if (up->body._d != openr_wire_UP_FORGOTTEN) Refuse("something else when it was to forget");
-  Apply(*up, nullptr);
+  TakeForgotten(*up);
+}
+
+void RemoteProcess::TakeForgotten(const openr_wire_Up& up) {
+  Apply(up, nullptr);
+  courier_->Dropped(VectorOf(up.body._u.forgotten.dropped));
 }
 
 }  // namespace openr_host

@@ -336,7 +336,7 @@ void RemoteProcess::TakeFree(const openr_wire_Up& up) {
   HearOfEnd(up);
   if (Serve(up)) return;
   if (up.body._d == openr_wire_UP_CRASHED) Crash(up.body._u.crashed);
-  if (up.body._d == openr_wire_UP_FORGOTTEN) return Apply(up, nullptr);
+  if (up.body._d == openr_wire_UP_FORGOTTEN) return TakeForgotten(up);
   if (up.body._d != openr_wire_UP_STOPPED) Refuse("something that is no end of a handler");
   const ObjectId object = up.body._u.stopped.object;
   const auto found = under_way_.find(object);

@@ -158,6 +158,7 @@ class RemoteProcess {
   std::optional<Stop> AwaitStop(RemoteObject* object);
   Stop TakeStop(const openr_wire_Up& up);
   void TakeFree(const openr_wire_Up& up);
+  void TakeForgotten(const openr_wire_Up& up);
   bool TakeLoaded(const openr_wire_Up& up, const std::map<ObjectId, RemoteObject*>& objects);
   template <typename Action>
   void NoteLoss(const Action& action);

@@ -461,7 +461,7 @@ void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
   std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_Up up = NewUp(openr_wire_UP_FORGOTTEN);
-  up.body._u.forgotten = id;
+  up.body._u.forgotten = {id, arena_.Numbers(courier_->TakeDropped())};
   TakeEffects(&up);
   Send(up);
   arena_.Clear();

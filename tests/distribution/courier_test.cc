@@ -195,6 +195,42 @@ TEST_F(CourierTest, WhatASubjectThatIsGoneHadSentIsOverThereStill) {
   LetGo(region);
 }
 
+// Nobody there has it any more, and no ready gives it back.
+TEST_F(CourierTest, WhatTheOtherSideDroppedIsNotThere) {
+  RCRegion* const region = NewRegion("before");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region}), &out), "");
+  ours.TakeLentOf(wire.payload._u.notify.subject);
+  theirs.TakeBack(NotifyOf(out).data[0].srcRCR);
+  ours.Dropped(theirs.TakeDropped());
+  EXPECT_FALSE(ours.HasLent(region->MemID()));
+  EXPECT_THAT(theirs.TakeDropped(), testing::IsEmpty());
+  LetGo(region);
+}
+
+// An object there has taken it, and may hand it on.
+TEST_F(CourierTest, WhatIsKeptThereIsDroppedWhenItIsNot) {
+  RCRegion* const region = NewRegion("before");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region}), &out), "");
+  there.regions().Pin(region->MemID());
+  theirs.TakeBack(NotifyOf(out).data[0].srcRCR);
+  EXPECT_THAT(theirs.TakeDropped(), testing::IsEmpty());
+  there.regions().Unpin(region->MemID());
+  EXPECT_THAT(theirs.TakeDropped(), testing::ElementsAre(1u));
+  LetGo(region);
+}
+
+TEST_F(CourierTest, AnotherProcessHasNothingOfTheOneBefore) {
+  RCRegion* const region = NewRegion("before");
+  Message out;
+  ASSERT_EQ(Carry(Notification({region}), &out), "");
+  ours.TakeLentOf(wire.payload._u.notify.subject);
+  ours.LoseOther();
+  EXPECT_FALSE(ours.HasLent(region->MemID()));
+  LetGo(region);
+}
+
 TEST_F(CourierTest, ADeassertForOneThatIsLostSaysSo) {
   Message answer = Answer({});
   const_cast<OReadyMessage&>(ReadyOf(answer)).msgType = kDeassertOfLost;
