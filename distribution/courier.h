@@ -78,9 +78,6 @@ class Courier {
   // What came in comes back otherwise than by a ready.
   void TakeBack(RCRegion* region);
 
-  // Notifications sent whose regions have not come back.
-  size_t lent_count() const { return lent_.size(); }
-
  private:
   void EncodeNotify(const Message& message, const HasMemory& other_has, WireArena* arena,
                     openr_wire_Notify* out);

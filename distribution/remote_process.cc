@@ -45,7 +45,6 @@ void RemoteProcess::Refuse(const std::string& what) {
 
 openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
   openr_wire_Down down{};
-  down.turn = ++turn_;
   down.body._d = kind;
   return down;
 }
@@ -270,7 +269,7 @@ RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_Up& up) {
 // Nothing when the process was lost meanwhile.
 std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object) {
   const uint64_t session = session_;
-  const uint64_t box = kFirstFreeBox + turn_;
+  const uint64_t box = kFirstFreeBox + ++free_boxes_;
   object->boxes.insert(box);
   if (under_way_.empty()) heard_ms_ = NowMs();
   under_way_[object->id] = box;

@@ -148,7 +148,7 @@ class RemoteProcess {
     std::string why;
   };
 
-  openr_wire_Down NewDown(openr_wire_DownKind kind);
+  static openr_wire_Down NewDown(openr_wire_DownKind kind);
   void Send(const openr_wire_Down& down, bool soon = false);
   bool MoreGoesOut() const;
   Loan Next();
@@ -189,8 +189,7 @@ class RemoteProcess {
   System* system_ = nullptr;
   std::unique_ptr<Courier> courier_;
   std::map<ObjectId, RemoteObject*> objects_;
-  std::set<ObjectId> awaited_;  // to be loaded there
-  uint64_t turn_ = 0;
+  std::set<ObjectId> awaited_;            // to be loaded there
   uint64_t session_ = 0;                  // counts on when it comes back
   std::map<uint32_t, int> pins_;          // that objects there have, by region
   std::map<ObjectId, uint64_t> dropped_;  // as it counts them
@@ -199,6 +198,7 @@ class RemoteProcess {
   std::map<ObjectId, Latency> latency_of_;
   // Of free runs: handlers under way, by object, and the box by which their proxy waits.
   bool is_free_ = false;
+  uint64_t free_boxes_ = 0;  // that there were
   std::map<ObjectId, uint64_t> under_way_;
   std::map<ObjectId, Stop> stops_;
   int64_t heard_ms_ = 0;  // the last time, or when it was given something to do

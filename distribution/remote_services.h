@@ -47,9 +47,9 @@ class RemoteServices : public RobotServices {
   System* const system_;
 };
 
-// What the master does for a QuestionKind::kService of an object of `robot`.
-// Whether it is SetCdtVectorData(), whose bytes go into the region.
+// Whether a QuestionKind::kService is SetCdtVectorData(), whose bytes go into the region.
 bool IsSetCdt(const Question& question);
+// What the master does for one of an object of `robot`.
 Answer ServeRobotCall(System* system, int robot, const Question& question);
 
 }  // namespace openr_host

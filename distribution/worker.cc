@@ -54,7 +54,6 @@ Worker::~Worker() {
 
 openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
   openr_wire_Up up{};
-  up.turn = ++turn_;
   up.body._d = kind;
   return up;
 }

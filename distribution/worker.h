@@ -91,7 +91,7 @@ class Worker : public Uplink {
   void SendState(ObjectId id);
   void Forget(ObjectId id);
 
-  openr_wire_Up NewUp(openr_wire_UpKind kind);
+  static openr_wire_Up NewUp(openr_wire_UpKind kind);
   void Send(const openr_wire_Up& up, bool soon = false);
   [[noreturn]] void GiveUp(const std::string& why);
   // What handlers did since the last sample goes with `up`.
@@ -117,7 +117,6 @@ class Worker : public Uplink {
   std::string stick_;                // its folder
   std::set<std::string> own_names_;  // of its objects
   bool has_begun_ = false;
-  uint64_t turn_ = 0;
   bool is_free_ = false;                             // the run goes by the clock on the wall
   std::set<ObjectId> quick_;                         // whose last handler was
   bool is_over_ = false;                             // nobody listens: objects are being unloaded

@@ -47,7 +47,7 @@ enum class QuestionKind : uint32_t {
   kUnregisterName,   // name -> sError
   kCheckShare,       // ShareCall, region, protection, other, giving -> sError
   kWriteFile,        // name: the object is about to change a file of the stick
-  kService,          // RobotCall and its arguments (robot_calls.h)
+  kService,          // RobotCall and its arguments (distribution/remote_services.cc)
 };
 
 struct Question {

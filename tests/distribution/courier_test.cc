@@ -150,7 +150,8 @@ TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
   RCRegion* const large = NewRegion("picture", 1 << 20);
   Message out;
   ASSERT_EQ(Carry(Notification({small, large}), &out), "");
-  EXPECT_EQ(ours.lent_count(), 2u);
+  EXPECT_TRUE(ours.HasLent(small->MemID()));
+  EXPECT_TRUE(ours.HasLent(large->MemID()));
   const ONotifyMessage& notify = NotifyOf(out);
   ASSERT_EQ(notify.numOfData, 2);
   EXPECT_EQ(notify.data[1].size, size_t{1} << 20);
@@ -172,7 +173,8 @@ TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
   EXPECT_EQ(ReadyOf(ready).msgType, omsgREADY_V22);
   EXPECT_EQ(ReadyOf(ready).rcRegion[0], large);
   EXPECT_EQ(ReadyOf(ready).rcRegion[1], small);
-  EXPECT_EQ(ours.lent_count(), 0u);
+  EXPECT_FALSE(ours.HasLent(small->MemID()));
+  EXPECT_FALSE(ours.HasLent(large->MemID()));
   EXPECT_FALSE(theirs.HasBorrowed(small->MemID()));
   LetGo(small);
   LetGo(large);
@@ -303,7 +305,7 @@ TEST_F(CourierTest, TheSameRegionTwiceIsTwoLoans) {
   ASSERT_EQ(Carry(Notification({region}), &first), "");
   ASSERT_EQ(Carry(Notification({region}), &second), "");
   EXPECT_NE(NotifyOf(first).data[0].srcRCR, NotifyOf(second).data[0].srcRCR);
-  EXPECT_EQ(ours.lent_count(), 2u);
+  EXPECT_EQ(ours.TakeLent().size(), 2u);
   theirs.Sent(Answer({NotifyOf(first).data[0].srcRCR}));
   EXPECT_TRUE(theirs.HasBorrowed(region->MemID())) << "the second is still out";
   EXPECT_EQ(std::string(NotifyOf(second).data[0].srcRCR->Base(), 5), "twice");
