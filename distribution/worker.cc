@@ -284,8 +284,8 @@ std::string Worker::Run() {
     problem = error.what();
     goodbye = "could not go on: " + problem;
   }
-  if (is_refused_) goodbye = "has come in vain: " + problem;
   if (IsEnded() && !problem.empty()) goodbye = "was ended there";
+  if (is_refused_) goodbye = "has come in vain: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;
 }

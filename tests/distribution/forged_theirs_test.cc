@@ -1,4 +1,6 @@
 // A process that speaks in the name of others, or means what is theirs; and what it says of itself.
+#include <OPENR/ObjcommMessages.h>
+
 #include "tests/distribution/forged.h"
 
 namespace openr_host {
@@ -8,7 +10,26 @@ using ::testing::HasSubstr;
 
 constexpr uint64_t kSetCdt = 15;  // RobotCall of SetCdtVectorData()
 
-class ForgedTheirsTest : public ForgedTest {};
+class ForgedTheirsTest : public ForgedTest {
+ protected:
+  // Notifies the object that is elsewhere of region_here_.
+  void Lend() {
+    const CurrentScope scope(&system_, &sender_->host());
+    auto* const message = system_.NewMessage(remote_->id, kEntry);
+    auto& notify = *new (message->payload) ONotifyMessage();
+    notify.msgType = omsgNOTIFY_V22;
+    notify.subjectID = OServiceEntry(OidOf(sender_->host().id), 5);
+    notify.numOfNotify = notify.numOfData = 1;
+    notify.data[0].srcRCR =
+        new RCRegion(region_here_, 0, system_.regions().BaseOf(region_here_), kBytes);
+    notify.data[0].memID = region_here_;
+    notify.data[0].size = kBytes;
+    message->size = sizeof notify;
+    message->kind = PayloadKind::kNotify;
+    system_.Post(message);
+    system_.RunFor(1000);
+  }
+};
 
 TEST_F(ForgedTheirsTest, AMessageFromAnother) {
   for (const int32_t sender : {sender_->host().id, kObjectManager}) {
@@ -41,6 +62,21 @@ TEST_F(ForgedTheirsTest, ANotificationThatWritesIntoTheRegionOfAnother) {
 TEST_F(ForgedTheirsTest, ANotificationWithTheRegionOfAnother) {
   EXPECT_THAT(LossBy(Notify({{1, region_here_, kBytes, 0, kBytes, {}}})),
               HasSubstr("which it has not"));
+}
+
+// It was lent there; when its subject was replaced the process dropped it.
+TEST_F(ForgedTheirsTest, ANotificationWithARegionThatItHasDropped) {
+  const ObjectId sender = sender_->host().id;
+  for (const bool is_dropped : {false, true}) {
+    line_->Send(Stopped());
+    Lend();
+    openr_wire_Up up = New(openr_wire_UP_FORGOTTEN);
+    up.body._u.forgotten.object = sender;
+    if (is_dropped) up.body._u.forgotten.dropped = arena_.Numbers({1, 2});
+    EXPECT_EQ(LossBy(up, [&] { process_.Forget(sender); }), "");
+    const std::string loss = LossBy(Notify({{1, region_here_, kBytes, 0, kBytes, {}}}));
+    EXPECT_EQ(loss.find("which it has not") != std::string::npos, is_dropped) << loss;
+  }
 }
 
 TEST_F(ForgedTheirsTest, NetworkDataInTheRegionOfAnother) {
