@@ -80,16 +80,16 @@ size_t BulkOf(const Sample&) {
 inline size_t BulkOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
 // Of the `bytes` of each.
 template <typename Seq>
-size_t BytesOf(const Seq& items) {
+size_t BytesIn(const Seq& items) {
   return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},
                          [](size_t sum, const auto& item) { return sum + item.bytes._length; });
 }
 inline size_t BulkOf(const openr_wire_Message& message) {
   switch (message.payload._d) {
     case openr_wire_PAYLOAD_NOTIFY:
-      return BytesOf(message.payload._u.notify.parts);
+      return BytesIn(message.payload._u.notify.parts);
     case openr_wire_PAYLOAD_READY:
-      return BytesOf(message.payload._u.ready.regions);
+      return BytesIn(message.payload._u.ready.regions);
     default:
       return 0;
   }
@@ -99,7 +99,7 @@ inline size_t BulkOf(const openr_wire_Down& down) {
 }
 inline size_t BulkOf(const openr_wire_UpBody& body) {
   if (body._d == openr_wire_UP_POST) return BulkOf(body._u.post.posted.message);
-  return body._d == openr_wire_UP_STATE ? BytesOf(body._u.state.regions) : 0;
+  return body._d == openr_wire_UP_STATE ? BytesIn(body._u.state.regions) : 0;
 }
 inline size_t BulkOf(const openr_wire_Up& up) {
   return std::accumulate(up.effects._buffer, up.effects._buffer + up.effects._length,

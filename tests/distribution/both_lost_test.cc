@@ -1,4 +1,4 @@
-// Two processes of other hosts, lost at the same time; and one whose end only its goodbye tells.
+// Two processes that somebody else has started, lost at the same time; two runs of one name.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
@@ -48,23 +48,6 @@ TEST_F(BothLostTest, WhoComesBackFirstKeepsItsChance) {
   EXPECT_THAT(run.heard(), Not(HasSubstr("process 'door' did not come back")));
   EXPECT_EQ(second_brain->Finish().status, 0) << second_brain->heard();
   EXPECT_EQ(second_door->Finish().status, 0) << second_door->heard();
-}
-
-// Its lease is not over before anybody's patience is.
-TEST(GoodbyeTest, AnIdleProcessOfAnotherHostSaysThatItGoes) {
-  TwoHosts hosts;
-  if (!hosts.Connect()) GTEST_SKIP() << kNoHosts;
-  const ScratchFolder folder;
-  folder.Write("where.cfg", "Controller vision\n@vision " + std::string(TwoHosts::kThere) + "\n");
-  const auto join = hosts.StartThere({"join", "--process", "vision", "--dds-lease", "1000"});
-  const auto run =
-      hosts.StartHere({"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--rate", "1",
-                       "--placement", folder.File("where.cfg"), "--dds-lease", "1000"});
-  ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
-  join->Signal(SIGINT);
-  EXPECT_EQ(run->Finish().status, 1);
-  EXPECT_THAT(run->heard(), HasSubstr("was ended there; the run stops here"));
-  EXPECT_EQ(join->Finish().status, 128 + SIGINT);
 }
 
 // Two runs of one name: one has its processes, and a clock that is ahead of the other's.
