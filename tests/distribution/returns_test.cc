@@ -193,8 +193,8 @@ TEST_F(ReturnsTest, OneThatCrashesAgainAndAgainIsGivenUp) {
 }
 
 TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {
-  ProgramRun run(RunAt("20", OnStick({"--place", "Payer=payer", "--place", "Payee=payee",
-                                      "--restart", "1", "--for", "60s"})));
+  ProgramRun run(
+      RunAt("20", OnStick({"--place", "Payer=payer", "--place", "Payee=payee", "--restart", "1"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
   ASSERT_NO_FATAL_FAILURE(NewEdition());
   KillProcess(PidOf(run, "payee"), SIGKILL);
@@ -209,16 +209,17 @@ TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {
 }
 
 TEST_F(ReturnsTest, TheDogStandsAgain) {
-  ProgramRun run(RunAt(
-      "10", {"--body", "ideal", "--isolate", "JointMover", "--restart", "3", "--for", "40s"}));
+  ProgramRun run(RunAt("10", {"--body", "ideal", "--isolate", "JointMover", "--restart", "3"}));
   ASSERT_TRUE(run.WaitFor("state: accepting-commands"));
+  const size_t before = run.heard().size();
   KillProcess(PidOf(run, "JointMover"), SIGKILL);
   ASSERT_TRUE(run.WaitFor("process 'JointMover' is back")) << run.heard();
+  ASSERT_TRUE(run.WaitFor("state: accepting-commands", before)) << run.heard();
+  run.Signal(SIGINT);
   const ProgramResult& result = run.Finish();
   const json report = json::parse(result.out, nullptr, false);
   ASSERT_TRUE(report.is_object()) << result.err;
   EXPECT_TRUE(report["robots"][0]["standing"].get<bool>());
-  EXPECT_DOUBLE_EQ(report["virtual_time_s"].get<double>(), 40);
 }
 
 TEST_F(ReturnsTest, FreeRunningTheOthersGoOnMeanwhile) {
