@@ -306,26 +306,43 @@ TEST_F(ReturnsTest, AJoinerThatIsRefusedDoesNotComeAgain) {
 
 class ReturningHostTest : public ReturnsTest, public TwoHosts {
  protected:
-  void SetUp() override { ConnectOrSkip(); }
+  void SetUp() override {
+    ConnectOrSkip();
+    stick_.Write("where.cfg", "Payee payee\n@payee " + std::string(kThere) + "\n");
+  }
+  void Start(const std::string& run_lease, const std::string& join_lease) {
+    const std::string name = RunName("back");
+    join_ = StartThere(
+        {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", join_lease});
+    run_ = StartHere(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name",
+                                         name, "--dds-lease", run_lease, "--free-running"})));
+    ASSERT_TRUE(run_->WaitFor("Payee, edition one"));
+    Cut();
+    ASSERT_TRUE(run_->WaitFor("cannot be reached any more")) << run_->heard();
+  }
+  void ExpectToComeBack() {
+    ASSERT_TRUE(run_->WaitFor("process 'payee' is back")) << run_->heard();
+    run_->Signal(SIGINT);
+    EXPECT_EQ(run_->Finish().status, 1);
+    ExpectGoodBooks(run_->heard());
+    EXPECT_EQ(join_->Finish().status, 0) << join_->heard();
+  }
+
+  std::unique_ptr<ProgramRun> join_, run_;
 };
 
 TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
-  const std::string name = RunName("back");
-  stick_.Write("where.cfg", "Payee payee\n@payee " + std::string(kThere) + "\n");
-  const auto join = StartThere(
-      {"join", "--process", "payee", "--run-name", name, "--restart", "--dds-lease", "4"});
-  const auto run =
-      StartHere(RunAt("1", OnStick({"--placement", stick_.File("where.cfg"), "--run-name", name,
-                                    "--dds-lease", "4", "--free-running"})));
-  ASSERT_TRUE(run->WaitFor("Payee, edition one"));
-  Cut();
-  ASSERT_TRUE(run->WaitFor("cannot be reached any more")) << run->heard();
+  ASSERT_NO_FATAL_FAILURE(Start("4", "4"));
+  ASSERT_TRUE(join_->WaitFor("the master is gone")) << join_->heard();
   Mend();
-  EXPECT_TRUE(run->WaitFor("process 'payee' is back")) << run->heard();
-  run->Signal(SIGINT);
-  EXPECT_EQ(run->Finish().status, 1);
-  ExpectGoodBooks(run->heard());
-  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+  ExpectToComeBack();
+}
+
+// To do: the other side does not notice that it has been given up, and nobody speaks any more.
+TEST_F(ReturningHostTest, DISABLED_AHostThatHasNotNoticedComesBackAsWell) {
+  ASSERT_NO_FATAL_FAILURE(Start("60", "3"));
+  Mend();
+  ExpectToComeBack();
 }
 
 }  // namespace
