@@ -35,9 +35,10 @@ void RemoteProcess::GiveBack() {
 size_t RemoteProcess::CountInHand() const {
   size_t count = 0;
   for (const auto& [id, box] : under_way_) {
-    const PayloadKind kind = objects_.at(id)->running->kind;
-    const bool comes_back = kind == PayloadKind::kNotify || kind == PayloadKind::kReady;
-    if (id != culprit_ && !comes_back) ++count;
+    const Message& message = *objects_.at(id)->running;
+    const bool is_bytes =
+        message.kind != PayloadKind::kNotify && message.kind != PayloadKind::kReady;
+    if (id != culprit_ && is_bytes && message.selector > oentryDESTROY) ++count;
   }
   return count;
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr int64_t kComingMs = 5'000;  // for one that has been given a session to take it
 constexpr size_t kKnockNameMax = 256;
 constexpr int64_t kLookMs = 100;  // between looks at a process
+constexpr size_t kLeftMax = 4;
 
 int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
 
@@ -54,8 +55,25 @@ void Seat::Open(const std::string& session) {
 }
 
 void Seat::Leave() {
+  if (has_arrived_ && door_ != nullptr && !line_->IsConnected() && !pulse_.HasEnded()) {
+    if (left_.size() == kLeftMax) left_.erase(left_.begin());
+    left_.push_back({std::move(line_)});
+  }
   line_.reset();
   has_arrived_ = false;
+}
+
+// One that has been away for less time than the run has is still there, and waits for ever.
+void Seat::TellTheLeft() {
+  std::erase_if(left_, [](const Left& left) { return left.is_told && !left.line->IsConnected(); });
+  for (Left& left : left_) {
+    if (left.is_told || !left.line->IsConnected()) continue;
+    openr_wire_Down down{};
+    down.body._d = openr_wire_DOWN_END;
+    down.body._u.without_you = true;
+    left.line->Send(down);
+    left.is_told = true;
+  }
 }
 
 // The kernel is not asked in each frame of a run that is fast.
@@ -103,6 +121,7 @@ void Seat::AnswerKnock(const openr_wire_Knock& knock) {
 
 void Seat::SendOthersAway() {
   if (door_ == nullptr) return;
+  TellTheLeft();
   while (const auto knock = door_->Receive(0)) AnswerKnock(*knock);
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "distribution/bus.h"
 #include "distribution/pulse.h"
@@ -61,7 +62,7 @@ class Seat {
   // Nobody may come any more.
   void Shut() { is_shut_ = true; }
 
-  // Whoever is there is not heard any more.
+  // Whoever is there is not heard any more; told so as soon as it can be reached again.
   void Leave();
 
   // Of who is there or is coming; null: nobody.
@@ -72,12 +73,19 @@ class Seat {
 
  private:
   bool TakeHello(int timeout_ms);
+  void TellTheLeft();
   void AnswerKnock(const openr_wire_Knock& knock);
 
   Bus* const bus_;
   const std::string process_;
   std::unique_ptr<MasterDoor> door_;
   std::unique_ptr<MasterLine> line_;
+  // To those that were left because they could not be reached, and may not have noticed.
+  struct Left {
+    std::unique_ptr<MasterLine> line;
+    bool is_told = false;
+  };
+  std::vector<Left> left_;
   std::string knock_;  // who was given the session
   std::string session_;
   int64_t opened_ms_ = 0;  // when

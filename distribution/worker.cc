@@ -29,6 +29,8 @@ constexpr int kLastWordMs = 3'000;    // the same: it is not known otherwise
 constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
 constexpr int kKnockMs = 1'000;       // between knocks
 
+constexpr char kGivenUp[] = "the run could not reach it and goes on without";
+
 // Stands for an object of another process.
 class AbsentObject : public Object {
  public:
@@ -78,7 +80,11 @@ Worker::Loan Worker::Next(bool answer) {
       continue;
     }
     if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
-    if (loan->body._d == openr_wire_DOWN_END) _exit(0);  // in the middle of a handler
+    if (loan->body._d == openr_wire_DOWN_END) {  // in the middle of a handler
+      if (!loan->body._u.without_you) _exit(0);
+      options_.say(kGivenUp);
+      _exit(1);
+    }
     early_.push_back(std::move(loan));
   }
 }
@@ -333,7 +339,7 @@ std::string Worker::Serve() {
         Forget(down->body._u.forgotten);
         break;
       case openr_wire_DOWN_END:
-        return "";
+        return down->body._u.without_you ? kGivenUp : "";
       case openr_wire_DOWN_WELCOME:
       case openr_wire_DOWN_ANSWER:
         return "the master says what was not asked";

@@ -5,7 +5,6 @@
 namespace openr_host {
 namespace {
 
-
 // Where a comment that begins at `at` ends, or `at` if none begins there.
 size_t EndOfComment(std::string_view text, size_t at) {
   if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());

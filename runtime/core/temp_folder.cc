@@ -4,24 +4,32 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kPrefix[] = "openr-host-run-";
+// Ids of other containers' processes, which may share the folder, mean nothing here.
+std::string Prefix() {
+  std::error_code error;
+  std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();
+  std::erase_if(space, [](unsigned char c) { return std::isdigit(c) == 0; });
+  return fmt::format("openr-host-run-{}-", space);
+}
 
 // Removes folders of processes that are gone.
-void RemoveStaleFolders(const fs::path& parent) {
+void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {
     const std::string name = entry.path().filename();
-    if (!name.starts_with(kPrefix)) continue;
-    const int pid = std::atoi(name.c_str() + sizeof kPrefix - 1);
+    if (!name.starts_with(prefix)) continue;
+    const int pid = std::atoi(name.c_str() + prefix.size());
     if (pid > 0 && kill(pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
   }
 }
@@ -32,8 +40,9 @@ TempFolder::TempFolder() : process_(getpid()) {
   std::error_code error;
   fs::path parent = fs::temp_directory_path(error);
   if (error) parent = ".";
-  RemoveStaleFolders(parent);
-  std::string name = (parent / fmt::format("{}{}-XXXXXX", kPrefix, process_)).string();
+  const std::string prefix = Prefix();
+  RemoveStaleFolders(parent, prefix);
+  std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, process_)).string();
   if (mkdtemp(name.data()) != nullptr) path_ = name;
 }
 

@@ -338,10 +338,11 @@ TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
   ExpectToComeBack();
 }
 
-// To do: the other side does not notice that it has been given up, and nobody speaks any more.
-TEST_F(ReturningHostTest, DISABLED_AHostThatHasNotNoticedComesBackAsWell) {
+// That it has been given up.
+TEST_F(ReturningHostTest, AHostThatHasNotNoticedComesBackAsWell) {
   ASSERT_NO_FATAL_FAILURE(Start("60", "3"));
   Mend();
+  EXPECT_TRUE(join_->WaitFor("the run could not reach it and goes on without")) << join_->heard() << run_->heard();
   ExpectToComeBack();
 }
 

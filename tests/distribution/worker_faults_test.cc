@@ -145,7 +145,8 @@ class OtherHostTest : public testing::Test, public TwoHosts {
 
 // The packet with the last word is lost.
 TEST_F(OtherHostTest, ALastWordIsSentUntilItIsHeard) {
-  Begin("hang", {"--handler-limit", "4s"}, {"--for", "1s"});
+  Begin("hang", {"--handler-limit", "4s", "--dds-lease", "60"},
+        {"--for", "1s", "--dds-lease", "60"});
   if (run_ == nullptr) return;
   ASSERT_TRUE(run_->WaitFor("has not answered for 2 s")) << run_->heard();
   Cut();
