@@ -342,7 +342,8 @@ TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
 TEST_F(ReturningHostTest, AHostThatHasNotNoticedComesBackAsWell) {
   ASSERT_NO_FATAL_FAILURE(Start("60", "3"));
   Mend();
-  EXPECT_TRUE(join_->WaitFor("the run could not reach it and goes on without")) << join_->heard() << run_->heard();
+  EXPECT_TRUE(join_->WaitFor("the run could not reach it and goes on without"))
+      << join_->heard() << run_->heard();
   ExpectToComeBack();
 }
 
