@@ -101,6 +101,23 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
   out->parts = arena->Sequence<decltype(out->parts)>(parts);
 }
 
+// An observer may write into what it received.  Most give it back in the handler that got it.
+bool Courier::IsChanged(const RCRegion& region, const Borrowed& borrowed) {
+  if (borrowed.bytes != nullptr)
+    return std::memcmp(region.Base(), borrowed.bytes, region.Size()) != 0;
+  return HashBytes(region.Base(), region.Size()) != borrowed.hash;
+}
+
+void Courier::ForgetSample() {
+  for (RCRegion* const region : of_sample_) {
+    const auto found = borrowed_.find(region);
+    if (found == borrowed_.end() || found->second.bytes == nullptr) continue;  // given back
+    Borrowed& borrowed = found->second;
+    borrowed.hash = HashBytes(std::exchange(borrowed.bytes, nullptr), region->Size());
+  }
+  of_sample_.clear();
+}
+
 void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out) {
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
   out->command = static_cast<uint32_t>(ready.command);
@@ -114,8 +131,7 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
     if (found == borrowed_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_Returned returned{found->second.token, {}};
-    // An observer may write into what it received.
-    if (HashBytes(region.Base(), region.Size()) != found->second.hash)
+    if (IsChanged(region, found->second))
       returned.bytes = WireArena::View(region.Base(), region.Size());
     regions.push_back(returned);
   }
@@ -279,7 +295,12 @@ std::string Courier::DecodePart(const openr_wire_Part& in, RCRegion** region) {
   if (in.bytes._length != 0) std::memcpy(memory, in.bytes._buffer, in.size);
   *region = new RCRegion(in.region, in.offset, memory, in.size);
   system_->regions().KeepCopy(in.region);
-  borrowed_[*region] = {in.token, HashBytes(memory, in.size)};
+  if (in.bytes._length != 0) {
+    borrowed_[*region] = {in.token, in.bytes._buffer, 0};
+    of_sample_.push_back(*region);
+  } else {
+    borrowed_[*region] = {in.token, nullptr, HashBytes(memory, in.size)};
+  }
   return "";
 }
 

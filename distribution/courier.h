@@ -41,8 +41,10 @@ class Courier {
   // `message` has been taken by the other side: what a ready gave back is not here any more.
   void Sent(const Message& message);
 
-  // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`.
+  // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`, which
+  // stays until ForgetSample().
   std::string Decode(const openr_wire_Message& in, Message* out);
+  void ForgetSample();
 
   // Whether data of this region came in and have not been given back: it is the newer memory.
   bool HasBorrowed(uint32_t region) const;
@@ -92,9 +94,12 @@ class Courier {
   const bool makes_copies_;
   struct Borrowed {
     uint64_t token;  // theirs; 0: they are gone
-    uint64_t hash;   // of the bytes as they came
+    // The bytes as they came, while they are there; then their hash.
+    const uint8_t* bytes;
+    uint64_t hash;
   };
 
+  static bool IsChanged(const RCRegion& region, const Borrowed& borrowed);
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, Lent> lent_;  // by our token
@@ -102,6 +107,7 @@ class Courier {
   std::map<uint64_t, uint32_t> taken_back_;
   std::map<RCRegion*, Borrowed> borrowed_;  // looked up only, by stand-in
   std::map<uint64_t, uint32_t> dropped_;    // regions by token: see TakeDropped()
+  std::vector<RCRegion*> of_sample_;        // whose bytes are there still
 };
 
 }  // namespace openr_host

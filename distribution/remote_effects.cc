@@ -133,6 +133,7 @@ int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = courier_->Decode(posted.message, message);
+  courier_->ForgetSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
   message->number = 0;

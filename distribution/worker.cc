@@ -368,6 +368,7 @@ void Worker::Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_ou
   } else {
     system_->RunMessages(1);
   }
+  courier_->ForgetSample();
   SendStopped(object);
 }
 
