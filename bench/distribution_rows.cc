@@ -37,8 +37,10 @@ int NewDomain() {
   return ++domain;
 }
 
-BusOptions BusOf(const std::string& run, int domain) {
+// `has_room`: as free runs have it.
+BusOptions BusOf(const std::string& run, int domain, bool has_room = false) {
   BusOptions options;
+  options.has_room = has_room;
   options.run = run;
   options.domain = domain;
   return options;
@@ -121,7 +123,7 @@ class Raw {
       : window_(window),
         name_(fmt::format("bench-raw-{}-{}-{}-{}", getpid(), size, window, Together)),
         domain_(NewDomain()),
-        bus_(BusOf(name_, domain_)),
+        bus_(BusOf(name_, domain_, window > 1)),
         line_(&bus_, "peer", LineEnd::kMaster, kRawTopics),
         payloads_(static_cast<size_t>(window), std::string(size, 'x')) {
     StartPeer(Together ? "raw-together" : "raw", fmt::format("{}:{}", domain_, name_));

@@ -23,6 +23,13 @@ constexpr int kTogetherMax = 4;
 constexpr int kSpareBytes = 64 << 20;
 constexpr int kBlockMax = 4 << 20;
 
+// There is one message under way for each object.  With so much room Cyclone DDS asks for
+// acknowledgements at this interval only.
+constexpr char kRoom[] =
+    "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
+    "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
+    "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>";
+
 // Signals of the program are for its own thread, not for those of the library.
 class SignalsBlocked {
  public:
@@ -69,14 +76,11 @@ std::string Settings(const BusOptions& options) {
       "<MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex><Peers>{}</Peers></Discovery>"
       "<Internal><SocketReceiveBufferSize min=\"default\" max=\"10MB\"/>"
       "<WriterLingerDuration>0s</WriterLingerDuration><MaxSampleSize>{}MB</MaxSampleSize>"
-      // Nobody waits who writes to one that is stopped: there is one message for each object.  With
-      // so much room Cyclone DDS asks for acknowledgements at this interval only.
-      "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
-      "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
-      "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>"
+      "{}"
       "</Internal>"
       "</Domain></CycloneDDS>",
-      options.address, LeaseOf(options), options.participants_max, peers, kSampleMax_MB);
+      options.address, LeaseOf(options), options.participants_max, peers, kSampleMax_MB,
+      options.has_room ? kRoom : "");
   if (!options.config_file.empty()) text += ",file://" + options.config_file;
   return text;
 }

@@ -36,6 +36,7 @@ struct BusOptions {
   // After this long without a sign of life from a process, others hold it for gone; 0: as suits
   // the run.
   int lease_s = 0;
+  bool has_room = false;  // nobody waits who writes to a process that is stopped
 };
 
 class Bus {

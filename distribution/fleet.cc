@@ -20,9 +20,16 @@ constexpr int64_t kLookNs = 10'000'000;  // between looks at processes in a free
 constexpr int64_t kEndMs = 5'000;        // for a process to end when it is told
 constexpr int64_t kInterruptedMs = 500;
 
+// In lockstep the run waits for a process that is stopped.
+BusOptions BusOf(const FleetOptions& options) {
+  BusOptions bus = options.bus;
+  bus.has_room = options.is_free;
+  return bus;
+}
+
 }  // namespace
 
-Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(options_.bus) {
+Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(BusOf(options_)) {
   if (!options_.placement.host_of.empty()) claim_ = std::make_unique<NameClaim>(&bus_);
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];

@@ -75,7 +75,7 @@ Trouble::DoStart(const OSystemEvent&)
         *(volatile int*)16 = 1;
     } else if (strcmp(word, "halfhang") == 0) {
         printf("half a line");
-        for (;;) sink = sink + 1;
+        for (;;) sink = 1 - sink;
     } else if (strcmp(word, "shutdown") == 0) {
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     }
