@@ -112,6 +112,7 @@ std::string Fleet::UnknownObjects() const {
 }
 
 std::string Fleet::Connect() {
+  if (options_.is_free) system_->trace().set_hashing(false);  // no two of them are alike
   for (auto& [name, member] : members_) {
     LoadMore(&member);
     if (problem_.empty() && options_.is_free) member.process->RunFree();

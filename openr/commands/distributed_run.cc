@@ -115,6 +115,7 @@ void DistributedRun::Hurry() {
 void DistributedRun::Describe(nlohmann::ordered_json* report) const {
   if (fleet_ == nullptr) return;
   (*report)["processes"] = DescribeProcesses(*fleet_);
+  if (is_free_) report->erase("trace_hash");
   for (const auto& [id, bytes] : fleet_->HeapMax())
     (*report)["objects"][static_cast<size_t>(id)]["heap_bytes_max"] = bytes;
 }
