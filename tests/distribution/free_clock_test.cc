@@ -118,6 +118,11 @@ TEST_F(FreeFleetTest, WhatItHadBeenHandedIsLostWithIt) {
   kill(pid, SIGKILL);
   EXPECT_TRUE(PumpUntil([&] { return Process().losses > 0; }));
   EXPECT_TRUE(Found("; 1 messages that it had been handed are lost")) << Findings();
+  Tell("ready?");
+  Settle();
+  fleet_->ReportLosses();
+  EXPECT_TRUE(Found("messages came after process 'both' was gone; nobody heard them"))
+      << Findings();
 }
 
 }  // namespace
