@@ -71,8 +71,11 @@ void Seat::TellTheLeft() {
     openr_wire_Down down{};
     down.body._d = openr_wire_DOWN_END;
     down.body._u.without_you = true;
-    left.line->Send(down);
     left.is_told = true;
+    try {
+      left.line->Send(down);
+    } catch (const std::runtime_error&) {  // it is away again; who sits here now is not
+    }
   }
 }
 
