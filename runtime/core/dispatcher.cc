@@ -7,6 +7,7 @@
 #include "runtime/core/image.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/system.h"
+#include "runtime/core/upper_registers.h"
 
 namespace openr_host {
 
@@ -168,6 +169,7 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
   object->running = message;
   object->time_calls = 0;
+  ClearUpperRegisters();  // because the code of handlers is SSE code
   char* const base = static_cast<char*>(__builtin_frame_address(0));
   const bool measures_stack = system_->options_.measure_stacks && object->is_image &&
                               (object->message_count <= 64 || object->message_count % 16 == 0);

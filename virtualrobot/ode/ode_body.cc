@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "runtime/core/hasher.h"
+#include "runtime/core/upper_registers.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/ode/contact_finder.h"
 #include "virtualrobot/ode/contact_solver.h"
@@ -200,6 +201,7 @@ void OdeBody::Impl::SolveStep(double step_s) {
                        push.p_W.x(), push.p_W.y(), push.p_W.z());
   }
   const OdeRandomScope random(&random_seed_);
+  ClearUpperRegisters();  // because libode is SSE code, at a third of the speed otherwise
   if (settings_.solver == OdeSettings::Solver::kExact) {
     dWorldStep(world_, step_s);
   } else {

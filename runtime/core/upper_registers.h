@@ -1,0 +1,24 @@
+// The upper halves of the processor's vector registers.
+//
+// Code that was compiled for AVX, as the C library's string functions and xxHash are, may leave
+// bits in the upper halves of the 16 vector registers.  Code that was compiled for SSE, as libode,
+// the images and most of this program are, keeps those bits with every instruction that writes a
+// register. On several processors each such instruction then waits for the one that wrote the
+// register before it.  The values are the same, the time is not (docs/performance.md, "Upper
+// halves").
+#pragma once
+
+namespace openr_host {
+
+// Makes the upper halves zero, which ends the waiting.  Called in front of long stretches of SSE
+// code.  Does nothing on a processor without AVX, nor where the compiler itself uses AVX and cleans
+// up.
+#if defined(__x86_64__) && !defined(__AVX__)
+inline void ClearUpperRegisters() {
+  if (__builtin_cpu_supports("avx")) asm volatile("vzeroupper");
+}
+#else
+inline void ClearUpperRegisters() {}
+#endif
+
+}  // namespace openr_host
