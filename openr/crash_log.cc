@@ -12,7 +12,7 @@
 #include "openr/last_words.h"
 #include "openr/signal_text.h"
 #include "runtime/core/current.h"
-#include "runtime/core/fiber.h"
+#include "runtime/core/stack_memory.h"
 #include "runtime/core/system.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -91,7 +91,7 @@ void Crashed(int signal, siginfo_t* info, void* context) {
   Ending ending;
   SignalText& text = ending.record;
   text.Add("EXCEPTION ").Add(NameOf(signal));
-  const bool is_overflow = Fiber::AnyGuardContains(info->si_addr);
+  const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
   // That of an instruction, or in the guard, is another one in each run; the stack says where.
   if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
@@ -106,7 +106,7 @@ void Crashed(int signal, siginfo_t* info, void* context) {
   ending.finding.Add("crash: ").Add(NameOf(signal)).Add(" in ");
   AddCurrentEntry(&ending.finding);
   if (is_overflow) {
-    const uint64_t kib = Fiber::kStackBytes >> 10;
+    const uint64_t kib = StackMemory::kBytes >> 10;
     text.Add("STACK overflow: the handler used more than ").AddNumber(kib);
     text.Add(" KiB of stack\n");
     ending.finding.Add(", a stack overflow: more than ").AddNumber(kib).Add(" KiB");

@@ -55,6 +55,15 @@ std::string Readable(const char* symbol) {
   return result;
 }
 
+// The address that a file was linked for: an image's copy is linked for the one it is loaded at.
+uintptr_t AddressOf(const MappedFile& file, const ElfW(Ehdr) & header) {
+  const auto* const segments = file.At<ElfW(Phdr)>(header.e_phoff, header.e_phnum);
+  for (int i = 0; segments != nullptr && i < header.e_phnum; ++i) {
+    if (segments[i].p_type == PT_LOAD) return segments[i].p_vaddr;
+  }
+  return 0;
+}
+
 std::string NameIn(const MappedFile& file, const ElfW(Shdr) & symbols, const ElfW(Shdr) & names,
                    uintptr_t offset) {
   const uint64_t count = symbols.sh_size / sizeof(ElfW(Sym));
@@ -79,6 +88,7 @@ std::string FunctionName(const char* file_name, uintptr_t offset) {
   if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) return "";
   const auto* const sections = file.At<ElfW(Shdr)>(header->e_shoff, header->e_shnum);
   if (sections == nullptr) return "";
+  offset += AddressOf(file, *header);
   for (const uint32_t kind : {SHT_SYMTAB, SHT_DYNSYM}) {
     for (int i = 0; i < header->e_shnum; ++i) {
       const ElfW(Shdr)& section = sections[i];

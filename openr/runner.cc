@@ -12,7 +12,6 @@
 #include "openr/interrupt.h"
 #include "openr/pacing.h"
 #include "openr/simulation.h"
-#include "runtime/core/fiber.h"
 #include "runtime/core/stalls.h"
 
 namespace openr_host {
@@ -33,10 +32,9 @@ void ReportStacks(System* system) {
     if (object->stack_max < 2 * size_t{object->limits.stack_bytes}) continue;
     system->AddFindingAbout(
         object.get(), Severity::kWarning,
-        fmt::format("a handler used {}{} bytes of stack, the .ocf file gives {}: on the robot an "
+        fmt::format("a handler used {} bytes of stack, the .ocf file gives {}: on the robot an "
                     "overflow damages other memory without a word; give it more there",
-                    object->stack_max >= Fiber::kPaintBytes ? "at least " : "", object->stack_max,
-                    object->limits.stack_bytes));
+                    object->stack_max, object->limits.stack_bytes));
   }
 }
 

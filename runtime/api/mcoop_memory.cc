@@ -2,8 +2,9 @@
 #include <MCOOP.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
-#include <memory>
 
 #include "runtime/api/region_memory.h"
 #include "runtime/core/api.h"
@@ -34,16 +35,20 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  auto memory = std::make_unique<char[]>(size);
-  *base = memory.get();
-  t_current.object->private_regions[*base] = std::move(memory);
+  // From the object's own heap, whose addresses are planned.
+  Arena* const arena = t_current.object->arena.get();
+  *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
+  if (*base == nullptr) return sNOMEMORY;
+  t_current.object->private_regions.emplace(*base);
   return sSUCCESS;
 }
 
 sError DeleteRegion(void* base) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.object->private_regions.erase(base) == 1 ? sSUCCESS : sINVALIDARG;
+  if (t_current.object->private_regions.erase(base) == 0) return sINVALIDARG;
+  std::free(base);
+  return sSUCCESS;
 }
 
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,

@@ -15,18 +15,21 @@ using openr_host::t_current;
 
 // No ApiScope around a switch: whether code of the image runs is the same on both sides.
 struct OpenrSecondStack {
-  openr_host::Fiber fiber;
+  // At the addresses of its object's place, like the stack of handlers, and as clean.
+  openr_host::Fiber fiber{Address()};
   openr_host::MainFiber home;  // the method that went there, on whichever stack
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
-  char* base = nullptr;
   bool has_left = false;
+
+  static char* Address() {
+    const auto& place = t_current.object->place;
+    return place == nullptr ? nullptr : place->stack(1);
+  }
 
   static void Main(void* self) { static_cast<OpenrSecondStack*>(self)->Run(); }
 
   void Run() {
-    base = static_cast<char*>(__builtin_frame_address(0));
-    fiber.Paint(base);
     body(argument);
     GoHome();
     __builtin_unreachable();  // an ended body is not continued
@@ -35,7 +38,8 @@ struct OpenrSecondStack {
   // It counts as stack of the object: on the robot there is only one.
   void GoHome() {
     size_t& most = t_current.object->stack_max;
-    if (t_current.system->options().measure_stacks) most = std::max(most, fiber.UsedBelow(base));
+    if (t_current.system->options().measure_stacks)
+      most = std::max(most, fiber.stack()->Used(openr_host::StackMemory::kWideGapBytes));
     home.SwitchFrom(&fiber);
   }
 };
@@ -54,6 +58,7 @@ void openr_second_stack_run(OpenrSecondStack* stack, void (*body)(void*), void* 
   stack->body = body;
   stack->argument = argument;
   stack->has_left = false;
+  stack->fiber.stack()->Clear(openr_host::StackMemory::kWideGapBytes);
   stack->fiber.Prepare(&OpenrSecondStack::Main, stack);
   stack->fiber.SwitchFrom(&stack->home);
 }

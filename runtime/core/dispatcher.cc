@@ -170,10 +170,6 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   object->running = message;
   object->time_calls = 0;
   ClearUpperRegisters();  // because the code of handlers is SSE code
-  char* const base = static_cast<char*>(__builtin_frame_address(0));
-  const bool measures_stack = system_->options_.measure_stacks && object->is_image &&
-                              (object->message_count <= 64 || object->message_count % 16 == 0);
-  if (measures_stack) running_->Paint(base);
   t_current = {system_, object, object->is_image};
   const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
@@ -198,7 +194,6 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   }
   if (clock != nullptr)
     object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
-  if (measures_stack) object->stack_max = std::max(object->stack_max, running_->UsedBelow(base));
   FinishHandler(object);
 }
 

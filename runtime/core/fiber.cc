@@ -1,17 +1,10 @@
 #include "runtime/core/fiber.h"
 
 #include <cxxabi.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <boost/context/detail/fcontext.hpp>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <utility>
-
-#include "runtime/core/assert.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define OPENR_ASAN 1
@@ -24,9 +17,6 @@
 #include <sanitizer/asan_interface.h>
 #include <sanitizer/common_interface_defs.h>
 #endif
-#if __has_include(<valgrind/valgrind.h>)
-#include <valgrind/valgrind.h>
-#endif
 
 namespace openr_host {
 
@@ -34,14 +24,9 @@ namespace context = boost::context::detail;
 
 namespace {
 
-constexpr size_t kGuardBytes = 4096;
-
 // Who is being left, for the one being entered.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
-
-// Those with a stack of their own that this thread made.
-thread_local Fiber* t_newest = nullptr;
 
 // Frames that were left and not returned from have marked their surroundings in
 // AddressSanitizer's shadow; whoever gets these addresses next must not inherit that.
@@ -51,89 +36,18 @@ void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t b
 #endif
 }
 
-// What no program leaves on a stack by accident.
-constexpr uint64_t kPaint = 0x0f1e2d3c4b5a6978;
-
-// Below its own frame a function may have this much without moving the stack pointer.
-constexpr size_t kRedZoneBytes = 512;
-
-[[maybe_unused]] uint64_t* AlignUp(char* address) {
-  return reinterpret_cast<uint64_t*>((reinterpret_cast<uintptr_t>(address) + 7) & ~uintptr_t{7});
-}
-
 }  // namespace
 
 Fiber::Fiber(NoStack) {}
 
-Fiber::Fiber() {
-  void* const mapping = mmap(nullptr, kGuardBytes + kStackBytes, PROT_READ | PROT_WRITE,
-                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
-  ASSERT(mapping != MAP_FAILED, "no memory for a stack of {} bytes", kStackBytes);
-  mapping_ = static_cast<char*>(mapping);
-  mprotect(mapping_, kGuardBytes, PROT_NONE);
-  stack_bottom_ = mapping_ + kGuardBytes;
-  stack_bytes_ = kStackBytes;
-#ifdef VALGRIND_STACK_REGISTER
-  valgrind_id_ = VALGRIND_STACK_REGISTER(stack_bottom_, mapping_ + kGuardBytes + kStackBytes);
-#endif
-  older_ = std::exchange(t_newest, this);
+Fiber::Fiber(char* address) : stack_(std::make_unique<StackMemory>(address)) {
+  stack_bottom_ = stack_->bottom();
+  stack_bytes_ = StackMemory::kBytes;
 }
 
 Fiber::~Fiber() {
-  if (mapping_ == nullptr) return;
-  Fiber** link = &t_newest;
-  while (*link != nullptr && *link != this) link = &(*link)->older_;
-  if (*link != nullptr) *link = older_;
-#ifdef VALGRIND_STACK_DEREGISTER
-  VALGRIND_STACK_DEREGISTER(valgrind_id_);
-#endif
-  ForgetFrames(stack_bottom_, stack_bytes_);
-  munmap(mapping_, kGuardBytes + kStackBytes);
+  if (stack_ != nullptr) ForgetFrames(stack_bottom_, stack_bytes_);
 }
-
-bool Fiber::AnyGuardContains(const void* address) {
-  const char* const p = static_cast<const char*>(address);
-  for (const Fiber* each = t_newest; each != nullptr; each = each->older_) {
-    if (p >= each->mapping_ && p < each->mapping_ + kGuardBytes) return true;
-  }
-  return false;
-}
-
-#ifdef OPENR_ASAN
-void Fiber::Paint(char*) {}
-size_t Fiber::UsedBelow(char*) { return 0; }
-#else
-// Valgrind holds what lies below the stack pointer for nobody's.  It loads something of its own
-// into its client first; asking it needs its headers, which this may have been built without.
-const bool g_is_under_valgrind = [] {
-  const char* const preloaded = std::getenv("LD_PRELOAD");
-  return preloaded != nullptr && std::strstr(preloaded, "vgpreload") != nullptr;
-}();
-
-// Calls nothing: what it paints is where a callee would stand.
-__attribute__((noinline)) void Fiber::Paint(char* base) {
-  if (g_is_under_valgrind) return;
-  char* const bottom = std::max(mapping_ + kGuardBytes, base - kPaintBytes);
-  const auto* const end = AlignUp(static_cast<char*>(__builtin_frame_address(0)) - kRedZoneBytes);
-  volatile uint64_t* word = AlignUp(bottom);
-  for (; word < end; ++word) *word = kPaint;
-}
-
-size_t Fiber::UsedBelow(char* base) {
-  if (g_is_under_valgrind) return 0;
-  constexpr ptrdiff_t kStride = 32;  // words compared at a time, without a branch
-  const auto differs = [](const uint64_t* words) {
-    uint64_t bits = 0;
-    for (ptrdiff_t i = 0; i < kStride; ++i) bits |= words[i] ^ kPaint;
-    return bits != 0;
-  };
-  const uint64_t* const end = AlignUp(base);
-  const uint64_t* word = AlignUp(std::max(mapping_ + kGuardBytes, base - kPaintBytes));
-  while (end - word >= kStride && !differs(word)) word += kStride;
-  while (word < end && *word == kPaint) ++word;
-  return static_cast<size_t>(base - reinterpret_cast<const char*>(word));
-}
-#endif
 
 void Fiber::Prepare(Main main, void* argument) {
   ForgetFrames(stack_bottom_, stack_bytes_);
@@ -147,7 +61,7 @@ void Fiber::Prepare(Main main, void* argument) {
     self->FinishSwitch();
     self->main_(self->argument_);
   };
-  context_ = context::make_fcontext(mapping_ + kGuardBytes + kStackBytes, kStackBytes, entry);
+  context_ = context::make_fcontext(stack_->top(), StackMemory::kBytes, entry);
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
@@ -175,7 +89,7 @@ void Fiber::FinishSwitch() {
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
   // Only the thread's own stack has to be learnt.
-  if (t_left->mapping_ == nullptr) {
+  if (t_left->stack_ == nullptr) {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;
   }

@@ -9,16 +9,16 @@
 #include <memory>
 #include <vector>
 
+#include "runtime/core/stack_memory.h"
+
 namespace openr_host {
 
 class Fiber {
  public:
   using Main = void (*)(void* argument);  // never returns
 
-  // 256 KiB, address space only until touched, with a guard page below.
-  static constexpr size_t kStackBytes = size_t{256} << 10;
-
-  Fiber();
+  // `address`: where its stack shall be; null: where the kernel puts it.
+  explicit Fiber(char* address = nullptr);
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
@@ -32,16 +32,8 @@ class Fiber {
   // Exceptions being handled belong to the stack and are kept with it.
   void SwitchFrom(Fiber* from);
 
-  // How much stack a handler takes: Paint() what lies below `base`, an address on this
-  // stack, call the handler, ask UsedBelow() the same address.  Counts in steps of 8 bytes
-  // up to kPaintBytes; 0 with AddressSanitizer, which watches these bytes itself.
-  // REQUIRES: this fiber is running.
-  void Paint(char* base);
-  size_t UsedBelow(char* base);
-  static constexpr size_t kPaintBytes = size_t{32} << 10;
-
-  // Whether `address` lies in the guard page of a stack there is: that overflowed.
-  static bool AnyGuardContains(const void* address);
+  // Null for the thread's own stack.
+  StackMemory* stack() { return stack_.get(); }
 
  private:
   friend class MainFiber;
@@ -50,16 +42,14 @@ class Fiber {
 
   void FinishSwitch();
 
-  void* context_ = nullptr;  // where to continue
-  Fiber* older_ = nullptr;   // the next one in the list of those with a stack of their own
-  char* mapping_ = nullptr;  // guard page and stack; null for the thread's own stack
+  void* context_ = nullptr;             // where to continue
+  std::unique_ptr<StackMemory> stack_;  // null for the thread's own stack
   Main main_ = nullptr;
   void* argument_ = nullptr;
   void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while not running
   void* fake_stack_ = nullptr;                // AddressSanitizer's
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;
-  unsigned valgrind_id_ = 0;
 };
 
 // The stack of the caller of System::Run...().

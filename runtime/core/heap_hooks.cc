@@ -41,12 +41,19 @@ void ReportNoMemory(size_t size) {
   openr_host::Current& current = t_current;
   current.image_code = false;  // what follows is the host's
   const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;
+  const size_t held = current.object->arena->bytes_in_use();
+  const bool is_limited = memory.limit_bytes != SIZE_MAX;
   current.system->AddFinding(
       openr_host::Severity::kError,
-      fmt::format("no memory for {} bytes: this object holds {}, all objects {} of the {} the "
-                  "robot has; free what is not needed, or run without --strict",
-                  size, current.object->arena->bytes_in_use(), memory.used_bytes,
-                  memory.limit_bytes));
+      is_limited
+          ? fmt::format(
+                "no memory for {} bytes: this object holds {}, all objects {} of the {} the "
+                "robot has; free what is not needed, or run without --strict",
+                size, held, memory.used_bytes, memory.limit_bytes)
+          : fmt::format("no memory for {} bytes: this object holds {} of the {} MiB that an object "
+                        "may have here; the robot has {} MiB for all its objects",
+                        size, held, openr_host::AddressPlace::kHeapBytes >> 20,
+                        openr_host::kRobotMemoryBytes >> 20));
   current.image_code = true;
 }
 
@@ -93,9 +100,7 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  void* const block = malloc(bytes);
-  if (block != nullptr) std::memset(block, 0, bytes);
-  return block;
+  return FromArena(arena, bytes);  // whose blocks are zero
 }
 
 void* realloc(void* block, size_t size) {

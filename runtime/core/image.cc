@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/image_file.h"
+#include "runtime/core/image_rebase.h"
 #include "runtime/core/system.h"
 
 // Called by every image before its first and after its last constructor
@@ -66,20 +68,30 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   is_image = true;
   std::string copy;
   {
-    const ImageFile image = ReadImageFile(file);
+    ImageFile image = ReadImageFile(file);
     if (!image.problem.empty()) return image.problem;
+    TakePlace(&image.bytes);
     copy = folder->AddCopy(file, image.bytes);
   }
   if (copy.empty()) return "cannot be copied into the run folder (disk full?)";
-#if !defined(__SANITIZE_ADDRESS__)
-  arena = std::make_unique<Arena>(&system->robot(robot).memory);
-#endif
   {
     const CurrentScope scope(system, this);
     handle_ = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   if (handle_ == nullptr) return fmt::format("cannot be loaded: {}", dlerror());
   return ReadTables();
+}
+
+// Addresses of its own for the image, whose file is in `bytes`, and for what it will allocate.  An
+// image that cannot be moved is loaded where the loader puts it; the rest of its memory is planned
+// all the same.
+void ImageObject::TakePlace(std::string* bytes) {
+  auto taken = std::make_unique<AddressPlace>(id);
+  if (taken->heap() == nullptr) return;
+  place = std::move(taken);
+  RebaseImage(bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
+  arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
+  stack_ = std::make_unique<HandlerStack>(place->stack(0));
 }
 
 std::string ImageObject::ReadTables() {
@@ -126,7 +138,13 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
   if (FpFlags() != 0) ClearFpFlags();  // of whoever ran before
-  reinterpret_cast<void (*)(void*)>(entries_[selector])(payload);
+  const auto entry = reinterpret_cast<void (*)(void*)>(entries_[selector]);
+  if (stack_ == nullptr) {
+    entry(payload);
+    return true;
+  }
+  stack_->Call(entry, payload);
+  if (system->options().measure_stacks) stack_max = std::max(stack_max, stack_->used_max());
   return true;
 }
 

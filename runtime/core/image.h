@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/core/fp_flags.h"
+#include "runtime/core/handler_stack.h"
 #include "runtime/core/object.h"
 #include "runtime/core/temp_folder.h"
 
@@ -56,9 +57,11 @@ class ImageObject : public Object {
   }
 
  private:
+  void TakePlace(std::string* bytes);
   std::string ReadTables();
   void ReportFpFlags(uint32_t selector);
 
+  std::unique_ptr<HandlerStack> stack_;  // null where addresses are not planned
   void* handle_ = nullptr;
   std::vector<Entry> entries_;  // by selector; null: none
   unsigned fp_seen_ = 0;        // FpFlags() of its handlers so far

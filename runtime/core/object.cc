@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "runtime/core/system.h"
 #include "runtime/objcomm/state.h"
 
@@ -12,7 +14,10 @@ namespace openr_host {
 Object::Object(System* the_system, ObjectId the_id, int the_robot)
     : system(the_system), id(the_id), robot(the_robot) {}
 
-Object::~Object() { CloseFiles(); }
+Object::~Object() {
+  CloseFiles();
+  for (void* const region : private_regions) std::free(region);
+}
 
 void Object::CloseFiles() {
   for (const auto& [file, what] : open_files) std::fclose(file);

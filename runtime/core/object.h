@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/core/address_plan.h"
 #include "runtime/core/arena.h"
 #include "runtime/core/fiber.h"
 #include "runtime/core/message.h"
@@ -107,7 +108,7 @@ class Object {
   int64_t handler_ns_max = 0;  // wall time, when the system was given a clock
   size_t stack_max = 0;        // bytes; SystemOptions::measure_stacks
 
-  std::map<const void*, std::unique_ptr<char[]>> private_regions;  // NewRegion(); looked up only
+  std::set<void*> private_regions;  // blocks of NewRegion(); looked up only
 
   uint32_t random_state = 1;  // of rand()
 
@@ -148,7 +149,9 @@ class Object {
   };
   std::vector<Outgoing> outbox;  // posted before the handler's time was over
 
-  std::unique_ptr<Arena> arena;  // images only
+  // Images only, and only where addresses are planned.
+  std::unique_ptr<AddressPlace> place;
+  std::unique_ptr<Arena> arena;
   std::vector<std::unique_ptr<SubjectState>> subjects;
   std::vector<std::unique_ptr<ObserverState>> observers;
   std::map<uint32_t, std::string> entry_names;

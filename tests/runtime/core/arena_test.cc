@@ -2,14 +2,24 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
 namespace openr_host {
 namespace {
 
-TEST(ArenaTest, BlocksOfAllSizesAreAlignedUsableAndKnowTheirOwner) {
-  Arena arena;
+class ArenaTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (place_.heap() == nullptr) GTEST_SKIP() << "sanitizers bring a heap of their own";
+  }
+
+  const AddressPlace place_{0};
+};
+
+TEST_F(ArenaTest, BlocksOfAllSizesAreAlignedUsableAndKnowTheirOwner) {
+  Arena arena(place_);
   for (const size_t size : {0, 1, 15, 16, 17, 255, 256, 257, 320, 4096, 32768, 32769, 3000000}) {
     SCOPED_TRACE(size);
     void* const block = arena.Allocate(size);
@@ -21,8 +31,8 @@ TEST(ArenaTest, BlocksOfAllSizesAreAlignedUsableAndKnowTheirOwner) {
   }
 }
 
-TEST(ArenaTest, BlocksOfOneSizeDoNotOverlap) {
-  Arena arena;
+TEST_F(ArenaTest, BlocksOfOneSizeDoNotOverlap) {
+  Arena arena(place_);
   std::vector<unsigned char*> blocks;
   for (int i = 0; i < 10000; ++i) {
     blocks.push_back(static_cast<unsigned char*>(arena.Allocate(100)));
@@ -34,8 +44,8 @@ TEST(ArenaTest, BlocksOfOneSizeDoNotOverlap) {
   }
 }
 
-TEST(ArenaTest, FreedBlocksAreUsedAgain) {
-  Arena arena;
+TEST_F(ArenaTest, FreedBlocksAreUsedAgain) {
+  Arena arena(place_);
   void* const first = arena.Allocate(48);
   Arena::Free(first);
   EXPECT_EQ(arena.Allocate(40), first);
@@ -44,9 +54,9 @@ TEST(ArenaTest, FreedBlocksAreUsedAgain) {
   EXPECT_EQ(arena.bytes_in_use(), Arena::UsableSize(first));
 }
 
-TEST(ArenaTest, ABudgetRefusesAndLeavesTheRestUsable) {
+TEST_F(ArenaTest, ABudgetRefusesAndLeavesTheRestUsable) {
   MemoryBudget budget{.limit_bytes = 1000};
-  Arena arena(&budget);
+  Arena arena(place_, &budget);
   void* const first = arena.Allocate(600);
   EXPECT_NE(first, nullptr);
   EXPECT_EQ(arena.Allocate(600), nullptr);
@@ -55,39 +65,72 @@ TEST(ArenaTest, ABudgetRefusesAndLeavesTheRestUsable) {
   EXPECT_NE(arena.Allocate(600), nullptr);
 }
 
-TEST(ArenaTest, ArenasShareABudgetAndGiveItBack) {
+TEST_F(ArenaTest, ArenasShareABudgetAndGiveItBack) {
   MemoryBudget budget{.limit_bytes = 1000};
-  Arena stays(&budget);
+  Arena stays(place_, &budget);
   {
-    Arena goes(&budget);
+    const AddressPlace other(1);
+    Arena goes(other, &budget);
     EXPECT_NE(goes.Allocate(600), nullptr);
     EXPECT_EQ(stays.Allocate(600), nullptr);
   }
   EXPECT_NE(stays.Allocate(600), nullptr);
 }
 
-TEST(ArenaTest, AllMemoryGoesWithTheArena) {
+TEST_F(ArenaTest, AllMemoryGoesWithTheArena) {
   void* block = nullptr;
   {
-    Arena arena;
+    Arena arena(place_);
     block = arena.Allocate(100);
     EXPECT_EQ(Arena::OwnerOf(block), &arena);
   }
   EXPECT_EQ(Arena::OwnerOf(block), nullptr);
 }
 
-TEST(ArenaTest, LargeAlignmentsHold) {
-  Arena arena;
+TEST_F(ArenaTest, LargeAlignmentsHold) {
+  Arena arena(place_);
   for (const size_t alignment : {32, 64, 4096, 65536}) {
     void* const block = arena.Allocate(100, alignment);
     EXPECT_EQ(reinterpret_cast<uintptr_t>(block) % alignment, 0u) << alignment;
   }
 }
 
-TEST(ArenaTest, AddressesOutsideBelongToNobody) {
+TEST_F(ArenaTest, AddressesOutsideBelongToNobody) {
   int on_the_stack = 0;
   EXPECT_EQ(Arena::OwnerOf(&on_the_stack), nullptr);
   EXPECT_EQ(Arena::OwnerOf(nullptr), nullptr);
+}
+
+TEST_F(ArenaTest, BlocksAreZeroAlsoWhenTheyAreUsedAgain) {
+  Arena arena(place_);
+  for (const size_t size : {24, 5000, 100'000}) {
+    SCOPED_TRACE(size);
+    void* const first = arena.Allocate(size);
+    std::memset(first, 0xa5, size);
+    Arena::Free(first);
+    const auto* const again = static_cast<const char*>(arena.Allocate(size));
+    ASSERT_EQ(again, first);
+    EXPECT_EQ(std::count(again, again + size, 0), static_cast<ptrdiff_t>(size));
+  }
+}
+
+TEST_F(ArenaTest, AddressesFollowFromThePlaceAndTheOrderOfCallsOnly) {
+  std::vector<void*> first, second;
+  for (std::vector<void*>* blocks : {&first, &second}) {
+    Arena arena(place_);
+    for (const size_t size : {24, 500'000, 7, 40'000, 24}) blocks->push_back(arena.Allocate(size));
+  }
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(first[0], static_cast<void*>(place_.heap()));
+}
+
+TEST_F(ArenaTest, AFullHeapAreaRefusesAndLeavesTheRestUsable) {
+  Arena arena(place_);
+  void* const most = arena.Allocate(AddressPlace::kHeapBytes);
+  EXPECT_NE(most, nullptr);
+  EXPECT_EQ(arena.Allocate(1), nullptr);
+  Arena::Free(most);
+  EXPECT_NE(arena.Allocate(1), nullptr);
 }
 
 }  // namespace

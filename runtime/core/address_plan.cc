@@ -1,0 +1,161 @@
+#include "runtime/core/address_plan.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+
+#include "runtime/core/assert.h"
+
+#ifndef MAP_FIXED_NOREPLACE
+#define MAP_FIXED_NOREPLACE 0x100000
+#endif
+
+namespace openr_host {
+namespace {
+
+constexpr uintptr_t kTiB = uintptr_t{1} << 40;
+constexpr uintptr_t kAreaBytes = 12 * kTiB;
+constexpr uintptr_t kFirstArea = 2 * kTiB;
+constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps: a process uses one of them
+
+// Offsets in the area.
+constexpr uintptr_t kHeaps = 0;
+constexpr uintptr_t kImages = 4 * kTiB;
+constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
+constexpr uintptr_t kRegions = 5 * kTiB;
+constexpr uintptr_t kCopies = 8 * kTiB;
+constexpr size_t kRegionAreas = 2;
+
+static_assert(kHeaps + AddressPlace::kPlaces * AddressPlace::kHeapBytes <= kImages);
+static_assert(kImages + AddressPlace::kPlaces * AddressPlace::kImageBytes <= kStacks);
+static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <= kRegions);
+static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
+static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
+
+// Which places and region areas are taken.  Used from the one thread that makes Systems.
+struct Plan {
+  uintptr_t area = 0;  // 0: addresses are not planned
+  std::array<bool, AddressPlace::kPlaces> taken = {};
+  std::array<bool, kRegionAreas> regions_taken = {};
+};
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsPlanned = false;
+#else
+constexpr bool kIsPlanned = true;
+#endif
+
+// Whether nothing is mapped from `area` on.  Mappings of another owner are possible where a
+// tool runs the program in its own way; then the plan is given up as a whole.
+bool IsEmpty(uintptr_t area) {
+  std::FILE* const maps = std::fopen("/proc/self/maps", "re");
+  if (maps == nullptr) return true;
+  bool is_empty = true;
+  char line[512];
+  while (is_empty && std::fgets(line, sizeof line, maps) != nullptr) {
+    uintptr_t begin = 0, end = 0;
+    if (std::sscanf(line, "%" SCNxPTR "-%" SCNxPTR, &begin, &end) != 2) continue;
+    is_empty = end <= area || begin >= area + kAreaBytes;
+  }
+  std::fclose(maps);
+  return is_empty;
+}
+
+// The area in use, which free() reads for every block: 0 until the first System is made.
+constinit uintptr_t g_area = 0;
+
+Plan& ThePlan() {
+  static const auto plan = [] {
+    auto made = std::make_unique<Plan>();
+    if (kIsPlanned && IsEmpty(kFirstArea)) g_area = made->area = kFirstArea;
+    return made;
+  }();
+  return *plan;
+}
+
+char* AreaOf(int index, uintptr_t offset, size_t bytes) {
+  if (index < 0) return nullptr;
+  return reinterpret_cast<char*>(g_area + offset + static_cast<uintptr_t>(index) * bytes);
+}
+
+}  // namespace
+
+AddressPlace::AddressPlace(ObjectId id) {
+  Plan& plan = ThePlan();
+  if (plan.area == 0) return;
+  const int64_t own = int64_t{2} * id;
+  for (const int64_t index : {own, own + 1}) {
+    if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])
+      index_ = static_cast<int>(index);
+  }
+  for (int last = kPlaces - 1; index_ < 0 && last >= 0; --last) {
+    if (!plan.taken[static_cast<size_t>(last)]) index_ = last;
+  }
+  if (index_ >= 0) plan.taken[static_cast<size_t>(index_)] = true;
+}
+
+AddressPlace::~AddressPlace() {
+  if (index_ >= 0) ThePlan().taken[static_cast<size_t>(index_)] = false;
+}
+
+char* AddressPlace::heap() const { return AreaOf(index_, kHeaps, kHeapBytes); }
+char* AddressPlace::image() const { return AreaOf(index_, kImages, kImageBytes); }
+char* AddressPlace::copies() const { return AreaOf(index_, kCopies, kCopyBytes); }
+char* AddressPlace::stack(int number) const {
+  ASSERT(number == 0 || number == 1);
+  char* const both = AreaOf(index_, kStacks, 2 * kStackBytes);
+  return both == nullptr ? nullptr : both + static_cast<size_t>(number) * kStackBytes;
+}
+
+int AddressPlace::OfHeap(const void* address) {
+  const uintptr_t offset = reinterpret_cast<uintptr_t>(address) - g_area;
+  if (g_area == 0 || offset >= kPlaces * kHeapBytes) return -1;
+  return static_cast<int>(offset / kHeapBytes);
+}
+
+char* TakeRegionArea() {
+  Plan& plan = ThePlan();
+  if (plan.area == 0) return nullptr;
+  const auto free = std::find(plan.regions_taken.begin(), plan.regions_taken.end(), false);
+  if (free == plan.regions_taken.end()) return nullptr;
+  *free = true;
+  const auto index = static_cast<uintptr_t>(free - plan.regions_taken.begin());
+  return reinterpret_cast<char*>(plan.area + kRegions + index * kRegionAreaBytes);
+}
+
+void GiveRegionArea(char* area) {
+  Plan& plan = ThePlan();
+  const uintptr_t offset = reinterpret_cast<uintptr_t>(area) - plan.area - kRegions;
+  const size_t index = offset / kRegionAreaBytes;
+  ASSERT(index < kRegionAreas && plan.regions_taken[index]);
+  plan.regions_taken[index] = false;
+}
+
+bool MapAt(char* address, size_t bytes) {
+  void* const mapped =
+      mmap(address, bytes, PROT_READ | PROT_WRITE,
+           MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
+  if (mapped == address) return true;
+  // A kernel before Linux 4.17 takes the address for a wish.
+  if (mapped != MAP_FAILED) munmap(mapped, bytes);
+  return false;
+}
+
+bool IsPlanned(const void* address) {
+  return g_area != 0 && reinterpret_cast<uintptr_t>(address) - g_area < kAreaBytes;
+}
+
+void UseOtherAddresses() {
+  Plan& plan = ThePlan();
+  if (plan.area == 0) return;
+  ASSERT(std::count(plan.taken.begin(), plan.taken.end(), true) == 0,
+         "objects have their addresses already");
+  if (IsEmpty(kOtherArea)) g_area = plan.area = kOtherArea;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,71 @@
+#include "runtime/core/handler_stack.h"
+
+#include <algorithm>
+
+#if defined(__x86_64__)
+
+// Calls function(argument) with the stack pointer at `top`, a multiple of 16.  What unwinds the
+// stack, exceptions and debuggers, finds the way back by the frame pointer.
+extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
+asm(R"(
+    .text
+    .globl openr_call_on_stack
+    .hidden openr_call_on_stack
+    .type openr_call_on_stack, @function
+openr_call_on_stack:
+    .cfi_startproc
+    pushq %rbp
+    .cfi_def_cfa_offset 16
+    .cfi_offset %rbp, -16
+    movq %rsp, %rbp
+    .cfi_def_cfa_register %rbp
+    movq %rdx, %rsp
+    movq %rdi, %rax
+    movq %rsi, %rdi
+    callq *%rax
+    movq %rbp, %rsp
+    popq %rbp
+    .cfi_def_cfa %rsp, 8
+    ret
+    .cfi_endproc
+    .size openr_call_on_stack, .-openr_call_on_stack
+)");
+
+#endif
+
+namespace openr_host {
+
+#if defined(__x86_64__)
+
+void HandlerStack::Call(void (*function)(void*), void* argument) {
+  const char* const here = static_cast<const char*>(__builtin_frame_address(0));
+  if (here >= memory_.bottom() && here < memory_.top()) {
+    function(argument);
+    return;
+  }
+  struct Clearing {  // also after a handler that ends by an exception
+    HandlerStack* stack;
+    ~Clearing() { stack->Clear(); }
+  };
+  if (is_dirty_) Clear();
+  is_dirty_ = true;
+  const Clearing clearing{this};
+  openr_call_on_stack(function, argument, memory_.top());
+}
+
+void HandlerStack::Clear() {
+  ++calls_;
+  const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
+  const size_t used =
+      memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
+  used_max_ = std::max(used_max_, used);
+  is_dirty_ = false;
+}
+
+#else
+
+void HandlerStack::Call(void (*function)(void*), void* argument) { function(argument); }
+
+#endif
+
+}  // namespace openr_host

@@ -1,0 +1,188 @@
+#include "runtime/core/image_rebase.h"
+
+#include <elf.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace openr_host {
+namespace {
+
+// Relocations whose addend is an address of the image itself.
+#if defined(__aarch64__)
+constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATIVE;
+#else
+constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE;
+#endif
+
+// Whether the value of a dynamic tag is an address of the image.
+bool IsAddress(int64_t tag) {
+  switch (tag) {
+    case DT_PLTGOT:
+    case DT_HASH:
+    case DT_STRTAB:
+    case DT_SYMTAB:
+    case DT_RELA:
+    case DT_INIT:
+    case DT_FINI:
+    case DT_JMPREL:
+    case DT_INIT_ARRAY:
+    case DT_FINI_ARRAY:
+    case DT_PREINIT_ARRAY:
+    case DT_VERSYM:
+    case DT_VERDEF:
+    case DT_VERNEED:
+      return true;
+    default:
+      return tag >= DT_ADDRRNGLO && tag <= DT_ADDRRNGHI;
+  }
+}
+
+class Rebase {
+ public:
+  Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
+
+  // The changed file; "" when it cannot be changed.
+  std::string Run(uint64_t size_max);
+
+ private:
+  // `count` values of type T at `offset`; null, and is_bad_, when the file does not have them.
+  template <typename T>
+  T* At(uint64_t offset, uint64_t count);
+  // The place in the file of what the image has at `address`.
+  uint64_t OffsetOf(uint64_t address);
+  uint64_t ValueOf(int64_t tag) const;
+  void MoveSegments(const Elf64_Ehdr& header);
+  void MoveSections(const Elf64_Ehdr& header);
+  void MoveSymbols(Elf64_Sym* symbols, uint64_t count);
+  void MoveRelocations(int64_t table, int64_t size);
+
+  std::string bytes_;
+  const uint64_t by_;
+  std::vector<Elf64_Phdr> segments_;  // as they were
+  std::vector<Elf64_Dyn> dynamic_;    // as it was
+  bool is_bad_ = false;
+};
+
+template <typename T>
+T* Rebase::At(uint64_t offset, uint64_t count) {
+  if (offset > bytes_.size() || count > (bytes_.size() - offset) / sizeof(T) ||
+      offset % alignof(T) != 0) {
+    is_bad_ = true;
+    return nullptr;
+  }
+  return reinterpret_cast<T*>(bytes_.data() + offset);
+}
+
+uint64_t Rebase::OffsetOf(uint64_t address) {
+  for (const Elf64_Phdr& segment : segments_) {
+    if (segment.p_type == PT_LOAD && address >= segment.p_vaddr &&
+        address - segment.p_vaddr < segment.p_filesz)
+      return address - segment.p_vaddr + segment.p_offset;
+  }
+  is_bad_ = true;
+  return 0;
+}
+
+uint64_t Rebase::ValueOf(int64_t tag) const {
+  const auto found = std::find_if(dynamic_.begin(), dynamic_.end(),
+                                  [tag](const Elf64_Dyn& entry) { return entry.d_tag == tag; });
+  return found == dynamic_.end() ? 0 : found->d_un.d_val;
+}
+
+void Rebase::MoveSegments(const Elf64_Ehdr& header) {
+  auto* const segments = At<Elf64_Phdr>(header.e_phoff, header.e_phnum);
+  if (segments == nullptr) return;
+  segments_.assign(segments, segments + header.e_phnum);
+  for (int i = 0; i < header.e_phnum; ++i) {
+    if (segments[i].p_type == PT_GNU_STACK) continue;
+    segments[i].p_vaddr += by_;
+    segments[i].p_paddr += by_;
+  }
+  for (const Elf64_Phdr& segment : segments_) {
+    if (segment.p_type != PT_DYNAMIC) continue;
+    const uint64_t count = segment.p_filesz / sizeof(Elf64_Dyn);
+    auto* const entries = At<Elf64_Dyn>(segment.p_offset, count);
+    if (entries == nullptr) return;
+    dynamic_.assign(entries, entries + count);
+    for (uint64_t i = 0; i < count; ++i) {
+      if (IsAddress(entries[i].d_tag)) entries[i].d_un.d_ptr += by_;
+    }
+  }
+}
+
+// Symbols of functions and variables of the image; not those of other libraries, of constants or
+// of memory of threads.
+void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
+  if (symbols == nullptr) return;
+  for (uint64_t i = 0; i < count; ++i) {
+    Elf64_Sym& symbol = symbols[i];
+    if (symbol.st_shndx == SHN_UNDEF || symbol.st_shndx == SHN_ABS ||
+        symbol.st_shndx == SHN_COMMON || ELF64_ST_TYPE(symbol.st_info) == STT_TLS)
+      continue;
+    symbol.st_value += by_;
+  }
+}
+
+// Sections matter to debuggers, and say how many symbols there are.
+void Rebase::MoveSections(const Elf64_Ehdr& header) {
+  auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
+  if (sections == nullptr) return;
+  bool has_symbols = false;
+  for (int i = 0; i < header.e_shnum; ++i) {
+    Elf64_Shdr& section = sections[i];
+    if (section.sh_flags & SHF_ALLOC) section.sh_addr += by_;
+    if (section.sh_type != SHT_SYMTAB && section.sh_type != SHT_DYNSYM) continue;
+    const uint64_t count = section.sh_size / sizeof(Elf64_Sym);
+    MoveSymbols(At<Elf64_Sym>(section.sh_offset, count), count);
+    has_symbols = has_symbols || section.sh_type == SHT_DYNSYM;
+  }
+  if (!has_symbols) is_bad_ = true;
+}
+
+void Rebase::MoveRelocations(int64_t table, int64_t size) {
+  const uint64_t address = ValueOf(table);
+  if (address == 0) return;
+  const uint64_t count = ValueOf(size) / sizeof(Elf64_Rela);
+  auto* const relocations = At<Elf64_Rela>(OffsetOf(address), count);
+  if (relocations == nullptr) return;
+  for (uint64_t i = 0; i < count; ++i) {
+    relocations[i].r_offset += by_;
+    const uint64_t type = ELF64_R_TYPE(relocations[i].r_info);
+    if (type == kRelative || type == kIndirect)
+      relocations[i].r_addend += static_cast<int64_t>(by_);
+  }
+}
+
+std::string Rebase::Run(uint64_t size_max) {
+  const auto* const header = At<Elf64_Ehdr>(0, 1);
+  if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 ||
+      header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_type != ET_DYN)
+    return "";
+  MoveSegments(*header);
+  uint64_t end = 0;
+  for (const Elf64_Phdr& segment : segments_) {
+    if (segment.p_type != PT_LOAD) continue;
+    if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address already
+    end = std::max(end, segment.p_vaddr + segment.p_memsz);
+  }
+  // Tables of other formats than the linkers of Debian write them for this processor.
+  const bool is_strange = ValueOf(DT_REL) != 0 || ValueOf(DT_RELR) != 0;
+  if (is_bad_ || end > size_max || is_strange) return "";
+  MoveRelocations(DT_RELA, DT_RELASZ);
+  if (ValueOf(DT_PLTREL) == DT_RELA) MoveRelocations(DT_JMPREL, DT_PLTRELSZ);
+  MoveSections(*header);
+  return is_bad_ ? "" : bytes_;
+}
+
+}  // namespace
+
+bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max) {
+  std::string moved = Rebase(*bytes, address).Run(size_max);
+  if (moved.empty()) return false;
+  *bytes = std::move(moved);
+  return true;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,18 @@
+// Giving an image the address that it is to be loaded at.
+//
+// The loader maps a shared object where the kernel likes, unless the file was linked for an
+// address: glibc from 2.36 on asks for that one.  An image is linked once and loaded many times, so
+// its copy in the run folder is changed as if it had been linked for the address of its place.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace openr_host {
+
+// Moves a shared object that was linked for address 0 to `address`, a multiple of 64 KiB.  False,
+// and `bytes` are as they were, when the file is not of this kind or needs more than `size_max`
+// bytes of memory.
+bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
+
+}  // namespace openr_host

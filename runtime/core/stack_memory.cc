@@ -1,0 +1,103 @@
+#include "runtime/core/stack_memory.h"
+
+#include <sys/mman.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "runtime/core/address_plan.h"
+#include "runtime/core/assert.h"
+
+#if __has_include(<valgrind/valgrind.h>)
+#include <valgrind/valgrind.h>
+#endif
+
+namespace openr_host {
+namespace {
+
+thread_local StackMemory* t_newest = nullptr;
+
+// AddressSanitizer and Valgrind take what lies below the stack pointer for memory of nobody.
+// Valgrind loads a library of its own into the program first; asking Valgrind itself needs headers
+// that this may have been built without.
+bool IsWatchedByTool() {
+#if defined(__SANITIZE_ADDRESS__)
+  return true;
+#else
+  static const bool is_under_valgrind = [] {
+    const char* const preloaded = std::getenv("LD_PRELOAD");
+    return preloaded != nullptr && std::strstr(preloaded, "vgpreload") != nullptr;
+  }();
+  return is_under_valgrind;
+#endif
+}
+
+constexpr size_t kWordsAtATime = 32;  // looked at without a branch
+constexpr size_t kStepBytes = kWordsAtATime * sizeof(uint64_t);
+
+bool IsZero(const char* bytes) {
+  const auto* const words = reinterpret_cast<const uint64_t*>(bytes);
+  uint64_t bits = 0;
+  for (size_t i = 0; i < kWordsAtATime; ++i) bits |= words[i];
+  return bits == 0;
+}
+
+}  // namespace
+
+StackMemory::StackMemory(char* address) : mapping_(address) {
+  constexpr size_t kAllBytes = kGuardBytes + kBytes;
+  static_assert(kAllBytes <= AddressPlace::kStackBytes);
+  if (address == nullptr || !MapAt(address, kAllBytes)) {
+    void* const mapping = mmap(nullptr, kAllBytes, PROT_READ | PROT_WRITE,
+                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
+    ASSERT(mapping != MAP_FAILED, "no memory for a stack of {} bytes", kBytes);
+    mapping_ = static_cast<char*>(mapping);
+  }
+  mprotect(mapping_, kGuardBytes, PROT_NONE);
+#ifdef VALGRIND_STACK_REGISTER
+  valgrind_id_ = VALGRIND_STACK_REGISTER(bottom(), top());
+#endif
+  older_ = std::exchange(t_newest, this);
+}
+
+StackMemory::~StackMemory() {
+  StackMemory** link = &t_newest;
+  while (*link != nullptr && *link != this) link = &(*link)->older_;
+  if (*link != nullptr) *link = older_;
+#ifdef VALGRIND_STACK_DEREGISTER
+  VALGRIND_STACK_DEREGISTER(valgrind_id_);
+#endif
+  munmap(mapping_, kGuardBytes + kBytes);
+}
+
+size_t StackMemory::Used(size_t gap_bytes) const {
+  if (IsWatchedByTool()) return 0;
+  const char* lowest = top();
+  for (const char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
+    step -= kStepBytes;
+    if (!IsZero(step)) lowest = step;
+    if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
+  }
+  if (lowest == top()) return 0;
+  const auto* word = reinterpret_cast<const uint64_t*>(lowest);
+  while (*word == 0) ++word;
+  return static_cast<size_t>(top() - reinterpret_cast<const char*>(word));
+}
+
+size_t StackMemory::Clear(size_t gap_bytes) {
+  const size_t used = Used(gap_bytes);
+  std::memset(top() - used, 0, used);
+  return used;
+}
+
+bool StackMemory::AnyGuardContains(const void* address) {
+  const char* const p = static_cast<const char*>(address);
+  for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
+    if (p >= each->mapping_ && p < each->bottom()) return true;
+  }
+  return false;
+}
+
+}  // namespace openr_host
