@@ -38,7 +38,8 @@ set(OPENR_WARNINGS -Wall -Wextra -Werror)
 set(OPENR_STUBGEN2 stubgen2)
 set(OPENR_SDK_TOOL openr_sdk)
 set(OPENR_HEADERS ${PROJECT_SOURCE_DIR}/runtime/include)
-set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing
+set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-auto-var-init=zero
+  $<$<CXX_COMPILER_ID:Clang>:-enable-trivial-auto-var-init-zero-knowing-it-will-be-removed-from-clang>
   $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
 # Most of a compiler's work is what the sources include: for these targets it reads several

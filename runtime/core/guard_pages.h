@@ -7,7 +7,8 @@
 
 #include <cstddef>
 #include <map>
-#include <vector>
+
+#include "runtime/core/address_plan.h"
 
 namespace openr_host {
 
@@ -18,20 +19,20 @@ class GuardPages {
   GuardPages(const GuardPages&) = delete;
   GuardPages& operator=(const GuardPages&) = delete;
 
-  // A read-only copy of `size` bytes.  Null when there is no memory.
-  char* NewCopy(const char* data, size_t size);
+  // A read-only copy of `size` bytes for the object at `place`, in its area for copies; null: for
+  // an object without a place.  Null when there is no memory.
+  char* NewCopy(const AddressPlace* place, const char* data, size_t size);
 
-  // Whoever touches the copy from now on faults.  Addresses are never used twice.  What is
-  // no copy of here is left alone.
+  // Every access to the copy faults from now on.  Its addresses are used again only when the area
+  // has been gone through, after 128 MiB of copies.  Other addresses are left alone.
   void Retire(const char* copy);
 
  private:
-  // Address space taken at a time; memory only where copies are alive.
-  static constexpr size_t kBlockBytes = size_t{1} << 28;
+  char* MapPages(char* area, size_t bytes);
 
-  std::map<const char*, size_t> copies_;  // alive, with their sizes; looked up only
-  std::vector<char*> blocks_;
-  size_t used_ = kBlockBytes;  // of the last block
+  const AddressPlace shared_place_{kNoObject};  // of the objects that have none
+  std::map<const char*, size_t> copies_;        // alive, with their sizes; looked up only
+  std::map<const char*, size_t> next_in_;       // offset of the next copy, by area; looked up only
 };
 
 }  // namespace openr_host

@@ -1,9 +1,7 @@
 #include "runtime/core/region_table.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 #include "runtime/core/hasher.h"
@@ -21,24 +19,17 @@ constexpr bool kReusesCopies = true;
 #endif
 constexpr char kGuard = 0x5a;
 
-// Copies of blocks that are gone where they lived while somebody here still reads them: rare, as
-// when a subject is replaced whose observer has yet to answer.
-std::vector<std::unique_ptr<char, void (*)(void*)>>& Outlived() {
-  static thread_local std::vector<std::unique_ptr<char, void (*)(void*)>> memory;
-  return memory;
-}
-
 }  // namespace
 
 RegionTable::~RegionTable() {
-  for (Slot& slot : slots_) std::free(slot.base);
+  for (const Slot& slot : slots_) memory_.Free(slot.base);
+  for (char* const block : outlived_) memory_.Free(block);
 }
 
-// Fresh memory of a slot; null, and nothing changed, when there is none.
-char* RegionTable::Fill(Slot* slot, size_t size) {
+// Fresh memory for slot `index`; null, and nothing changed, when there is none.
+char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
   const size_t bytes = size + kGuardBytes;
-  char* const base =
-      bytes < size ? nullptr : static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));
+  char* const base = bytes < size ? nullptr : memory_.New(index, bytes);
   if (base == nullptr) return nullptr;
   std::memset(base + size, kGuard, kGuardBytes);
   slot->base = base;
@@ -54,9 +45,10 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   }
   Slot fresh;
   if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
-  if (Fill(&fresh, size) == nullptr) return kNoRegion;
+  const auto next = static_cast<uint32_t>(slots_.size());
+  if (Fill(&fresh, free_.empty() ? next : free_.back(), size) == nullptr) return kNoRegion;
   if (free_.empty()) {
-    free_.push_back(static_cast<uint32_t>(slots_.size()));
+    free_.push_back(next);
     slots_.emplace_back();
   }
   const uint32_t index = free_.back();
@@ -77,9 +69,9 @@ RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   Slot& slot = slots_[index];
   if (slot.live) return nullptr;
   if (slot.pins > 0) {
-    Outlived().emplace_back(slot.base, &std::free);
+    outlived_.push_back(slot.base);
   } else {
-    std::free(slot.base);
+    memory_.Free(slot.base);
   }
   slot = Slot();
   slot.generation = static_cast<uint16_t>(id >> 16);
@@ -88,7 +80,7 @@ RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
 
 char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   Slot* const slot = SlotFor(id);
-  if (slot == nullptr || Fill(slot, size) == nullptr) return nullptr;
+  if (slot == nullptr || Fill(slot, IndexOf(slot), size) == nullptr) return nullptr;
   slot->owner = owner;
   slot->live = true;
   ++live_count_;
@@ -105,7 +97,7 @@ char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
     return slot->base;
   }
   slot = SlotFor(id);
-  if (slot == nullptr || Fill(slot, size) == nullptr) return nullptr;
+  if (slot == nullptr || Fill(slot, IndexOf(slot), size) == nullptr) return nullptr;
   slot->is_copy = true;
   return slot->base;
 }
@@ -160,9 +152,9 @@ void RegionTable::FreeIfUnused(Slot* slot) {
     slot->is_idle = true;
     return;
   }
-  std::free(slot->base);
+  memory_.Free(slot->base);
   slot->base = nullptr;
-  if (uplink_ == nullptr) free_.push_back(static_cast<uint32_t>(slot - slots_.data()));
+  if (uplink_ == nullptr) free_.push_back(IndexOf(slot));
 }
 
 bool RegionTable::Delete(uint32_t id) {

@@ -2,8 +2,8 @@
 //
 // A MemoryRegionID is (generation << 16 | slot + 1), so an id outlives its block
 // without ever naming another one by accident, and ids repeat exactly from run
-// to run.  Fresh blocks are filled with zeros.  A few known bytes follow every block, so
-// that a write behind its end shows.
+// to run, and so do addresses (region_memory.h).  Fresh blocks are filled with zeros.  A few known
+// bytes follow every block, so that a write behind its end shows.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/core/message.h"
+#include "runtime/core/region_memory.h"
 
 namespace openr_host {
 
@@ -104,10 +105,15 @@ class RegionTable {
   Slot* Find(uint32_t id);
   const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
   void FreeIfUnused(Slot* slot);
-  char* Fill(Slot* slot, size_t size);
+  char* Fill(Slot* slot, uint32_t index, size_t size);
+  uint32_t IndexOf(const Slot* slot) const { return static_cast<uint32_t>(slot - slots_.data()); }
   Slot* SlotFor(uint32_t id);
 
+  RegionMemory memory_;
   std::vector<Slot> slots_;
+  // Copies of blocks that are gone where they lived while somebody here still reads them: rare,
+  // as when a subject is replaced whose observer has yet to answer.
+  std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices
   int live_count_ = 0;
   Uplink* uplink_ = nullptr;

@@ -199,6 +199,7 @@ int32_t System::Post(Message* message, int64_t delay_us) {
     queue_.Release(message);
     return sINVALIDOID;
   }
+  if (t_current.object != nullptr && t_current.object->is_image) ReportHostAddresses(*message);
   if (uplink() != nullptr) return uplink()->Post(message, delay_us);
   if (Object* const self = t_current.object; self != nullptr && self->is_busy) {
     self->outbox.push_back({message, delay_us});

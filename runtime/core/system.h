@@ -26,6 +26,7 @@
 #include "runtime/core/cpu.h"
 #include "runtime/core/current.h"
 #include "runtime/core/findings.h"
+#include "runtime/core/host_addresses.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
 #include "runtime/core/region_shares.h"
@@ -323,6 +324,7 @@ class System {
   void DoWhatIsDue();
   friend class Cpu;
   int32_t RefuseSelector(Message* message, const Object& target);
+  void ReportHostAddresses(const Message& message);
   // What came while `object` could not hear it is older than anything due now.
   void ReturnHeld(Object* object);
 
@@ -336,6 +338,7 @@ class System {
   RegionTable regions_;
   RegionShares region_shares_{&regions_};
   std::unique_ptr<GuardPages> guard_pages_;
+  HostAddresses host_addresses_;
   Trace trace_;
   Findings findings_;
   ConsoleInput console_input_{this};

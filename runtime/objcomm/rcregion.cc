@@ -138,7 +138,8 @@ RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t of
   t_current.system->regions().Pin(id);
   GuardPages* const guard = t_current.system->guard_pages();
   if (guard != nullptr && !t_current.object->is_system) {
-    if (char* const copy = guard->NewCopy(source->Base(), size)) region->base_ = copy;
+    const AddressPlace* const place = t_current.object->place.get();
+    if (char* const copy = guard->NewCopy(place, source->Base(), size)) region->base_ = copy;
   }
   return region;
 }

@@ -1,0 +1,91 @@
+#include "runtime/core/region_memory.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "runtime/core/address_plan.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kMapBytes = 64 << 10;    // taken from the kernel at a time, at least
+constexpr size_t kKeepBytes = 256 << 10;  // larger cells go back to the kernel when they are freed
+
+// The lists of flags grow with the highest slot that was used.
+void Set(std::vector<bool>* flags, size_t index, bool value) {
+  if (index >= flags->size()) flags->resize(index + 1);
+  (*flags)[index] = value;
+}
+
+bool IsSet(const std::vector<bool>& flags, size_t index) {
+  return index < flags.size() && flags[index];
+}
+
+}  // namespace
+
+size_t RegionMemory::OffsetOf(int size_class) {
+  // The sum of the cells of all smaller classes, which are a geometric series.
+  return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
+}
+
+RegionMemory::RegionMemory() : area_(TakeRegionArea()) {
+  static_assert((size_t{64} << (2 * kClasses)) / 3 * kSlots <= kRegionAreaBytes);
+}
+
+RegionMemory::~RegionMemory() {
+  if (area_ == nullptr) return;
+  munmap(area_, kRegionAreaBytes);
+  GiveRegionArea(area_);
+}
+
+// The memory of a cell; null when there is none.
+char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
+  const size_t cell = CellBytes(size_class);
+  const size_t step = std::max(cell, kMapBytes);
+  const size_t at = slot * cell;
+  char* const begin = area_ + OffsetOf(size_class);
+  std::vector<bool>& is_mapped = cells_[static_cast<size_t>(size_class)].is_mapped;
+  if (!IsSet(is_mapped, at / step)) {
+    if (!MapAt(begin + at / step * step, step)) return nullptr;
+    Set(&is_mapped, at / step, true);
+  }
+  return begin + at;
+}
+
+char* RegionMemory::New(uint32_t slot, size_t bytes) {
+  int size_class = 0;
+  while (size_class < kClasses && CellBytes(size_class) < bytes) ++size_class;
+  if (area_ != nullptr && size_class < kClasses) {
+    std::vector<bool>& in_use = cells_[static_cast<size_t>(size_class)].in_use;
+    if (!IsSet(in_use, slot)) {
+      char* const block = MappedCell(size_class, slot);
+      if (block == nullptr) return nullptr;
+      Set(&in_use, slot, true);
+      std::memset(block, 0, bytes);
+      return block;
+    }
+  }
+  return static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));
+}
+
+void RegionMemory::Free(char* block) {
+  if (area_ == nullptr || block < area_ || block >= area_ + kRegionAreaBytes) {
+    std::free(block);
+    return;
+  }
+  const auto offset = static_cast<size_t>(block - area_);
+  int size_class = 0;
+  while (size_class + 1 < kClasses && OffsetOf(size_class + 1) <= offset) ++size_class;
+  const size_t cell = CellBytes(size_class);
+  const size_t slot = (offset - OffsetOf(size_class)) / cell;
+  Cells& cells = cells_[static_cast<size_t>(size_class)];
+  cells.in_use[slot] = false;
+  if (cell <= kKeepBytes) return;
+  munmap(block, cell);
+  cells.is_mapped[slot] = false;
+}
+
+}  // namespace openr_host

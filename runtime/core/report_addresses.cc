@@ -1,0 +1,54 @@
+// The finding about messages that hold addresses of this process.
+#include <OPENR/ObjcommMessages.h>
+#include <OPENR/RCRegion.h>
+#include <fmt/format.h>
+
+#include "runtime/core/system.h"
+#include "runtime/objcomm/state.h"
+
+namespace openr_host {
+namespace {
+
+// "the subject 'A.B.C.S'", or what else `sender` posts `message` as.
+std::string SenderOf(const Message& message, const Object& sender) {
+  if (message.is_reply) return "an answer";
+  if (message.kind == PayloadKind::kNotify) {
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (const auto& subject : sender.subjects) {
+      if (subject->id == notify.subjectID) return fmt::format("the subject '{}'", subject->service);
+    }
+  }
+  const Object* const target = sender.system->object(message.target);
+  return fmt::format(
+      "a message to {}",
+      target == nullptr ? "nobody"
+                        : fmt::format("{}, {}", target->name, target->EntryName(message.selector)));
+}
+
+}  // namespace
+
+void System::ReportHostAddresses(const Message& message) {
+  const ApiScope scope;
+  int64_t offset = -1;
+  int datum = 0;
+  if (message.kind == PayloadKind::kNotify) {
+    const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+    for (; datum < notify.numOfData; ++datum) {
+      const RCRegion* const region = notify.data[datum].srcRCR;
+      offset = host_addresses_.FindIn(region->Base(), notify.data[datum].size);
+      if (offset >= 0) break;
+    }
+  } else if (message.kind == PayloadKind::kBytes) {
+    offset = host_addresses_.FindIn(message.payload, message.size);
+  }
+  if (offset < 0) return;
+  const Object& sender = *t_current.object;
+  std::string where = fmt::format("{} sends an address of this process at offset {}",
+                                  SenderOf(message, sender), offset);
+  if (datum > 0) where += fmt::format(" of datum {}", datum);
+  AddFinding(
+      Severity::kWarning,
+      where + "; each run has another one there, and other hashes (docs/cli.md, Equal runs)");
+}
+
+}  // namespace openr_host
