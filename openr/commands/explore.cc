@@ -169,6 +169,12 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   const uint64_t broken = result["broken"].get<uint64_t>();
   text += broken == 0 ? "no property broken\n" : fmt::format("{} broke a property\n", broken);
   if (result.contains("failure")) text += DescribeFailure(result["failure"]);
+  if (const uint64_t dependent = result.value("address_dependent", uint64_t{0}); dependent > 0) {
+    text += fmt::format(
+        "finding: with {} of these seeds the program does something else when its memory lies at "
+        "other addresses, as on the robot after each start; the first is seed {}\n",
+        dependent, result["address_dependent_seeds"][0].get<uint64_t>());
+  }
   return text;
 }
 

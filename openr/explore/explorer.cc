@@ -121,11 +121,20 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 Json VerifySeeds(const ExplorePlan& plan) {
   WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
-  uint64_t differences = 0;
-  Json different = Json::array();
+  // Seeds with a mark in their answer: how many, and the first ones.
+  struct Marked {
+    uint64_t count = 0;
+    Json seeds = Json::array();
+    void Add(const Json& answer, const char* mark) {
+      if (answer[mark] && ++count <= kSeedsNamed) seeds.push_back(answer["seed"]);
+    }
+  };
+  Marked different, dependent;
   InOrder in_order([&](const Json& answer) {
-    if (sum.wants_more() && answer["differs"] && ++differences <= kSeedsNamed)
-      different.push_back(answer["seed"]);
+    if (sum.wants_more()) {
+      different.Add(answer, "differs");
+      dependent.Add(answer, "depends_on_addresses");
+    }
     sum.Add(answer);
   });
   uint64_t next_seed = plan.first_seed;
@@ -136,8 +145,10 @@ Json VerifySeeds(const ExplorePlan& plan) {
       },
       [&](size_t number, Json answer) { in_order.Put(number, std::move(answer)); });
   Json result = sum.Tell(&pool);
-  result["differences"] = differences;
-  result["different_seeds"] = std::move(different);
+  result["differences"] = different.count;
+  result["different_seeds"] = std::move(different.seeds);
+  result["address_dependent"] = dependent.count;
+  result["address_dependent_seeds"] = std::move(dependent.seeds);
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* kTopic = "rt/aibo/joint_command";
+constexpr const char* kCommandTopic = "rt/aibo/joint_command";
 
 struct Move {
   int joint;
@@ -42,7 +42,7 @@ TEST(Ros2StreamTest, ManyInARowAreTakenInOrderAndAReplayIsEqual) {
   Ros2Run run({"--record", folder.File("r")});
   run.WaitForStanding();
   const Words others = {"neck_tilt", "neck_roll", "tail_tilt", "mouth"};
-  Words commands = {"commands", kTopic, "0"};
+  Words commands = {"commands", kCommandTopic, "0"};
   for (int i = 1; i <= 4; ++i) {
     commands.push_back("neck_pan=" + std::to_string(0.1 * i));
     commands.push_back(others[static_cast<size_t>(i - 1)] + "=-0.1");
@@ -69,7 +69,7 @@ TEST(Ros2StreamTest, ManyInARowAreTakenInOrderAndAReplayIsEqual) {
 class LostRemoteControlTest : public testing::Test {
  protected:
   // Commands without an end, 200 a second.
-  static Words Stream() { return {"stream", kTopic, "5", "neck_pan=0.3", "neck_pan=0.35"}; }
+  static Words Stream() { return {"stream", kCommandTopic, "5", "neck_pan=0.3", "neck_pan=0.35"}; }
   static void KillRemoteControl(Ros2Run* run) {
     const std::vector<pid_t> children = ChildrenOf(run->program().pid());
     ASSERT_EQ(children.size(), 1u);
@@ -79,7 +79,7 @@ class LostRemoteControlTest : public testing::Test {
     WaitUntil("a move", [&] { return run.peer().Position("aibo", "neck_pan") > 0.1; });
   }
   static void ExpectThatJointsObey(const Ros2Run& run) {
-    run.peer().Do({"command", kTopic, "neck_pan=0.5"});
+    run.peer().Do({"command", kCommandTopic, "neck_pan=0.5"});
     double position = 0;
     for (int i = 0; i < 40 && std::abs(position - 0.5) > 0.03; ++i)
       position = run.peer().Position("aibo", "neck_pan");
@@ -139,7 +139,7 @@ TEST(Ros2FreeRunningTest, TopicsComeAndTheClockGoesOn) {
 TEST(Ros2FreeRunningTest, CommandsMoveJoints) {
   const Ros2Run run({"--place", "RCServer=net", "--free-running", "--body", "ideal"}, "5");
   run.WaitForStanding();
-  run.peer().Do({"command", kTopic, "neck_pan=0.5"});
+  run.peer().Do({"command", kCommandTopic, "neck_pan=0.5"});
   double position = 0;
   for (int i = 0; i < 40 && std::abs(position - 0.5) > 0.03; ++i)
     position = run.peer().Position("aibo", "neck_pan");

@@ -1,0 +1,137 @@
+#include "Revealer.h"
+
+#include <MCOOP.h>
+#include <OPENR/OSyslog.h>
+#include <OPENR/core_macro.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int aStatic;
+static const int ROUNDS = 40;
+
+// A virtual function: the object begins with the address of a table in the image.
+struct Shape {
+    virtual ~Shape() {}
+    virtual int Sides() { return 3; }
+    int size;
+};
+
+// Three bytes behind the first one are padding, and the constructor forgets a member.
+struct Holes {
+    explicit Holes(char k) : kind(k) {}
+    char kind;
+    int set[2];
+    char last;
+};
+
+OStatus
+Revealer::DoInit(const OSystemEvent&)
+{
+    NEW_ALL_SUBJECT_AND_OBSERVER;
+    REGISTER_ALL_ENTRY;
+    SET_ALL_READY_AND_NOTIFY_ENTRY;
+    return oSUCCESS;
+}
+
+OStatus
+Revealer::DoStart(const OSystemEvent&)
+{
+    ENABLE_ALL_SUBJECT;
+    ASSERT_READY_TO_ALL_OBSERVER;
+    region_ = new RCRegion(100000);
+    FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/HOST.TXT", "r");
+    if (file != 0) {
+        // An address that no plan can hold: that of a function of the C library.
+        const void* words[] = {0, (void*)&puts};
+        Send(words, sizeof(words));
+        fclose(file);
+    } else {
+        SendAddresses();
+    }
+    return oSUCCESS;
+}
+
+OStatus
+Revealer::DoStop(const OSystemEvent&)
+{
+    DISABLE_ALL_SUBJECT;
+    DEASSERT_READY_TO_ALL_OBSERVER;
+    return oSUCCESS;
+}
+
+OStatus
+Revealer::DoDestroy(const OSystemEvent&)
+{
+    region_->RemoveReference();
+    DELETE_ALL_SUBJECT_AND_OBSERVER;
+    return oSUCCESS;
+}
+
+void
+Revealer::Send(const void* data, size_t size)
+{
+    subject[sbjOut]->SetData(data, size);
+    subject[sbjOut]->NotifyObservers();
+}
+
+void
+Revealer::SendAddresses()
+{
+    int aLocal = 0;
+    Shape shape;
+    shape.size = 1;
+    void* vtable;
+    memcpy(&vtable, &shape, sizeof(vtable));
+    void* own = 0;
+    NewRegion(5000, &own);
+    RCRegion* small = new RCRegion(20);
+    char* small_heap = new char[20];
+    char* large_heap = new char[200000];
+
+    const void* addresses[] = {
+        region_->Base(), small->Base(), small_heap, large_heap, own,     this,
+        &aStatic,        &aLocal,       vtable,     "a literal", subject, (void*)&ROUNDS};
+    Send(addresses, sizeof(addresses));
+
+    DeleteRegion(own);
+    small->RemoveReference();
+    delete[] small_heap;
+    delete[] large_heap;
+}
+
+// What the C library and the SDK leave on stack and heap must not be seen here.
+void
+Revealer::SendUnset()
+{
+    FILE* file = fopen("/MS/OPEN-R/MW/CONF/OBJECT.CFG", "r");
+    char line[80];
+    fgets(line, sizeof(line), file);
+    fclose(file);
+    sprintf(line, "%d of %f", count_, 1.5);
+
+    // Larger than a page together, so that both come from places that fopen() has used.
+    char* bytes = (char*)malloc(6000);
+    char* more = (char*)malloc(480);
+    Holes here('h');
+    unsigned char all[sizeof(Holes) * 2 + 6000 + 480];
+    memcpy(all, &here, sizeof(Holes));
+    memcpy(all + sizeof(Holes), &static_cast<const Holes&>(Holes('t')), sizeof(Holes));
+    memcpy(all + sizeof(Holes) * 2, bytes, 6000);
+    memcpy(all + sizeof(Holes) * 2 + 6000, more, 480);
+    Send(all, sizeof(all));
+    free(bytes);
+    free(more);
+}
+
+void
+Revealer::NotifyBack(const ONotifyEvent& event)
+{
+    const void* received = event.Data(0);
+    if (++count_ < ROUNDS) {
+        if (count_ % 2 == 0) SendAddresses();
+        else if (count_ % 4 == 1) SendUnset();
+        else Send(&received, sizeof(received));
+    }
+    observer[event.ObsIndex()]->AssertReady();
+}
