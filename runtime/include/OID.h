@@ -11,19 +11,24 @@
 void* const OID_UNDEF = reinterpret_cast<void*>(0xffffffffUL);
 void* const OID_ALL = 0;
 
-class OID {
+// The same as plain data, for structures that C reads as well.
+struct structOID {
+  void* address;
+};
+
+class OID : public structOID {
  public:
-  OID() : address_(OID_UNDEF) {}
-  OID(void* address) : address_(address) {}
+  OID() { address = OID_UNDEF; }
+  OID(void* place) { address = place; }
 
-  void SetAddress(void* address) { address_ = address; }
-  void* GetAddress() const { return address_; }
+  void SetAddress(void* place) { address = place; }
+  void* GetAddress() const { return address; }
 
-  bool IsValid() const { return address_ != OID_UNDEF; }
-  void MakeInvalid() { address_ = OID_UNDEF; }
+  bool IsValid() const { return address != OID_UNDEF; }
+  void MakeInvalid() { address = OID_UNDEF; }
 
-  bool operator==(const OID& other) const { return address_ == other.address_; }
-  bool operator!=(const OID& other) const { return address_ != other.address_; }
+  bool operator==(const OID& other) const { return address == other.address; }
+  bool operator!=(const OID& other) const { return address != other.address; }
   bool operator<(const OID& other) const { return Number() < other.Number(); }
   bool operator<=(const OID& other) const { return Number() <= other.Number(); }
   bool operator>(const OID& other) const { return Number() > other.Number(); }
@@ -31,9 +36,7 @@ class OID {
 
  private:
   // Ids are ordered as numbers; comparing unrelated pointers has no defined result.
-  size_t Number() const { return reinterpret_cast<size_t>(address_); }
-
-  void* address_;
+  size_t Number() const { return reinterpret_cast<size_t>(address); }
 };
 
 #endif  // OPENR_OID_H_INCLUDED

@@ -6,9 +6,17 @@
 
 typedef longword sResource;
 
+const sResource rUNDEF = 0;
+const sResource SystemCommonResourceBase = 0;
+const sResource SystemResourceBase = 10;
+
 const sResource rMAXMESSAGESIZE = 10;  // bytes of one message
 const sResource rMAXQUEUESIZE = 11;    // waiting messages, 32 unless changed
 const sResource rMAXEVENT = 12;        // timed messages alive
 const sResource rMAXENTRIES = 13;      // selectors, 64
+const sResource rMAXSWITCHNUMOFS = 14;
+
+// How many numbers are set aside for limits.
+const sResource NumberOfResource = 270;
 
 #endif  // OPENR_SYSTEMRESOURCE_H_INCLUDED

@@ -6,18 +6,24 @@
 
 #include <Types.h>
 
-struct SystemTime {
+// A SystemTime as plain data, for structures that C reads as well.
+struct structSystemTime {
   longword seconds;
   longword useconds;  // 0..999999
+};
 
-  SystemTime() : seconds(0), useconds(0) {}
-  SystemTime(longword sec, longword usec) : seconds(sec), useconds(usec) {}
+struct SystemTime : public structSystemTime {
+  SystemTime() { Set(0, 0); }
+  SystemTime(longword sec, longword usec) { Set(sec, usec); }
 
   // An invalid time has 0xffffffff in both fields.
   bool IsValid() const { return seconds != 0xffffffff || useconds != 0xffffffff; }
-  void MakeInvalid() {
-    seconds = 0xffffffff;
-    useconds = 0xffffffff;
+  void MakeInvalid() { Set(0xffffffff, 0xffffffff); }
+
+ private:
+  void Set(longword sec, longword usec) {
+    seconds = sec;
+    useconds = usec;
   }
 };
 

@@ -1,24 +1,12 @@
-// When a message of SetTimeEvent() is due, and the name under which it can be cancelled.
+// When a message of SetTimeEvent() is due.  The name under which it can be cancelled is in
+// EventID.h.
 #ifndef OPENR_TIMEEVENT_H_INCLUDED
 #define OPENR_TIMEEVENT_H_INCLUDED
 
+#include <EventID.h>
+#include <TimeEventInfo.h>
 #include <Time_a.h>
 #include <Types.h>
-
-struct EventID {
-  longword value;
-};
-const longword EventID_UNDEF = 0;
-
-struct TimeEventInfo {
-  enum EventType { Periodic, NonPeriodic };
-
-  // What happens when the first time lies in the past already.
-  enum EventAttr { ExceedStartImmediate = 0, ExceedStartError = 0x10000 };
-
-  RelativeTime relativeTime;  // from now to the first message
-  RelativeTime periodicTime;  // between messages; zero: there is only the first
-};
 
 // The one kind of time event there is; SetTimeEvent() takes it as a TimeEventInfo*.
 struct TimeEventInfoWithRelativeTime : public TimeEventInfo {

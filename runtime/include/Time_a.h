@@ -1,4 +1,4 @@
-// A span of time in milliseconds, used for time-outs and timed messages.
+// Spans of time in milliseconds, used for time-outs and timed messages.
 //
 // The SDK also declares two conversions to and from SystemTime whose bodies are in none
 // of its libraries; no program can use them, so they are not here.
@@ -20,5 +20,12 @@ struct RelativeTime {
 inline bool operator==(const RelativeTime& left, const RelativeTime& right) {
   return left.sec == right.sec && left.msec == right.msec;
 }
+
+// A span that may be longer than 136 years, as the system keeps it.
+struct InternalTime {
+  int day;
+  longword sec;
+  int msec;
+};
 
 #endif  // OPENR_TIME_A_H_INCLUDED

@@ -38,6 +38,9 @@ typedef unsigned int uint64;
 typedef unsigned int magicword;
 typedef bool Boolean;
 
+// The type with the strictest alignment; 8 bytes on the robot, the host's width here.
+typedef long double AlignedBlock;
+
 // Result of an Aperios call; the values are in sError.h.
 typedef slongword sError;
 
@@ -50,6 +53,18 @@ typedef void (*Entry)(...);
 
 typedef byte* VirtualAddress;
 typedef void* PhysicalAddress;
+
+// Names and access rights of shared memory regions (NewSharedMemoryRegion and its kin).
+// As wide as a longword: programs cast a MemoryRegionID* to ODesignDataID*.
+typedef unsigned int MemoryRegionID;
+typedef MemoryRegionID SharedMemoryRegionID;
+
+enum MemoryProtectionInfo {
+  MEMPROTINFO_INVALID = 0,
+  MEMPROTINFO_R = 1,  // read only
+  MEMPROTINFO_RW = 2  // read and write
+};
+typedef MemoryProtectionInfo SharedMemoryProtectionInfo;
 
 // System structures that an application can name and never look into.  The robot's header
 // calls them Context, EntryTable, Thread, Object and ExecSpace; such plain names would take

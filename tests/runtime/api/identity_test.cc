@@ -1,4 +1,5 @@
-// OID, RID, OServiceEntry, OMemoryLocator: the small values everything is named by.
+// OID, RID, EventID, OServiceEntry, OMemoryLocator: the small values everything is named by.
+#include <EventID.h>
 #include <OID.h>
 #include <OPENR/OMemoryLocator.h>
 #include <OPENR/OPENR.h>
@@ -60,6 +61,26 @@ TEST(RidTest, IsValidAsLongAsItsMailer) {
   rid.MakeInvalid();
   EXPECT_TRUE(rid == RID());
   EXPECT_FALSE(rid.IsValid());
+}
+
+TEST(RidTest, MailerAndValueCanBeReadAsPlainData) {
+  const RID rid(Oid(3), 12);
+  const BaseTID& plain = rid;
+  EXPECT_EQ(plain.mailer.address, Oid(3).GetAddress());
+  EXPECT_EQ(plain.value, 12u);
+}
+
+TEST(EventIdTest, TheDefaultIsInvalidAndAValueMakesItValid) {
+  EventID event;
+  EXPECT_FALSE(event.IsValid());
+  event.SetValue(7);
+  EXPECT_TRUE(event.IsValid());
+  EXPECT_EQ(event.GetValue(), 7u);
+  EXPECT_EQ(event.value, 7u);
+  EXPECT_TRUE(event == EventID(7));
+  EXPECT_TRUE(event != EventID(8));
+  event.MakeInvalid();
+  EXPECT_TRUE(event == EventID());
 }
 
 TEST(MemoryLocatorTest, TheDefaultIsInvalid) {

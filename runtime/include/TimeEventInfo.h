@@ -1,0 +1,18 @@
+// When a message of SetTimeEvent() is due: what all kinds of time events share.
+#ifndef OPENR_TIMEEVENTINFO_H_INCLUDED
+#define OPENR_TIMEEVENTINFO_H_INCLUDED
+
+#include <Time_a.h>
+#include <Types.h>
+
+struct TimeEventInfo {
+  enum EventType { Periodic, NonPeriodic };
+
+  // What happens when the first time lies in the past already.
+  enum EventAttr { ExceedStartImmediate = 0, ExceedStartError = 0x10000 };
+
+  RelativeTime relativeTime;  // from now to the first message
+  RelativeTime periodicTime;  // between messages; zero: there is only the first
+};
+
+#endif  // OPENR_TIMEEVENTINFO_H_INCLUDED
