@@ -55,53 +55,53 @@ antEnvInitStartMsg::antEnvInitStartMsg()
 // ---- DNS
 
 DNSEndpointSetServerAddressesMsg::DNSEndpointSetServerAddressesMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_SetServerAddresses), nscount(0) {}
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_SetServerAddresses), nscount(0) {}
 DNSEndpointSetServerAddressesMsg::DNSEndpointSetServerAddressesMsg(antModuleRef& module,
                                                                    int32 count, IPAddress* list)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_SetServerAddresses),
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_SetServerAddresses),
       nscount(std::clamp(count, 0, MAXNS)) {
   std::copy_n(list, nscount, addrList);
 }
 
 DNSEndpointGetServerAddressesMsg::DNSEndpointGetServerAddressesMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_GetServerAddresses), nscount(0) {}
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_GetServerAddresses), nscount(0) {}
 DNSEndpointGetServerAddressesMsg::DNSEndpointGetServerAddressesMsg(antModuleRef& module)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_GetServerAddresses), nscount(0) {}
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_GetServerAddresses), nscount(0) {}
 
 DNSEndpointSetDefaultDomainNameMsg::DNSEndpointSetDefaultDomainNameMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_SetDefaultDomainName) {
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_SetDefaultDomainName) {
   CopyText(name, "");
 }
 DNSEndpointSetDefaultDomainNameMsg::DNSEndpointSetDefaultDomainNameMsg(antModuleRef& module,
                                                                        const char* domain)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_SetDefaultDomainName) {
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_SetDefaultDomainName) {
   CopyText(name, domain);
 }
 
 DNSEndpointGetDefaultDomainNameMsg::DNSEndpointGetDefaultDomainNameMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_GetDefaultDomainName) {
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_GetDefaultDomainName) {
   CopyText(name, "");
 }
 DNSEndpointGetDefaultDomainNameMsg::DNSEndpointGetDefaultDomainNameMsg(antModuleRef& module)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_GetDefaultDomainName) {
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_GetDefaultDomainName) {
   CopyText(name, "");
 }
 
 DNSEndpointGetHostByNameMsg::DNSEndpointGetHostByNameMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_GetHostByName), n_address(0), n_alias(0) {
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_GetHostByName), n_address(0), n_alias(0) {
   CopyText(name, "");
 }
 DNSEndpointGetHostByNameMsg::DNSEndpointGetHostByNameMsg(antModuleRef& module, const char* host)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_GetHostByName), n_address(0), n_alias(0) {
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_GetHostByName), n_address(0), n_alias(0) {
   CopyText(name, host);
 }
 
 DNSEndpointGetHostByAddrMsg::DNSEndpointGetHostByAddrMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_GetHostByAddr), n_address(0), n_alias(0) {
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_GetHostByAddr), n_address(0), n_alias(0) {
   CopyText(name, "");
 }
 DNSEndpointGetHostByAddrMsg::DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_GetHostByAddr),
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_GetHostByAddr),
       host_address(address),
       n_address(0),
       n_alias(0) {
@@ -109,19 +109,19 @@ DNSEndpointGetHostByAddrMsg::DNSEndpointGetHostByAddrMsg(antModuleRef& module, I
 }
 
 DNSEndpointGetAddressMsg::DNSEndpointGetAddressMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_GetAddress), index(0) {}
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_GetAddress), index(0) {}
 DNSEndpointGetAddressMsg::DNSEndpointGetAddressMsg(antModuleRef& module, int number)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_GetAddress), index(number) {}
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_GetAddress), index(number) {}
 
 DNSEndpointGetAliasMsg::DNSEndpointGetAliasMsg()
-    : DNSEndpointMsg(DNSEndpoint_Operation_GetAlias), index(0) {
+    : DNSEndpointBaseMsg(DNSEndpoint_Operation_GetAlias), index(0) {
   CopyText(name, "");
 }
 DNSEndpointGetAliasMsg::DNSEndpointGetAliasMsg(antModuleRef& module, int number)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_GetAlias), index(number) {
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_GetAlias), index(number) {
   CopyText(name, "");
 }
 
-DNSEndpointCloseMsg::DNSEndpointCloseMsg() : DNSEndpointMsg(DNSEndpoint_Operation_Close) {}
+DNSEndpointCloseMsg::DNSEndpointCloseMsg() : DNSEndpointBaseMsg(DNSEndpoint_Operation_Close) {}
 DNSEndpointCloseMsg::DNSEndpointCloseMsg(antModuleRef& module)
-    : DNSEndpointMsg(module, DNSEndpoint_Operation_Close) {}
+    : DNSEndpointBaseMsg(module, DNSEndpoint_Operation_Close) {}

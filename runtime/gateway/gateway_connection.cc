@@ -158,7 +158,7 @@ void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
       break;
   }
   if (!is_up_ || answer.dstModule != endpoint_) return;  // of a connection that is over
-  if (static_cast<const TCPEndpointMsg&>(answer).error != TCP_SUCCESS) return Lose();
+  if (static_cast<const TCPEndpointBaseMsg&>(answer).error != TCP_SUCCESS) return Lose();
   if (answer.dstOperation == TCPEndpoint_Operation_Send) return SendNext();
   const auto& receive = static_cast<const TCPEndpointReceiveMsg&>(answer);
   owner_->Received(

@@ -2,6 +2,8 @@
 #ifndef OPENR_DNSENDPOINTERR_H_INCLUDED
 #define OPENR_DNSENDPOINTERR_H_INCLUDED
 
+#include <iostream>
+
 enum DNSEndpointError {
   DNS_SUCCESS = 0,
   DNS_FAIL = 1,
@@ -16,5 +18,8 @@ enum DNSEndpointError {
   DNS_OPERATION_INVALID = 10,
   DNS_OPERATION_UNKNOWN = 11
 };
+
+// The constant's name, "DNS_FAIL"; "unknown DNSEndpointError" for other numbers.
+std::ostream& operator<<(std::ostream& out, DNSEndpointError error);
 
 #endif  // OPENR_DNSENDPOINTERR_H_INCLUDED

@@ -24,10 +24,15 @@ const int32 DNSEndpoint_Operation_GetAddress = 6;
 const int32 DNSEndpoint_Operation_GetAlias = 7;
 const int32 DNSEndpoint_Operation_Close = 8;
 
-typedef antOperationMsg<DNSEndpointError> DNSEndpointMsg;
+// The base of the messages below.
+struct DNSEndpointBaseMsg : public antOperationMsg<DNSEndpointError> {
+  DNSEndpointBaseMsg(int32 operation = 0) : antOperationMsg<DNSEndpointError>(operation) {}
+  DNSEndpointBaseMsg(antModuleRef& module, int32 operation)
+      : antOperationMsg<DNSEndpointError>(module, operation) {}
+};
 
 // More than MAXNS servers are cut to MAXNS; longer names are cut.
-struct DNSEndpointSetServerAddressesMsg : public DNSEndpointMsg {
+struct DNSEndpointSetServerAddressesMsg : public DNSEndpointBaseMsg {
   int32 nscount;
   IPAddress addrList[MAXNS];
 
@@ -35,7 +40,7 @@ struct DNSEndpointSetServerAddressesMsg : public DNSEndpointMsg {
   DNSEndpointSetServerAddressesMsg(antModuleRef& module, int32 count, IPAddress* list);
 };
 
-struct DNSEndpointGetServerAddressesMsg : public DNSEndpointMsg {
+struct DNSEndpointGetServerAddressesMsg : public DNSEndpointBaseMsg {
   int32 nscount;              // out
   IPAddress addrList[MAXNS];  // out
 
@@ -43,14 +48,14 @@ struct DNSEndpointGetServerAddressesMsg : public DNSEndpointMsg {
   explicit DNSEndpointGetServerAddressesMsg(antModuleRef& module);
 };
 
-struct DNSEndpointSetDefaultDomainNameMsg : public DNSEndpointMsg {
+struct DNSEndpointSetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
   char name[MAXDNAME];
 
   DNSEndpointSetDefaultDomainNameMsg();
   DNSEndpointSetDefaultDomainNameMsg(antModuleRef& module, const char* domain);
 };
 
-struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointMsg {
+struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
   char name[MAXDNAME];  // out
 
   DNSEndpointGetDefaultDomainNameMsg();
@@ -58,7 +63,7 @@ struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointMsg {
 };
 
 // The answer to both host questions; on failure n_address is 0 and name as it was.
-struct DNSEndpointGetHostByNameMsg : public DNSEndpointMsg {
+struct DNSEndpointGetHostByNameMsg : public DNSEndpointBaseMsg {
   char name[MAXDNAME];       // out: the official name
   IPAddress server_address;  // out: who answered
   IPAddress host_address;    // out: the first address
@@ -69,7 +74,7 @@ struct DNSEndpointGetHostByNameMsg : public DNSEndpointMsg {
   DNSEndpointGetHostByNameMsg(antModuleRef& module, const char* host);
 };
 
-struct DNSEndpointGetHostByAddrMsg : public DNSEndpointMsg {
+struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
   char name[MAXDNAME];       // out
   IPAddress server_address;  // out
   IPAddress host_address;
@@ -81,7 +86,7 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointMsg {
 };
 
 // Further addresses and aliases of the last host found; DNS_INDEX_INVALID beyond the last.
-struct DNSEndpointGetAddressMsg : public DNSEndpointMsg {
+struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
   IPAddress address;  // out
 
@@ -90,7 +95,7 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointMsg {
 };
 
 // Alias 0 is the official name.
-struct DNSEndpointGetAliasMsg : public DNSEndpointMsg {
+struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
   char name[MAXDNAME];  // out
 
@@ -98,7 +103,7 @@ struct DNSEndpointGetAliasMsg : public DNSEndpointMsg {
   DNSEndpointGetAliasMsg(antModuleRef& module, int number);
 };
 
-struct DNSEndpointCloseMsg : public DNSEndpointMsg {
+struct DNSEndpointCloseMsg : public DNSEndpointBaseMsg {
   DNSEndpointCloseMsg();
   explicit DNSEndpointCloseMsg(antModuleRef& module);
 };

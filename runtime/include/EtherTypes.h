@@ -4,6 +4,8 @@
 
 #include <antTypes.h>
 
+#include <iostream>
+
 enum EtherStatus {
   ETHER_OK = 0,
   ETHER_UNSUPPORTED = 1,  // the driver object is not loaded
@@ -24,8 +26,138 @@ enum EtherStatus {
 const char* EtherStatusText(int status);
 #define etherStatusStr(s) EtherStatusText(s)
 
+// Writes that text.
+std::ostream& operator<<(std::ostream& out, EtherStatus status);
+
+// ---- addresses and frames
+
+#define ETHER_ADDR_LEN 6  // octets
+
+// 6 bytes, in the order in which they are sent.
 struct EtherMACAddress {
-  byte octet[6];
+  // The same address as three words.
+  struct Opt {
+    word w1;
+    word w2;
+    word w3;
+  };
+
+  byte octet[ETHER_ADDR_LEN];
+
+  EtherMACAddress() { Set(0, 0, 0, 0, 0, 0); }  // 00:00:00:00:00:00
+  EtherMACAddress(byte* octets) {
+    Set(octets[0], octets[1], octets[2], octets[3], octets[4], octets[5]);
+  }
+  EtherMACAddress(byte o1, byte o2, byte o3, byte o4, byte o5, byte o6) {
+    Set(o1, o2, o3, o4, o5, o6);
+  }
+
+  // ff:ff:ff:ff:ff:ff
+  bool IsBroadcast() const {
+    for (int i = 0; i < ETHER_ADDR_LEN; i++) {
+      if (octet[i] != 0xff) return false;
+    }
+    return true;
+  }
+  // Meant for a group, all stations included: the first bit on the wire is set.
+  bool IsMulticast() const { return (octet[0] & 1) != 0; }
+
+  // Writes the six octets.
+  void ToByte(byte* octets) const {
+    for (int i = 0; i < ETHER_ADDR_LEN; i++) octets[i] = octet[i];
+  }
+
+  bool operator==(const EtherMACAddress& other) const {
+    for (int i = 0; i < ETHER_ADDR_LEN; i++) {
+      if (octet[i] != other.octet[i]) return false;
+    }
+    return true;
+  }
+  bool operator!=(const EtherMACAddress& other) const { return !(*this == other); }
+
+ private:
+  void Set(byte o1, byte o2, byte o3, byte o4, byte o5, byte o6) {
+    octet[0] = o1;
+    octet[1] = o2;
+    octet[2] = o3;
+    octet[3] = o4;
+    octet[4] = o5;
+    octet[5] = o6;
+  }
+};
+
+// Writes "02:00:00:00:00:01".
+std::ostream& operator<<(std::ostream& out, const EtherMACAddress& address);
+
+// What lies in ether_type; the low byte comes second on the wire.
+typedef word EtherProtocolType;
+
+enum EtherFrameType {  // the name of the type is ours
+  ETHER_FRAMETYPE_ETHERNET_II = 0,
+  ETHER_FRAMETYPE_IEEE_802_3 = 1
+};
+
+// The start of a frame of Ethernet II, 14 bytes.
+struct ether_header {
+  byte ether_dhost[ETHER_ADDR_LEN];  // receiver
+  byte ether_shost[ETHER_ADDR_LEN];  // sender
+  word ether_type;
+};
+
+// The start of a frame of IEEE 802.3 with a SNAP header, 22 bytes.
+struct ether_802_3_header {
+  byte ether_dhost[ETHER_ADDR_LEN];  // receiver
+  byte ether_shost[ETHER_ADDR_LEN];  // sender
+  word ether_size;
+  byte dsap;
+  byte ssap;
+  byte ctrl;
+  byte code[3];
+  word ether_type;
+};
+
+// The memory that a client shares with the driver; nothing on the host makes one.
+struct EtherFrameBufferID {
+  MemoryRegionID rcvID;
+  unsigned int rcvsize;  // bytes
+  void* rcvbase;
+  MemoryRegionID txID;
+  unsigned int txsize;  // bytes
+  void* txbase;
+};
+
+// ---- settings and counters
+
+enum EtherDeviceMode {
+  ETHER_MODE_10BASET = 0,
+  ETHER_MODE_10BASET_FULLDUPLEX = 1,
+  ETHER_MODE_100BASETX = 2,
+  ETHER_MODE_100BASETX_FULLDUPLEX = 3,
+  ETHER_MODE_100BASET4 = 4,
+  ETHER_MODE_AUTONEGOTIATION = 5
+};
+
+// Which frames a client gets that are not meant for it.
+enum EtherPromiscLevel { ETHER_PROMISC_PHYS = 1, ETHER_PROMISC_RAW = 2, ETHER_PROMISC_MULTI = 4 };
+
+// When the driver says that frames have been sent.
+enum EtherTxmitNotificationFlag {
+  ETHER_NOTIFY_NEVER = 1,
+  ETHER_NOTIFY_ONCE = 2,
+  ETHER_NOTIFY_FREED = 4
+};
+
+// The counters of a card, 36 bytes.
+struct EtherDriverStatistics {
+  longword carrier_sense_error_count;
+  longword late_collision_count;
+  longword excessive_collision_count;
+  longword single_collision_count;
+  longword multiple_collision_count;
+  longword deferred_count;
+  longword alignment_error_count;
+  longword fcs_error_count;
+  longword frame_too_long_count;
 };
 
 struct EtherStatistics {
@@ -43,6 +175,9 @@ struct EtherStatistics {
 // Longest names, in characters without the closing NUL.
 #define ETHER_WLAN_ESSID_MAX 32
 #define ETHER_WLAN_STATIONNAME_MAX 32
+// Bytes of the two kinds of WEP key; inferred from the sizes of the messages.
+#define ETHER_WLAN_ENC_MAX 5
+#define ETHER_WLAN_ENC_128_MAX 13
 
 enum EtherWLANMode { ETHER_WLAN_MODE_ADHOC = 0, ETHER_WLAN_MODE_AP = 1 };
 

@@ -1,10 +1,12 @@
-// An IPv4 address.
+// An IPv4 address, and the port beside it.
 #ifndef OPENR_IPADDRESS_H_INCLUDED
 #define OPENR_IPADDRESS_H_INCLUDED
 
 #include <antTypes.h>
 
 #include <iostream>
+
+typedef uint16 Port;  // in the order of the host
 
 // 4 bytes, in the order of the host: 10.0.1.2 is 0x0a000102.
 class IPAddress {

@@ -29,7 +29,15 @@ enum IPPacketType {
   IP_PACKETTYPE_MAX = 9
 };
 
-typedef antOperationMsg<IPEndpointError> IPEndpointMsg;
+// The constant's name, "IP_FAIL"; "unknown IPEndpointError" for other numbers.
+std::ostream& operator<<(std::ostream& out, IPEndpointError error);
+
+// The base of the messages below.
+struct IPEndpointBaseMsg : public antOperationMsg<IPEndpointError> {
+  IPEndpointBaseMsg(int32 operation = 0) : antOperationMsg<IPEndpointError>(operation) {}
+  IPEndpointBaseMsg(antModuleRef& module, int32 operation)
+      : antOperationMsg<IPEndpointError>(module, operation) {}
+};
 
 // Values of dstOperation; the numbers are the robot's, the names ours.
 const int32 IPEndpoint_Operation_Bind = 1;
@@ -38,45 +46,46 @@ const int32 IPEndpoint_Operation_Receive = 3;
 const int32 IPEndpoint_Operation_Close = 4;
 
 // IP_INVALID_PROTOCOL for TCP and UDP.
-struct IPEndpointBindMsg : public IPEndpointMsg {
+struct IPEndpointBindMsg : public IPEndpointBaseMsg {
   Protocol protocol;
 
-  IPEndpointBindMsg() : IPEndpointMsg(IPEndpoint_Operation_Bind), protocol(0) {}
+  IPEndpointBindMsg() : IPEndpointBaseMsg(IPEndpoint_Operation_Bind), protocol(0) {}
   IPEndpointBindMsg(antModuleRef& module, Protocol number)
-      : IPEndpointMsg(module, IPEndpoint_Operation_Bind), protocol(number) {}
+      : IPEndpointBaseMsg(module, IPEndpoint_Operation_Bind), protocol(number) {}
 };
 
-struct IPEndpointSendMsg : public IPEndpointMsg {
+struct IPEndpointSendMsg : public IPEndpointBaseMsg {
   IPPacketType type;
   byte* buffer;  // in a shared buffer
   int size;      // bytes
 
   IPEndpointSendMsg()
-      : IPEndpointMsg(IPEndpoint_Operation_Send), type(IP_DATA), buffer(0), size(0) {}
+      : IPEndpointBaseMsg(IPEndpoint_Operation_Send), type(IP_DATA), buffer(0), size(0) {}
   IPEndpointSendMsg(antModuleRef& module, IPPacketType packetType, byte* data, int bytes)
-      : IPEndpointMsg(module, IPEndpoint_Operation_Send),
+      : IPEndpointBaseMsg(module, IPEndpoint_Operation_Send),
         type(packetType),
         buffer(data),
         size(bytes) {}
 };
 
-struct IPEndpointReceiveMsg : public IPEndpointMsg {
+struct IPEndpointReceiveMsg : public IPEndpointBaseMsg {
   IPPacketType type;  // out
   byte* buffer;       // in a shared buffer
   int size;           // bytes
 
   IPEndpointReceiveMsg()
-      : IPEndpointMsg(IPEndpoint_Operation_Receive), type(IP_DATA), buffer(0), size(0) {}
+      : IPEndpointBaseMsg(IPEndpoint_Operation_Receive), type(IP_DATA), buffer(0), size(0) {}
   IPEndpointReceiveMsg(antModuleRef& module, byte* data, int bytes)
-      : IPEndpointMsg(module, IPEndpoint_Operation_Receive),
+      : IPEndpointBaseMsg(module, IPEndpoint_Operation_Receive),
         type(IP_DATA),
         buffer(data),
         size(bytes) {}
 };
 
-struct IPEndpointCloseMsg : public IPEndpointMsg {
-  IPEndpointCloseMsg() : IPEndpointMsg(IPEndpoint_Operation_Close) {}
-  IPEndpointCloseMsg(antModuleRef& module) : IPEndpointMsg(module, IPEndpoint_Operation_Close) {}
+struct IPEndpointCloseMsg : public IPEndpointBaseMsg {
+  IPEndpointCloseMsg() : IPEndpointBaseMsg(IPEndpoint_Operation_Close) {}
+  IPEndpointCloseMsg(antModuleRef& module)
+      : IPEndpointBaseMsg(module, IPEndpoint_Operation_Close) {}
 };
 
 #endif  // OPENR_IPENDPOINTMSG_H_INCLUDED

@@ -1,11 +1,10 @@
-// Addresses, ports and the errors inside the IPv4 stack.
+// Addresses, protocols and the errors inside the IPv4 stack.
 #ifndef OPENR_IPV4TYPES_H_INCLUDED
 #define OPENR_IPV4TYPES_H_INCLUDED
 
 #include <IPAddress.h>
 #include <antTypes.h>
 
-typedef uint16 Port;  // in the order of the host
 typedef uint16 Protocol;
 
 extern const IPAddress IP_ADDR_ANY;        // 0.0.0.0
@@ -14,23 +13,26 @@ const Port IP_PORT_ANY = 0;
 
 // Not seen by programs.
 enum IPv4Error {
-  IPv4_SUCCESS = 0,
-  IPv4_FAIL = 1,
-  IPv4_NOMEMORY = 2,
-  IPv4_ADDRESSINUSE = 3,
-  IPv4_ADDRESSERROR = 4,
-  IPv4_INVALID_REQUEST = 5,
-  IPv4_CONNECTION_CLOSED = 6,
-  IPv4_CONNECTION_BUSY = 7,
-  IPv4_CONNECTION_RESET = 8,
-  IPv4_CONNECTION_TIMEOUT = 9,
-  IPv4_NETWORK_UNREACHABLE = 10,
-  IPv4_HOST_UNREACHABLE = 11,
-  IPv4_PROTOCOL_UNREACHABLE = 12,
-  IPv4_PORT_UNREACHABLE = 13,
-  IPv4_MESSAGE_TOO_LONG = 14,
-  IPv4_TIME_EXCEEDED = 15,
-  IPv4_TTL_EXCEEDED = 16
+  IPV4_SUCCESS = 0,
+  IPV4_FAIL = 1,
+  IPV4_NOMEMORY = 2,
+  IPV4_ADDRESSINUSE = 3,
+  IPV4_ADDRESSERROR = 4,
+  IPV4_INVALID_REQUEST = 5,
+  IPV4_CONNECTION_CLOSED = 6,
+  IPV4_CONNECTION_BUSY = 7,
+  IPV4_CONNECTION_RESET = 8,
+  IPV4_CONNECTION_TIMEOUT = 9,
+  IPV4_NETWORK_UNREACHABLE = 10,
+  IPV4_HOST_UNREACHABLE = 11,
+  IPV4_PROTOCOL_UNREACHABLE = 12,
+  IPV4_PORT_UNREACHABLE = 13,
+  IPV4_MESSAGE_TOO_LONG = 14,
+  IPV4_TIME_EXCEEDED = 15,
+  IPV4_TTL_EXCEEDED = 16
 };
+
+// The constant's name, "IPV4_FAIL"; "unknown IPv4Error" for other numbers.
+std::ostream& operator<<(std::ostream& out, IPv4Error error);
 
 #endif  // OPENR_IPV4TYPES_H_INCLUDED

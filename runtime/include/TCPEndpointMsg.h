@@ -31,7 +31,15 @@ enum TCPEndpointError {
   TCP_OPERATION_UNKNOWN = 18
 };
 
-typedef antOperationMsg<TCPEndpointError> TCPEndpointMsg;
+// The constant's name, "TCP_FAIL"; "unknown TCPEndpointError" for other numbers.
+std::ostream& operator<<(std::ostream& out, TCPEndpointError error);
+
+// The base of the messages below.
+struct TCPEndpointBaseMsg : public antOperationMsg<TCPEndpointError> {
+  TCPEndpointBaseMsg(int32 operation = 0) : antOperationMsg<TCPEndpointError>(operation) {}
+  TCPEndpointBaseMsg(antModuleRef& module, int32 operation)
+      : antOperationMsg<TCPEndpointError>(module, operation) {}
+};
 
 // Values of dstOperation; the numbers are the robot's, the names ours.
 const int32 TCPEndpoint_Operation_Bind = 1;
@@ -45,27 +53,27 @@ const int32 TCPEndpoint_Operation_ReadyForRead = 8;
 const int32 TCPEndpoint_Operation_ReadyForWrite = 9;
 const int32 TCPEndpoint_Operation_BacklogListen = 10;
 const int32 TCPEndpoint_Operation_Accept = 11;
-const int32 TCPEndpoint_Operation_BacklogQueue = 12;
+const int32 TCPEndpoint_Operation_BacklogQueues = 12;
 const int32 TCPEndpoint_Operation_Address = 13;
 
 // ---- documented messages
 
 // Takes one connection and answers when it is there, with all four fields filled in.
-struct TCPEndpointListenMsg : public TCPEndpointMsg {
+struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
   IPAddress fAddress;  // of the peer
   Port fPort;
 
   TCPEndpointListenMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Listen),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Listen),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0) {}
   TCPEndpointListenMsg(antModuleRef& module, IPAddress localAddress = 0, Port localPort = 0,
                        IPAddress foreignAddress = 0, Port foreignPort = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Listen),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Listen),
         lAddress(localAddress),
         lPort(localPort),
         fAddress(foreignAddress),
@@ -73,21 +81,21 @@ struct TCPEndpointListenMsg : public TCPEndpointMsg {
 };
 
 // Answers when connected, with the local address and port filled in.
-struct TCPEndpointConnectMsg : public TCPEndpointMsg {
+struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
   IPAddress fAddress;  // of the peer
   Port fPort;
 
   TCPEndpointConnectMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Connect),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Connect),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0) {}
   TCPEndpointConnectMsg(antModuleRef& module, IPAddress localAddress, Port localPort,
                         IPAddress foreignAddress, Port foreignPort)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Connect),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Connect),
         lAddress(localAddress),
         lPort(localPort),
         fAddress(foreignAddress),
@@ -95,15 +103,15 @@ struct TCPEndpointConnectMsg : public TCPEndpointMsg {
 };
 
 // Answers when the stack has taken all of the data, not when the peer has them.
-struct TCPEndpointSendMsg : public TCPEndpointMsg {
+struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // in a shared buffer, untouched until the answer
   int size;      // bytes
   int16 queueNr;
 
   TCPEndpointSendMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Send), buffer(0), size(0), queueNr(0) {}
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Send), buffer(0), size(0), queueNr(0) {}
   TCPEndpointSendMsg(antModuleRef& module, byte* data, int bytes, int16 queue = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Send),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Send),
         buffer(data),
         size(bytes),
         queueNr(queue) {}
@@ -111,43 +119,43 @@ struct TCPEndpointSendMsg : public TCPEndpointMsg {
 
 // Answers with at least sizeMin bytes and at most sizeMax; both fields then hold the number
 // received.  At the end of the stream: TCP_CONNECTION_CLOSED.
-struct TCPEndpointReceiveMsg : public TCPEndpointMsg {
+struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // in a shared buffer
   int sizeMin;
   int sizeMax;
   int16 queueNr;
 
   TCPEndpointReceiveMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Receive),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Receive),
         buffer(0),
         sizeMin(0),
         sizeMax(0),
         queueNr(0) {}
-  TCPEndpointReceiveMsg(antModuleRef& module, byte* data, int min, int max, int16 queue = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Receive),
+  TCPEndpointReceiveMsg(antModuleRef& module, byte* data, int least, int most, int16 queue = 0)
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Receive),
         buffer(data),
-        sizeMin(min),
-        sizeMax(max),
+        sizeMin(least),
+        sizeMax(most),
         queueNr(queue) {}
 };
 
 // Answers when the connection is closed.  Mind the order: the guide shows (module, abort),
 // but the argument after the module is `linger`.
-struct TCPEndpointCloseMsg : public TCPEndpointMsg {
+struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
   bool abort;  // drop everything at once
   bool linger;
   int lingerTime;
   int16 queueNr;  // -100 is taken to mean all
 
   TCPEndpointCloseMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Close),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Close),
         abort(false),
         linger(false),
         lingerTime(0),
         queueNr(-100) {}
   TCPEndpointCloseMsg(antModuleRef& module, bool lingering = false, int time = 0,
                       bool aborting = false, int16 queue = -100)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Close),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Close),
         abort(aborting),
         linger(lingering),
         lingerTime(time),
@@ -156,71 +164,75 @@ struct TCPEndpointCloseMsg : public TCPEndpointMsg {
 
 // ---- undocumented messages
 
-struct TCPEndpointBindMsg : public TCPEndpointMsg {
+struct TCPEndpointBindMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
 
-  TCPEndpointBindMsg() : TCPEndpointMsg(TCPEndpoint_Operation_Bind), lAddress(0), lPort(0) {}
+  TCPEndpointBindMsg() : TCPEndpointBaseMsg(TCPEndpoint_Operation_Bind), lAddress(0), lPort(0) {}
   TCPEndpointBindMsg(antModuleRef& module, IPAddress localAddress, Port localPort)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Bind),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Bind),
         lAddress(localAddress),
         lPort(localPort) {}
 };
 
-struct TCPEndpointSetBlockingModeMsg : public TCPEndpointMsg {
+struct TCPEndpointSetBlockingModeMsg : public TCPEndpointBaseMsg {
   bool blocking;
   int16 queueNr;
 
   TCPEndpointSetBlockingModeMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_SetBlockingMode), blocking(true), queueNr(0) {}
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_SetBlockingMode), blocking(true), queueNr(0) {}
   TCPEndpointSetBlockingModeMsg(antModuleRef& module, bool block, int16 queue = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_SetBlockingMode),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_SetBlockingMode),
         blocking(block),
         queueNr(queue) {}
 };
 
-struct TCPEndpointReadyForReadMsg : public TCPEndpointMsg {
+struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
   boolean ready;  // out
   int16 queueNr;
 
   TCPEndpointReadyForReadMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_ReadyForRead), ready(FALSE), queueNr(0) {}
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_ReadyForRead), ready(FALSE), queueNr(0) {}
   TCPEndpointReadyForReadMsg(antModuleRef& module, int16 queue = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_ReadyForRead), ready(FALSE), queueNr(queue) {}
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_ReadyForRead),
+        ready(FALSE),
+        queueNr(queue) {}
 };
 
-struct TCPEndpointReadyForWriteMsg : public TCPEndpointMsg {
+struct TCPEndpointReadyForWriteMsg : public TCPEndpointBaseMsg {
   boolean ready;  // out
   int16 queueNr;
 
   TCPEndpointReadyForWriteMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_ReadyForWrite), ready(FALSE), queueNr(0) {}
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_ReadyForWrite), ready(FALSE), queueNr(0) {}
   TCPEndpointReadyForWriteMsg(antModuleRef& module, int16 queue = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_ReadyForWrite), ready(FALSE), queueNr(queue) {}
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_ReadyForWrite),
+        ready(FALSE),
+        queueNr(queue) {}
 };
 
-struct TCPEndpointBacklogListenMsg : public TCPEndpointMsg {
+struct TCPEndpointBacklogListenMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
   IPAddress fAddress;  // of the peer
   Port fPort;
 
   TCPEndpointBacklogListenMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_BacklogListen),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_BacklogListen),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0) {}
   TCPEndpointBacklogListenMsg(antModuleRef& module, IPAddress localAddress = 0, Port localPort = 0,
                               IPAddress foreignAddress = 0, Port foreignPort = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_BacklogListen),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_BacklogListen),
         lAddress(localAddress),
         lPort(localPort),
         fAddress(foreignAddress),
         fPort(foreignPort) {}
 };
 
-struct TCPEndpointAcceptMsg : public TCPEndpointMsg {
+struct TCPEndpointAcceptMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
   IPAddress fAddress;  // of the peer
@@ -228,14 +240,14 @@ struct TCPEndpointAcceptMsg : public TCPEndpointMsg {
   int16 queueNr;
 
   TCPEndpointAcceptMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Accept),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Accept),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0),
         queueNr(0) {}
   TCPEndpointAcceptMsg(antModuleRef& module)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Accept),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Accept),
         lAddress(0),
         lPort(0),
         fAddress(0),
@@ -243,15 +255,16 @@ struct TCPEndpointAcceptMsg : public TCPEndpointMsg {
         queueNr(0) {}
 };
 
-struct TCPEndpointBacklogQueueMsg : public TCPEndpointMsg {
+struct TCPEndpointBacklogQueueMsg : public TCPEndpointBaseMsg {
   int16 backlog;
 
-  TCPEndpointBacklogQueueMsg() : TCPEndpointMsg(TCPEndpoint_Operation_BacklogQueue), backlog(0) {}
+  TCPEndpointBacklogQueueMsg()
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_BacklogQueues), backlog(0) {}
   TCPEndpointBacklogQueueMsg(antModuleRef& module, int16 connections)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_BacklogQueue), backlog(connections) {}
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_BacklogQueues), backlog(connections) {}
 };
 
-struct TCPEndpointAddressMsg : public TCPEndpointMsg {
+struct TCPEndpointAddressMsg : public TCPEndpointBaseMsg {
   int16 queueNr;
   IPAddress lAddress;  // local
   Port lPort;
@@ -259,14 +272,14 @@ struct TCPEndpointAddressMsg : public TCPEndpointMsg {
   Port fPort;
 
   TCPEndpointAddressMsg()
-      : TCPEndpointMsg(TCPEndpoint_Operation_Address),
+      : TCPEndpointBaseMsg(TCPEndpoint_Operation_Address),
         queueNr(0),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0) {}
   TCPEndpointAddressMsg(antModuleRef& module, int16 queue = 0)
-      : TCPEndpointMsg(module, TCPEndpoint_Operation_Address),
+      : TCPEndpointBaseMsg(module, TCPEndpoint_Operation_Address),
         queueNr(queue),
         lAddress(0),
         lPort(0),

@@ -27,7 +27,15 @@ enum UDPEndpointError {
   UDP_WOULDBLOCK = 16
 };
 
-typedef antOperationMsg<UDPEndpointError> UDPEndpointMsg;
+// The constant's name, "UDP_FAIL"; "unknown UDPEndpointError" for other numbers.
+std::ostream& operator<<(std::ostream& out, UDPEndpointError error);
+
+// The base of the messages below.
+struct UDPEndpointBaseMsg : public antOperationMsg<UDPEndpointError> {
+  UDPEndpointBaseMsg(int32 operation = 0) : antOperationMsg<UDPEndpointError>(operation) {}
+  UDPEndpointBaseMsg(antModuleRef& module, int32 operation)
+      : antOperationMsg<UDPEndpointError>(module, operation) {}
+};
 
 // Values of dstOperation; the numbers are the robot's, the names ours.  Numbers 5 to 8 are
 // for multicast, which programs cannot use.
@@ -43,42 +51,43 @@ const int32 UDPEndpoint_Operation_Address = 12;
 const int32 UDPEndpoint_Operation_ResetConnect = 13;
 
 // IP_ADDR_ANY and IP_PORT_ANY let the stack choose; the answer holds what it chose.
-struct UDPEndpointBindMsg : public UDPEndpointMsg {
+struct UDPEndpointBindMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
 
-  UDPEndpointBindMsg() : UDPEndpointMsg(UDPEndpoint_Operation_Bind), address(0), port(0) {}
+  UDPEndpointBindMsg() : UDPEndpointBaseMsg(UDPEndpoint_Operation_Bind), address(0), port(0) {}
   UDPEndpointBindMsg(antModuleRef& module, IPAddress addr, Port portNr)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Bind), address(addr), port(portNr) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Bind), address(addr), port(portNr) {}
 };
 
 // Fixes the peer of all later sends and receives.
-struct UDPEndpointConnectMsg : public UDPEndpointMsg {
+struct UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
 
-  UDPEndpointConnectMsg() : UDPEndpointMsg(UDPEndpoint_Operation_Connect), address(0), port(0) {}
+  UDPEndpointConnectMsg()
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_Connect), address(0), port(0) {}
   UDPEndpointConnectMsg(antModuleRef& module, IPAddress addr, Port portNr)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Connect), address(addr), port(portNr) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Connect), address(addr), port(portNr) {}
 };
 
 // Answers when the stack has taken the data.
-struct UDPEndpointSendMsg : public UDPEndpointMsg {
+struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
   byte* buffer;  // in a shared buffer
   int size;      // bytes
 
   UDPEndpointSendMsg()
-      : UDPEndpointMsg(UDPEndpoint_Operation_Send), address(0), port(0), buffer(0), size(0) {}
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_Send), address(0), port(0), buffer(0), size(0) {}
   UDPEndpointSendMsg(antModuleRef& module, byte* data, int bytes)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Send),
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Send),
         address(0),
         port(0),
         buffer(data),
         size(bytes) {}
   UDPEndpointSendMsg(antModuleRef& module, IPAddress addr, Port portNr, byte* data, int bytes)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Send),
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Send),
         address(addr),
         port(portNr),
         buffer(data),
@@ -87,83 +96,90 @@ struct UDPEndpointSendMsg : public UDPEndpointMsg {
 
 // Answers with one datagram: where it came from and how many bytes; what does not fit is
 // lost.
-struct UDPEndpointReceiveMsg : public UDPEndpointMsg {
+struct UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
   byte* buffer;  // in a shared buffer
   int size;      // bytes
 
   UDPEndpointReceiveMsg()
-      : UDPEndpointMsg(UDPEndpoint_Operation_Receive), address(0), port(0), buffer(0), size(0) {}
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_Receive),
+        address(0),
+        port(0),
+        buffer(0),
+        size(0) {}
   UDPEndpointReceiveMsg(antModuleRef& module, byte* data, int bytes)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Receive),
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Receive),
         address(0),
         port(0),
         buffer(data),
         size(bytes) {}
 };
 
-struct UDPEndpointCloseMsg : public UDPEndpointMsg {
+struct UDPEndpointCloseMsg : public UDPEndpointBaseMsg {
   bool linger;
   int lingerTime;
 
   UDPEndpointCloseMsg()
-      : UDPEndpointMsg(UDPEndpoint_Operation_Close), linger(false), lingerTime(0) {}
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_Close), linger(false), lingerTime(0) {}
   UDPEndpointCloseMsg(antModuleRef& module, bool lingering = false, int time = 0)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Close), linger(lingering), lingerTime(time) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Close),
+        linger(lingering),
+        lingerTime(time) {}
 };
 
-struct UDPEndpointSetBlockingModeMsg : public UDPEndpointMsg {
+struct UDPEndpointSetBlockingModeMsg : public UDPEndpointBaseMsg {
   bool blocking;
 
   UDPEndpointSetBlockingModeMsg()
-      : UDPEndpointMsg(UDPEndpoint_Operation_SetBlockingMode), blocking(true) {}
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_SetBlockingMode), blocking(true) {}
   UDPEndpointSetBlockingModeMsg(antModuleRef& module, bool block)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_SetBlockingMode), blocking(block) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_SetBlockingMode), blocking(block) {}
 };
 
-struct UDPEndpointReadyForReadMsg : public UDPEndpointMsg {
+struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
   boolean ready;  // out
 
-  UDPEndpointReadyForReadMsg() : UDPEndpointMsg(UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
+  UDPEndpointReadyForReadMsg()
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
   UDPEndpointReadyForReadMsg(antModuleRef& module)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
 };
 
-struct UDPEndpointReadyForWriteMsg : public UDPEndpointMsg {
+struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
   boolean ready;  // out
 
   UDPEndpointReadyForWriteMsg()
-      : UDPEndpointMsg(UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}
   UDPEndpointReadyForWriteMsg(antModuleRef& module)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}
 };
 
 // Both ends of the endpoint.
-struct UDPEndpointAddressMsg : public UDPEndpointMsg {
+struct UDPEndpointAddressMsg : public UDPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
   IPAddress fAddress;  // of the peer
   Port fPort;
 
   UDPEndpointAddressMsg()
-      : UDPEndpointMsg(UDPEndpoint_Operation_Address),
+      : UDPEndpointBaseMsg(UDPEndpoint_Operation_Address),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0) {}
   UDPEndpointAddressMsg(antModuleRef& module)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_Address),
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Address),
         lAddress(0),
         lPort(0),
         fAddress(0),
         fPort(0) {}
 };
 
-struct UDPEndpointResetConnectMsg : public UDPEndpointMsg {
-  UDPEndpointResetConnectMsg() : UDPEndpointMsg(UDPEndpoint_Operation_ResetConnect) {}
+struct UDPEndpointResetConnectMsg : public UDPEndpointBaseMsg {
+  UDPEndpointResetConnectMsg() : UDPEndpointBaseMsg(UDPEndpoint_Operation_ResetConnect) {}
   UDPEndpointResetConnectMsg(antModuleRef& module)
-      : UDPEndpointMsg(module, UDPEndpoint_Operation_ResetConnect) {}
+      : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_ResetConnect) {}
 };
 
 #endif  // OPENR_UDPENDPOINTMSG_H_INCLUDED

@@ -1,4 +1,5 @@
-// Arguments of the card functions in ERA201D1.h that only wireless cards have.
+// Arguments of the card functions in ERA201D1.h that only wireless cards have, and the messages
+// of its driver.
 #ifndef OPENR_WLANDRIVERMSG_H_INCLUDED
 #define OPENR_WLANDRIVERMSG_H_INCLUDED
 
@@ -23,6 +24,75 @@ struct EtherDriverGetWLANSettingsMsg {
 struct EtherDriverGetWLANStatisticsMsg {
   int32 port;  // ignored
   EtherWLANStatistics statistics;
+  EtherStatus status;
+};
+
+// ---- messages to the driver
+//
+// They set what WLANCONF.TXT sets at boot.  An application cannot reach the driver; they are here
+// for sources that name them.
+
+struct EtherDriverSetWLANModeMsg {
+  longword port;
+  EtherWLANMode mode;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANESSIDMsg {
+  longword port;
+  char essid[ETHER_WLAN_ESSID_MAX];
+  longword length;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANStationNameMsg {
+  longword port;
+  char stationName[ETHER_WLAN_STATIONNAME_MAX];
+  longword length;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANChannelMsg {
+  longword port;
+  longword channel;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANEncryptionMsg {
+  longword port;
+  EtherWLANEncryption type;
+  char key[ETHER_WLAN_ENC_MAX];
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANEncryption128Msg {
+  longword port;
+  EtherWLANEncryption type;
+  char key[ETHER_WLAN_ENC_128_MAX];
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANRateMsg {
+  longword port;
+  EtherWLANRate rate;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANMediumReservationMsg {
+  longword port;
+  longword threshold;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANFragmentationMsg {
+  longword port;
+  longword threshold;
+  EtherStatus status;
+};
+
+struct EtherDriverSetWLANSensitivityMsg {
+  longword port;
+  EtherWLANSensitivity sensitivity;
   EtherStatus status;
 };
 

@@ -16,6 +16,7 @@
 const Selector Entry_antEnv_Initialize = 0;
 const Selector Entry_antEnv_HartBeat = 1;
 const Selector Entry_antEnv_External = 2;
+enum { antEnv_numEntries = 3 };
 
 enum antEnvInvocationType { ANTENVMSG_SEND = 0, ANTENVMSG_CALL = 1 };
 
@@ -25,6 +26,9 @@ struct antEnvMsgContInfo {
   Selector selector;
 
   antEnvMsgContInfo() : selector(UNDEF) {}
+
+  OID GetOID() const { return oid; }
+  Selector GetSelector() const { return selector; }
 };
 
 // 40 bytes on the robot, more with 64-bit pointers; no virtual functions.
@@ -39,7 +43,13 @@ class antEnvMsg {
   antEnvMsgContInfo contInfo;
   void* continuation;  // the sender's own; comes back as it was
 
-  explicit antEnvMsg(int32 operation = 0, Selector selector = Entry_antEnv_External)
+  antEnvMsg()
+      : dstSelector(Entry_antEnv_External),
+        dstOperation(0),
+        msgSize(0),
+        invocationType(ANTENVMSG_SEND),
+        continuation(0) {}
+  explicit antEnvMsg(int32 operation, Selector selector = Entry_antEnv_External)
       : dstSelector(selector),
         dstOperation(operation),
         msgSize(0),

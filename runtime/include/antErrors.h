@@ -3,6 +3,8 @@
 #ifndef OPENR_ANTERRORS_H_INCLUDED
 #define OPENR_ANTERRORS_H_INCLUDED
 
+#include <iostream>
+
 enum antError {
   ANT_SUCCESS = 0,
   ANT_FAIL = 1,
@@ -41,5 +43,8 @@ const int ANT_SDUMEMORY_AVAILABLE = 1;
 
 // The constant's name, "ANT_FAIL"; "unknown antError" for other numbers.
 const char* antErrorString(antError error);
+
+// Writes that text.
+std::ostream& operator<<(std::ostream& out, antError error);
 
 #endif  // OPENR_ANTERRORS_H_INCLUDED

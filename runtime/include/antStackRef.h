@@ -4,6 +4,8 @@
 
 #include <antTypes.h>
 
+struct MAV_Dispatcher;  // of the system; nothing of it can be used
+
 class antStackRef {
  public:
   antStackRef() : dispatcher_(0) {}
@@ -14,10 +16,11 @@ class antStackRef {
 
   bool IsValid() const { return oid_.IsValid(); }
   OID get_oid() const { return oid_; }
+  MAV_Dispatcher* get_disp() const { return dispatcher_; }  // 0 on the host
 
  private:
   OID oid_;
-  void* dispatcher_;  // unused by programs
+  MAV_Dispatcher* dispatcher_;
 };
 
 #endif  // OPENR_ANTSTACKREF_H_INCLUDED

@@ -52,7 +52,7 @@ void VisitTcp(M& m, V&& visit) {
       return visit(As<TCPEndpointBacklogListenMsg>(m), "TCP BacklogListen");
     case TCPEndpoint_Operation_Accept:
       return visit(As<TCPEndpointAcceptMsg>(m), "TCP Accept");
-    case TCPEndpoint_Operation_BacklogQueue:
+    case TCPEndpoint_Operation_BacklogQueues:
       return visit(As<TCPEndpointBacklogQueueMsg>(m), "TCP BacklogQueue");
     case TCPEndpoint_Operation_Address:
       return visit(As<TCPEndpointAddressMsg>(m), "TCP Address");

@@ -53,6 +53,15 @@ TEST(AntMessagesTest, AMessageKnowsEndpointOperationAndFailureBeforeItIsSent) {
   EXPECT_EQ(receive.continuation, nullptr);
 }
 
+TEST(AntMessagesTest, AMessageWithoutArgumentsAsksForNothing) {
+  antEnvMsg messages[2] = {};
+  EXPECT_EQ(messages[1].GetOperation(), 0);
+  EXPECT_EQ(messages[1].dstSelector, Entry_antEnv_External);
+  EXPECT_TRUE(messages[1].dstModule.IsNull());
+  EXPECT_FALSE(messages[1].contInfo.GetOID().IsValid());
+  EXPECT_EQ(messages[1].contInfo.GetSelector(), UNDEF);
+}
+
 TEST(AntMessagesTest, MessagesToTheStackItselfHaveNoEndpoint) {
   const antEnvCreateEndpointMsg create(EndpointType_TCP, 8192);
   EXPECT_TRUE(create.dstModule.IsNull());
@@ -140,6 +149,33 @@ TEST(ErrorNamesTest, AResultIsNamedAsItsConstant) {
   EXPECT_STREQ(antErrorString(ANT_QUEUE_REJECTED), "ANT_QUEUE_REJECTED");
   EXPECT_STREQ(antErrorString(ANT_INITIALIZING), "ANT_INITIALIZING");
   EXPECT_STREQ(etherStatusStr(ETHER_INVALID_PORT), "ETHER_INVALID_PORT");
+}
+
+template <typename Error>
+std::string Streamed(Error error) {
+  std::ostringstream out;
+  out << error;
+  return out.str();
+}
+
+TEST(ErrorNamesTest, AResultIsStreamedAsItsName) {
+  EXPECT_EQ(Streamed(ANT_QUEUE_CLOSED), "ANT_QUEUE_CLOSED");
+  EXPECT_EQ(Streamed(ETHER_NO_DEVICE), "ETHER_NO_DEVICE");
+  EXPECT_EQ(Streamed(IPV4_TTL_EXCEEDED), "IPV4_TTL_EXCEEDED");
+  EXPECT_EQ(Streamed(TCP_SUCCESS), "TCP_SUCCESS");
+  EXPECT_EQ(Streamed(TCP_OPERATION_UNKNOWN), "TCP_OPERATION_UNKNOWN");
+  EXPECT_EQ(Streamed(UDP_WOULDBLOCK), "UDP_WOULDBLOCK");
+  EXPECT_EQ(Streamed(IP_OPERATION_UNKNOWN), "IP_OPERATION_UNKNOWN");
+  EXPECT_EQ(Streamed(DNS_HOST_NOT_FOUND), "DNS_HOST_NOT_FOUND");
+  EXPECT_EQ(Streamed(DNS_OPERATION_UNKNOWN), "DNS_OPERATION_UNKNOWN");
+}
+
+TEST(ErrorNamesTest, NumbersWithoutANameAreStreamedAsUnknown) {
+  EXPECT_EQ(Streamed(static_cast<TCPEndpointError>(19)), "unknown TCPEndpointError");
+  EXPECT_EQ(Streamed(static_cast<UDPEndpointError>(17)), "unknown UDPEndpointError");
+  EXPECT_EQ(Streamed(static_cast<IPEndpointError>(9)), "unknown IPEndpointError");
+  EXPECT_EQ(Streamed(static_cast<DNSEndpointError>(12)), "unknown DNSEndpointError");
+  EXPECT_EQ(Streamed(static_cast<IPv4Error>(17)), "unknown IPv4Error");
 }
 
 TEST(ErrorNamesTest, OtherNumbersAreUnknown) {

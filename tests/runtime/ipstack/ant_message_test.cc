@@ -28,9 +28,9 @@ TEST(AntMessageTest, SizeIsThatOfTheOperationsStruct) {
 TEST(AntMessageTest, SizeOfAnUnknownOperationIsTheCommonPart) {
   TCPEndpointListenMsg message(tcp);
   message.dstOperation = 1000;
-  EXPECT_EQ(AntMessageSize(message), sizeof(TCPEndpointMsg));
+  EXPECT_EQ(AntMessageSize(message), sizeof(TCPEndpointBaseMsg));
   message.dstModule.module = &message;  // no reference of ours
-  EXPECT_EQ(AntMessageSize(message), sizeof(TCPEndpointMsg));
+  EXPECT_EQ(AntMessageSize(message), sizeof(TCPEndpointBaseMsg));
 }
 
 TEST(AntMessageTest, HashSeesFieldsAndData) {

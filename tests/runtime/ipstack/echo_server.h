@@ -121,7 +121,7 @@ class EchoClient : public CodeObject {
     message.Send(antStackRef("IPStack"), myOID_, static_cast<int32>(done_), sizeof message);
   }
   void Cont(antEnvMsg* message) {
-    EXPECT_EQ(static_cast<TCPEndpointMsg*>(message)->error, TCP_SUCCESS);
+    EXPECT_EQ(static_cast<TCPEndpointBaseMsg*>(message)->error, TCP_SUCCESS);
     switch (message->GetOperation()) {
       case TCPEndpoint_Operation_Send:
         return Post(TCPEndpointReceiveMsg(endpoint_, buffer_, sizeof kLine, sizeof kLine));
