@@ -4,14 +4,8 @@
 #define OPENR_OMEMORYLOCATOR_H_INCLUDED
 
 #include <MCOOP.h>
-#include <MemoryRegion.h>
-
-#include <iostream>
-
-// Old sources expect these names without std::.
-using std::cout;
-using std::endl;
-using std::ostream;
+#include <OPENR/StandardNames.h>
+#include <Types.h>
 
 struct OMemoryLocator {
   MemoryRegionID mid;  // 0xffffffff: invalid (our choice, no source gives the value)

@@ -2,15 +2,13 @@
 #ifndef OPENR_OOBSERVER_H_INCLUDED
 #define OPENR_OOBSERVER_H_INCLUDED
 
+#include <OPENR/DataManager.h>
+#include <OPENR/MemoryMapAgent.h>
+#include <OPENR/OPENREvent.h>
 #include <OPENR/OSubjectInfo.h>
 #include <OPENR/ObjcommEvent.h>
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
-
-#include <map>
-
-using std::less;
-using std::map;
 
 namespace openr_host {
 struct ObserverState;
@@ -27,10 +25,10 @@ class OObserver {
   const ObserverID& GetObserverID() const { return GetID(); }
 
   // In DoInit: how each subject buffers for this observer.  Of skip + 1
-  // notifications one is kept; nothing is sent before `min` are collected;
-  // at most `max` wait for a ready, the newest win.  Defaults 0, 1, 1.
+  // notifications one is kept; nothing is sent before `least` are collected;
+  // at most `most` wait for a ready, the newest win.  Defaults 0, 1, 1.
   void SetSkip(size_t skip);
-  void SetBufCtrlParam(size_t skip, size_t min, size_t max);
+  void SetBufCtrlParam(size_t skip, size_t least, size_t most);
 
   // To all connected subjects, or to one.  Every region received from the
   // subject that has no reference of the user's own goes back with it.

@@ -4,6 +4,9 @@
 
 #include <OPENR/ObjcommTypes.h>
 
+class RCRegion;
+typedef RCRegion* RCRegion_p;
+
 class OObserverInfo {
  public:
   OObserverInfo() {}

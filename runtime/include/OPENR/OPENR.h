@@ -56,6 +56,12 @@ struct OServiceEntry {
   }
 };
 
+// What the service manager asks of an observer (OConnectMessage).
+typedef longword OConnectCmd;
+const OConnectCmd oconnectcmdCONNECT = 0;
+const OConnectCmd oconnectcmdDISCONNECT = 1;
+const OConnectCmd oconnectcmdDISCONNECTALL = 2;
+
 // ---- why DoInit, DoStart, DoStop and DoDestroy are called
 
 typedef longword OReason;
@@ -74,9 +80,15 @@ const OMemoryStickStatus omemorystickWRITABLE = 2;
 // from their names.
 struct OBootParam {
   OMemoryStickStatus memoryStickStatus;
+
+  OBootParam() : memoryStickStatus(omemorystickUNDEF) {}
+  OBootParam(OMemoryStickStatus status) : memoryStickStatus(status) {}
 };
 struct OShutdownParam {
   bool batteryEnough;
+
+  OShutdownParam() : batteryEnough(false) {}
+  OShutdownParam(bool enough) : batteryEnough(enough) {}
 };
 
 // Kinds of abrupt end for OPENR::Fatal(); each has its own tune, PAUSE_SW none.
@@ -104,6 +116,11 @@ const longword oframeINVALID_NUMBER = 0xffffffff;
 
 typedef longword ODeviceID;
 typedef longword ODeviceType;
+const ODeviceType odevtypeUNDEF = 0;
+const ODeviceType odevtypeHUB = 1;
+const ODeviceType odevtypeSERVO = 2;
+const ODeviceType odevtypeAUDIO = 3;
+const ODeviceType odevtypeFBK = 4;
 
 typedef longword OPrimitiveID;
 const OPrimitiveID oprimitiveID_UNDEF = 0xffffffff;

@@ -3,6 +3,7 @@
 #define OPENR_OPOWER_H_INCLUDED
 
 #include <OPENR/OPENR.h>
+#include <OPENR/OTime.h>
 #include <OPENR/power_constants.h>
 #include <time.h>
 

@@ -7,7 +7,6 @@
 #define OPENR_OSHMPTR_H_INCLUDED
 
 #include <OPENR/RCRegion.h>
-#include <string.h>
 
 class OShmPtrBase {
  public:

@@ -5,17 +5,13 @@
 #define OPENR_OBJCOMMTYPES_H_INCLUDED
 
 #include <OPENR/OPENR.h>
-#include <string.h>
-
-#include <iostream>
-#include <list>
-
-// Old sources expect these names without std::.
-using std::list;
-using std::ostream;
+#include <OPENR/StandardNames.h>
 
 // Most data elements one notification can carry.
 #define MAX_NUM_DATA 13
+
+// Most regions that a ready of version 1 can give back.
+const int objcommMAX_NUM_UNLOCK = 29;
 
 // A subject is known by its object and its Ready selector, an observer by its
 // object and its Notify selector; both are the same C++ type.
@@ -64,10 +60,5 @@ const ObjcommVersion objcommVERSION20 = 2;
 const ObjcommVersion objcommVERSION21 = 3;
 const ObjcommVersion objcommVERSION22 = 4;  // what this library speaks
 const ObjcommVersion objcommVERSION_UNDEF = 0xffffffff;
-
-typedef longword OConnectCmd;
-const OConnectCmd oconnectcmdCONNECT = 0;
-const OConnectCmd oconnectcmdDISCONNECT = 1;
-const OConnectCmd oconnectcmdDISCONNECTALL = 2;
 
 #endif  // OPENR_OBJCOMMTYPES_H_INCLUDED

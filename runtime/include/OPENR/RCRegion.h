@@ -9,7 +9,8 @@
 #ifndef OPENR_RCREGION_H_INCLUDED
 #define OPENR_RCREGION_H_INCLUDED
 
-#include <MemoryRegion.h>
+#include <OPENR/OMemoryLocator.h>
+#include <OPENR/SharedMemoryHeader.h>
 #include <Types.h>
 #include <stddef.h>
 

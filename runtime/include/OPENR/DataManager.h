@@ -1,0 +1,14 @@
+// What an observer notes of a region that it received.
+#ifndef OPENR_DATAMANAGER_H_INCLUDED
+#define OPENR_DATAMANAGER_H_INCLUDED
+
+#include <OPENR/OPENR.h>
+#include <OPENR/RCRegion.h>
+
+struct DataInfo {
+  OServiceEntry subject;  // the sender
+  RCRegion* myRCRegion;   // the observer's own
+  RCRegion* srcRCRegion;  // the subject's, which goes back with the next ready
+};
+
+#endif  // OPENR_DATAMANAGER_H_INCLUDED
