@@ -10,6 +10,35 @@
 
 using namespace openr_host;
 
+namespace {
+
+// Calls `set` with a region of `size` bytes at `offset` in memory that a program made, which the
+// subject's buffers then share.  oINVALID_ARG when there is no such memory.
+template <typename Set>
+OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
+  const ApiScope scope;
+  if (t_current.system == nullptr) return oFAIL;
+  const RegionTable& table = t_current.system->regions();
+  const size_t whole = table.SizeOf(memory);
+  if (table.BaseOf(memory) == nullptr || size == 0 || offset > whole || size > whole - offset) {
+    return oINVALID_ARG;
+  }
+  RCRegion* const region = new RCRegion(memory, static_cast<offset_t>(offset), nullptr, size);
+  const OStatus status = set(region);
+  region->RemoveReference();
+  return status;
+}
+
+// Bytes from the locator to the end of its region; 0 when there are none.
+size_t SizeFrom(const OMemoryLocator& locator) {
+  const ApiScope scope;
+  if (t_current.system == nullptr) return 0;
+  const size_t whole = t_current.system->regions().SizeOf(locator.mid);
+  return whole > locator.offset ? whole - locator.offset : 0;
+}
+
+}  // namespace
+
 OSubject::OSubject() {
   const ApiScope scope;
   ASSERT(t_current.object != nullptr, "an OSubject is made by the code of an object");
@@ -103,6 +132,24 @@ OStatus OSubject::SetData(const OObserverInfo& info, RCRegion* region) {
 
 OStatus OSubject::SetData(const OObserverInfo& info, const OShmPtrBase& ptr) {
   return SetData(info.GetObserverID(), ptr.RCRPtr());
+}
+
+OStatus OSubject::SetData(MemoryRegionID memory, size_t size) {
+  return WithRegion(memory, 0, size, [this](RCRegion* region) { return SetData(region); });
+}
+
+OStatus OSubject::SetData(const OMemoryLocator& locator) {
+  return WithRegion(locator.mid, locator.offset, SizeFrom(locator),
+                    [this](RCRegion* region) { return SetData(region); });
+}
+
+OStatus OSubject::SetData(const ObserverID& id, MemoryRegionID memory, u_int size) {
+  return WithRegion(memory, 0, size, [this, &id](RCRegion* region) { return SetData(id, region); });
+}
+
+OStatus OSubject::SetData(const ObserverID& id, const OMemoryLocator& locator) {
+  return WithRegion(locator.mid, locator.offset, SizeFrom(locator),
+                    [this, &id](RCRegion* region) { return SetData(id, region); });
 }
 
 OStatus OSubject::NotifyObservers() {

@@ -1,6 +1,8 @@
 // core.md 2.2 to 2.5: the forms that name one observer or one subject, buffers, and refusals.
+#include <MCOOP.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <sstream>
 
 #include "tests/runtime/objcomm/probe.h"
@@ -51,6 +53,50 @@ TEST_F(FormsConformance, DataAndNotifiesCanBeForOneObserver) {
   Settle();
   EXPECT_EQ(first->events, Events{});
   EXPECT_EQ(second->events, Events{"4"});
+}
+
+// Old forms of SetData(), for memory that the program made by itself.
+TEST_F(FormsConformance, MemoryIsSharedByItsIdOrAPlaceInIt) {
+  MemoryRegionID id = 0;
+  int* memory = nullptr;
+  RunAs(sender, [&] {
+    void* base = nullptr;
+    ASSERT_EQ(NewSharedMemoryRegion(3 * sizeof(int), MEMPROTINFO_RW, &id, &base), sSUCCESS);
+    memory = static_cast<int*>(base);
+  });
+  const auto send = [&](int value, const std::function<OStatus()>& set) {
+    AssertReady(first);
+    AssertReady(second);
+    RunAs(sender, [&] {
+      memory[0] = value;
+      memory[1] = value + 1;
+      EXPECT_EQ(set(), oSUCCESS);
+      sender->out->NotifyObservers();
+    });
+    Settle();
+  };
+  send(10, [&] { return sender->out->SetData(id, sizeof(int)); });
+  send(20, [&] { return sender->out->SetData(OMemoryLocator(id, sizeof(int))); });
+  send(30, [&] { return sender->out->SetData(second->in->GetID(), id, sizeof(int)); });
+  send(40, [&] { return sender->out->SetData(second->in->GetID(), OMemoryLocator(id, 4)); });
+  EXPECT_EQ(first->events, (Events{"10", "21"}));
+  EXPECT_EQ(second->events, (Events{"10", "21", "30", "41"}));
+  EXPECT_TRUE(system.findings().all().empty());
+}
+
+TEST_F(FormsConformance, MemoryThatIsNotThereCannotBeShared) {
+  RunAs(sender, [&] {
+    MemoryRegionID id = 0;
+    void* base = nullptr;
+    ASSERT_EQ(NewSharedMemoryRegion(16, MEMPROTINFO_RW, &id, &base), sSUCCESS);
+    EXPECT_EQ(sender->out->SetData(id, 17), oINVALID_ARG);
+    EXPECT_EQ(sender->out->SetData(OMemoryLocator(id, 16)), oINVALID_ARG);
+    EXPECT_EQ(sender->out->SetData(OMemoryLocator()), oINVALID_ARG);
+    EXPECT_EQ(sender->out->SetData(ObserverID(OID(), 7), OMemoryLocator(id, 0)), oINVALID_ARG);
+    EXPECT_EQ(DeleteSharedMemoryRegion(id), sSUCCESS);
+    EXPECT_EQ(sender->out->SetData(id, 16), oINVALID_ARG);
+    EXPECT_EQ(sender->out->RemainBuffer(), 13u);
+  });
 }
 
 // core.md 2.2: "0 for an invalid id"; the status of the others is chosen

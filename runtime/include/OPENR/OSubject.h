@@ -10,6 +10,7 @@
 
 #include <OPENR/OMemoryLocator.h>
 #include <OPENR/OObserverInfo.h>
+#include <OPENR/OPENREvent.h>
 #include <OPENR/OShmPtr.h>
 #include <OPENR/ObjcommEvent.h>
 #include <OPENR/ObjcommMessages.h>
@@ -48,8 +49,10 @@ class OSubject {
   OStatus SetData(const ObserverID& id, RCRegion* region);
   OStatus SetData(const ObserverID& id, const OShmPtrBase& ptr);
 
-  // Old forms; declared for sources that name them, without a body anywhere.
-  OStatus SetData(MemoryRegionID id, size_t size);
+  // Old forms for memory that the program itself made: share it from its start, or from the
+  // locator's offset to the end of the region.  oINVALID_ARG when there is no such memory.
+  OStatus SetData(MemoryRegionID region, size_t size);
+  OStatus SetData(const OMemoryLocator& locator);
   OStatus SetData(const ObserverID& id, MemoryRegionID region, u_int size);
   OStatus SetData(const ObserverID& id, const OMemoryLocator& locator);
 
