@@ -3,8 +3,6 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/ObjcommMessages.h>
 
-#include <cstring>
-
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
 #include "runtime/core/hasher.h"
@@ -85,10 +83,7 @@ void RemoteObject::Unheard(const Message& message) {
 void RemoteObject::AnswerForTheLost(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);
-  OStatusMessage message;
-  std::memset(&message, 0, sizeof message);
-  message.msgType = omsgOSTATUS;
-  message.status = oSUCCESS;
+  OStatusMessage message(oSUCCESS);
   system->Reply({request.sender, request.reply_box}, &message,
                 request.selector > oentryDESTROY ? 0 : sizeof message);
 }

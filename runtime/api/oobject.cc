@@ -13,10 +13,7 @@ namespace {
 
 void ReplyStatus(OStatus status) {
   const ApiScope scope;
-  OStatusMessage message;
-  std::memset(&message, 0, sizeof message);
-  message.msgType = omsgOSTATUS;
-  message.status = status;
+  OStatusMessage message(status);
   Reply(&message, sizeof message);
 }
 

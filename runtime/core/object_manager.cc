@@ -15,23 +15,19 @@
 namespace openr_host {
 namespace {
 
-// Which block goes with which reason is inferred from the names (core.md, 1.4).
-void FillParameter(const Object& object, OReasonMessage* message) {
-  if (message->reason == oreasonBOOT) {
-    const System& system = *object.system;
-    const MemoryStick* const stick = object.robot < system.robot_count()
-                                         ? object.system->robot(object.robot).stick.get()
-                                         : nullptr;
-    const OBootParam param = {stick == nullptr    ? omemorystickNOT_EXIST
-                              : stick->writable() ? omemorystickWRITABLE
-                                                  : omemorystickWRITE_PROTECTED};
-    std::memcpy(message->param, &param, sizeof param);
-    message->paramSize = sizeof param;
-  } else {
-    const OShutdownParam param = {true};
-    std::memcpy(message->param, &param, sizeof param);
-    message->paramSize = sizeof param;
+// The block of each reason is inferred from the names (core.md, 1.4).
+OReasonMessage MessageOf(const Object& object, OReason reason) {
+  if (reason != oreasonBOOT) {
+    const OShutdownParam param(true);
+    return OReasonMessage(reason, &param, sizeof param);
   }
+  System& system = *object.system;
+  const MemoryStick* const stick =
+      object.robot < system.robot_count() ? system.robot(object.robot).stick.get() : nullptr;
+  const OBootParam param(stick == nullptr    ? omemorystickNOT_EXIST
+                         : stick->writable() ? omemorystickWRITABLE
+                                             : omemorystickWRITE_PROTECTED);
+  return OReasonMessage(reason, &param, sizeof param);
 }
 
 const char* const kEntryWords[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
@@ -221,13 +217,8 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id)) return;  // its ends are not made yet
   if (object->is_off) return;                       // its robot is, meanwhile
-  OReasonMessage message;
-  std::memset(&message, 0, sizeof message);
-  message.msgType = omsgREASON;
-  message.reason = reason;
-  FillParameter(*object, &message);
+  OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
-  std::memset(&reply, 0, sizeof reply);
   const sError error = system().Call(object->id, entry, &message, sizeof message, &reply,
                                      sizeof reply, kReplyTimeoutUs);
   if (error == sTIMEOUT) {
@@ -311,7 +302,6 @@ void ObjectManager::Connect(const Connection& connection) {
   message.entry = OServiceEntry(OidOf(subject->second.first), subject->second.second);
   std::strncpy(message.subName, connection.subject.c_str(), sizeof message.subName - 1);
   OStatusMessage reply;
-  std::memset(&reply, 0, sizeof reply);
   const sError error = system().Call(observer->second.first, observer->second.second, &message,
                                      sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
   if ((error != sSUCCESS || reply.status != oSUCCESS) && !has_lost_end()) {

@@ -174,10 +174,8 @@ void System::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies)
     const CurrentScope scope(this, object(standing.observer));
     Message* const message = NewMessage(id, standing.ready_selector);
     auto& ready = *new (message->payload) OReadyMessage;
-    ready.msgType = omsgREADY_V22;
     ready.command = objcommCMD_ASSERT_READY;
     ready.observerID = OServiceEntry(OidOf(standing.observer), standing.notify_selector);
-    ready.numOfData = 0;
     message->size = sizeof ready;
     message->kind = PayloadKind::kReady;
     Post(message);

@@ -46,10 +46,8 @@ void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
 OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
   Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
-  ready.msgType = omsgREADY_V22;
   ready.command = command;
   ready.observerID = id;
-  ready.numOfData = 0;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
   // Regions to which nobody here refers any more go back; what does not fit waits
@@ -194,10 +192,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
-  OStatusMessage answer;
-  std::memset(&answer, 0, sizeof answer);
-  answer.msgType = omsgOSTATUS;
-  answer.status = status;
+  OStatusMessage answer(status);
   if (status == oSUCCESS) {
     OControlMessage control;
     std::memset(static_cast<void*>(&control), 0, sizeof control);

@@ -113,17 +113,9 @@ void SubjectState::Flush(ObserverLink* link) {
   Message* const message =
       system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
   auto& notify = *new (message->payload) ONotifyMessage;
-  notify.msgType = omsgNOTIFY_V22;
   notify.subjectID = id;
-  notify.numOfData = static_cast<short>(data_count);
   notify.numOfNotify = static_cast<short>(unit_count);
-  for (int i = 0; i < data_count; ++i) {
-    RCRegion* const region = link->pending[static_cast<size_t>(i)];
-    notify.data[i].srcRCR = region;
-    notify.data[i].memID = region->MemID();
-    notify.data[i].offset = region->Offset();
-    notify.data[i].size = region->Size();
-  }
+  for (int i = 0; i < data_count; ++i) notify.Write(link->pending[static_cast<size_t>(i)]);
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
   if (system->guard_pages() != nullptr) {

@@ -190,8 +190,10 @@ TEST_F(VirtualRobotCommTest, TheQueueOfOneSubjectIsBounded) {
         Mover::FillJoint(regions.back(), 0, pan, std::vector<int>(16, 1));
       }
       mover->Send(regions);
-      mover->move->ReadyHandler(OReadyMessage{
-          omsgREADY_V22, objcommCMD_ASSERT_READY, mover->move->begin()->GetObserverID(), 0, {}});
+      OReadyMessage ready;
+      ready.command = objcommCMD_ASSERT_READY;
+      ready.observerID = mover->move->begin()->GetObserverID();
+      mover->move->ReadyHandler(ready);
     }
   });
   system.RunFor(1);

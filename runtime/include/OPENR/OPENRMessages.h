@@ -1,6 +1,8 @@
 // Messages between the system and an object.
 //
-// An application sees one of them, OPowerStatusMessage; its stub sees OReasonMessage.
+// An application sees one of them, OPowerStatusMessage; its stub sees OReasonMessage.  The others
+// are the traffic of the OPENR:: functions, which the host answers without messages; they are
+// here for sources that name them.  Sizes are the robot's on a 32-bit target.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED
 #define OPENR_OPENRMESSAGES_H_INCLUDED
 
@@ -11,6 +13,7 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/OTime.h>
 #include <OPENR/OVRData.h>
+#include <string.h>
 
 // Dispatch is by selector; the type only says what the bytes are.  The numbers of the
 // inter-object messages (ObjcommMessages.h) overlap with these.
@@ -55,32 +58,247 @@ const OMessageType omsgBOOT_CONDITION = OMessageRoboticBase + 14;
 const OMessageType omsgBMN_MODE = OMessageRoboticBase + 15;
 const OMessageType omsgBMN_SPECIAL_MODE = OMessageRoboticBase + 16;
 
+// ---- messages that objects meet
+
 // To the entries Init, Start, Stop and Destroy; 140 bytes.
 struct OReasonMessage {
   OMessageType msgType;  // omsgREASON
   OReason reason;
   longword paramSize;  // bytes used of `param`
   byte param[oreasonPARAM_MAX_SIZE];
+
+  OReasonMessage(OReason why = oreasonUNDEF) { Set(why, 0, 0); }
+
+  // Copies `size` bytes; of a larger block, what there is room for.
+  OReasonMessage(OReason why, const void* block, size_t size) { Set(why, block, size); }
+
+ private:
+  void Set(OReason why, const void* block, size_t size) {
+    msgType = omsgREASON;
+    reason = why;
+    paramSize = static_cast<longword>(size < sizeof param ? size : sizeof param);
+    memset(param, 0, sizeof param);
+    if (paramSize != 0) memcpy(param, block, paramSize);
+  }
 };
 
 // An answer that is nothing but a status; 8 bytes.
 struct OStatusMessage {
   OMessageType msgType;  // omsgOSTATUS
   OStatus status;
+
+  OStatusMessage(OStatus result = oSUCCESS) : msgType(omsgOSTATUS), status(result) {}
 };
 
 // To the entry given to OPENR::ObservePowerStatus(); 24 bytes.
 struct OPowerStatusMessage {
   OMessageType msgType;  // omsgPOWER_STATUS
   OPowerStatus powerStatus;
+
+  OPowerStatusMessage() : msgType(omsgPOWER_STATUS) {}
+  OPowerStatusMessage(const OPowerStatus& status)
+      : msgType(omsgPOWER_STATUS), powerStatus(status) {}
+  OPowerStatusMessage(longword robotStatus, word batteryStatus, word remainingCapacity,
+                      word temperature, word fullyChargedCapacity, word voltage, word current,
+                      sbyte timeDif, word volume)
+      : msgType(omsgPOWER_STATUS),
+        powerStatus(robotStatus, batteryStatus, remainingCapacity, temperature,
+                    fullyChargedCapacity, voltage, static_cast<sword>(current), timeDif,
+                    static_cast<byte>(volume)) {}
 };
 
-// To the system logger; 256 bytes on the robot.  The order of the fields is inferred.
+// To the system logger; 256 bytes on the robot.
 struct OSyslogMessage {
   OMessageType msgType;  // omsgSYSLOG
+  OID oid;               // the speaker
   OSyslogPriority priority;
-  OID oid;  // who says it
-  char text[osyslogMAX_SIZE + 1];
+  char log[osyslogMAX_SIZE + 1];
+
+  OSyslogMessage() : msgType(omsgSYSLOG), priority(osyslogINFO) { memset(log, 0, sizeof log); }
+};
+
+// Service manager to observer: connect to the subject whose Control entry is `entry`.
+struct OConnectMessage {
+  OMessageType msgType;  // omsgCONNECT
+  OConnectCmd command;
+  OServiceEntry entry;
+  char subName[oserviceNAME_MAX + 1];
+
+  OConnectMessage(OConnectCmd what = oconnectcmdCONNECT) : msgType(omsgCONNECT), command(what) {
+    memset(subName, 0, sizeof subName);
+  }
+};
+
+// ---- messages of the system, in the order of their numbers
+
+struct ONullMessage {
+  OMessageType msgType;  // omsgNULL
+};
+
+struct OsErrorMessage {
+  OMessageType msgType;  // omsgSYS_ERROR
+  sError error;
+};
+
+struct OOIDMessage {
+  OMessageType msgType;  // omsgOID
+  OID oid;
+};
+
+struct OSystemObjectInfoMessage {
+  OMessageType msgType;  // omsgSYSOBJ_INFO
+  OID oid;
+  char name[oobjectNAME_MAX + 1];
+};
+
+struct OServiceNameMessage {
+  OMessageType msgType;  // omsgSERVICE_NAME
+  char name[oserviceNAME_MAX + 1];
+  OID oid;
+};
+
+struct OServiceEntryMessage {
+  OMessageType msgType;  // omsgSERVICE_ENTRY
+  OServiceEntry entry;
+};
+
+struct OServiceBindingMessage {
+  OMessageType msgType;  // omsgSERVICE_BINDING
+  OServiceEntry entry;
+  char name[oserviceNAME_MAX + 1];
+};
+
+struct OMemoryRegionIDMessage {
+  OMessageType msgType;  // omsgMEMORY_REGION_ID
+  MemoryRegionID memID;
+  OStatus status;
+};
+
+struct OMWInfoIDMessage {
+  OMessageType msgType;  // omsgMWINFO_ID
+  MWIID mwiID;
+  OStatus status;
+};
+
+struct ORobotDesignMessage {
+  OMessageType msgType;  // omsgROBOT_DESIGN
+  char robotDesign[orobotdesignNAME_MAX + 1];
+  OStatus status;
+};
+
+struct ODesignKeywordMessage {
+  OMessageType msgType;  // omsgDESIGN_KEYWORD
+  char keyword[odesignkeywordNAME_MAX + 1];
+};
+
+struct ODesignDataMessage {
+  OMessageType msgType;  // omsgDESIGN_DATA
+  ODesignDataID dataID;
+  unsigned int size;  // bytes
+  OStatus status;
+};
+
+struct OFatalMessage {
+  OMessageType msgType;  // omsgFATAL
+  OFatal fatal;
+};
+
+struct OMemoryStickStatusMessage {
+  OMessageType msgType;  // omsgMEMORY_STICK
+  OMemoryStickStatus status;
+};
+
+struct OPrimitiveLocatorMessage {
+  OMessageType msgType;  // omsgPRIMITIVE_LOCATOR
+  char locator[ovrPATH_MAX + 1];
+};
+
+struct OPrimitiveIDMessage {
+  OMessageType msgType;  // omsgPRIMITIVE_ID
+  OStatus status;
+  OPrimitiveID primitiveID;
+};
+
+struct OVRDataMessage {
+  OMessageType msgType;  // omsgVR_DATA
+  OServiceEntry entry;
+  OAsyncReqID asyncReqID;
+  unsigned int numData;
+  OVRData data[ovrdataMAX_SIZE];
+};
+
+struct OVRControlMessage {
+  OMessageType msgType;  // omsgVR_CONTROL
+  OStatus status;
+  OVRRequest request;
+  OServiceEntry entry;
+  OAsyncReqID asyncReqID;
+  unsigned int paramSize;  // bytes used of `param`
+  longword padding;
+  byte param[ovrctrlPARAM_MAX_SIZE];
+};
+
+struct OTimeMessage {
+  OMessageType msgType;  // omsgTIME
+  OTime time;
+};
+
+struct OMotorPowerMessage {
+  OMessageType msgType;  // omsgMOTOR_POWER
+  OPower motorPower;
+};
+
+struct OPlungerMessage {
+  OMessageType msgType;  // omsgPLUNGER
+  bool plunger;
+};
+
+struct OAlarmMessage {
+  OMessageType msgType;  // omsgALARM
+  OTime alarmTime;
+  OServiceEntry entry;
+};
+
+struct OObservePowerStatusMessage {
+  OMessageType msgType;  // omsgOBSERVE_POWER_STATUS
+  OServiceEntry entry;
+  OPowerStatus notifyStatus;
+};
+
+struct OVolumeMessage {
+  OMessageType msgType;  // omsgVOLUME
+  OVolumeSwitch volume;
+};
+
+struct OBmnDataStreamMessage {
+  OMessageType msgType;  // omsgBMN_DATA_STREAM
+  byte dataType;
+  MemoryRegionID memID;
+  longword offset;  // bytes
+  longword length;  // bytes
+  OServiceEntry entry;
+};
+
+struct OStationRegisterMessage {
+  OMessageType msgType;  // omsgSTATION_REGISTER
+  OStatus status;
+  byte addr;
+  longword data;
+};
+
+struct OBootConditionMessage {
+  OMessageType msgType;  // omsgBOOT_CONDITION
+  OBootCondition bootCondition;
+};
+
+struct OBmnModeMessage {
+  OMessageType msgType;  // omsgBMN_MODE
+  word bmnMode;
+};
+
+struct OBmnSpecialModeMessage {
+  OMessageType msgType;  // omsgBMN_SPECIAL_MODE
+  byte bmnSpecialMode;
 };
 
 #endif  // OPENR_OPENRMESSAGES_H_INCLUDED

@@ -5,14 +5,26 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OStatus.h>
 
+// Most of them in one message.
+const size_t ovrdataMAX_SIZE = 8;
+
 struct OVRData {
   OStatus status;
   ODataType type;
   MemoryRegionID dataVectorID;
   longword offset;  // bytes from the start of the region
-};
 
-// The name is ours; the number is the robot's.
-const size_t ovrdataMAX_PER_MESSAGE = 8;
+  OVRData() { Set(oSUCCESS, odataUNDEF, 0); }
+  OVRData(ODataType dataType, MemoryRegionID id) { Set(dataType, id); }
+  OVRData(OStatus result, ODataType dataType, MemoryRegionID id) { Set(result, dataType, id); }
+
+  void Set(ODataType dataType, MemoryRegionID id) { Set(oSUCCESS, dataType, id); }
+  void Set(OStatus result, ODataType dataType, MemoryRegionID id) {
+    status = result;
+    type = dataType;
+    dataVectorID = id;
+    offset = 0;
+  }
+};
 
 #endif  // OPENR_OVRDATA_H_INCLUDED

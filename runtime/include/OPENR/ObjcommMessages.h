@@ -5,11 +5,10 @@
 #ifndef OPENR_OBJCOMMMESSAGES_H_INCLUDED
 #define OPENR_OBJCOMMMESSAGES_H_INCLUDED
 
-#include <MemoryRegion.h>
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/ObjcommTypes.h>
-
-class RCRegion;
+#include <OPENR/RCRegion.h>
+#include <string.h>
 
 const OMessageType omsgCONTROL = 12;
 const OMessageType omsgCONTROL_REPLY = 13;
@@ -23,14 +22,6 @@ const OMessageType omsgNOTIFY_L10 = 260;
 const OMessageType omsgREADY_V22 = 261;
 const OMessageType omsgNOTIFY_V22 = 262;
 
-// Service manager to observer: connect to the subject whose Control entry is `entry`.
-struct OConnectMessage {
-  OMessageType msgType;
-  OConnectCmd command;
-  OServiceEntry entry;
-  char subName[oserviceNAME_MAX + 1];
-};
-
 // Observer to subject, with the buffer the subject shall keep for it.
 struct OControlMessage {
   OMessageType msgType;
@@ -40,6 +31,28 @@ struct OControlMessage {
   longword d_min;
   longword d_max;
   char subName[oserviceNAME_MAX + 1];
+
+  OControlMessage() { Set(objcommCMD_UNDEF, 0, 0, 0, ""); }
+
+  // A name that is too long is cut.
+  OControlMessage(ObjcommCommand what, ObserverID id, size_t skip, size_t least, size_t most,
+                  const char* name)
+      : observerID(id) {
+    Set(what, skip, least, most, name);
+  }
+
+ private:
+  void Set(ObjcommCommand what, size_t skip, size_t least, size_t most, const char* name) {
+    msgType = omsgCONTROL_V21;
+    command = what;
+    d_skip = static_cast<longword>(skip);
+    d_min = static_cast<longword>(least);
+    d_max = static_cast<longword>(most);
+    size_t length = 0;
+    while (length < oserviceNAME_MAX && name[length] != 0) length++;
+    memset(subName, 0, sizeof subName);
+    memcpy(subName, name, length);
+  }
 };
 
 struct OControlReplyMessage {
@@ -47,6 +60,10 @@ struct OControlReplyMessage {
   OStatus status;
   SubjectID subjectID;
   MemoryRegionID memID;
+
+  OControlReplyMessage() : msgType(omsgCONTROL_REPLY_V21), status(oSUCCESS), memID(0) {}
+  OControlReplyMessage(OStatus result, SubjectID id, MemoryRegionID region)
+      : msgType(omsgCONTROL_REPLY_V21), status(result), subjectID(id), memID(region) {}
 };
 
 // Observer to subject: ready or not, and the regions it gives back.
@@ -56,6 +73,16 @@ struct OReadyMessage {
   ObserverID observerID;
   int numOfData;
   RCRegion* rcRegion[MAX_NUM_DATA];  // of the subject
+
+  OReadyMessage() : msgType(omsgREADY_V22), command(objcommCMD_UNDEF), numOfData(0) {}
+};
+
+// One region on its way.
+struct TransferedData {
+  RCRegion* srcRCR;  // of the subject
+  MemoryRegionID memID;
+  unsigned int offset;  // bytes
+  size_t size;          // bytes
 };
 
 // Subject to observer.
@@ -64,12 +91,65 @@ struct ONotifyMessage {
   SubjectID subjectID;
   short numOfData;
   short numOfNotify;
-  struct {
-    RCRegion* srcRCR;  // of the subject
-    MemoryRegionID memID;
-    unsigned int offset;
-    size_t size;
-  } data[MAX_NUM_DATA];
+  TransferedData data[MAX_NUM_DATA];  // the first numOfData of them
+
+  ONotifyMessage() : msgType(omsgNOTIFY_V22), numOfData(0), numOfNotify(0) {}
+
+  int NumberOfData() const { return numOfData; }
+  int NumberOfNotify() const { return numOfNotify; }
+
+  // Bytes in use.
+  size_t GetSizeOfMessage() const {
+    return sizeof *this - (MAX_NUM_DATA - numOfData) * sizeof(TransferedData);
+  }
+
+  // Forgets the data; references are the caller's.
+  void Clear() {
+    numOfData = 0;
+    numOfNotify = 0;
+  }
+
+  // Appends a region, without taking a reference; oOVERFLOW, and no change, when all
+  // MAX_NUM_DATA places are taken.
+  OStatus Write(RCRegion* region) {
+    if (numOfData == MAX_NUM_DATA) return oOVERFLOW;
+    TransferedData& place = data[numOfData++];
+    place.srcRCR = region;
+    place.memID = region->MemID();
+    place.offset = region->Offset();
+    place.size = region->Size();
+    return oSUCCESS;
+  }
+};
+
+// ---- version 1, which spoke of memory instead of regions; nothing on the host sends them
+
+struct ONotifyMessageV10 {
+  OMessageType msgType;
+  SubjectID subjectID;
+  int numOfData;
+  unsigned int dataSize;  // bytes used of `data`
+  char data[236];         // chunks, one after the other
+};
+
+// A piece of data in `data`: itself, or the place where it lies.
+struct OChunkMSG {
+  ObjcommDataType type;  // objcommDATA_TYPE_MSG
+  unsigned int size;     // bytes
+  char data;             // the first byte
+};
+
+struct OChunkSHM {
+  ObjcommDataType type;  // objcommDATA_TYPE_SHM
+  OMemoryLocator locator;
+};
+
+struct OReadyMessageV10 {
+  OMessageType msgType;
+  ObjcommCommand command;
+  ObserverID observerID;
+  int numOfUnlock;
+  OMemoryLocator unlock[objcommMAX_NUM_UNLOCK];
 };
 
 #endif  // OPENR_OBJCOMMMESSAGES_H_INCLUDED

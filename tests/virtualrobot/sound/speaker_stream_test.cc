@@ -269,8 +269,10 @@ TEST_F(SoundTest, TheQueueIsBounded) {
       std::vector<RCRegion*> regions;
       for (int i = 0; i < 13; ++i) regions.push_back(player->NewSound(256, 1));
       player->Send(regions);
-      player->play->ReadyHandler(OReadyMessage{
-          omsgREADY_V22, objcommCMD_ASSERT_READY, player->play->begin()->GetObserverID(), 0, {}});
+      OReadyMessage ready;
+      ready.command = objcommCMD_ASSERT_READY;
+      ready.observerID = player->play->begin()->GetObserverID();
+      player->play->ReadyHandler(ready);
     }
   });
   system.RunFor(1);
