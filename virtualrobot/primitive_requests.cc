@@ -33,7 +33,7 @@ struct PrimitiveRequests {
     return value;
   }
   static longword CameraParam(const RequestCall& call) {
-    return ParamOf(call, OPrimitiveControl_CameraParam(0)).param;
+    return ParamOf(call, OPrimitiveControl_CameraParam(0)).camparam;
   }
   static OStatus Nothing(const RequestCall&) { return oSUCCESS; }
   static OStatus NotSupported(const RequestCall&) { return oNOT_SUPPORTED; }
@@ -89,8 +89,8 @@ OStatus PrimitiveRequests::GetSoundType(const RequestCall& call) {
 }
 
 OStatus PrimitiveRequests::SetJoint2(const RequestCall& call) {
-  call.robot.devices_.SetTarget(call.primitive.index,
-                                ParamOf(call, OPrimitiveControl_JointCommandValue2(0)).value);
+  call.robot.devices_.SetTarget(
+      call.primitive.index, ParamOf(call, OPrimitiveControl_JointCommandValue2(0)).command.value);
   return oSUCCESS;
 }
 
@@ -100,20 +100,22 @@ OStatus PrimitiveRequests::GetJoint2(const RequestCall& call) {
 
 OStatus PrimitiveRequests::SetJoint4(const RequestCall& call) {
   call.robot.devices_.plungers[static_cast<size_t>(call.primitive.index)].state =
-      ParamOf(call, OPrimitiveControl_JointCommandValue4(0)).value;
+      ParamOf(call, OPrimitiveControl_JointCommandValue4(0)).command.value;
   return oSUCCESS;
 }
 
 OStatus PrimitiveRequests::SetLed2(const RequestCall& call) {
   call.robot.devices_.SetLed2(call.primitive.index,
-                              ParamOf(call, OPrimitiveControl_LEDCommandValue2(0)).led);
+                              ParamOf(call, OPrimitiveControl_LEDCommandValue2(0)).command.led);
   return oSUCCESS;
 }
 
 OStatus PrimitiveRequests::SetLed3(const RequestCall& call) {
   const auto param = ParamOf(call, OPrimitiveControl_LEDCommandValue3(0, oled3_MODE_A));
-  call.robot.devices_.SetLed3(call.primitive.index, {param.intensity, param.mode, param.period, 0});
-  if (call.robot.devices_.OnFace(call.primitive.index)) call.robot.devices_.SetFaceMode(param.mode);
+  const OLEDCommandValue3& command = param.command;
+  call.robot.devices_.SetLed3(call.primitive.index, command);
+  if (call.robot.devices_.OnFace(call.primitive.index))
+    call.robot.devices_.SetFaceMode(command.mode);
   return oSUCCESS;
 }
 

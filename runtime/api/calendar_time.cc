@@ -37,9 +37,12 @@ OCalendarTime::OCalendarTime() { SetTime(OTime()); }
 OCalendarTime::OCalendarTime(time_t clock, sbyte timeDif) { SetTime(OTime(clock, timeDif)); }
 OCalendarTime::OCalendarTime(const OTime& time) { SetTime(time); }
 
-void OCalendarTime::SetTime(time_t clock, sbyte timeDif) { SetTime(OTime(clock, timeDif)); }
+OStatus OCalendarTime::SetTime(time_t clock, sbyte timeDif) {
+  SetTime(OTime(clock, timeDif));
+  return timeDif_ == timeDif ? oSUCCESS : oINVALID_ARG;
+}
 
-void OCalendarTime::SetTime(const OTime& time) {
+OStatus OCalendarTime::SetTime(const OTime& time) {
   constexpr int64_t kSecondsPerDay = 86400;
   const int64_t local = time.GetLocalTime();
   int64_t second = local % kSecondsPerDay;
@@ -55,6 +58,7 @@ void OCalendarTime::SetTime(const OTime& time) {
   sec_ = static_cast<int>(second % 60);
   dow_ = openr_host::WeekdayOfDay(day);
   timeDif_ = time.GetTimeDif();
+  return oSUCCESS;
 }
 
 time_t OCalendarTime::Clock() const {
@@ -63,12 +67,16 @@ time_t OCalendarTime::Clock() const {
   return time.GetClock();
 }
 
-void OCalendarTime::GetTime(time_t* clock, sbyte* timeDif) const {
+OStatus OCalendarTime::GetTime(time_t* clock, sbyte* timeDif) const {
   *clock = Clock();
   *timeDif = timeDif_;
+  return ProperDate() ? oSUCCESS : oINVALID_ARG;
 }
 
-void OCalendarTime::GetTime(OTime* time) const { *time = OTime(Clock(), timeDif_); }
+OStatus OCalendarTime::GetTime(OTime* time) const {
+  *time = OTime(Clock(), timeDif_);
+  return ProperDate() ? oSUCCESS : oINVALID_ARG;
+}
 
 bool OCalendarTime::ProperDate() const {
   return InRange(year_, 0, kYearMax) && InRange(month_, 1, 12) &&

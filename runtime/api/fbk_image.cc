@@ -57,10 +57,13 @@ const byte* OFbkImage::Tag() const {
   return has_tag_ ? pointer_ + (width_ + skip_) * (height_ - 1) : nullptr;
 }
 
-word OFbkImage::FieldCounter() const {
+longword OFbkImage::GetTagInfo() const {
   const byte* const tag = Tag();
-  return tag == nullptr ? word{0} : static_cast<word>(tag[0] | tag[1] << 8);
+  if (tag == nullptr) return 0;
+  return longword{tag[0]} | longword{tag[1]} << 8 | longword{tag[2]} << 16 | longword{tag[3]} << 24;
 }
+
+word OFbkImage::FieldCounter() const { return static_cast<word>(GetTagInfo() & 0xffff); }
 
 byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
   const byte* const tag = Tag();

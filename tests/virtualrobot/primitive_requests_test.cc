@@ -100,7 +100,7 @@ TEST_F(PrimitiveRequestsTest, JointsAndLightsTakeDirectCommands) {
     EXPECT_EQ(OPENR::ControlPrimitive(mover->Open(kPan), oprmreqJOINT2_GET_VALUE, nullptr, 0,
                                       &value, sizeof value),
               oSUCCESS);
-    EXPECT_EQ(value.value.value, 250000);
+    EXPECT_EQ(value.jval.value, 250000);
   });
 }
 

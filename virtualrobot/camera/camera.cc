@@ -115,7 +115,7 @@ RCRegion* CameraDevice::FreeVector() {
 
 // Anew for every image: an object that had the vector may have written into it.
 void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
-  size_t offset = sizeof(OFbkImageVectorData);
+  size_t offset = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
     OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
     // Recent system software always sends all six bands (BBS 1856).

@@ -7,4 +7,9 @@
 typedef longword MWIID;
 const MWIID mwiidINVALID = 0xffffffff;
 
+// Parts that can be put on or taken off, and what they carry; the values are not known.
+typedef byte AttachedParts;
+typedef byte AttachedPosition;
+typedef byte SensorType;
+
 #endif  // OPENR_MWINFORMATIONTYPES_H_INCLUDED

@@ -35,14 +35,16 @@ class OCalendarTime {
   OCalendarTime(time_t clock, sbyte timeDif);
   OCalendarTime(const OTime& time);
 
-  // Fills every field.  A time difference outside its range counts as undefined.
-  void SetTime(time_t clock, sbyte timeDif);
-  void SetTime(const OTime& time);
+  // Fills every field.  A time difference outside its range counts as undefined; the answer is
+  // then oINVALID_ARG.
+  OStatus SetTime(time_t clock, sbyte timeDif);
+  OStatus SetTime(const OTime& time);
 
   // The moment the fields stand for; dow_ plays no part.  Fields beyond their range carry
-  // over: the 31st of April is the 1st of May.
-  void GetTime(time_t* clock, sbyte* timeDif) const;
-  void GetTime(OTime* time) const;
+  // over: the 31st of April is the 1st of May.  oINVALID_ARG, and still that moment, unless
+  // ProperDate().
+  OStatus GetTime(time_t* clock, sbyte* timeDif) const;
+  OStatus GetTime(OTime* time) const;
 
   // Order of the moments.
   bool operator<(const OCalendarTime& other) const { return Clock() < other.Clock(); }

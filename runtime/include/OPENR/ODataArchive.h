@@ -8,6 +8,23 @@
 
 #include <Types.h>
 
+// An archive that is open, and how many may be.
+typedef longword ODataArchiveID;
+const ODataArchiveID odaID_UNDEF = 0xffffffff;
+const size_t odaMAX_SIZE = 32;
+
+// The first four bytes of an archive and of its members, as one number.
+typedef longword ODataArchiveMagic;
+const ODataArchiveMagic odamagicUNDEF = 0xffffffff;
+const ODataArchiveMagic odamagicODAR = 0x5241444f;
+const ODataArchiveMagic odamagicOMTN = 0x4e544d4f;
+const ODataArchiveMagic odamagicOSND = 0x444e534f;
+const ODataArchiveMagic odamagicWAVE = 0x45564157;
+const ODataArchiveMagic odamagicMIDI = 0x4944494d;
+const ODataArchiveMagic odamagicLED = 0x44454c;
+const ODataArchiveMagic odamagicSYN = 0x4e5953;
+const ODataArchiveMagic odamagicSTT = 0x545453;
+
 namespace ODataArchive {
 
 // 64 bytes.

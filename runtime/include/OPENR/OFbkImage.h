@@ -40,8 +40,10 @@ class OFbkImage {
   // REQUIRES: 0 <= x < Width(), 0 <= y < Height(); the origin is the top left corner.
   byte Pixel(int x, int y) const;
 
-  // From the tag, so 0 in any band but Y: the camera's count of fields, and the number of
-  // detected pixels of one channel divided by 16.
+  // From the tag, so 0 in any band but Y: its first four bytes, low byte first; the camera's
+  // count of fields, which is the low half of these; and the number of detected pixels of one
+  // channel divided by 16.
+  longword GetTagInfo() const;
   word FieldCounter() const;
   byte ColorFrequency(OCdtChannel channel) const;
 

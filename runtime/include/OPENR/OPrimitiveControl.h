@@ -1,12 +1,23 @@
 // Requests of OPENR::ControlPrimitive() with their parameters and results.
 //
-// The names of the camera's settings, of the fields of the direct-command structs, and of
-// the structs for MIDI tuning and the Bluetooth switch are in no source we have.
+// The names of the camera's settings and of the struct for MIDI tuning are in no source we have.
 #ifndef OPENR_OPRIMITIVECONTROL_H_INCLUDED
 #define OPENR_OPRIMITIVECONTROL_H_INCLUDED
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
+
+// Where the requests of each kind of primitive begin.
+const OPrimitiveRequest oprmreqCOMMON_BASE = 0;
+const OPrimitiveRequest oprmreqSPEAKER_BASE = 128;
+const OPrimitiveRequest oprmreqMIC_BASE = 256;
+const OPrimitiveRequest oprmreqCAM_BASE = 384;
+const OPrimitiveRequest oprmreqBT_BASE = 512;
+const OPrimitiveRequest oprmreqJOINT2_BASE = 640;
+const OPrimitiveRequest oprmreqLED2_BASE = 768;
+const OPrimitiveRequest oprmreqSENSOR_BASE = 896;
+const OPrimitiveRequest oprmreqLED3_BASE = 1024;
+const OPrimitiveRequest oprmreqJOINT4_BASE = 1152;
 
 // ---- speaker
 
@@ -19,22 +30,28 @@ const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME_MIDI = 133;
 const OPrimitiveRequest oprmreqSPEAKER_MASTER_TUNING_MIDI = 134;  // MasterTuningMIDI
 
 // Volume in two's complement of 16 bits, 0x100 per dB.
-const longword ospkvolinfdB = 0x8000;  // silent
-const longword ospkvol25dB = 0xe700;   // -25 dB
-const longword ospkvol18dB = 0xee00;
-const longword ospkvol10dB = 0xf600;  // the loudest the circuit is made for
+typedef longword OSpeakerVolume;
+const OSpeakerVolume ospkvolinfdB = 0x8000;  // silent
+const OSpeakerVolume ospkvol25dB = 0xe700;   // -25 dB
+const OSpeakerVolume ospkvol18dB = 0xee00;
+const OSpeakerVolume ospkvol10dB = 0xf600;  // the loudest the circuit is made for
 
 struct OPrimitiveControl_SpeakerVolume {
-  longword volume;
-  OPrimitiveControl_SpeakerVolume(longword v) : volume(v) {}
+  OSpeakerVolume volume;
+  OPrimitiveControl_SpeakerVolume(OSpeakerVolume v) : volume(v) {}
 };
 
-const longword ospksndMONO8K8B = 0;    // 8 kHz, 8 bits: the default
-const longword ospksndMONO16K16B = 3;  // 16 kHz, 16 bits
+// The ERS-210 has two of them; the others are refused.
+typedef longword OSpeakerSoundType;
+const OSpeakerSoundType ospksndMONO8K8B = 0;  // 8 kHz, 8 bits: the default
+const OSpeakerSoundType ospksndMONO11K8B = 1;
+const OSpeakerSoundType ospksndMONO16K8B = 2;
+const OSpeakerSoundType ospksndMONO16K16B = 3;  // 16 kHz, 16 bits
+const OSpeakerSoundType ospksndSTEREO16K16B = 4;
 
 struct OPrimitiveControl_SpeakerSoundType {
-  longword type;
-  OPrimitiveControl_SpeakerSoundType(longword t) : type(t) {}
+  OSpeakerSoundType type;
+  OPrimitiveControl_SpeakerSoundType(OSpeakerSoundType t) : type(t) {}
 };
 
 struct OPrimitiveControl_MasterTuningMIDI {
@@ -60,6 +77,7 @@ const OPrimitiveRequest oprmreqCAM_AE_OFF = 389;
 const OPrimitiveRequest oprmreqCAM_AWB_ON = 390;  // automatic white balance
 const OPrimitiveRequest oprmreqCAM_AWB_OFF = 391;
 
+const longword ocamparamUNDEF = 0;
 const longword ocamparamWB_INDOOR_MODE = 1;   // 2800 K
 const longword ocamparamWB_OUTDOOR_MODE = 2;  // 7000 K
 const longword ocamparamWB_FL_MODE = 3;       // fluorescent, 4300 K: the default
@@ -71,24 +89,43 @@ const longword ocamparamSHUTTER_MID = 2;      // 1/100 s: the default
 const longword ocamparamSHUTTER_FAST = 3;     // 1/200 s
 
 struct OPrimitiveControl_CameraParam {
-  longword param;
-  OPrimitiveControl_CameraParam(longword p) : param(p) {}
+  longword camparam;
+  OPrimitiveControl_CameraParam(longword p) : camparam(p) {}
 };
 
 struct OPrimitiveControl_Cdt {
   longword index;
   byte table[100];
+
+  OPrimitiveControl_Cdt() { Clear(0); }
+  OPrimitiveControl_Cdt(longword number) { Clear(number); }
+
+ private:
+  void Clear(longword number) {
+    index = number;
+    for (size_t i = 0; i < sizeof table; i++) table[i] = 0;
+  }
 };
 
 // ---- Bluetooth
 
 const OPrimitiveRequest oprmreqBT_ATTACH = 512;
 const OPrimitiveRequest oprmreqBT_DETACH = 513;
-const OPrimitiveRequest oprmreqSENSOR_WATCH_BT_SWITCH = 896;  // WatchBTSwitch
+const OPrimitiveRequest oprmreqSENSOR_WATCH_BT_SWITCH = 896;  // BtSwitchWatcherInfo
 
-struct OPrimitiveControl_WatchBTSwitch {
-  longword event;
+typedef longword OBtSwitchEvent;
+const OBtSwitchEvent obtswitcheventUNDEF = 0;
+const OBtSwitchEvent obtswitcheventVALUE_CHANGED = 1;
+
+// An OPrimitiveControl_BtSwitchEvent goes to `entry` whenever `event` happens.
+struct OPrimitiveControl_BtSwitchWatcherInfo {
+  OBtSwitchEvent event;
   OServiceEntry entry;
+};
+
+struct OPrimitiveControl_BtSwitchEvent {
+  OBtSwitchEvent event;
+  longword value;
 };
 
 // ---- commands and readings without a vector
@@ -99,32 +136,48 @@ const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // LEDCommandValue2
 const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // LEDCommandValue3
 const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // JointCommandValue4
 
+// Each holds what one frame of a command vector or of a sensor vector holds.
 struct OPrimitiveControl_JointCommandValue2 {
-  slongword value;  // 10^-6 rad
-  OPrimitiveControl_JointCommandValue2(slongword v) : value(v) {}
+  OJointCommandValue2 command;
+  OPrimitiveControl_JointCommandValue2(slongword value) {
+    command.value = value;
+    command.padding = 0;
+  }
 };
 
 struct OPrimitiveControl_JointValue {
-  OJointValue value;
+  OJointValue jval;
+  OPrimitiveControl_JointValue() {}  // leaves every field as it is
+  OPrimitiveControl_JointValue(slongword val, word sig, sword pwm, slongword refVal, word refSig)
+      : jval(val, sig, pwm, refVal, refSig) {}
 };
 
 struct OPrimitiveControl_LEDCommandValue2 {
-  OLEDValue led;
-  word period;
-  OPrimitiveControl_LEDCommandValue2(OLEDValue l) : led(l), period(0) {}
+  OLEDCommandValue2 command;
+  OPrimitiveControl_LEDCommandValue2(OLEDValue led) {
+    command.led = led;
+    command.period = 0;
+    command.reserved = 0;
+  }
 };
 
 struct OPrimitiveControl_LEDCommandValue3 {
-  sword intensity;
-  OLED3Mode mode;
-  word period;
-  OPrimitiveControl_LEDCommandValue3(sword i, OLED3Mode m) : intensity(i), mode(m), period(0) {}
+  OLEDCommandValue3 command;
+  OPrimitiveControl_LEDCommandValue3(sword intensity, OLED3Mode mode) {
+    command.intensity = intensity;
+    command.mode = mode;
+    command.period = 0;
+    command.reserved = 0;
+  }
 };
 
 struct OPrimitiveControl_JointCommandValue4 {
-  OJointValue4 value;
-  word period;
-  OPrimitiveControl_JointCommandValue4(OJointValue4 v) : value(v), period(1) {}
+  OJointCommandValue4 command;
+  OPrimitiveControl_JointCommandValue4(OJointValue4 value) {
+    command.value = value;
+    command.period = 1;
+    command.reserved = 0;
+  }
 };
 
 // Requests from here on are the device makers' own.

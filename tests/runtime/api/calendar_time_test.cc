@@ -126,6 +126,30 @@ TEST(OCalendarTimeTest, CorrectDayOfTheWeekRefusesAnImproperDateAndChangesNothin
   EXPECT_EQ(time.dow_, ocldtSTART_DAY_OF_THE_WEEK);
 }
 
+TEST(OCalendarTimeTest, SettingSaysWhetherTheZoneIsOneAndFillsTheFieldsAnyway) {
+  OCalendarTime time;
+  EXPECT_EQ(time.SetTime(kLeapDay, 9), oSUCCESS);
+  EXPECT_EQ(time.SetTime(kLeapDay, otimeTIME_DIF_UNDEF), oSUCCESS);
+  EXPECT_EQ(time.SetTime(OTime(0, 9)), oSUCCESS);
+  EXPECT_EQ(time.SetTime(kLeapDay, 13), oINVALID_ARG);
+  EXPECT_EQ(time.timeDif_, otimeTIME_DIF_UNDEF);
+  EXPECT_EQ(time.day_, 29);
+}
+
+TEST(OCalendarTimeTest, GettingSaysWhetherTheDateIsProperAndAnswersAnyway) {
+  OCalendarTime time(kLeapDay, 9);
+  OTime moment;
+  EXPECT_EQ(time.GetTime(&moment), oSUCCESS);
+  time.day_ = 30;  // of February: the 1st of March
+  time_t clock = 0;
+  sbyte dif = 0;
+  EXPECT_EQ(time.GetTime(&clock, &dif), oINVALID_ARG);
+  EXPECT_EQ(clock, kLeapDay + 86400);
+  EXPECT_EQ(dif, 9);
+  EXPECT_EQ(time.GetTime(&moment), oINVALID_ARG);
+  EXPECT_EQ(moment.GetClock(), kLeapDay + 86400);
+}
+
 TEST(OCalendarTimeTest, Rfc2822HasTheZoneAsFourDigits) {
   EXPECT_EQ(Rfc2822(OCalendarTime(kLeapDay, 9)), "Sun, 29 Feb 2004 13:05:07 +0900");
   EXPECT_EQ(Rfc2822(OCalendarTime(kLeapDay, -5)), "Sat, 28 Feb 2004 23:05:07 -0500");

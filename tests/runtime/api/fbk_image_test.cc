@@ -57,6 +57,19 @@ TEST(OFbkImageTest, ABandThatTheImageLacksIsInvalidAndAnswersZero) {
   EXPECT_EQ(none.Width() + none.Height() + none.Skip(), 0);
   EXPECT_EQ(none.Pixel(0, 0), 0);
   EXPECT_EQ(none.FieldCounter(), 0);
+  EXPECT_EQ(none.GetTagInfo(), 0u);
+}
+
+TEST(OFbkImageTest, TheTagBeginsWithALongwordThatHoldsTheFieldCounter) {
+  Image image(odataFBK_YCrCb, 3);
+  byte* const tag = image.data.data() + 2 * 3 * kWidth;
+  tag[0] = 0x78;
+  tag[1] = 0x56;
+  tag[2] = 0x34;
+  tag[3] = 0x92;
+  const OFbkImage y = image.Band(ofbkimageBAND_Y);
+  EXPECT_EQ(y.GetTagInfo(), 0x92345678u);
+  EXPECT_EQ(y.FieldCounter(), 0x5678);
 }
 
 TEST(OFbkImageTest, HighBandsExistInTheSixBandTypeOnly) {

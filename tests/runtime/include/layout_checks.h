@@ -201,7 +201,7 @@ CHECK_OFFSET(OFbkImageInfo, dataSize, 16);
 CHECK_OFFSET(OFbkImageInfo, width, 20);
 CHECK_OFFSET(OFbkImageInfo, height, 24);
 CHECK_OFFSET(OFbkImageInfo, padding, 28);
-CHECK_SIZE(OFbkImageVectorData, 320);
+CHECK_SIZE(OFbkImageVectorData, 224);
 CHECK_OFFSET(OFbkImageVectorData, info, 192);
 CHECK_SIZE(OCdtInfo, 144);
 CHECK_OFFSET(OCdtInfo, type, 0);

@@ -26,7 +26,7 @@ class Layers {
                   const Exposure& exposure = Plain())
       : layers_(kWidth, kHeight), memory_(100'000) {
     auto* const vector = reinterpret_cast<OFbkImageVectorData*>(memory_.data());
-    size_t offset = sizeof *vector;
+    size_t offset = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
     for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
       OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
       info.type = layer == ofbkimageLAYER_C ? odataFBK_CDT : odataFBK_YCrCb_HPF;

@@ -133,14 +133,16 @@ struct OLEDCommandValue {
 };
 
 // odataCAMERA_COMMAND
+typedef word OCameraRequest;
+const OCameraRequest ocamreqAE_OFF = 0;
+const OCameraRequest ocamreqAE_ON = 1;
+const OCameraRequest ocamreqSET_AWB_MODE = 2;
+const OCameraRequest ocamreqDRAW_BOX = 3;
+
 struct OCameraCommandValue {
-  word request;
+  OCameraRequest request;
   byte param[6];
 };
-const word ocamreqAE_OFF = 0;
-const word ocamreqAE_ON = 1;
-const word ocamreqSET_AWB_MODE = 2;
-const word ocamreqDRAW_BOX = 3;
 const byte ocamparamAWB_AUTO_MODE = 0;
 const byte ocamparamAWB_INDOOR_MODE = 1;
 const byte ocamparamAWB_OUTDOOR_MODE = 2;
@@ -152,7 +154,17 @@ const byte ocamparamBOX2 = 2;
 // odataRAW_JOINT_COMMAND
 struct ORawJointCommandValue {
   word signal;
-  word padding[3];
+  byte p;
+  byte i;
+  byte d;
+  byte padding[3];
+
+  void Set(word sig, byte kp, byte ki, byte kd) {
+    signal = sig;
+    p = kp;
+    i = ki;
+    d = kd;
+  }
 };
 
 // odataRAW_JOINT_COMMAND2
@@ -165,12 +177,16 @@ struct ORawJointCommandValue2 {
 struct ORawCameraCommandValue {
   word signal;
   word padding[3];
+
+  void Set(word sig) { signal = sig; }
 };
 
 // odataRAW_LED_COMMAND
 struct ORawLEDCommandValue {
   word signal;
   word padding[3];
+
+  void Set(word sig) { signal = sig; }
 };
 
 #endif  // OPENR_FORMATS_COMMANDS_H_INCLUDED

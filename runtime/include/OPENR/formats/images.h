@@ -26,10 +26,10 @@ struct OFbkImageInfo {
 
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
-  OFbkImageInfo info[ofbkimageNUM_LAYERS];  // by layer
+  OFbkImageInfo info[1];  // really vectorInfo.maxNumData of them, by layer
 
   void SetPrimitiveID(OPrimitiveID id) {
-    for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) info[i].primitiveID = id;
+    for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) GetInfo(static_cast<int>(i))->primitiveID = id;
   }
   OFbkImageInfo* GetInfo(int index) { return info + index; }
   byte* GetData(int index) { return reinterpret_cast<byte*>(this) + GetInfo(index)->dataOffset; }
@@ -39,6 +39,7 @@ struct OFbkImageVectorData {
 
 // A channel is a bit mask; a pixel of layer C has the bit of every channel it belongs to.
 typedef longword OCdtChannel;
+const OCdtChannel ocdtCHANNEL_UNDEF = 0;
 const OCdtChannel ocdtCHANNEL0 = 0x01;
 const OCdtChannel ocdtCHANNEL1 = 0x02;
 const OCdtChannel ocdtCHANNEL2 = 0x04;
@@ -51,6 +52,10 @@ const size_t ocdtNUM_CHANNELS = 8;
 
 const size_t ocdtMAX_Y_SEGMENT = 32;   // the luminance range has 32 segments
 const longword ocdtINIT = 0x80808080;  // a segment in which nothing is detected
+const longword ocdtCb_MAX_MASK = 0xff000000;
+const longword ocdtCb_MIN_MASK = 0x00ff0000;
+const longword ocdtCr_MAX_MASK = 0x0000ff00;
+const longword ocdtCr_MIN_MASK = 0x000000ff;
 
 // 144 bytes: for each luminance segment the rectangle of Cr and Cb to detect.
 struct OCdtInfo {

@@ -23,6 +23,12 @@ struct OSensorFrameInfo {
   longword dataOffset;       // of the OSensorFrameData, from the start of the vector
   longword dataSize;         // bytes, 256
   longword padding[1];
+
+  void Set(ODataType dataType, OPrimitiveID id, size_t nframes) {
+    type = dataType;
+    primitiveID = id;
+    numFrames = static_cast<longword>(nframes);
+  }
 };
 
 // Generic view of a sample, 16 bytes.
