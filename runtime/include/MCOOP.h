@@ -5,8 +5,8 @@
 #ifndef OPENR_MCOOP_H_INCLUDED
 #define OPENR_MCOOP_H_INCLUDED
 
-#include <MemoryRegion.h>
 #include <OID.h>
+#include <OPENR/SizeResult.h>
 #include <RID.h>
 #include <SystemResource.h>
 #include <SystemTime.h>
@@ -77,8 +77,8 @@ sError GetPageSize(size_t* size);
 sError GetFreeMemorySize(size_t* size);
 
 sError SetResourceValue(sResource resource, slongword value);
-sError GetResourceValue(sResource resource, slongword* current, slongword* max = 0,
-                        slongword* min = 0);
+sError GetResourceValue(sResource resource, slongword* current, slongword* most = 0,
+                        slongword* least = 0);
 
 // Waits `nanosec` of the handler's own time.
 sError Wait(longword nanosec);
@@ -93,5 +93,22 @@ inline sError Receive(RID rbox, void* msg, size_t size, RelativeTime* timeout) {
   return Receive(rbox, msg, size, 0, timeout);
 }
 inline sError Find(const char* name, Selector* selector) { return FindSelector(name, selector); }
+
+#if OPENR_WIDE_SIZE
+template <class Number>
+inline typename openr_host::IfUnsigned<Number, sError>::Type Receive(RID rbox, void* msg,
+                                                                     size_t size, Number* got,
+                                                                     RelativeTime* timeout = 0) {
+  return Receive(rbox, msg, size, openr_host::SizeResult(got), timeout);
+}
+template <class Number>
+inline typename openr_host::IfUnsigned<Number, sError>::Type GetPageSize(Number* size) {
+  return GetPageSize(openr_host::SizeResult(size));
+}
+template <class Number>
+inline typename openr_host::IfUnsigned<Number, sError>::Type GetFreeMemorySize(Number* size) {
+  return GetFreeMemorySize(openr_host::SizeResult(size));
+}
+#endif
 
 #endif  // OPENR_MCOOP_H_INCLUDED

@@ -13,6 +13,7 @@
 #include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
 #include <OPENR/OTime.h>
+#include <OPENR/SizeResult.h>
 
 namespace OPENR {
 
@@ -123,6 +124,15 @@ OStatus Fatal(OFatal fatal);
 // A copy of the file that DESIGNDB.CFG names under `keyword`, gunzipped, in shared memory.
 OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, size_t* size);
 // oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
+#if OPENR_WIDE_SIZE
+template <class Number>
+inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(const char* keyword,
+                                                                             ODesignDataID* id,
+                                                                             byte** dataAddr,
+                                                                             Number* size) {
+  return FindDesignData(keyword, id, dataAddr, openr_host::SizeResult(size));
+}
+#endif
 OStatus DeleteDesignData(ODesignDataID id);
 // oINVALID_ARG, oFAIL
 

@@ -39,7 +39,8 @@ Memory(const OID& self)
 {
     MemoryRegionID id;
     void* base = 0;
-    size_t page = 0, left = 0;
+    unsigned int page = 0;  // both are size_t on the robot
+    size_t left = 0;
     GetPageSize(&page);
     GetFreeMemorySize(&left);
     const sError made = NewSharedMemoryRegion(5000, MEMPROTINFO_RW, &id, &base);
@@ -101,7 +102,7 @@ static void
 Ask(const char* text, int timeout_ms)
 {
     char reply[32] = "";
-    size_t got = 0;
+    unsigned int got = 0;
     RelativeTime timeout(0, timeout_ms);
     const sError sent = SendWithRBox(FindObject("nobody"), 4, 0, 0, &lastBox);
     OSYSPRINT(("T unknown object %d\n", sent));
@@ -148,7 +149,7 @@ Design(const char* keyword)
     ODesignDataID id = odesigndataID_UNDEF, second = odesigndataID_UNDEF;
     byte* data = 0;
     byte* other = 0;
-    size_t size = 0;
+    unsigned int size = 0;
     const OStatus found = OPENR::FindDesignData(keyword, &id, &data, &size);
     OSYSPRINT(("T design %d size %d", found, (int)size));
     if (found == oSUCCESS) {

@@ -77,6 +77,10 @@ void CheckSubject() {
   MEMBER(OStatus, OSubject, SetData, (const ObserverID&, const void*, size_t))
   MEMBER(OStatus, OSubject, SetData, (const ObserverID&, RCRegion*))
   MEMBER(OStatus, OSubject, SetData, (const ObserverID&, const OShmPtrBase&))
+  MEMBER(OStatus, OSubject, SetData, (MemoryRegionID, size_t))
+  MEMBER(OStatus, OSubject, SetData, (const OMemoryLocator&))
+  MEMBER(OStatus, OSubject, SetData, (const ObserverID&, MemoryRegionID, u_int))
+  MEMBER(OStatus, OSubject, SetData, (const ObserverID&, const OMemoryLocator&))
   MEMBER(OStatus, OSubject, NotifyObservers, ())
   MEMBER(OStatus, OSubject, NotifyObserver, (const OObserverInfo&))
   MEMBER(OStatus, OSubject, NotifyObserver, (const ObserverID&))
@@ -201,6 +205,13 @@ void CheckSystemApi() {
   FUNCTION(OStatus, OPENR::ObservePowerStatus, (const OPowerStatus&, const OServiceEntry&))
   FUNCTION(OStatus, OPENR::UnobservePowerStatus, (const OServiceEntry&))
   FUNCTION(OStatus, OPENR::FindDesignData, (const char*, ODesignDataID*, byte**, size_t*))
+  ODesignDataID data;
+  byte* address;
+  size_t size;
+  unsigned int narrow_size;  // the same type on the robot
+  OPENR::FindDesignData("KEYWORD", &data, &address, &size);
+  OPENR::FindDesignData("KEYWORD", &data, &address, &narrow_size);
+  OPENR::FindDesignData("KEYWORD", &data, &address, 0);
   FUNCTION(OStatus, OPENR::DeleteDesignData, (ODesignDataID))
   FUNCTION(OStatus, OPENR::GetRobotDesign, (char*))
   FUNCTION(OStatus, OPENR::GetMemoryStickStatus, (OMemoryStickStatus*))
@@ -230,10 +241,10 @@ void CheckTime() {
   MEMBER(time_t, OTime, GetClock, () const)
   MEMBER(time_t, OTime, GetLocalTime, () const)
   MEMBER(sbyte, OTime, GetTimeDif, () const)
-  MEMBER(void, OCalendarTime, SetTime, (time_t, sbyte))
-  MEMBER(void, OCalendarTime, SetTime, (const OTime&))
-  MEMBER(void, OCalendarTime, GetTime, (time_t*, sbyte*) const)
-  MEMBER(void, OCalendarTime, GetTime, (OTime*) const)
+  MEMBER(OStatus, OCalendarTime, SetTime, (time_t, sbyte))
+  MEMBER(OStatus, OCalendarTime, SetTime, (const OTime&))
+  MEMBER(OStatus, OCalendarTime, GetTime, (time_t*, sbyte*) const)
+  MEMBER(OStatus, OCalendarTime, GetTime, (OTime*) const)
   MEMBER(bool, OCalendarTime, ProperDate, () const)
   MEMBER(OStatus, OCalendarTime, CorrectDayOfTheWeek, ())
   MEMBER(void, OCalendarTime, Print, () const)
@@ -293,6 +304,13 @@ void CheckAperios() {
   Receive(rbox);
   Receive(rbox, name, sizeof name, &got, &second);
   Receive(rbox, name, sizeof name, &second);
+  Receive(rbox, name, sizeof name, 0, &second);
+  Receive(rbox, name, sizeof name, NULL, &second);
+  unsigned int narrow;  // the same type on the robot
+  Receive(rbox, name, sizeof name, &narrow);
+  Receive(rbox, name, sizeof name, &narrow, &second);
+  GetPageSize(&narrow);
+  GetFreeMemorySize(&narrow);
   MEMBER(OID, TID, GetMailer, () const)
   MEMBER(longword, TID, GetValue, () const)
   MEMBER(void*, OID, GetAddress, () const)
