@@ -75,9 +75,9 @@ def jobs(build, pattern):
     if pattern in header_check.name:
         found.append((header_check.name, ["sh", str(header_check), str(ROOT / "runtime/include"),
                                           "headers"], {}))
-    surface = ROOT / "tests/surface/sdk_surface_test.py"
-    if pattern in surface.name:
-        found.append((surface.name, [sys.executable, str(surface)], {}))
+    for surface in sorted((ROOT / "tests/surface").glob("*_test.py")):
+        if pattern in surface.name:
+            found.append((surface.name, [sys.executable, str(surface)], {}))
     examples = ROOT / "tests/examples/run_examples.py"
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],

@@ -21,5 +21,6 @@ void CheckTcp();
 void CheckUdp();
 void CheckDns();
 void CheckEther();
+void CheckOriginalNames();  // made of tools/surface/original_names.tsv
 
 #endif  // ABI_ABI_H_INCLUDED

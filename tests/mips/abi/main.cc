@@ -32,6 +32,7 @@ int main() {
   CheckUdp();
   CheckDns();
   CheckEther();
+  CheckOriginalNames();
   printf("%d passed, %d failed\n", passed, failed);
   return failed == 0 ? 0 : 1;
 }
