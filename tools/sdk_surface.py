@@ -11,6 +11,9 @@
 
 The SDK's surface: names that our headers have *and* a reference names.  What only our headers
 have (the table says "-") would be missing on the robot, so objects must not use it.
+
+Names that the original headers define as macros (tools/surface/macro_names.txt) may not be declared
+as something else, in objects/, examples/ and in our own headers: it would not compile there.
 """
 import argparse
 import collections
@@ -20,12 +23,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tools/surface"))
+import original_names  # noqa: E402
 from source_names import KEYWORDS, Source  # noqa: E402
 
 HEADERS = ROOT / "runtime/include"
 REFERENCES = ROOT.parent / "shared/openr"  # not part of the project; used where it is there
 TABLE = ROOT / "tools/surface/sdk_surface.tsv"
 LIBRARY = ROOT / "tools/surface/robot_c_library.txt"
+MACROS = ROOT / "tools/surface/macro_names.txt"
 SOURCES = (".cc", ".cpp", ".c", ".h")
 # Made by the stub generator of a stub.cfg (core reference, 4.2 and 4.3), and by tools/genmodel.
 GENERATED_HEADERS = {"def.h", "entry.h", "RobotConstants.h"}
@@ -38,11 +43,15 @@ def names_of_headers():
     for header in sorted(HEADERS.rglob("*.h")):
         place = str(header.relative_to(HEADERS))
         source = Source(header.read_text())
-        for word in sorted(source.defined | {w for w, _ in source.tokens}):
+        for word in sorted(set(source.defined) | {w for w, _ in source.tokens}):
             if re.match(r"[A-Za-z_]\w*$", word) and word not in KEYWORDS:
                 names.setdefault(word, place)
         names[place] = place
     return names
+
+
+def macro_names():
+    return {line for line in MACROS.read_text().split("\n") if line and not line.startswith("#")}
 
 
 class References:
@@ -63,6 +72,12 @@ class References:
         for word, source in self.words.items():
             if re.match(r"o[a-z]+[A-Z]\w*_", word):
                 self.stems.setdefault(word.rsplit("_", 1)[0], source)
+        for row in original_names.rows():
+            for word in [row.header, *re.findall(r"[A-Za-z_]\w*", f"{row.name} {row.facts}")]:
+                if row.kind != "brings":
+                    self.words.setdefault(word, "original_names")
+        for word in macro_names():
+            self.words.setdefault(word, "macro_names")
 
     def source_of(self, name):
         if name in self.words:
@@ -113,6 +128,7 @@ class Surface:
     def __init__(self):
         self.table = read_table()
         self.library = read_library()
+        self.macros = macro_names()
         self.used = collections.Counter()  # (name, where it is from)
 
     def of_sdk(self, name):
@@ -156,6 +172,24 @@ class Surface:
             return f"{name}: only our {self.table[name][0]} has it, no reference names it"
         return f"{name}: not declared here, and not of the SDK or the robot's C library"
 
+    def macro_offences(self, file, source, is_macro_allowed=lambda name: False):
+        """Declarations of names that the original headers define as macros."""
+        for name, line in sorted(source.declarations().items(), key=lambda item: item[1]):
+            if name in self.macros and not is_macro_allowed(name):
+                yield f"{file}:{line}: {name}: a macro of the robot's headers; take another name"
+
+    def check_headers(self, folder):
+        """The same in our own headers, which may have the macros themselves and what a reference names."""
+        for header in sorted(Path(folder).rglob("*.h")):
+            source = Source(header.read_text())
+            yield from self.macro_offences(
+                header, source, lambda name: name in source.defined or self.is_documented(name))
+
+    def is_documented(self, name):
+        """Whether a reference names it with this meaning, not only the list of macros."""
+        is_word = name.islower()  # max, min: in every text
+        return not is_word and self.table.get(name, ("", "-"))[1] not in ("-", "macro_names")
+
     def check_program(self, files, own_files, shared_names):
         """Offences of sources that belong together; they see each other's names."""
         sources = {file: Source(file.read_text(errors="replace")) for file in files}
@@ -163,6 +197,7 @@ class Surface:
         for source in sources.values():
             own |= source.declared()
         for file, source in sources.items():
+            yield from self.macro_offences(file, source)
             for line, what in source.includes:
                 offence = self.judge_include(what, own_files)
                 if offence:
@@ -263,7 +298,7 @@ def main():
         return 1 if offences else 0
     offences = list(check(arguments.folders or [ROOT / "objects", ROOT / "examples"], surface))
     if not arguments.folders:
-        offences += list(stale_table())
+        offences += list(surface.check_headers(HEADERS)) + list(stale_table())
     if arguments.list:
         for (name, origin), count in sorted(surface.used.items(), key=lambda item: (item[0][1], item[0][0])):
             print(f"{name}\t{count}\t{origin}")

@@ -8,6 +8,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 TOOL = ROOT / "tools/sdk_surface.py"
+sys.path.insert(0, str(TOOL.parent))
+import sdk_surface  # noqa: E402
 
 GOOD = """
 #include <OPENR/OObject.h>
@@ -53,6 +55,15 @@ PLANTED = [
     ("OPENR::Teleport();", "Teleport: not declared here"),
     ("a.fallocate(3);", "fallocate: not declared here"),
 ]
+# Macros of the robot's headers: not even a program's own may have these names.
+MACROS = [
+    ("static const int HEADER_SIZE = 256;", "HEADER_SIZE"),
+    ("enum State { IDLE, ERROR };", "ERROR"),
+    ("int max = 0;", "max"),
+    ("void Stop(int TIMEOUT);", "TIMEOUT"),
+    ("struct Reply { int OK; };", "OK"),
+    ("#define MIN(a, b) ((a) < (b) ? (a) : (b))", "MIN"),
+]
 INCLUDES = [
     ('#include "runtime/core/system.h"', '"runtime/core/system.h": neither the SDK nor'),
     ("#include <sys/socket.h>", "<sys/socket.h>: neither the SDK nor"),
@@ -82,12 +93,28 @@ def check(text):
         return done.returncode, done.stdout.replace(folder + "/", "") + done.stderr
 
 
+def check_headers():
+    """Our own headers may have the macros themselves and what a reference names, nothing else."""
+    text = ("#define HWADDRESS_MAX_LEN 32\nconst int OID_UNDEF = 1;\nconst int HEADER_SIZE = 4;\n"
+            "void Set(int min);\n// ERROR\n")
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "Ours.h").write_text(text)
+        found = [said.split("/")[-1] for said in sdk_surface.Surface().check_headers(folder)]
+    words = "a macro of the robot's headers; take another name"
+    verdict("macro names in headers", found == [f"Ours.h:3: HEADER_SIZE: {words}", f"Ours.h:4: min: {words}"],
+            found)
+
+
 def main():
     status, said = check(GOOD)
     verdict("a good object is passed over in silence", (status, said) == (0, ""), said)
     for line, words in PLANTED:
         status, said = check("#include <OPENR/OObject.h>\nint a;\nvoid\nWalk()\n{\n    " + line + "\n}\n")
         verdict(line, status == 1 and said.startswith("Dog.cc:6: ") and words in said, said)
+    for line, name in MACROS:
+        status, said = check("#include <OPENR/OObject.h>\n\n" + line + "\n")
+        verdict(line, status == 1 and f"Dog.cc:3: {name}: a macro of the robot's headers" in said, said)
+    check_headers()
     for line, words in INCLUDES:
         status, said = check("\n" + line + "\n")
         verdict(line, status == 1 and said.startswith("Dog.cc:2: ") and words in said, said)

@@ -22,7 +22,7 @@ class Source:
 
     def __init__(self, text):
         self.includes = []  # (line, "<stdio.h>")
-        self.defined = set()
+        self.defined = {}  # {macro or its parameter: line}
         text = self._without_attributes(self._without_comments(text))
         self.tokens = []
         joined = text.replace("\\\n", "  ")
@@ -53,13 +53,17 @@ class Source:
             return ""
         if kind == "define":
             macro = re.match(r"(\w+)(\(([^)]*)\))?(.*)", rest)
-            self.defined.add(macro.group(1))
-            self.defined.update(re.findall(r"\w+", macro.group(3) or ""))
+            for name in [macro.group(1), *re.findall(r"\w+", macro.group(3) or "")]:
+                self.defined.setdefault(name, number)
             return macro.group(4)
         return "" if kind in ("ifdef", "ifndef", "undef", "endif", "else", "error", "pragma", "line") else rest
 
     def declared(self):
-        names = set(self.defined)
+        return set(self.declarations())
+
+    def declarations(self):
+        """{name: line of its first declaration}"""
+        names = dict(self.defined)
         words = [word for word, _ in self.tokens]
         enum_depth, depth = [], 0
         for i, word in enumerate(words):
@@ -74,8 +78,8 @@ class Source:
             elif self._is_name(word) and i > 0:
                 in_enum = enum_depth and enum_depth[-1] == depth and words[i - 1] in "{,"
                 if in_enum or self._follows_type(words, i):
-                    names.add(word)
-                    names.update(self._others(words, i))
+                    for name in [word, *self._others(words, i)]:
+                        names.setdefault(name, self.tokens[i][1])
         return names
 
     @staticmethod

@@ -109,7 +109,7 @@ HttpServer::Answer(const char* request, char* answer) const
 {
     const char* status = "200 OK";
     const char* type = "text/plain";
-    char* body = answer + HEADER_SIZE;
+    char* body = answer + HTTP_HEADER_SIZE;
     int size = 0;
     if (strncmp(request, "GET ", 4) != 0) {
         status = "501 Not Implemented";

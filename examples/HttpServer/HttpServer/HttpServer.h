@@ -45,7 +45,7 @@ private:
     static const int PORT = 8080;
     static const int NUM_CONNECTIONS = 2;
     static const int REQUEST_SIZE = 2048;  // what browsers send about themselves included
-    static const int HEADER_SIZE = 256;    // of an answer, at most
+    static const int HTTP_HEADER_SIZE = 256;  // of an answer, at most
     static const int ANSWER_SIZE = 4096;
 
     struct Connection {

@@ -28,22 +28,22 @@ const OPrimitiveType oprimitiveJOINT4 = 14;
 const OPrimitiveType oprimitiveBLUETOOTH = 15;
 const OPrimitiveType oprimitiveLED3 = 16;
 
-const char* const oprimitiveCOORDINATE_NAME = "Coordinate";
-const char* const oprimitiveRECEPTOR_NAME = "Receptor";
-const char* const oprimitivePLUG_NAME = "Plug";
-const char* const oprimitiveLINK_NAME = "Link";
-const char* const oprimitiveJOINT_NAME = "Joint";
-const char* const oprimitiveSENSOR_NAME = "Sensor";
-const char* const oprimitiveSPEAKER_NAME = "Speaker";
-const char* const oprimitiveMIC_NAME = "Mic";
-const char* const oprimitiveFBKIMAGESENSOR_NAME = "FbkImageSensor";
-const char* const oprimitiveLED_NAME = "LED";
-const char* const oprimitiveJOINT2_NAME = "Joint2";
-const char* const oprimitiveLED2_NAME = "LED2";
-const char* const oprimitiveJOINT3_NAME = "Joint3";
-const char* const oprimitiveJOINT4_NAME = "Joint4";
-const char* const oprimitiveBLUETOOTH_NAME = "Bluetooth";
-const char* const oprimitiveLED3_NAME = "LED3";
+#define oprimitiveCOORDINATE_NAME "Coordinate"
+#define oprimitiveRECEPTOR_NAME "Receptor"
+#define oprimitivePLUG_NAME "Plug"
+#define oprimitiveLINK_NAME "Link"
+#define oprimitiveJOINT_NAME "Joint"
+#define oprimitiveSENSOR_NAME "Sensor"
+#define oprimitiveSPEAKER_NAME "Speaker"
+#define oprimitiveMIC_NAME "Mic"
+#define oprimitiveFBKIMAGESENSOR_NAME "FbkImageSensor"
+#define oprimitiveLED_NAME "LED"
+#define oprimitiveJOINT2_NAME "Joint2"
+#define oprimitiveLED2_NAME "LED2"
+#define oprimitiveJOINT3_NAME "Joint3"
+#define oprimitiveJOINT4_NAME "Joint4"
+#define oprimitiveBLUETOOTH_NAME "Bluetooth"
+#define oprimitiveLED3_NAME "LED3"
 
 typedef longword OSensorType;
 const OSensorType osensorUNDEF = 0;
