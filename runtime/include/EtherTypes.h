@@ -89,7 +89,7 @@ struct EtherMACAddress {
 // Writes "02:00:00:00:00:01".
 std::ostream& operator<<(std::ostream& out, const EtherMACAddress& address);
 
-// What lies in ether_type; the low byte comes second on the wire.
+// A value of ether_type; the low byte comes second on the wire.
 typedef word EtherProtocolType;
 
 enum EtherFrameType {  // the name of the type is ours
@@ -137,10 +137,10 @@ enum EtherDeviceMode {
   ETHER_MODE_AUTONEGOTIATION = 5
 };
 
-// Which frames a client gets that are not meant for it.
+// The frames for others that a client gets as well.
 enum EtherPromiscLevel { ETHER_PROMISC_PHYS = 1, ETHER_PROMISC_RAW = 2, ETHER_PROMISC_MULTI = 4 };
 
-// When the driver says that frames have been sent.
+// The moment at which the driver says that frames have been sent.
 enum EtherTxmitNotificationFlag {
   ETHER_NOTIFY_NEVER = 1,
   ETHER_NOTIFY_ONCE = 2,

@@ -16,7 +16,7 @@ const sResource rMAXEVENT = 12;        // timed messages alive
 const sResource rMAXENTRIES = 13;      // selectors, 64
 const sResource rMAXSWITCHNUMOFS = 14;
 
-// How many numbers are set aside for limits.
+// Numbers that are set aside for limits.
 const sResource NumberOfResource = 270;
 
 #endif  // OPENR_SYSTEMRESOURCE_H_INCLUDED

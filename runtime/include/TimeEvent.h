@@ -1,5 +1,5 @@
-// When a message of SetTimeEvent() is due.  The name under which it can be cancelled is in
-// EventID.h.
+// The time at which a message of SetTimeEvent() is due.  The name under which it can be cancelled
+// is in EventID.h.
 #ifndef OPENR_TIMEEVENT_H_INCLUDED
 #define OPENR_TIMEEVENT_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// When a message of SetTimeEvent() is due: what all kinds of time events share.
+// The time at which a message of SetTimeEvent() is due: the part that all time events share.
 #ifndef OPENR_TIMEEVENTINFO_H_INCLUDED
 #define OPENR_TIMEEVENTINFO_H_INCLUDED
 

@@ -114,7 +114,7 @@ def checks(row):
 
 
 def source_of(header, some_rows):
-    """One source that includes `header` and checks these rows."""
+    """A source that includes `header` and checks these rows."""
     lines = [f"#include <{header}>", PREAMBLE]
     for number, row in enumerate(some_rows):
         lines += [f"// {row.kind} {row.name}", f"namespace row{number} {{"]

@@ -1,4 +1,4 @@
-// What an observer notes of a region that it received.
+// An observer's note of a region that it received.
 #ifndef OPENR_DATAMANAGER_H_INCLUDED
 #define OPENR_DATAMANAGER_H_INCLUDED
 

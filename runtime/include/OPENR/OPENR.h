@@ -56,7 +56,7 @@ struct OServiceEntry {
   }
 };
 
-// What the service manager asks of an observer (OConnectMessage).
+// Commands of the service manager to an observer (OConnectMessage).
 typedef longword OConnectCmd;
 const OConnectCmd oconnectcmdCONNECT = 0;
 const OConnectCmd oconnectcmdDISCONNECT = 1;

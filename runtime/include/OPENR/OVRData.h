@@ -5,7 +5,7 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OStatus.h>
 
-// Most of them in one message.
+// Most vectors in one message.
 const size_t ovrdataMAX_SIZE = 8;
 
 struct OVRData {

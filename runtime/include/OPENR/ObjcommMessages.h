@@ -77,7 +77,7 @@ struct OReadyMessage {
   OReadyMessage() : msgType(omsgREADY_V22), command(objcommCMD_UNDEF), numOfData(0) {}
 };
 
-// One region on its way.
+// A region on its way to an observer.
 struct TransferedData {
   RCRegion* srcRCR;  // of the subject
   MemoryRegionID memID;

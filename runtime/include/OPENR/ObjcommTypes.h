@@ -10,7 +10,7 @@
 // Most data elements one notification can carry.
 #define MAX_NUM_DATA 13
 
-// Most regions that a ready of version 1 can give back.
+// The most regions that a ready of version 1 can give back.
 const int objcommMAX_NUM_UNLOCK = 29;
 
 // A subject is known by its object and its Ready selector, an observer by its
