@@ -30,7 +30,8 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
   }
 }
 
-// The tag: field counter, then the frequencies of channels 4..7 and 0..3.
+// The tag, in place of the first pixels of the layer's last row: field counter, then the
+// frequencies of channels 4..7 and 0..3.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;
@@ -38,7 +39,7 @@ constexpr int kFrequencies0To3 = 8;
 }  // namespace
 
 OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
-    : pointer_(nullptr), width_(0), height_(0), skip_(0), has_tag_(false) {
+    : pointer_(nullptr), width_(0), height_(0), skip_(0), tag_(nullptr) {
   if (info == nullptr || data == nullptr) return;
   const BandPlace place = PlaceOf(info->type, band);
   if (place.index < 0) return;
@@ -46,28 +47,24 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  has_tag_ = band == ofbkimageBAND_Y && width_ >= kTagSize && height_ > 0;
+  // Y, or the only band, is the first of its row group, so every band finds the same tag.
+  if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 
 byte OFbkImage::Pixel(int x, int y) const {
   return IsValid() ? pointer_[(width_ + skip_) * y + x] : byte{0};
 }
 
-const byte* OFbkImage::Tag() const {
-  return has_tag_ ? pointer_ + (width_ + skip_) * (height_ - 1) : nullptr;
-}
-
 longword OFbkImage::GetTagInfo() const {
-  const byte* const tag = Tag();
-  if (tag == nullptr) return 0;
-  return longword{tag[0]} | longword{tag[1]} << 8 | longword{tag[2]} << 16 | longword{tag[3]} << 24;
+  if (tag_ == nullptr) return 0;
+  return longword{tag_[0]} | longword{tag_[1]} << 8 | longword{tag_[2]} << 16 |
+         longword{tag_[3]} << 24;
 }
 
 word OFbkImage::FieldCounter() const { return static_cast<word>(GetTagInfo() & 0xffff); }
 
 byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
-  const byte* const tag = Tag();
-  if (tag == nullptr || !std::has_single_bit(channel) || channel > ocdtCHANNEL7) return 0;
+  if (tag_ == nullptr || !std::has_single_bit(channel) || channel > ocdtCHANNEL7) return 0;
   const int number = std::countr_zero(channel);
-  return number < 4 ? tag[kFrequencies0To3 + number] : tag[kFrequencies4To7 + number - 4];
+  return number < 4 ? tag_[kFrequencies0To3 + number] : tag_[kFrequencies4To7 + number - 4];
 }

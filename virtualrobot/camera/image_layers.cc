@@ -8,6 +8,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kFrequencyUnit = 16;  // pixels
+constexpr int kTagSize = 16;        // bytes
 constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L};
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }
@@ -17,7 +18,7 @@ int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 
 // The tag: field counter, then the frequencies of channels 4..7 and 0..3.
 void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
-  std::fill_n(tag, 16, byte{0});
+  std::fill_n(tag, kTagSize, byte{0});
   tag[0] = static_cast<byte>(field_counter & 0xff);
   tag[1] = static_cast<byte>(field_counter >> 8);
   for (size_t channel = 0; channel < ocdtNUM_CHANNELS; ++channel) {
@@ -33,6 +34,7 @@ ImageLayers::ImageLayers(int width, int height)
       height_(height),
       luminance_(static_cast<size_t>(width) * static_cast<size_t>(height)) {
   ASSERT(width % 8 == 0 && height % 8 == 0, "{} x {}", width, height);
+  ASSERT(WidthOf(ofbkimageLAYER_C) >= kTagSize, "no room for the tag in {} pixels", width);
 }
 
 int ImageLayers::WidthOf(OFbkImageLayer layer) const {
@@ -44,8 +46,12 @@ int ImageLayers::HeightOf(OFbkImageLayer layer) const {
 }
 
 size_t ImageLayers::BytesOf(OFbkImageLayer layer) const {
-  const auto pixels = static_cast<size_t>(WidthOf(layer)) * static_cast<size_t>(HeightOf(layer));
-  return layer == ofbkimageLAYER_C ? pixels : kBands * pixels;
+  return BytesOfRow(layer) * static_cast<size_t>(HeightOf(layer));
+}
+
+size_t ImageLayers::BytesOfRow(OFbkImageLayer layer) const {
+  const auto width = static_cast<size_t>(WidthOf(layer));
+  return layer == ofbkimageLAYER_C ? width : kBands * width;
 }
 
 void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
@@ -139,10 +145,9 @@ void ImageLayers::Make(const Picture& picture, const Exposure& exposure, const C
   }
   std::array<int, ocdtNUM_CHANNELS> counts;
   DetectColours(data(ofbkimageLAYER_M), tables, data(ofbkimageLAYER_C), &counts);
-  for (const OFbkImageLayer layer : kColourLayers) {
-    const size_t last_row =
-        static_cast<size_t>(HeightOf(layer) - 1) * kBands * static_cast<size_t>(WidthOf(layer));
-    WriteTag(field_counter, counts, data(layer) + last_row);
+  for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
+    const size_t rows_above = static_cast<size_t>(HeightOf(layer) - 1);
+    WriteTag(field_counter, counts, data(layer) + rows_above * BytesOfRow(layer));
   }
 }
 

@@ -27,7 +27,7 @@ using Exposure = std::array<std::array<uint8_t, 256>, 3>;
 
 class ImageLayers {
  public:
-  // REQUIRES: width and height are multiples of 8.
+  // REQUIRES: width and height are multiples of 8; layer C is at least as wide as a tag (16).
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;
@@ -35,11 +35,13 @@ class ImageLayers {
   int WidthOf(OFbkImageLayer layer) const;
   int HeightOf(OFbkImageLayer layer) const;
 
-  // Fills the data of all layers of `vector`, whose infos are filled in, and the tags.
+  // Fills the data of all layers of `vector`, whose infos are filled in.  The last row of each
+  // layer, of its Y band where it has one, begins with the tag instead of pixels.
   void Make(const Picture& picture, const Exposure& exposure, const ColourTables& tables,
             word field_counter, OFbkImageVectorData* vector);
 
  private:
+  size_t BytesOfRow(OFbkImageLayer layer) const;  // of all its bands
   void ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h);
   // Y and the high bands of a layer from luminance of twice its size.
   void SplitLuminance(const byte* from, size_t row_bytes, OFbkImageLayer layer, byte* to) const;

@@ -22,9 +22,9 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 // odataFBK_YCrCb_HPF, LH, HL, HH (that order is inferred; programs go by Skip()).  The
 // colour detection image has one band and no skip.
 //
-// The last row of the Y band begins with 16 bytes of tag in place of pixels: the field
-// counter in bytes 0 and 1, low byte first, and the colour frequencies of channels 4..7
-// in bytes 4..7 and of channels 0..3 in bytes 8..11.
+// The last row of the Y band, and of the colour detection image, begins with 16 bytes of tag
+// in place of pixels: the field counter in bytes 0 and 1, low byte first, and the colour
+// frequencies of channels 4..7 in bytes 4..7 and of channels 0..3 in bytes 8..11.
 class OFbkImage {
  public:
   OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
@@ -40,22 +40,19 @@ class OFbkImage {
   // REQUIRES: 0 <= x < Width(), 0 <= y < Height(); the origin is the top left corner.
   byte Pixel(int x, int y) const;
 
-  // From the tag, so 0 in any band but Y: its first four bytes, low byte first; the camera's
-  // count of fields, which is the low half of these; and the number of detected pixels of one
-  // channel divided by 16.
+  // From the tag of the layer, so the same in all its bands: its first four bytes, low byte first; the
+  // camera's count of fields, which is the low half of these; and the number of detected pixels
+  // of one channel divided by 16.
   longword GetTagInfo() const;
   word FieldCounter() const;
   byte ColorFrequency(OCdtChannel channel) const;
 
  private:
-  // First byte of the tag, NULL when this band has none.
-  const byte* Tag() const;
-
   byte* pointer_;
   int width_;
   int height_;
   int skip_;
-  bool has_tag_;
+  const byte* tag_;  // its first byte; NULL when the layer is too narrow for one
 };
 
 #endif  // OPENR_OFBKIMAGE_H_INCLUDED

@@ -108,10 +108,34 @@ TEST(OFbkImageTest, ColorFrequencyIsZeroForWhatIsNotOneChannel) {
   EXPECT_EQ(y.ColorFrequency(0x100), 0);
 }
 
-TEST(OFbkImageTest, OnlyTheYBandHasATag) {
-  Image image(odataFBK_YCrCb, 3);
-  EXPECT_EQ(image.Band(ofbkimageBAND_Cr).FieldCounter(), 0);
-  EXPECT_EQ(image.Band(ofbkimageBAND_Cr).ColorFrequency(ocdtCHANNEL0), 0);
+TEST(OFbkImageTest, EveryBandAnswersFromTheTagOfItsLayer) {
+  Image image(odataFBK_YCrCb_HPF, 6);
+  byte* const tag = image.data.data() + 6 * kWidth * (kHeight - 1);
+  tag[0] = 0x34;
+  tag[1] = 0x12;
+  tag[8] = 77;
+  for (const OFbkImageBand band : {ofbkimageBAND_Y, ofbkimageBAND_Cr, ofbkimageBAND_Cb,
+                                   ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH}) {
+    EXPECT_EQ(image.Band(band).FieldCounter(), 0x1234) << band;
+    EXPECT_EQ(image.Band(band).ColorFrequency(ocdtCHANNEL0), 77) << band;
+  }
+}
+
+TEST(OFbkImageTest, TheTagOfColourDetectionIsInItsLastRow) {
+  Image image(odataFBK_CDT, 1);
+  byte* const tag = image.data.data() + kWidth * (kHeight - 1);
+  tag[0] = 0x34;
+  tag[1] = 0x12;
+  tag[11] = 5;
+  const OFbkImage cdt = image.Band(ofbkimageBAND_CDT);
+  EXPECT_EQ(cdt.FieldCounter(), 0x1234);
+  EXPECT_EQ(cdt.ColorFrequency(ocdtCHANNEL3), 5);
+}
+
+TEST(OFbkImageTest, ALayerTooNarrowForATagAnswersZero) {
+  Image image(odataFBK_CDT, 1);
+  image.info.width = 15;
+  EXPECT_EQ(image.Band(ofbkimageBAND_CDT).FieldCounter(), 0);
 }
 
 }  // namespace

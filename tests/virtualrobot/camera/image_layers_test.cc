@@ -4,6 +4,7 @@
 #include <OPENR/OFbkImage.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace openr_host {
@@ -152,14 +153,34 @@ TEST(ImageLayersTest, ColoursAreDetectedAndCounted) {
   Layers layers(picture, tables, 0x1234);
   OFbkImage detected = layers.Band(ofbkimageLAYER_C, ofbkimageBAND_CDT);
   EXPECT_EQ(detected.Pixel(0, 0), 0x01);
-  EXPECT_EQ(detected.Pixel(15, 11), 0x20);
-  for (OFbkImageLayer layer = 0; layer < 2; ++layer) {  // L is too narrow for a tag here
-    OFbkImage y = layers.Band(layer, ofbkimageBAND_Y);
-    EXPECT_EQ(y.FieldCounter(), 0x1234);
-    EXPECT_EQ(y.ColorFrequency(ocdtCHANNEL5), 6);
-    EXPECT_EQ(y.ColorFrequency(ocdtCHANNEL0), 6);
-    EXPECT_EQ(y.ColorFrequency(ocdtCHANNEL1), 0);
+  EXPECT_EQ(detected.Pixel(15, 10), 0x20);
+  // Programs read the tag through an OFbkImage of any band, or from the bytes of the last row.
+  const byte tag[16] = {0x34, 0x12, 0, 0, 0, 6, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0};
+  const OFbkImageBand colour[] = {ofbkimageBAND_Y,    ofbkimageBAND_Cr,   ofbkimageBAND_Cb,
+                                  ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH};
+  for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_C}) {
+    SCOPED_TRACE(layer);  // L is too narrow for a tag here
+    const bool is_c = layer == ofbkimageLAYER_C;
+    for (const OFbkImageBand band : colour) {
+      OFbkImage image = layers.Band(layer, is_c ? ofbkimageBAND_CDT : band);
+      EXPECT_EQ(image.FieldCounter(), 0x1234);
+      EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL5), 6);
+      EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL0), 6);
+      EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL1), 0);
+    }
+    OFbkImage first = layers.Band(layer, is_c ? ofbkimageBAND_CDT : ofbkimageBAND_Y);
+    const byte* const last_row =
+        first.Pointer() + (first.Width() + first.Skip()) * (first.Height() - 1);
+    EXPECT_EQ(std::memcmp(last_row, tag, sizeof tag), 0);
   }
+}
+
+TEST(ImageLayersTest, WithoutAColourTableLayerCIsEmptyButForTheTag) {
+  Layers layers(Plain(200, 100, 150), {}, 7);
+  OFbkImage detected = layers.Band(ofbkimageLAYER_C, ofbkimageBAND_CDT);
+  EXPECT_EQ(detected.FieldCounter(), 7);
+  const int above = detected.Width() * (detected.Height() - 1);
+  EXPECT_EQ(std::count(detected.Pointer(), detected.Pointer() + above, 0), above);
 }
 
 TEST(ImageLayersTest, ExposureIsAppliedToEveryColour) {

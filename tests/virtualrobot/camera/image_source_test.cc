@@ -36,7 +36,7 @@ TEST(TestPatternTest, ShowsBarsGreysTheNumberAndABallThatMoves) {
   EXPECT_NE(picture.rgb, before.rgb);
   shot.number = 50;
   pattern.Capture(shot, &picture);
-  EXPECT_EQ(Rgb(picture, 316, 144), (std::vector<int>{255, 96, 160}));
+  EXPECT_EQ(Rgb(picture, 316, 144), (std::vector<int>{250, 115, 174}));
 }
 
 TEST(TestPatternTest, IsAFunctionOfTheNumber) {

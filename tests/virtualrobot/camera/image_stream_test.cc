@@ -349,14 +349,14 @@ TEST_F(PatternTest, ThePinkBallOfTheTestPatternIsFoundByColour) {
     cdt->SetNumData(1);
     cdt->GetInfo(0)->Init(mover->Open(kCamera), ocdtCHANNEL0);
     for (int segment = 0; segment < 32; ++segment)
-      cdt->GetInfo(0)->Set(segment, 250, 200, 150, 120);
+      cdt->GetInfo(0)->Set(segment, 230, 190, 160, 120);
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oSUCCESS);
   });
   std::vector<int> places;
   viewer->on_image = [&] {
     OFbkImage detected = viewer->Band(ofbkimageLAYER_C, ofbkimageBAND_CDT);
     int count = 0, sum = 0;
-    for (int y = 0; y < detected.Height(); ++y) {
+    for (int y = 0; y < detected.Height() - 1; ++y) {  // not the row with the tag
       for (int x = 0; x < detected.Width(); ++x) {
         if ((detected.Pixel(x, y) & ocdtCHANNEL0) == 0) continue;
         ++count;
@@ -364,8 +364,7 @@ TEST_F(PatternTest, ThePinkBallOfTheTestPatternIsFoundByColour) {
       }
     }
     EXPECT_NEAR(count, 250, 40);
-    EXPECT_EQ(viewer->Band(ofbkimageLAYER_M, ofbkimageBAND_Y).ColorFrequency(ocdtCHANNEL0),
-              count / 16);
+    EXPECT_EQ(detected.ColorFrequency(ocdtCHANNEL0), count / 16);
     places.push_back(sum / std::max(count, 1));
   };
   RunToFrame(130);
