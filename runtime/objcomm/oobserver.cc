@@ -43,6 +43,25 @@ void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
   state_->max = std::max(max, state_->min);
 }
 
+// Readies wait in the queue of the subject's object; the 33rd is refused on the robot.
+void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
+  constexpr int kTimesMax = 8;  // no program means it that often; chosen
+  auto entry = std::find_if(asserted.begin(), asserted.end(),
+                            [&](const Asserted& each) { return each.subject == subject; });
+  if (entry == asserted.end()) entry = asserted.insert(asserted.end(), {subject, 0});
+  if (command != objcommCMD_ASSERT_READY) {
+    entry->times = 0;
+    return;
+  }
+  if (++entry->times != kTimesMax + 1 || object->is_system) return;
+  const openr_host::Object* const peer = system->object(ObjectIdOf(subject.GetOID()));
+  system->AddFindingAbout(
+      object, Severity::kWarning,
+      fmt::format("{}: asserts ready to {} again and again ({} times) without a notification "
+                  "between; ready is a flag, once per notification is enough",
+                  service, peer == nullptr ? "an unknown object" : peer->name, entry->times));
+}
+
 OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
   Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
@@ -71,6 +90,7 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
                               service, error));
     return oSEND_FAIL;
   }
+  CountReady(subject, command);
   for (int i = 0; i < count; ++i) {
     std::erase(*regions, returned[i]);
     RegionAccess::GiveBack(returned[i]);
@@ -241,6 +261,7 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->guard_pages() != nullptr) CheckUnchanged(state_, msg);
+  state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });
   if (entry == state_->held.end()) {

@@ -266,7 +266,8 @@ OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
     return oSUCCESS;
   }
   if (msg.command != objcommCMD_ASSERT_READY) return oUNKNOWN_COMMAND;
-  state_->TakeReady(link);
+  link->ready = 1;
+  state_->Flush(link);
   return oSUCCESS;
 }
 

@@ -68,7 +68,6 @@ struct ObserverLink {
   uint64_t replaced = 0;           // units dropped for newer ones
   bool is_lost = false;            // it did not deassert itself: it is gone
   bool told_deasserted = false;    // a notify to it while it had deasserted was reported
-  int vain_readies = 0;            // asserted in a row while it was ready already
 };
 
 struct SubjectState {
@@ -82,7 +81,6 @@ struct SubjectState {
   void Flush(ObserverLink* link);
   void Clear(ObserverLink* link);
   void DropOldestUnit(ObserverLink* link);
-  void TakeReady(ObserverLink* link);
 
   void HashState(Hasher* hasher) const;
 
@@ -100,6 +98,8 @@ struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
+  // Counts in `asserted`; far too many are a finding.
+  void CountReady(const SubjectID& subject, ObjcommCommand command);
 
   System* const system;
   Object* const object;
@@ -115,6 +115,13 @@ struct ObserverState {
     std::vector<RCRegion*> regions;
   };
   std::vector<Held> held;
+  // Readies asserted to a subject since the last notification of any subject, not only of that
+  // one: AssertReady() without argument, once per notification, asserts to all of them.
+  struct Asserted {
+    SubjectID subject;
+    int times;
+  };
+  std::vector<Asserted> asserted;
 };
 
 }  // namespace openr_host

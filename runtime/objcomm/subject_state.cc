@@ -131,25 +131,6 @@ void SubjectState::Flush(ObserverLink* link) {
   ++link->sent;
 }
 
-// Readies wait in the queue of the subject's object; the 33rd is refused on the robot.
-void SubjectState::TakeReady(ObserverLink* link) {
-  constexpr int kVainMax = 8;  // no program means it that often; ours to choose
-  link->vain_readies = link->ready > 0 ? link->vain_readies + 1 : 0;
-  link->ready = 1;
-  if (link->vain_readies == kVainMax) {
-    const Object* const observer = system->object(ObjectIdOf(link->observer.GetOID()));
-    if (observer != nullptr && !observer->is_system) {
-      system->AddFindingAbout(
-          observer, Severity::kWarning,
-          fmt::format("asserts ready to {} again and again ({} times) without a "
-                      "notification between; ready is a flag, once per "
-                      "notification is enough",
-                      service, kVainMax));
-    }
-  }
-  Flush(link);
-}
-
 void SubjectState::Clear(ObserverLink* link) {
   for (RCRegion* region : link->fresh) region->RemoveReference();
   for (RCRegion* region : link->pending) region->RemoveReference();

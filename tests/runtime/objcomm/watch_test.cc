@@ -92,6 +92,38 @@ TEST_F(WatchTest, ANotificationBetweenMakesReadyGood) {
   EXPECT_TRUE(findings().empty());
 }
 
+// AssertReady() without argument goes to every subject, also to those that are silent.
+TEST_F(WatchTest, ReadyToAllOnceANotificationIsGoodAlsoForSilentSubjects) {
+  system->AddObject<SubjectProbe>(0, "silent", "Silent.Out.Number.S");
+  system->Connect({0, "Silent.Out.Number.S", "Receiver.In.Number.O", "test"});
+  Boot();
+  AssertReady();
+  receiver->on_notify = [&](const ONotifyEvent&) { receiver->in->AssertReady(); };
+  for (int i = 0; i < 40; ++i) Send(i);
+  EXPECT_EQ(receiver->events.size(), 40u);
+  EXPECT_TRUE(findings().empty());
+}
+
+TEST_F(WatchTest, ReadyToAllAgainAndAgainWithoutANotificationIsReportedOfEach) {
+  system->AddObject<SubjectProbe>(0, "silent", "Silent.Out.Number.S");
+  system->Connect({0, "Silent.Out.Number.S", "Receiver.In.Number.O", "test"});
+  Boot();
+  for (int i = 0; i < 12; ++i) AssertReady();
+  ASSERT_EQ(findings().size(), 2u);
+  EXPECT_THAT(findings()[0].text, HasSubstr("Receiver.In.Number.O: asserts ready to sender again"));
+  EXPECT_THAT(findings()[1].text, HasSubstr("Receiver.In.Number.O: asserts ready to silent again"));
+}
+
+TEST_F(WatchTest, ADeassertBetweenMakesReadyGood) {
+  Boot();
+  for (int i = 0; i < 20; ++i) {
+    AssertReady();
+    RunAs(receiver, [&] { receiver->in->DeassertReady(); });
+    system->RunFor(1000);
+  }
+  EXPECT_TRUE(findings().empty());
+}
+
 // ---- Stalls
 
 TEST_F(WatchTest, DataThatWaitForReadyAreAStallAfterASecond) {
