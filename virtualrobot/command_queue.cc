@@ -31,8 +31,8 @@ void CommandQueue::Start(int64_t frame, const EffectorPort& port,
   waiting_.pop_front();
   turn_.Next();
   const SentVector vector =
-      ReadSentVector(playing_, sizeof(OCommandInfo), "command vector", *port.regions, problems);
-  if (vector.header != nullptr && !NamesItsMemory(vector)) {
+      ReadSentVector(playing_, sizeof(OCommandInfo), "command vector", *port.system, problems);
+  if (vector.header != nullptr && !NamesItsMemory(vector, *port.system)) {
     problems->push_back(
         "command vector: its memRegionID names other memory than it came in (made without "
         "NewCommandVectorData(), or its header copied); the robot would look for the commands "

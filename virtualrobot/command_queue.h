@@ -20,8 +20,8 @@ namespace openr_host {
 class Hasher;
 class JointWatch;
 class OptionalBytes;
-class RegionTable;
 class SyncKeys;
+class System;
 
 // What vectors act on and what they are checked against.
 struct EffectorPort {
@@ -30,7 +30,7 @@ struct EffectorPort {
   SyncKeys* sync_keys = nullptr;
   OptionalBytes* optional = nullptr;
   JointWatch* watch = nullptr;
-  const RegionTable* regions = nullptr;
+  System* system = nullptr;
   const BodyState* body = nullptr;
   bool motor_power = false;
   bool motor_power_cut = false;  // by the pause button

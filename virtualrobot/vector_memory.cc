@@ -26,8 +26,9 @@ char* SentVector::At(size_t offset, size_t size) const {
   return offset > bytes || size > bytes - offset ? nullptr : region->Base() + offset;
 }
 
-SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind,
-                          const RegionTable& regions, std::vector<std::string>* problems) {
+SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, System& system,
+                          std::vector<std::string>* problems) {
+  const RegionTable& regions = system.regions();
   SentVector vector;
   vector.region = region;
   vector.bytes = BytesOf(*region, regions);
@@ -53,6 +54,14 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind,
   }
   vector.elements = static_cast<int>(std::min<size_t>(header.numData, made_for));
   return vector;
+}
+
+bool NamesItsMemory(const SentVector& vector, System& system) {
+  if (vector.header == nullptr) return false;
+  const uint32_t id = vector.region->MemID();
+  if (vector.header->memRegionID == id) return true;
+  const Object* const maker = system.object(system.regions().MakerOf(id));
+  return maker != nullptr && maker->is_system;
 }
 
 OVRSyncKey SyncKeyOf(const RCRegion& region) {

@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-class RegionTable;
+class System;
 
 // A vector that an object sent, seen no further than its region reaches.
 struct SentVector {
@@ -25,14 +25,14 @@ struct SentVector {
 
 // Describes in `problems` what is wrong with the vector as a whole; `kind` is "command
 // vector" or "sound vector".  `info_size` is that of one element's info.
-SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind,
-                          const RegionTable& regions, std::vector<std::string>* problems);
+SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, System& system,
+                          std::vector<std::string>* problems);
 
 // Whether the header names the memory it came in.  The robot finds the vector by that id
-// and answers a wrong one with oINVALID_DATA_VECTOR_ID.
-inline bool NamesItsMemory(const SentVector& vector) {
-  return vector.header != nullptr && vector.header->memRegionID == vector.region->MemID();
-}
+// and answers a wrong one with oINVALID_DATA_VECTOR_ID.  A vector in memory that the robot
+// itself made counts as good: TCPGateway puts there what a program elsewhere sent, whose id
+// is one of that program's machine.
+bool NamesItsMemory(const SentVector& vector, System& system);
 
 // The key of a vector that waits; ovrsynckeyUNDEF when it is too small to have one.
 OVRSyncKey SyncKeyOf(const RCRegion& region);

@@ -79,7 +79,7 @@ void OVirtualRobotComm::ApplyCommands() {
   port.sync_keys = &robot_->sync_keys_;
   port.optional = &robot_->optional_;
   port.watch = &robot_->watch_;
-  port.regions = &system().regions();
+  port.system = &system();
   port.body = &robot_->body_->state();
   port.motor_power = robot_->power_.motor_power();
   port.motor_power_cut = robot_->power_.pause();

@@ -59,7 +59,7 @@ void OVirtualRobotAudioComm::GiveReadies() {
 void OVirtualRobotAudioComm::PlayFrame() {
   if (!queue_.busy()) return;
   const SoundPort port = {&robot_->primitives_, &robot_->speaker_, &robot_->sync_keys_,
-                          &robot_->optional_, &system().regions()};
+                          &robot_->optional_, &system()};
   SoundFrame samples;
   std::vector<SoundProblem> problems;
   const bool plays = queue_.Fill(robot_->frame_, port, &samples, &problems);

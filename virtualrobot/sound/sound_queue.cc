@@ -102,10 +102,10 @@ void SoundQueue::Start(int64_t frame, bool behind_another, const SoundPort& port
   position_ = 0;
   std::vector<std::string> found;
   const SentVector vector =
-      ReadSentVector(playing_.region, sizeof(OSoundInfo), "sound vector", *port.regions, &found);
+      ReadSentVector(playing_.region, sizeof(OSoundInfo), "sound vector", *port.system, &found);
   const int64_t wait = WaitOf(vector, &found);
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
-  if (vector.header != nullptr && !NamesItsMemory(vector)) {
+  if (vector.header != nullptr && !NamesItsMemory(vector, *port.system)) {
     found.push_back(fmt::format(
         "OSpeakerObserver::DoneWriteAsync() error {} (oINVALID_DATA_VECTOR_ID): memRegionID of the "
         "sound vector is {:#x}, it came in {:#x} (made without NewSoundVectorData(), or its header "

@@ -23,8 +23,8 @@ namespace openr_host {
 
 class Hasher;
 class OptionalBytes;
-class RegionTable;
 class SyncKeys;
+class System;
 
 // What sound vectors are played by and what they are checked against.
 struct SoundPort {
@@ -32,7 +32,7 @@ struct SoundPort {
   const Speaker* speaker = nullptr;
   SyncKeys* sync_keys = nullptr;
   OptionalBytes* optional = nullptr;
-  const RegionTable* regions = nullptr;
+  System* system = nullptr;
 };
 
 // A problem with a vector, and whose it is.
