@@ -12,17 +12,10 @@
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
-namespace {
-
-// One event can carry this many vectors, so a subject may queue them in one go.
-constexpr size_t kEffectorBuffer = MAX_NUM_DATA;
-
-}  // namespace
 
 OVirtualRobotComm::OVirtualRobotComm(VirtualRobot* robot) : robot_(robot) {
   effector_ = AddObserver("OVirtualRobotComm.Effector.OCommandVectorData.O",
                           [this](const ONotifyEvent& event) { NotifyEffector(event); });
-  effector_->SetBufCtrlParam(0, 1, kEffectorBuffer);
   sensor_ = AddSubject("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
   image_ = AddSubject("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S");

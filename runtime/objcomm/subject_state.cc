@@ -51,8 +51,12 @@ void SubjectState::DropOldestUnit(ObserverLink* link) {
 namespace {
 
 // The robot says nothing.  Of a system service it is how it should be: a slow program sees
-// the newest sensor values.
+// the newest sensor values.  To one it is common: programs send command vectors and sounds without
+// asking whether the robot is ready, and work (docs/body.md).  Both only count as dropped.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
+  if (subject.object->is_system) return;
+  const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));
+  if (observer != nullptr && observer->is_system) return;
   subject.system->AddFindingAbout(
       subject.object, Severity::kWarning,
       fmt::format("{}: data {} was not ready for were replaced by newer ones and are lost; notify "
@@ -95,7 +99,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     ++object->dropped_count;
-    if (++link->replaced == 1 && !object->is_system) ReportReplaced(*this, *link);
+    if (++link->replaced == 1) ReportReplaced(*this, *link);
   }
   if (!link->units.empty() && link->waiting_since_us < 0) link->waiting_since_us = system->now_us();
   return oSUCCESS;

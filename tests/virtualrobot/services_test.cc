@@ -167,31 +167,6 @@ TEST_F(VirtualRobotCommTest, ALightLastsTheSumOfItsPeriodsAndAPeriodOfZeroCounts
   EXPECT_EQ(mover->readies, std::vector<int64_t>{8});
 }
 
-// BallTrackingHead: five frames every 40 ms from four regions, readiness never asked.
-TEST_F(VirtualRobotCommTest, FourRegionsAreEnoughForFiveFramesEveryFortyMilliseconds) {
-  Boot();
-  std::vector<RCRegion*> buffers;
-  OPrimitiveID pan = 0;
-  As([&] {
-    pan = mover->Open(kPan);
-    for (int i = 0; i < 4; ++i) buffers.push_back(mover->NewVector(1));
-  });
-  for (int image = 1; image <= 100; ++image) {
-    RunToFrame(5 * image);
-    As([&] {
-      for (RCRegion* region : buffers) {
-        if (region->NumberOfReference() != 1) continue;
-        Mover::FillJoint(region, 0, pan, std::vector<int>(5, image));
-        mover->Send({region});
-        return;
-      }
-      ADD_FAILURE() << "no free region at image " << image;
-    });
-  }
-  RunToFrame(520);
-  EXPECT_EQ(Pan(), 100);
-}
-
 TEST_F(VirtualRobotCommTest, ALateVectorBeginsWithTheNextFrameAndTheJointHoldsUntilThen) {
   Boot();
   As([&] {

@@ -12,7 +12,6 @@ namespace openr_host {
 OVirtualRobotAudioComm::OVirtualRobotAudioComm(VirtualRobot* robot) : robot_(robot) {
   speaker_ = AddObserver("OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
                          [this](const ONotifyEvent& event) { NotifySpeaker(event); });
-  speaker_->SetBufCtrlParam(0, 1, MAX_NUM_DATA);  // as many as one event can carry
   mic_ = AddSubject("OVirtualRobotAudioComm.Mic.OSoundVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
   host().post_class = MessageClass::kVector;

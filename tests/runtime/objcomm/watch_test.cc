@@ -63,6 +63,14 @@ TEST_F(WatchTest, ASystemServiceMayReplaceItsData) {
   EXPECT_TRUE(findings().empty());
 }
 
+TEST_F(WatchTest, WhatASystemServiceWasNotReadyForIsDroppedWithoutAFinding) {
+  receiver->host().is_system = true;
+  Boot();
+  for (int i = 0; i < 5; ++i) Send(i);
+  EXPECT_TRUE(findings().empty());
+  EXPECT_EQ(sender->host().dropped_count, 4u);
+}
+
 TEST_F(WatchTest, ALargerBufferKeepsThem) {
   receiver->in->SetBufCtrlParam(0, 1, 5);
   Boot();
