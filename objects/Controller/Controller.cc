@@ -147,7 +147,9 @@ void
 Controller::NotifySetValue(const ONotifyEvent& event)
 {
     for (int i = 0; i < event.NumOfData(); i++) {
-        SetMotionValues(*(const SetValueMessage*)event.Data(i));
+        const SetValueMessage& message = *(const SetValueMessage*)event.Data(i);
+        SetMotionValues(message);
+        if (message.earMask != 0) core_.MotionEars(message.earMask, message.earOn);
     }
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
 }

@@ -220,14 +220,20 @@ ControllerCore::BatchMoverReady()
 void
 ControllerCore::RemoteLights(const LedEarState& change)
 {
-    const Uint32 ears = (earOn_ & ~change.earMask) | (change.earOn & change.earMask);
-    if (ears != earOn_) earChanged_ = true;
-    earOn_ = ears;
+    ChangeEars(change.earMask, change.earOn);
     ledOn_ = (ledOn_ & ~change.ledMask) | (change.ledOn & change.ledMask);
     EndIfItDidNotReturn();
     if (HasLoop()) return;  // with the next iteration
     ledChanged_ = true;
     if (port_->IsLedReady()) SendBuffers();
+}
+
+void
+ControllerCore::MotionEars(Uint32 mask, Uint32 on)
+{
+    ChangeEars(mask, on);
+    EndIfItDidNotReturn();
+    if (!HasLoop()) SendEarsIfChanged();  // otherwise with the next iteration
 }
 
 // ---- Buffers -------------------------------------------------------------------------
@@ -247,7 +253,13 @@ ControllerCore::SetLed(int led, bool on)
 void
 ControllerCore::SetEar(int ear, bool on)
 {
-    const Uint32 ears = WithBit(earOn_, ear, on);
+    ChangeEars(1u << ear, on ? 1u << ear : 0);
+}
+
+void
+ControllerCore::ChangeEars(Uint32 mask, Uint32 on)
+{
+    const Uint32 ears = (earOn_ & ~mask) | (on & mask);
     if (ears != earOn_) earChanged_ = true;
     earOn_ = ears;
 }

@@ -42,6 +42,10 @@ public:
     void BatchMoverReady();
     void RemoteLights(const LedEarState& change);
 
+    // The ears of `mask` have a position in the key frame that a motion has reached: on or
+    // off, bit i for plunger i.
+    void MotionEars(Uint32 mask, Uint32 on);
+
     // Called by the functions of the controller's interface.
     int FindDevice(const char* locator);
     void Live(void (*reset)());
@@ -67,6 +71,7 @@ private:
     void SendBuffers();
     void SendBatchIfChanged();
     void SendEarsIfChanged();
+    void ChangeEars(Uint32 mask, Uint32 on);
     void Change(Sint32* value, Sint32 newValue);
 
     ControllerPort* port_;

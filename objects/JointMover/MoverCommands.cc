@@ -72,12 +72,15 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
     keyFramesPerVector_ =
         command.keyFramesPerVector > 0 ? command.keyFramesPerVector : DEFAULT_KEYFRAMES_PER_VECTOR;
     memset(inMotion_, 0, sizeof(inMotion_));
-    for (int j = 0; j < motion_.NumJoints(); j++) inMotion_[motion_.RobotJoint(j)] = true;
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        if (motion_.RobotJoint(j) >= 0) inMotion_[motion_.RobotJoint(j)] = true;
+    }
     if (!NeedsPreparation()) {
         BeginMotion();
         return true;
     }
     for (int j = 0; j < motion_.NumJoints(); j++) {
+        if (motion_.RobotJoint(j) < 0) continue;
         joints_.SetGoal(motion_.RobotJoint(j), motion_.Angle(0, j));
     }
     Enter(moverPREPARE_MTN);
@@ -91,6 +94,7 @@ MoverCore::NeedsPreparation() const
 {
     if (motion_.NumKeyFrames() == 1) return true;
     for (int j = 0; j < motion_.NumJoints(); j++) {
+        if (motion_.RobotJoint(j) < 0) continue;
         const Sint32 difference = joints_.Position(motion_.RobotJoint(j)) - motion_.Angle(0, j);
         if (difference >= PREPARE_LIMIT_URAD || -difference >= PREPARE_LIMIT_URAD) return true;
     }

@@ -93,6 +93,7 @@ MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
     player_.NextFrame();
     for (int j = 0; j < motion_.NumJoints(); j++) {
         const int joint = motion_.RobotJoint(j);
+        if (joint < 0) continue;
         const JointConstants& limits = robot_->joints[joint];
         urad[joint] = Clamp(player_.Position(j), limits.minUrad - MTN_LIMIT_TOLERANCE_URAD,
                             limits.maxUrad + MTN_LIMIT_TOLERANCE_URAD);
@@ -195,7 +196,21 @@ MoverCore::Report(Sint32 keyFrame, const Sint32* commanded)
     message.keyFrame = keyFrame;
     message.isOver = state_ == moverACCEPTING_COMMANDS && file_[0] != '\0';
     memcpy(message.file, file_, sizeof(message.file));
+    if (keyFrame >= 0) FillEars(&message);
     port_->Report(message);
+}
+
+// Plungers are not interpolated: each has the position of the key frame reached last.
+void
+MoverCore::FillEars(SetValueMessage* message) const
+{
+    for (int j = 0; j < motion_.NumJoints(); j++) {
+        const int plunger = motion_.RobotPlunger(j);
+        if (plunger < 0) continue;
+        message->earMask = (Uint8)(message->earMask | 1 << plunger);
+        if (motion_.Angle(message->keyFrame, j) == 0) continue;
+        message->earOn = (Uint8)(message->earOn | 1 << plunger);
+    }
 }
 
 void

@@ -100,6 +100,7 @@ private:
     void SetPosition(int joint, Sint32 urad, bool wake);
     void Report(Sint32 keyFrame, const Sint32* commanded);
     void FillReport(SetValueMessage* message, const Sint32* commanded);
+    void FillEars(SetValueMessage* message) const;
     bool InMotion() const { return state_ == moverPREPARE_MTN || state_ == moverMTN; }
 
     MoverPort* port_;

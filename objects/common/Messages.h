@@ -57,10 +57,14 @@ COMPILE_TIME_CHECK(BatchMoverCommandHasNoPadding, sizeof(BatchMoverCommand) == M
 
 // JointMover.SetValue -> RCServer.SetValue, Controller.SetValue: at every vector of a
 // motion, and at every change of state.  One event may carry several; the last is newest.
+// JointMover moves no plungers: Controller, which has the ears, follows a motion by these.
 struct SetValueMessage {
     Sint32 state;              // MoverState
     Sint32 keyFrame;           // reached when the positions were measured; -1: none, or over
-    Sint32 isOver;             // 1: `file` is over, played or not
+    Uint8 isOver;              // 1: `file` is over, played or not
+    Uint8 earMask;             // plungers that the motion moves: bit i stands for plunger i
+    Uint8 earOn;               // those of them that are on in `keyFrame`
+    Uint8 reserved;            // 0
     char file[MTN_NAME_SIZE];  // the motion concerned; empty: none
     Sint32 commanded[MAX_JOINTS];
     Sint32 measured[MAX_JOINTS];
@@ -76,7 +80,7 @@ struct LedEarState {
     Uint32 earOn;
 };
 COMPILE_TIME_CHECK(LedEarStateHasNoPadding, sizeof(LedEarState) == 16);
-COMPILE_TIME_CHECK(LedsFitTheirMask, MAX_LEDS <= 32 && MAX_PLUNGERS <= 32);
+COMPILE_TIME_CHECK(LedsFitTheirMask, MAX_LEDS <= 32 && MAX_PLUNGERS <= 8);
 
 // JointMover.MainExecution -> Controller.MainExecution: once, when the robot stands.
 struct MainExecutionMessage {

@@ -290,23 +290,45 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
     return true;
 }
 
+// What a name that is neither a joint nor a plunger of `robot` is.
+std::string
+MtnFile::WhyNoJoint(const RobotConstants* robot, int j) const
+{
+    const char* const locator = locators_[j].c_str();
+    const char* kind = 0;
+    if (FindLed(robot, locator) >= 0) kind = "a light";
+    if (FindSensor(robot, locator) >= 0) kind = "a sensor";
+    if (locators_[j] == robot->camera.locator) kind = "the camera";
+    const std::string name = "'" + locators_[j].substr(0, 80) + "'";
+    if (kind == 0) return std::string("the ") + robot->design + " has no joint " + name;
+    return name + " of the " + robot->design + " is " + kind + ", no joint";
+}
+
 bool
-MtnFile::MapTo(const RobotConstants* robot)
+MtnFile::FindRobotParts(const RobotConstants* robot)
 {
     error_ = "";
     robotJoint_.clear();
+    robotPlunger_.clear();
     for (int j = 0; j < NumJoints(); j++) {
-        const int joint = FindJoint(robot, locators_[j].c_str());
-        if (joint < 0) {
-            error_ = TextFormat("section 2, offset %lu: joint %d: the %s has no joint '",
-                                (unsigned long)locatorAt_[j], j, robot->design) +
-                     locators_[j].substr(0, 80) + "'";
-            robotJoint_.clear();
-            return false;
-        }
-        robotJoint_.push_back(joint);
+        robotJoint_.push_back(FindJoint(robot, locators_[j].c_str()));
+        robotPlunger_.push_back(FindPlunger(robot, locators_[j].c_str()));
+        if (robotJoint_[j] >= 0 || robotPlunger_[j] >= 0) continue;
+        error_ = TextFormat("section 2, offset %lu: joint %d: ", (unsigned long)locatorAt_[j], j) +
+                 WhyNoJoint(robot, j);
+        robotJoint_.clear();
+        robotPlunger_.clear();
+        return false;
     }
+    return true;
+}
+
+bool
+MtnFile::MapTo(const RobotConstants* robot)
+{
+    if (!FindRobotParts(robot)) return false;
     for (int j = 0; j < NumJoints(); j++) {
+        if (robotJoint_[j] < 0) continue;
         const JointConstants& limits = robot->joints[robotJoint_[j]];
         for (int k = 0; k < numKeyFrames_; k++) {
             const Sint32 angle = Angle(k, j);

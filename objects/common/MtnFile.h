@@ -52,13 +52,20 @@ public:
     // What is odd but harmless, in the order met.
     const std::vector<std::string>& Warnings() const { return warnings_; }
 
-    // Which joint of `robot` each joint of the file is, by locator; the design label plays
-    // no part.  Returns false with an Error() when the robot lacks a joint, and adds a
-    // warning for each joint that leaves the software limits.  Call after Read().
+    // Which joint or plunger of `robot` each joint of the file is, by locator; the design
+    // label plays no part.  Returns false with an Error() when the robot lacks one, or when
+    // a name is something else on this robot, and adds a warning for each joint that leaves
+    // the software limits.  Call after Read().
     bool MapTo(const RobotConstants* robot);
 
-    // Index in RobotConstants::joints of the file's joint `j`.  Valid after MapTo().
+    // Index in RobotConstants::joints of the file's joint `j`; -1 when it is a plunger.
+    // Valid after MapTo().
     int RobotJoint(int j) const { return robotJoint_[j]; }
+
+    // Index in RobotConstants::plungers of the file's joint `j`; -1 when it is none.  A
+    // plunger has two positions: in a key frame it is on when its Angle() is not 0.  Valid
+    // after MapTo().
+    int RobotPlunger(int j) const { return robotPlunger_[j]; }
 
     int NumKeyFrames() const { return numKeyFrames_; }
     int NumJoints() const { return (int)locators_.size(); }
@@ -97,6 +104,8 @@ private:
     bool ReadKeyFrame(Cursor* cursor);
     bool BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest);
     bool EndSection(Cursor* cursor, Uint32 next);
+    bool FindRobotParts(const RobotConstants* robot);
+    std::string WhyNoJoint(const RobotConstants* robot, int j) const;
 
     std::string error_;
     std::vector<std::string> warnings_;
@@ -108,7 +117,7 @@ private:
     std::vector<Sint32> angles_;          // [key frame][joint]
     std::vector<Sint32> attitudes_;       // [key frame][roll, pitch, yaw]
     std::vector<Sint32> interpolations_;  // [gap]
-    std::vector<int> robotJoint_;
+    std::vector<int> robotJoint_, robotPlunger_;
 };
 
 #endif  // MtnFile_h_DEFINED

@@ -58,20 +58,33 @@ Json Facts(const std::string& name, const MtnFile& motion) {
           {"warnings", motion.Warnings()}};
 }
 
+// Joints of these types, the ears, have two positions and no angle: 0, anything else.
+bool HasTwoPositions(const std::string& locator) {
+  return locator.find("-Joint3:") != std::string::npos ||
+         locator.find("-Joint4:") != std::string::npos;
+}
+
+// Where the motion has the file's joint `j`.
+std::string RangeOf(const MtnFile& motion, int j) {
+  Sint32 low = motion.NumKeyFrames() > 0 ? motion.Angle(0, j) : 0, high = low;
+  bool off = false, on = false;
+  for (int k = 0; k < motion.NumKeyFrames(); ++k) {
+    const Sint32 angle = motion.Angle(k, j);
+    low = std::min(low, angle);
+    high = std::max(high, angle);
+    (angle == 0 ? off : on) = true;
+  }
+  if (HasTwoPositions(motion.Locator(j))) return off && on ? "off and on" : on ? "on" : "off";
+  return fmt::format("{:8.2f} to {:8.2f} deg", low * kDegPerUrad, high * kDegPerUrad);
+}
+
 void PrintFacts(const std::string& name, const MtnFile& motion) {
   fmt::print("{}: \"{}\" by \"{}\" for \"{}\", version {}.{}\n", name, motion.Name(),
              motion.Creator(), motion.DesignLabel(), motion.MajorVersion(), motion.MinorVersion());
   fmt::print("  {} key frames of {} joints, {:.3f} s\n", motion.NumKeyFrames(), motion.NumJoints(),
              motion.DurationMs() / 1000.0);
-  for (int j = 0; j < motion.NumJoints(); ++j) {
-    Sint32 low = motion.NumKeyFrames() > 0 ? motion.Angle(0, j) : 0, high = low;
-    for (int k = 0; k < motion.NumKeyFrames(); ++k) {
-      low = std::min(low, motion.Angle(k, j));
-      high = std::max(high, motion.Angle(k, j));
-    }
-    fmt::print("  {:<32} {:8.2f} to {:8.2f} deg\n", motion.Locator(j), low * kDegPerUrad,
-               high * kDegPerUrad);
-  }
+  for (int j = 0; j < motion.NumJoints(); ++j)
+    fmt::print("  {:<32} {}\n", motion.Locator(j), RangeOf(motion, j));
 }
 
 void PrintWarnings(const std::string& name, const MtnFile& motion) {
@@ -121,7 +134,7 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// A line per key frame: time, attitude and joints, in degrees.
+// A line per key frame: time, attitude and joints, in degrees; 0 or 1 for two positions.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
@@ -136,7 +149,11 @@ bool Dump(const std::string& name, MtnFlags*) {
     fmt::print("{},{}", k, motion.TimeMs(k));
     for (int a = 0; a < 3; ++a) fmt::print(",{:.4f}", motion.Attitude(k, a) * kDegPerUrad);
     for (int j = 0; j < motion.NumJoints(); ++j) {
-      fmt::print(",{:.4f}", motion.Angle(k, j) * kDegPerUrad);
+      if (HasTwoPositions(motion.Locator(j))) {
+        fmt::print(",{}", motion.Angle(k, j) == 0 ? 0 : 1);
+      } else {
+        fmt::print(",{:.4f}", motion.Angle(k, j) * kDegPerUrad);
+      }
     }
     fmt::print("\n");
   }

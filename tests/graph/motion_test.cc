@@ -9,6 +9,7 @@
 
 #include "MtnFile.h"
 #include "tests/graph/graph.h"
+#include "tests/objects/mtn_bytes.h"
 
 namespace openr_host {
 namespace {
@@ -91,6 +92,30 @@ TEST(MotionTest, TheLastCommandedFrameIsTheLastKeyFrame) {
                 motion.Angle(motion.NumKeyFrames() - 1, j))
           << motion.Locator(j);
     }
+  });
+}
+
+// Head and ears: the left ear goes on with key frame 1 and off with key frame 2, the right one
+// stays off.
+TEST(MotionTest, EarsOfAMotionGoUpAndDownWithItsKeyFrames) {
+  WhenStanding(kIdeal, [](Graph& graph) {
+    MtnBytes mtn;
+    mtn.locators = {"PRM:/r1/c1/c2-Joint2:j2", "PRM:/r1/c1/c2/c3/e1-Joint3:j5",
+                    "PRM:/r1/c1/c2/c3/e2-Joint3:j6"};
+    mtn.key_frames = {{0, {0, 0, 0}}, {30, {100'000, 1, 0}}, {60, {200'000, 0, 0}}};
+    const std::vector<uint8_t> bytes = mtn.Bytes();
+    graph.stick().Write("/MS/OPEN-R/MW/DATA/P/EARS.MTN", std::string(bytes.begin(), bytes.end()));
+    std::string left;  // states, as they change
+    graph.OnMessage([&](const openr::testing::SeenMessage&) {
+      const auto& ears = graph.dog().devices().plungers;
+      EXPECT_EQ(ears[1].state, ojoint3_STATE0);
+      const char state = ears[0].state == ojoint3_STATE1 ? '1' : '0';
+      if (left.empty() || left.back() != state) left += state;
+    });
+    Play(graph, "EARS.MTN");
+    graph.system().RunFor(200'000);
+    EXPECT_EQ(left, "010");
+    EXPECT_EQ(graph.Findings(), "");
   });
 }
 

@@ -116,7 +116,7 @@ class ControllerTest : public testing::Test, public ControllerPort {
     SetValueMessage message = {};
     message.state = state;
     message.keyFrame = key_frame;
-    message.isOver = over;
+    message.isOver = over ? 1 : 0;
     std::strcpy(message.file, file);
     SetMotionValues(message);
   }

@@ -251,6 +251,33 @@ TEST_F(ControllerTest, AnUnknownDeviceIsRemarkedUponOnceForEachName) {
   EXPECT_EQ(unknown, (std::vector<std::string>{"PRM:/r1/c1-Joint2:j9", "wheel"}));
 }
 
+TEST_F(ControllerTest, EarsFollowAMotionAndTheOtherEarStays) {
+  core.MotionEars(1, 1);
+  EXPECT_EQ(ears, (std::vector<uint32_t>{1}));
+  core.MotionEars(1, 1);
+  EXPECT_EQ(ears.size(), 1u) << "nothing has changed";
+  core.MotionEars(2, 2);
+  core.MotionEars(1, 0);
+  EXPECT_EQ(ears, (std::vector<uint32_t>{1, 3, 2}));
+}
+
+TEST_F(ControllerTest, EarsOfAMotionWaitForTheNextIterationOfALoop) {
+  Loop(1, nullptr);
+  core.MotionEars(3, 2);
+  EXPECT_TRUE(ears.empty());
+  core.LedReady();
+  EXPECT_EQ(ears, (std::vector<uint32_t>{2}));
+}
+
+TEST_F(ControllerTest, EarsOfAMotionWaitWhileTheEarsMoveAndTheNewestWins) {
+  ear_ready = false;
+  core.MotionEars(3, 1);
+  core.MotionEars(3, 3);
+  ear_ready = true;
+  core.EarReady();
+  EXPECT_EQ(ears, (std::vector<uint32_t>{3}));
+}
+
 TEST_F(ControllerTest, ACallerWithEverNewNamesIsHeardForAWhile) {
   for (int i = 0; i < 100; ++i) robot_get_device(std::to_string(i).c_str());
   EXPECT_EQ(unknown.size(), 32u);

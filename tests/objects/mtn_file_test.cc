@@ -249,6 +249,39 @@ TEST(MtnFileTest, AnUnknownLocatorIsRefusedWhateverTheDesignLabelSays) {
   EXPECT_TRUE(file.MapTo(FindRobot("ERS-7")));
 }
 
+TEST(MtnFileTest, PlungersHaveTwoPositionsAndNoLimits) {
+  MtnBytes mtn = TwoJoints();
+  mtn.locators[1] = "PRM:/r1/c1/c2/c3/e2-Joint3:j6";
+  MtnFile file;
+  ASSERT_TRUE(Read(&file, mtn.Bytes()));
+  ASSERT_TRUE(file.MapTo(Ers210())) << file.Error();
+  EXPECT_EQ(file.RobotJoint(0), FindJoint(Ers210(), kTilt));
+  EXPECT_EQ(file.RobotPlunger(0), -1);
+  EXPECT_EQ(file.RobotJoint(1), -1);
+  EXPECT_EQ(file.RobotPlunger(1), 1);
+  EXPECT_TRUE(file.Warnings().empty());
+  EXPECT_FALSE(file.MapTo(FindRobot("ERS-220")));  // it has no ears
+  EXPECT_NE(file.Error().find("joint 1: the ERS-220 has no joint 'PRM:/r1/c1/c2/c3/e2-Joint3:j6'"),
+            std::string::npos)
+      << file.Error();
+}
+
+// Names as they are on the robot, of which a motion cannot move a light.
+TEST(MtnFileTest, ANameThatIsNoJointIsToldFromOneTheRobotLacks) {
+  const std::pair<const char*, const char*> names[] = {
+      {"PRM:/r1/c1/c2/c3/l1-LED2:l1", "a light"},
+      {"PRM:/r1/c1/c2/c3/p1-Sensor:p1", "a sensor"},
+      {"PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1", "the camera"},
+  };
+  for (const auto& [locator, what] : names) {
+    MtnFile file;
+    ASSERT_TRUE(Read(&file, MtnBytes::OneJoint(locator, {0, 1}).Bytes()));
+    EXPECT_FALSE(file.MapTo(Ers210()));
+    EXPECT_EQ(file.Error(), std::string("section 2, offset 86: joint 0: '") + locator +
+                                "' of the ERS-210 is " + what + ", no joint");
+  }
+}
+
 TEST(MtnFileTest, AForeignDesignLabelAloneIsNoReasonToRefuse) {
   MtnBytes mtn = TwoJoints();
   mtn.label = "DRX-1000";
@@ -299,6 +332,8 @@ TEST(MtnReferenceFilesTest, AllAreReadWithoutAWarning) {
     const bool is_ers7 = entry.path().filename().string()[0] == '7';
     EXPECT_EQ(file.MapTo(Ers210()), !is_ers7) << file.Error();
     EXPECT_TRUE(file.Warnings().empty()) << file.Warnings()[0];
+    // Some leave the software limits of the ERS-7.
+    EXPECT_TRUE(file.MapTo(FindRobot(is_ers7 ? "ERS-7" : "ERS-210"))) << file.Error();
   }
 }
 
