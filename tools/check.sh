@@ -55,6 +55,8 @@ grep_in '#include *["<](openr|virtualrobot|runtime|distribution|dds|fmt|Eigen|nl
   objects examples | rule 'objects/ and examples/ include SDK headers, the C and C++ library and their own'
 grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__x86_64|__GLIBC__)' objects examples |
   rule 'objects/ and examples/ have no special case for the host'
+grep_in '(^|[^a-z])weak([^a-z]|$)' objects |
+  rule 'objects/ has no weak symbols: an undefined one is not null in an image of the robot'
 # The models (virtualrobot/model) are the one source of what a robot has; tables are made of them.
 # What is left are a controller and the text of a new one.
 grep_in '"PRM:/[^"]*-' openr runtime virtualrobot distribution objects testing tools |

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "openr/exit_code.h"
+#include "openr/kit/controller_main.h"
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/process.h"
 #include "openr/kit/project.h"
@@ -46,8 +45,7 @@ class ControllerBuild {
                       folder_.string()));
     }
     if (scratch_.path().empty()) throw std::runtime_error("no room for temporary files");
-    if (!Compile(sources.files)) return kExitWrong;
-    if (!sources.files.empty() && !HasOneMain()) return kExitWrong;
+    if (!Compile(sources.files) || !CompileCallOfMain()) return kExitWrong;
     if (!HasGoodFiles() || !Link()) return kExitWrong;
     Deliver();
     fmt::print("{}  {}\n", kImage,
@@ -75,26 +73,18 @@ class ControllerBuild {
     return good;
   }
 
-  // From C++ a main() with other arguments is another function, which nobody calls.
-  bool HasOneMain() const {
-    static const std::set<std::string> kKnown = {"controller_main", "_Z15controller_mainv",
-                                                 "_Z15controller_mainiPPc",
-                                                 "_Z15controller_mainiPPKc"};
-    Arguments command = {"nm", "-P", "--defined-only", "--extern-only"};
-    command.insert(command.end(), objects_.begin(), objects_.end());
-    std::istringstream lines(RunProcess(command, {{}, "", true, true, true}).output);
-    size_t known = 0, unknown = 0;
-    for (std::string line; std::getline(lines, line);) {
-      const std::string name = line.substr(0, line.find(' '));
-      if (kKnown.contains(name)) ++known;
-      if (name.starts_with("_Z15controller_main") && !kKnown.contains(name)) ++unknown;
+  // Adds the function that calls main(), which depends on how main() was written.
+  bool CompileCallOfMain() {
+    const ControllerMain main = FindControllerMain("nm", {objects_.begin(), objects_.end()});
+    if (!main.problem.empty()) {
+      fmt::print(stderr, "{}: {}\n", folder_.string(), main.problem);
+      return false;
     }
-    if (known == 1 && unknown == 0) return true;
-    fmt::print(stderr, "{}: {}\n", folder_.string(),
-               unknown > 0  ? "main() has arguments that nobody gives; write int main(void)"
-               : known == 0 ? "no source has a main()"
-                            : "main() is in more than one source");
-    return false;
+    const std::string source = scratch_.path() + "/ControllerMain.cc", object = source + ".o";
+    const std::string problem = WriteText(source, main.source);
+    if (!problem.empty()) throw std::runtime_error(problem);
+    objects_.push_back(object);
+    return RunCompiler({"-O2", "-c", "-o", object, source}, true) == 0;
   }
 
   bool Link() {

@@ -110,6 +110,11 @@ void RobotSdk::Link(const fs::path& ocf, const std::vector<fs::path>& objects,
   }
 }
 
+std::string RobotSdk::SymbolLister() const {
+  const std::string own = Tool("bin/mipsel-linux-nm");
+  return access(own.c_str(), X_OK) == 0 ? own : "nm";
+}
+
 void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& folder,
                    const std::string& what) const {
   if (is_verbose_) fmt::print(stderr, "{}\n", fmt::join(arguments, " "));

@@ -36,6 +36,10 @@ class RobotSdk {
   void Link(const std::filesystem::path& ocf, const std::vector<std::filesystem::path>& objects,
             const std::vector<std::string>& libraries, const std::filesystem::path& image) const;
 
+  // The program that lists symbols of object files: the SDK's nm, else this machine's, which reads
+  // them as well.
+  std::string SymbolLister() const;
+
  private:
   void Run(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
            const std::string& what) const;

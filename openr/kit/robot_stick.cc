@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "openr/kit/controller_main.h"
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/robot_sdk.h"
 #include "openr/kit/sdk_tools.h"
@@ -209,6 +210,20 @@ class RobotStick {
       options.push_back("-Dmain=controller_main");
       controller_.push_back(Compile(source, draft_.work() / "controller", options));
     }
+    CompileCallOfMain();
+  }
+
+  void CompileCallOfMain() {
+    const ControllerMain main = FindControllerMain(sdk_.SymbolLister(), controller_);
+    if (!main.problem.empty()) {
+      throw std::runtime_error(fmt::format(
+          "{}: {}", options_.controller.empty() ? "the default controller" : options_.controller,
+          main.problem));
+    }
+    const fs::path work = draft_.work() / "controller", source = work / "ControllerMain.cc";
+    fs::create_directories(work);
+    Write(source, main.source);
+    controller_.push_back(Compile(source, work, {}));
   }
 
   // Numbered: two sources of one object may have one name.

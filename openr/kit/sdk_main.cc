@@ -18,7 +18,8 @@ constexpr char kUsage[] =
     "  gzcp FROM TO      compressed copy\n"
     "  strip, gensnap    do nothing\n"
     "  ar, ld, nm, ...   the host's\n"
-    "  image-info OCF OUT    the source of an image's description, for build systems\n";
+    "  image-info OCF OUT    the source of an image's description, for build systems\n"
+    "  controller-main NM OUT [OBJECT...]    the source that calls a controller's main()\n";
 
 // "/sdk/bin/mipsel-linux-g++" is g++.
 std::string ToolName(const std::string& program) {
@@ -36,6 +37,7 @@ int RunTool(const std::string& tool, const Arguments& arguments) {
   if (tool == "strip") return RunStrip(arguments);
   if (tool == "gensnap") return 0;
   if (tool == "image-info") return RunImageInfo(arguments);
+  if (tool == "controller-main") return RunControllerMain(arguments);
   return RunHostTool(tool, arguments);
 }
 

@@ -20,6 +20,10 @@ int RunMkbin(const Arguments& arguments);
 // image-info OCF OUT: the source of that text, to be compiled and linked last.
 int RunImageInfo(const Arguments& arguments);
 
+// controller-main NM OUT [OBJECT...]: the source that calls main() of a controller, for build
+// systems; see controller_main.h.
+int RunControllerMain(const Arguments& arguments);
+
 // gzcp FROM TO: a compressed copy.
 int RunGzcp(const Arguments& arguments);
 

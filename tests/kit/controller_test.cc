@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "openr/kit/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {
@@ -106,6 +108,50 @@ TEST(ControllerBuildTest, CAndCxxSourcesMakeOneController) {
   const ProgramResult built = folder.BuildController();
   ASSERT_EQ(built.status, 0) << built.err;
   EXPECT_EQ(ModeLight(folder.Run()), 1);
+}
+
+// Each is another symbol, and the call is generated for the one that is there.
+TEST(ControllerBuildTest, EveryWayToWriteMainIsCalled) {
+  struct Form {
+    const char* file;
+    const char* main;
+  };
+  const Form forms[] = {{"a.c", "int main(void)"},
+                        {"a.c", "int main(int argc, char** argv)"},
+                        {"a.cc", "int main()"},
+                        {"a.cc", "int main(int argc, char** argv)"},
+                        {"a.cc", "int main(int argc, const char** argv)"},
+                        {"a.cc", "extern \"C\" int main()"}};
+  for (const Form& form : forms) {
+    SCOPED_TRACE(std::string(form.file) + ": " + form.main);
+    const bool has_arguments = std::string(form.main).find("argc") != std::string::npos;
+    const ControllerFolder folder;
+    folder.Write(
+        form.file,
+        std::string("#include <device/led.h>\n#include <device/robot.h>\n"
+                    "static int run(int ms) {\n"
+                    "  led_set(robot_get_device(\"PRM:/r1/c1/c2/c3/l7-LED2:l7\"), 1);\n"
+                    "  return ms + 64;\n}\n") +
+            form.main + " {\n" +
+            (has_arguments ? "  if (argc != 1 || argv[0] == 0 || argv[1] != 0) return 1;\n" : "") +
+            "  robot_run(run);\n  return 0;\n}\n");
+    const ProgramResult built = folder.BuildController();
+    ASSERT_EQ(built.status, 0) << built.err;
+    EXPECT_EQ(ModeLight(folder.Run()), 1);
+  }
+}
+
+TEST(ControllerBuildTest, ThePartThatControllersAreLinkedWithHasNoWeakSymbolLeftUndefined) {
+  const ProcessResult listed =
+      RunProcess({"nm", "-P", OPENR_BUILD "/share/openr-host/sdk/controller/controller.o"},
+                 {{}, "", true, true, true});
+  ASSERT_TRUE(listed.good()) << listed.output;
+  EXPECT_THAT(listed.output, HasSubstr("CallControllerMain"));
+  std::istringstream lines(listed.output);
+  for (std::string line, name, letter; std::getline(lines, line);) {
+    std::istringstream(line) >> name >> letter;
+    EXPECT_TRUE(letter != "w" && letter != "v") << line;
+  }
 }
 
 TEST(ControllerBuildTest, AFileTheListNamesInVainIsSaidWithItsPlace) {

@@ -197,6 +197,41 @@ def test_base_with_objects(kit):
                 "--base", str(base))
 
 
+def symbols(kit, image):
+    """Letter and name of each symbol of an image."""
+    file = kit.folder / "image.elf"
+    file.write_bytes(image)
+    listed = subprocess.run(["mipsel-linux-gnu-nm", file], capture_output=True, text=True, check=True).stdout
+    return [line.split()[-2:] for line in listed.splitlines()]
+
+
+def calls_of_main(kit, image):
+    """What is called for main(), where no weak symbol is left undefined."""
+    named = symbols(kit, image)
+    if any(letter in "wv" for letter, _ in named) or ["T", "_Z18CallControllerMainv"] not in named:
+        return named
+    return [name for letter, name in named if letter == "T" and "controller_main" in name]
+
+
+def test_forms_of_main(kit):
+    """Each way to write main() in C++ is called; what cannot be called is refused."""
+    folder = kit.folder / "forms"
+    for number, (arguments, symbol) in enumerate((("void", "_Z15controller_mainv"),
+                                                  ("int, char**", "_Z15controller_mainiPPc"),
+                                                  ("int, const char**", "_Z15controller_mainiPPKc"))):
+        write(folder / "main.cc", f"int main({arguments}) {{ return 0; }}\n")
+        status, said = kit.run("robot", "-o", f"forms{number}", "--controller", "forms")
+        verdict(f"main({arguments}) in C++", status == 0, said)
+        if status == 0:
+            packed = (kit.folder / f"forms{number}/OPEN-R/MW/OBJS/CONTROLL.BIN").read_bytes()
+            called = calls_of_main(kit, gzip.decompress(packed))
+            verdict(f"main({arguments}) is called", called == [symbol], str(called))
+    write(folder / "main.cc", "int helper() { return 0; }\n")
+    kit.refuses("a controller without main()", "forms: no source has a main()", "--controller", "forms")
+    write(folder / "main.cc", "int main(char*) { return 0; }\n")
+    kit.refuses("a main() that nobody can call", "main() has arguments that nobody gives", "--controller", "forms")
+
+
 def test_controller(kit):
     folder = kit.folder / "wave"
     write(folder / "Makefile.sources", "CSRC = wave.c help/more.cc\n")
@@ -213,6 +248,7 @@ def test_controller(kit):
         stick = kit.folder / "waving/OPEN-R"
         image = gzip.decompress((stick / "MW/OBJS/CONTROLL.BIN").read_bytes())
         verdict("is in CONTROLL.BIN", b"more" in image and b"controller_main" in image)
+        verdict("and is called", calls_of_main(kit, image) == ["controller_main"], str(calls_of_main(kit, image)))
         verdict("brings its network settings",
                 (stick / "SYSTEM/CONF/WLANCONF.TXT").read_text() == "ESSID=LAB\n")
         verdict("and its motions, in upper case", (stick / "MW/DATA/P/NOD.MTN").is_file())
@@ -255,6 +291,7 @@ def main():
         test_stick(kit)
         test_base_with_objects(kit)
         test_controller(kit)
+        test_forms_of_main(kit)
         test_host(kit)
         test_wrong_tools(kit)
     print(f"{passed} passed, {failed} failed")

@@ -8,7 +8,6 @@
 
 #include <limits>
 
-#include "ControllerMain.h"
 #include "MoverState.h"
 #include "controller_fixture.h"
 
@@ -402,10 +401,6 @@ TEST(ControllerApiTest, WithoutARobotEverythingIsZeroAndNothingCrashes) {
   EXPECT_EQ(servo_get_position(1), 0.0f);
   EXPECT_EQ(robot_battery_sensor_get_value(), 0.0f);
   EXPECT_EQ(mtn_new("A.MTN"), nullptr);
-}
-
-TEST(ControllerMainTest, AnImageWithoutAControllerRunsNothing) {
-  EXPECT_EQ(CallControllerMain(), 0);
 }
 
 }  // namespace
