@@ -10,8 +10,9 @@
 
 namespace openr_host {
 
-std::unique_ptr<Network> MakeHostNetwork(int rc_port) {
+std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses) {
   HostNetworkOptions options;
+  options.addresses = std::move(addresses);
   if (rc_port >= 0) options.tcp_ports[RC_PORT] = static_cast<uint16_t>(rc_port);
   return std::make_unique<HostNetwork>(std::move(options));
 }

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
+
+#include "runtime/config/address_config.h"
 
 namespace openr_host {
 
@@ -10,8 +13,9 @@ class IpStack;
 class Network;
 
 // Sockets on the loopback interface.  `rc_port`: the port of the host for the remote control; 0:
-// any free one, -1: the robot's own if it is free, else any.
-std::unique_ptr<Network> MakeHostNetwork(int rc_port);
+// any free one, -1: the robot's own if it is free, else any.  `addresses`: those that programs have
+// compiled in, and where they are.
+std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses);
 
 // Without sockets and without anybody else in it.
 std::unique_ptr<Network> MakeLonelyNetwork();

@@ -92,17 +92,35 @@ Simulation::~Simulation() = default;
 void Simulation::AddRobot(const SimulationOptions& options, int index) {
   auto stick = std::make_shared<FolderStick>(stick_);
   stick->set_writable(options.writable_stick && options.robots == 1);
+  const std::vector<AddressPair> addresses = AddressesOf(options, stick.get(), index);
   const int robot = system_->AddRobot(model_.design, std::move(stick));
   robots_.push_back(AddVirtualRobot(system_.get(), robot, model_,
                                     MakeBody(options.body, model_, world_),
                                     index == 0 ? DevicesOf(options) : VirtualRobotOptions{}));
-  auto network = options.host_network ? MakeHostNetwork(index == 0 ? options.rc_port : -1)
-                                      : MakeLonelyNetwork();
+  auto network = options.host_network
+                     ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
+                     : MakeLonelyNetwork();
   if (options.network_filter) network = options.network_filter(robot, std::move(network));
-  networks_.push_back(AddIpStack(system_.get(), robot, std::move(network)));
+  IpStackOptions stack_options;
+  stack_options.addresses = addresses;
+  networks_.push_back(
+      AddIpStack(system_.get(), robot, std::move(network), std::move(stack_options)));
   const System::StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
   if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
+}
+
+// Those of the command line, then those of the stick.
+std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& options,
+                                                 MemoryStick* stick, int index) {
+  const auto text = stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + kAddressFile);
+  if (!text) return options.addresses;
+  const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
+  for (const Diagnostic& diagnostic : config.diagnostics) {
+    if (index == 0)  // the robots share one stick
+      system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
+  }
+  return MergeAddressPairs(options.addresses, config.pairs);
 }
 
 void Simulation::ReportUnusedCosts() {

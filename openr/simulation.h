@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/config/address_config.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/model/robot_model.h"
 #include "virtualrobot/virtual_robot.h"
@@ -41,6 +42,9 @@ struct SimulationOptions {
   // Port of the host for the first robot's remote control; 0: any free one, -1: the robot's own
   // if it is free, else any.
   int rc_port = -1;
+  // Addresses that programs have compiled in, and where they are on this host; before those of the
+  // stick's HOSTADDR.CFG.
+  std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
   // Objects that are not images of the stick; see System::LoadStick().
   std::function<System::StandIns(System*, int robot)> stand_ins;
@@ -76,6 +80,8 @@ class Simulation {
 
  private:
   void AddRobot(const SimulationOptions& options, int index);
+  std::vector<AddressPair> AddressesOf(const SimulationOptions& options, MemoryStick* stick,
+                                       int index);
 
   const RobotModel model_;
   const World world_;

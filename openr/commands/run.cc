@@ -126,6 +126,22 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->add_option("--rc-port", flags->simulation.rc_port,
                    "Port of the remote control; 0: any free one")
       ->check(CLI::Range(0, 65535));
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--ip",
+          [flags](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              AddressPair pair;
+              std::string problem = ParseAddressPair(text, &pair);
+              if (problem.empty()) problem = AddAddressPair(pair, &flags->simulation.addresses);
+              if (!problem.empty()) throw CLI::ValidationError("--ip", problem);
+            }
+          },
+          "Address that programs have compiled in, and where it is: 10.0.1.2=127.0.0.1; may be "
+          "repeated, and goes before the stick's HOSTADDR.CFG")
+      ->allow_extra_args(false)
+      ->type_name("ROBOT=HOST")
+      ->take_all();
   command->add_flag("--no-panel", flags->no_panel, "No web panel");
   flags->panel =
       command->add_option("--panel", flags->panel_address, "Web panel (not in this version)")

@@ -28,6 +28,8 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options, b
   header.cost = options.cost_file;
   header.microphone = options.microphone;
   header.images = options.images;
+  for (const AddressPair& pair : options.addresses)
+    header.addresses.push_back(AddressText(pair.robot) + "=" + AddressText(pair.host));
   header.robots = options.robots;
   header.seed = options.seed;
   header.strict = options.strict;

@@ -28,6 +28,10 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   options.cost_file = header.cost;
   options.microphone = header.microphone;
   options.images = header.images;
+  for (const std::string& text : header.addresses) {
+    AddressPair pair;
+    if (ParseAddressPair(text, &pair).empty()) options.addresses.push_back(pair);
+  }
   options.robots = header.robots;
   options.seed = header.seed;
   options.strict = header.strict;

@@ -42,6 +42,7 @@ std::string HeaderText(const TraceHeader& h) {
                {"strict", h.strict},
                {"payloads", h.payloads}};
   if (h.is_free) json["free_running"] = true;
+  if (!h.addresses.empty()) json["ip"] = h.addresses;
   return JsonText(json);
 }
 
@@ -62,6 +63,7 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
   h.is_free = json.value("free_running", false);
+  h.addresses = json.value("ip", h.addresses);
   return h;
 }
 

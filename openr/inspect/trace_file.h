@@ -28,8 +28,9 @@ struct TraceHeader {
   std::string stick;    // folder, as it was given
   uint64_t stick_hash = 0;
   std::string robot, body, world;
-  std::string cost;                // file; "": zero
-  std::string microphone, images;  // files and folders; "": none
+  std::string cost;                    // file; "": zero
+  std::string microphone, images;      // files and folders; "": none
+  std::vector<std::string> addresses;  // of --ip, "10.0.1.2=127.0.0.1"
   int robots = 1;
   uint64_t seed = 1;
   bool strict = false;

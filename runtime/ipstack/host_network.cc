@@ -40,38 +40,66 @@ bool MustWait(int error) { return error == EAGAIN || error == EWOULDBLOCK || err
 
 HostNetwork::HostNetwork(HostNetworkOptions options)
     : options_(std::move(options)),
+      addresses_(options_.addresses),
+      bind_ip_(options_.bind_ip),
       tcp_ports_(NetProtocol::kTcp, options_.tcp_ports),
-      udp_(options_) {}
+      udp_(options_.udp_ports) {}
 
-NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) const {
+void HostNetwork::Attach(uint32_t ip) {
+  ip_ = ip;
+  if (addresses_.Has(ip)) bind_ip_ = addresses_.ToHost(ip);
+}
+
+bool HostNetwork::IsRobot(uint32_t ip) const {
+  return ip == ip_ || ip >> 24 == 127 || bound_.contains(ip);
+}
+
+uint32_t HostNetwork::BindIp(NetHandle handle) {
+  const auto at = at_.find(handle);
+  if (at == at_.end()) return bind_ip_;
+  const uint32_t robot = at->second;
+  at_.erase(at);
+  return bound_[robot] = addresses_.ToHost(robot);
+}
+
+void HostNetwork::NoteBindError(uint32_t ip, int error) {
+  if (error != EADDRNOTAVAIL) return;
+  events_.push_back(NoteEvent(
+      fmt::format("a server port cannot be opened at {}: this computer has no such address; a "
+                  "program binds to what --ip or {} says for it",
+                  AddressText(ip), kAddressFile)));
+}
+
+NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
   const uint16_t own = ports.HostPort(remote.port);
-  if (remote.ip == ip_ || (remote.ip >> 24 == 127 && own != 0)) {
-    return {options_.bind_ip == 0 ? 0x7f000001 : options_.bind_ip, own};
+  if (own != 0 && IsRobot(remote.ip)) {
+    const auto bound = bound_.find(remote.ip);
+    const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
+    return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  const auto found = options_.addresses.find(remote.ip);
-  return {found == options_.addresses.end() ? remote.ip : found->second, remote.port};
+  if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
+  return addresses_.ToHost(remote);
 }
 
 NetAddress HostNetwork::FromHost(NetAddress remote, const HostPorts& ports) const {
-  const bool local = remote.ip == options_.bind_ip || remote.ip >> 24 == 127;
+  const bool local = remote.ip == bind_ip_ || remote.ip >> 24 == 127;
   if (const uint16_t own = local ? ports.RobotPort(remote.port) : uint16_t{0}; own != 0) {
     return {ip_, own};
   }
-  for (const auto& [robots, hosts] : options_.addresses) {
-    if (hosts == remote.ip) return {robots, remote.port};
-  }
-  return remote;
+  return addresses_.FromHost(remote);
 }
 
 void HostNetwork::Listen(NetHandle handle, uint16_t port) {
   Fd fd;
+  const uint32_t ip = BindIp(handle);
   const auto take = [&](uint16_t host_port) {
     fd = OpenSocket(NetProtocol::kTcp);
-    return fd.valid() ? ListenOn(fd, {options_.bind_ip, host_port}, kBacklog) : errno;
+    return fd.valid() ? ListenOn(fd, {ip, host_port}, kBacklog) : errno;
   };
   std::string note;
   const int error = tcp_ports_.Bind(
       port, take, [&] { return PortOf(fd); }, &note);
+  NoteBindError(ip, error);
   if (error != 0) events_.push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events_.push_back(NoteEvent(note));
   if (error == 0) listeners_[handle].fd = std::move(fd);
@@ -141,7 +169,10 @@ void HostNetwork::Close(NetHandle handle) {
 }
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
-  udp_.Bind(handle, port, any_port, &events_);
+  const uint32_t ip = BindIp(handle);
+  // A port that the stack chose belongs to a client, which has to reach other hosts; a socket bound
+  // to 127.0.0.1 could not.
+  NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 
 void HostNetwork::SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) {
@@ -160,6 +191,8 @@ void HostNetwork::Resolve(NetHandle handle, const std::string& name) {
     event.host = known->second;
   } else if (const NetError error = ResolveOnHost(name, &event.host); error != NetError::kNone) {
     event = FailedEvent(handle, error);
+  } else {
+    for (uint32_t& ip : event.host.addresses) ip = addresses_.FromHost(ip);
   }
   events_.push_back(std::move(event));
 }
@@ -173,15 +206,18 @@ void HostNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
       });
   if (known != options_.names.end()) {
     event.host = known->second;
-  } else if (const NetError error = ResolveAddressOnHost(ip, &event.host);
+  } else if (const NetError error = ResolveAddressOnHost(addresses_.ToHost(ip), &event.host);
              error != NetError::kNone) {
     event = FailedEvent(handle, error);
+  } else if (!event.host.addresses.empty()) {
+    event.host.addresses = {ip};  // as the program knows it
   }
   events_.push_back(std::move(event));
 }
 
 void HostNetwork::Drop(NetHandle handle, bool reset) {
   udp_.Drop(handle);
+  at_.erase(handle);
   listeners_.erase(handle);
   for (auto& [number, listener] : listeners_) std::erase(listener.accepts, handle);
   if (const auto found = connections_.find(handle); found != connections_.end()) {

@@ -4,7 +4,9 @@
 // its own number if that is free (host_ports.h).  The robot's own address means the robot
 // and reaches only ports that it listens on.  127.0.0.1 means the robot where it listens,
 // else this computer: its programs appear to objects under that address, and answers and
-// the data connections of FTP go back there.
+// the data connections of FTP go back there.  Other addresses that programs have compiled in
+// are translated both ways, as the options say; an address of the robot among them says where
+// its server ports are bound.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/ipstack/address_map.h"
 #include "runtime/ipstack/host_ports.h"
 #include "runtime/ipstack/host_socket.h"
 #include "runtime/ipstack/host_udp.h"
@@ -25,9 +28,9 @@ struct HostNetworkOptions {
   // Robot's port to host's port; 0: any free one.  Others keep their number.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
-  // What programs call an address, to what it is on the host, both ways: programs have
-  // addresses like 10.0.1.2 compiled in.
-  std::map<uint32_t, uint32_t> addresses;
+  // Addresses as programs know them, and where they are; the first one of a host's address is how
+  // its programs appear (address_map.h).
+  std::vector<AddressPair> addresses;
   // Answered before the host's resolver is asked, which may take its time.
   std::map<std::string, HostInfo> names;
 };
@@ -39,7 +42,8 @@ class HostNetwork : public Network {
 
   explicit HostNetwork(HostNetworkOptions options = {});
 
-  void Attach(uint32_t ip) override { ip_ = ip; }
+  void Attach(uint32_t ip) override;
+  void At(NetHandle handle, uint32_t ip) override { at_[handle] = ip; }
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -72,7 +76,7 @@ class HostNetwork : public Network {
   };
 
   // Where a program's `remote` is on the host; port 0: nowhere.
-  NetAddress ToHost(NetAddress remote, const HostPorts& ports) const;
+  NetAddress ToHost(NetAddress remote, const HostPorts& ports);
   // How a program knows the host's `remote`.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
@@ -83,8 +87,19 @@ class HostNetwork : public Network {
   void Discard(NetHandle handle, Connection* connection);
   void Fail(NetHandle handle, Connection* connection, int error);
 
+  // Whether the robot has this address: its own one, loopback, or one that it bound to.
+  bool IsRobot(uint32_t ip) const;
+  // The address of the host for a server socket; takes what At() said.
+  uint32_t BindIp(NetHandle handle);
+  // Says that the host has no such address.
+  void NoteBindError(uint32_t ip, int error);
+
   const HostNetworkOptions options_;
+  AddressMap addresses_;
   uint32_t ip_ = 0;
+  uint32_t bind_ip_;                    // of the host, for server ports at the robot's own address
+  std::map<NetHandle, uint32_t> at_;    // of At(), until the socket is bound
+  std::map<uint32_t, uint32_t> bound_;  // of At(), bound: the robot's address to the host's
   HostPorts tcp_ports_;
   HostUdp udp_;
   std::map<NetHandle, Listener> listeners_;

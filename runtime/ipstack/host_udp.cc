@@ -14,25 +14,21 @@ constexpr size_t kDatagramMax = 65536;  // more than IPv4 can carry
 
 }  // namespace
 
-HostUdp::HostUdp(const HostNetworkOptions& options)
-    : bind_ip_(options.bind_ip), ports_(NetProtocol::kUdp, options.udp_ports) {}
-
-void HostUdp::Bind(NetHandle handle, uint16_t port, bool any_port,
-                   std::vector<NetworkEvent>* events) {
+int HostUdp::Bind(NetHandle handle, NetAddress local, bool any_port,
+                  std::vector<NetworkEvent>* events) {
   Fd fd;
   const auto take = [&](uint16_t host_port) {
     fd = OpenSocket(NetProtocol::kUdp);
     if (!fd.valid()) return errno;
-    // A port that the stack chose belongs to a client, which has to reach other hosts; a
-    // socket bound to 127.0.0.1 could not.
-    return BindSocket(fd, {any_port ? 0 : bind_ip_, any_port ? uint16_t{0} : host_port});
+    return BindSocket(fd, {local.ip, any_port ? uint16_t{0} : host_port});
   };
   std::string note;
   const int error = ports_.Bind(
-      port, take, [&] { return PortOf(fd); }, &note);
+      local.port, take, [&] { return PortOf(fd); }, &note);
   if (error != 0) events->push_back(FailedEvent(handle, NetErrorOf(error)));
   if (!note.empty()) events->push_back(NoteEvent(note));
   if (error == 0) sockets_[handle].fd = std::move(fd);
+  return error;
 }
 
 void HostUdp::SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,

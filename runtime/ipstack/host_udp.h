@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "runtime/ipstack/host_ports.h"
@@ -11,15 +12,16 @@
 
 namespace openr_host {
 
-struct HostNetworkOptions;
-
 // Addresses here are those of the host; HostNetwork translates.
 class HostUdp {
  public:
-  explicit HostUdp(const HostNetworkOptions& options);
+  // `ports`: robot's port to host's port, see HostPorts.
+  explicit HostUdp(std::map<uint16_t, uint16_t> ports)
+      : ports_(NetProtocol::kUdp, std::move(ports)) {}
 
-  // Events of these commands are appended to `events`.
-  void Bind(NetHandle handle, uint16_t port, bool any_port, std::vector<NetworkEvent>* events);
+  // Events of these commands are appended to `events`.  `local`: address of the host, port of the
+  // robot.  Returns 0 or an errno.
+  int Bind(NetHandle handle, NetAddress local, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
   void ReceiveFrom(NetHandle handle, size_t count_max);
@@ -34,7 +36,6 @@ class HostUdp {
     size_t want = 0;  // datagrams
   };
 
-  const uint32_t bind_ip_;
   HostPorts ports_;
   std::map<NetHandle, Socket> sockets_;
 };

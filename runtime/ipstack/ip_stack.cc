@@ -78,7 +78,13 @@ IpStack* IpStack::OfCurrent() {
 }
 
 bool IpStack::IsOwnAddress(uint32_t ip) const {
-  return ip == 0 || ip == address_ || IPAddress(ip).InLoop();
+  return ip == 0 || ip == address_ || IPAddress(ip).InLoop() || FurtherAddress(ip) != 0;
+}
+
+uint32_t IpStack::FurtherAddress(uint32_t ip) const {
+  for (const AddressPair& pair : options_.addresses)
+    if (pair.robot == ip && ip != address_) return ip;
+  return 0;
 }
 
 NetHandle IpStack::Open(EventSink* sink) {

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/config/address_config.h"
 #include "runtime/core/code_object.h"
 #include "runtime/ipstack/endpoint.h"
 #include "runtime/ipstack/network.h"
@@ -35,6 +36,8 @@ struct IpStackOptions {
 
   std::string address;  // of the robot, dotted; "": ETHER_IP of its WLANCONF.TXT
   Card card = Card::kPresent;
+  // Further addresses: programs may bind to them as to the robot's own (address_config.h).
+  std::vector<AddressPair> addresses = {};
 };
 
 class IpStack : public CodeObject {
@@ -79,8 +82,14 @@ class IpStack : public CodeObject {
   TcpPorts& tcp_ports() { return tcp_ports_; }
   uint32_t address() const { return address_; }
 
-  // Whether a program may name `ip` as its own end: any, loopback, or the robot's.
+  // Whether a program may name `ip` as its own end: any, loopback, the robot's or a further one.
   bool IsOwnAddress(uint32_t ip) const;
+
+  // `ip` if it is a further address, else 0: the robot's own one.
+  uint32_t FurtherAddress(uint32_t ip) const;
+
+  // How a program that bound to `ip` sees its own end.
+  uint32_t LocalAddress(uint32_t ip) const { return FurtherAddress(ip) == 0 ? address_ : ip; }
 
   // A new handle whose events go to `sink`, and its end.
   NetHandle Open(EventSink* sink);

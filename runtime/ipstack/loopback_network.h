@@ -44,6 +44,7 @@ class LoopbackNetwork : public Network {
 
   // The last of two with the same address is the one that others reach.
   void Attach(uint32_t ip) override;
+  void At(NetHandle, uint32_t) override {}  // the wire knows one address of a robot
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;

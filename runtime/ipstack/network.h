@@ -78,6 +78,10 @@ class Network {
   // Called once, before everything else, with the robot's own address.
   virtual void Attach(uint32_t ip) = 0;
 
+  // Says that the next Listen() or Bind() of `handle` is at this address, which the robot has
+  // besides its own (IpStackOptions::addresses).
+  virtual void At(NetHandle handle, uint32_t ip) = 0;
+
   // ---- TCP
 
   // Takes connections to `port` from now on and holds a few until they are accepted.

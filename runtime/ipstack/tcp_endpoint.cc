@@ -99,12 +99,13 @@ void TcpEndpoint::Listen(const Operation& operation) {
   Operation accepted = operation;
   const auto& message = accepted.As<TCPEndpointListenMsg>();
   if (RefuseOpen(operation, message.lAddress)) return;
+  if (message.lAddress.Address() != 0) local_ip_ = message.lAddress.Address();
   if (message.lPort != 0) local_port_ = message.lPort;
   own_port_ = local_port_ == 0;
   if (own_port_) local_port_ = stack_->ChoosePort();
   wanted_ = {message.fAddress.Address(), message.fPort};
   socket_ = stack_->Open(this);
-  if (!stack_->tcp_ports().Accept(local_port_, socket_, this)) {
+  if (!stack_->tcp_ports().Accept(local_port_, stack_->FurtherAddress(local_ip_), socket_, this)) {
     stack_->Drop(socket_, false);
     socket_ = 0;
     stack_->Warn(operation,
@@ -120,6 +121,7 @@ void TcpEndpoint::Connect(const Operation& operation) {
   Operation accepted = operation;
   const auto& message = accepted.As<TCPEndpointConnectMsg>();
   if (RefuseOpen(operation, message.lAddress)) return;
+  if (message.lAddress.Address() != 0) local_ip_ = message.lAddress.Address();
   const NetAddress remote{message.fAddress.Address(), message.fPort};
   if (remote.ip == 0 || remote.ip == 0xffffffffu || message.fAddress.InMulticast() ||
       remote.port == 0) {
@@ -245,7 +247,7 @@ void TcpEndpoint::Close(const Operation& operation) {
 
 void TcpEndpoint::Address(Operation operation) {
   auto& message = operation.As<TCPEndpointAddressMsg>();
-  message.lAddress = stack_->address();
+  message.lAddress = stack_->LocalAddress(local_ip_);
   message.lPort = local_port_;
   message.fAddress = remote_.ip;
   message.fPort = remote_.port;
@@ -290,7 +292,7 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);
-    stack_->tcp_ports().Accept(local_port_, socket_, this);
+    stack_->tcp_ports().Accept(local_port_, stack_->FurtherAddress(local_ip_), socket_, this);
     return;
   }
   remote_ = event.remote;

@@ -70,6 +70,7 @@ class TcpEndpoint : public Endpoint {
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
+  uint32_t local_ip_ = 0;  // as the program named it; 0: it did not
   uint16_t local_port_ = 0;
   bool own_port_ = false;  // the stack chose local_port_ for a Listen
   NetAddress remote_;

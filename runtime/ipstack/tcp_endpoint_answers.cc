@@ -21,7 +21,7 @@ void TcpEndpoint::FinishOpening() {
   if (state_ == State::kFailed) return Finish(&opening_, error_);
   // Listen and Connect have the same fields at the same places, but are different types.
   const auto fill = [this](auto& message) {
-    message.lAddress = stack_->address();
+    message.lAddress = stack_->LocalAddress(local_ip_);
     message.lPort = local_port_;
     message.fAddress = remote_.ip;
     message.fPort = remote_.port;

@@ -12,7 +12,7 @@ void TcpPorts::Port::Take(const NetworkEvent& event) {
   for (EventSink* endpoint : waiting) endpoint->Take(event);
 }
 
-bool TcpPorts::Accept(uint16_t number, NetHandle socket, EventSink* endpoint) {
+bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {
   const auto known = ports_.find(number);
   if (known != ports_.end() && known->second->failed) Close(number);  // try again
   std::unique_ptr<Port>& port = ports_[number];
@@ -23,6 +23,7 @@ bool TcpPorts::Accept(uint16_t number, NetHandle socket, EventSink* endpoint) {
     }
     port = std::make_unique<Port>();
     port->listener = stack_->Open(port.get());
+    if (ip != 0) stack_->network().At(port->listener, ip);
     stack_->network().Listen(port->listener, number);
   }
   port->waiting.push_back(endpoint);

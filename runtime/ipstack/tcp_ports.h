@@ -22,9 +22,10 @@ class TcpPorts {
 
   static constexpr size_t kPortsMax = 64;  // bounds the host's sockets
 
-  // The next connection to `port` becomes `socket`, whose events go to `endpoint`.
+  // The next connection to `port` becomes `socket`, whose events go to `endpoint`.  `ip`: where
+  // the port is opened if it is not open yet; 0: at the robot's own address.
   // False when too many ports are open.
-  bool Accept(uint16_t port, NetHandle socket, EventSink* endpoint);
+  bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
   // `endpoint` listens no more, whether it got its connection or not.
   void Forget(uint16_t port, const EventSink* endpoint);

@@ -77,9 +77,12 @@ void UdpEndpoint::Bind(Operation operation) {
   const uint16_t port = any_port ? stack_->ChoosePort() : message.port;
   if (port == 0 || !stack_->TakeUdpPort(port)) return Refuse(operation, UDP_ADDRESSINUSE);
   port_ = port;
+  local_ip_ = message.address.Address();
   socket_ = stack_->Open(this);
+  if (const uint32_t ip = stack_->FurtherAddress(local_ip_); ip != 0)
+    stack_->network().At(socket_, ip);
   stack_->network().Bind(socket_, port, any_port);
-  message.address = stack_->address();
+  message.address = stack_->LocalAddress(local_ip_);
   message.port = port;
   stack_->Answer(&operation, UDP_SUCCESS);
 }
@@ -162,7 +165,7 @@ void UdpEndpoint::Close(Operation operation) {
 
 void UdpEndpoint::Address(Operation operation) {
   auto& message = operation.As<UDPEndpointAddressMsg>();
-  message.lAddress = stack_->address();
+  message.lAddress = stack_->LocalAddress(local_ip_);
   message.lPort = port_;
   message.fAddress = peer_.ip;
   message.fPort = peer_.port;

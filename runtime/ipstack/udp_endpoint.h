@@ -46,7 +46,8 @@ class UdpEndpoint : public Endpoint {
   void Finish(std::optional<Operation>* operation, UDPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 
-  NetHandle socket_ = 0;  // 0: not bound
+  NetHandle socket_ = 0;   // 0: not bound
+  uint32_t local_ip_ = 0;  // as the program named it
   uint16_t port_ = 0;
   NetAddress peer_;                       // of Connect; ip 0: none
   UDPEndpointError error_ = UDP_SUCCESS;  // the socket is of no use

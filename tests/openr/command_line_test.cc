@@ -192,6 +192,18 @@ TEST(CommandLineTest, ASeedOutOfRangeIsRefused) {
     ExpectRefusal({"run", "--for", "100ms", "--seed", seed}, 2, seed);
 }
 
+TEST(CommandLineTest, WhatIsNoPairOfAddressesIsRefusedWithWhatIsWrong) {
+  const auto refuses = [](const std::string& pair, const std::string& words) {
+    ExpectRefusal({"run", "--for", "100ms", "--ip", pair}, 2, words);
+  };
+  refuses("10.0.1.2", "'10.0.1.2' is no pair of addresses; write ROBOT=HOST");
+  refuses("10.0.1.2=mypc", "'mypc' is no address");
+  refuses("10.0.1.2=0.0.0.0", "'0.0.0.0' is no address of one computer");
+  ExpectRefusal(
+      {"run", "--for", "100ms", "--ip", "10.0.1.2=127.0.0.1", "--ip", "10.0.1.2=127.0.0.2"}, 2,
+      "10.0.1.2 stands for 127.0.0.1 already");
+}
+
 TEST(CommandLineTest, TwoOutputsInOneFileAreRefused) {
   const ScratchFolder folder;
   const std::string file = folder.File("out");
