@@ -13,6 +13,7 @@
 #include "openr/kit/image_match.h"
 #include "openr/kit/sdk_paths.h"
 #include "openr/kit/text_files.h"
+#include "runtime/config/address_config.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/gateway_config.h"
@@ -27,6 +28,9 @@ namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The address in the files of the original; a robot that openr runs here has another one.
+constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 // Services the robot itself registers.
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
@@ -73,6 +77,7 @@ class StickCheck {
   void CheckService(const ServiceName& name, const Place& place);
   void CheckUnconnected(const std::set<std::string>& connected);
   void CheckGateway();
+  void NoteOldAddresses(const GatewayConfig& host);
   GatewayConfig ReadGateway(const fs::path& file, GatewaySide side);
   void CheckDesigns();
   void CheckWlan();
@@ -269,8 +274,15 @@ GatewayConfig StickCheck::ReadGateway(const fs::path& file, GatewaySide side) {
 void StickCheck::CheckGateway() {
   const fs::path robot_file = Config(kRobotGatewayFile), host_file = Config(kHostGatewayFile);
   GatewayConfig config = ReadGateway(robot_file, GatewaySide::kRobot);
-  for (GatewayRecord& record : ReadGateway(host_file, GatewaySide::kHost).services)
-    config.services.push_back(std::move(record));
+  const GatewayConfig host = ReadGateway(host_file, GatewaySide::kHost);
+  config.services.insert(config.services.end(), host.services.begin(), host.services.end());
+  NoteOldAddresses(host);
+  for (const auto& proxy : {config.proxy, host.proxy}) {
+    if (!proxy) continue;
+    remarks_->Add(Remark::Kind::kNote, proxy->place,
+                  "of the OPEN-R calls of a program on a PC, those that make joints move are "
+                  "carried; docs/network.md lists them, and which are not known");
+  }
   remarks_->AddAll(CheckGatewayWires(wires_, config, kRobotGatewayFile));
   for (const GatewayRecord& record : config.services) {
     const bool is_wired = std::any_of(
@@ -293,6 +305,27 @@ void StickCheck::CheckGateway() {
                       fmt::format("names {}, but there is no {} beside it: the gateway has no "
                                   "services",
                                   kGatewayImage, kRobotGatewayFile));
+  }
+}
+
+// A robot that runs on this computer has another address than the dog of that time.
+void StickCheck::NoteOldAddresses(const GatewayConfig& host) {
+  const fs::path file = Config(kAddressFile);
+  AddressConfig addresses;
+  if (!file.empty())
+    addresses = ParseAddressConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(addresses.diagnostics);
+  std::vector<GatewayRecord> records = host.services;
+  if (host.proxy) records.push_back(*host.proxy);
+  for (const GatewayRecord& record : records) {
+    const bool is_mapped = std::any_of(
+        addresses.pairs.begin(), addresses.pairs.end(),
+        [&](const AddressPair& pair) { return AddressText(pair.robot) == record.host; });
+    if (record.host != kRobotOfThatTime || is_mapped) continue;
+    remarks_->Add(Remark::Kind::kNote, record.place,
+                  fmt::format("a robot that openr runs on this computer is 127.0.0.1: write that, "
+                              "or run with --ip {}=127.0.0.1",
+                              kRobotOfThatTime));
   }
 }
 

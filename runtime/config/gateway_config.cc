@@ -15,8 +15,6 @@ namespace {
 // Installation Guide 3.2.1.
 constexpr int kConsolePort = 59000;
 
-constexpr char kProxyRecord[] = "!ROBOT_PROXY";
-
 std::optional<uint16_t> PortOf(const Word& word) {
   int port = 0;
   const char* const end = word.text.data() + word.text.size();
@@ -31,7 +29,7 @@ class GatewayReader {
 
   void Read(const RecordLine& line) {
     const std::string& first = line.words[0].text;
-    if (first == kProxyRecord || first.ends_with(".AperiosMessage.P")) return NoteProxy(line);
+    if (first == kProxyRecord || first.ends_with(".AperiosMessage.P")) return ReadProxy(line);
     if (first[0] == '!') {
       config_->diagnostics.push_back(
           WarningAt(line.place, fmt::format("'{}' is not known; there is {} only{}", first,
@@ -52,11 +50,31 @@ class GatewayReader {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
-  void NoteProxy(const RecordLine& line) {
-    config_->diagnostics.push_back(WarningAt(
-        line.place,
-        "OPEN-R calls of a program on another computer are not carried: their protocol is not "
-        "known; subjects and observers are"));
+  // Where OPEN-R calls of remote programs arrive (robot), or where they go to (host).
+  void ReadProxy(const RecordLine& line) {
+    const bool is_of_host = line.words[0].text == kProxyRecord;
+    if (is_of_host != (side_ == GatewaySide::kHost)) {
+      config_->diagnostics.push_back(WarningAt(
+          line.place,
+          fmt::format("OPEN-R calls are not carried: '{}' belongs to {}, this file has "
+                      "{}",
+                      line.words[0].text, is_of_host ? "the PC's file" : "the robot's file",
+                      is_of_host ? fmt::format("'{} PORT'", kProxyService)
+                                 : fmt::format("'{} PORT ADDRESS'", kProxyRecord))));
+      return;
+    }
+    if (!HasItsWords(line)) return;
+    GatewayRecord record;
+    record.section = line.section;
+    record.place = line.place;
+    record.is_proxy = true;
+    if (!ReadPort(line, &record) || !ReadHost(line, &record) || !IsNew(line, record)) return;
+    if (config_->proxy && MayHoldTogether(config_->proxy->section, record.section)) {
+      Refuse(line.place, fmt::format("OPEN-R calls have a port already, in line {}",
+                                     config_->proxy->place.line));
+      return;
+    }
+    config_->proxy = std::move(record);
   }
 
   bool HasItsWords(const RecordLine& line) {
@@ -118,9 +136,11 @@ class GatewayReader {
   }
 
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
-    for (const GatewayRecord& known : config_->services) {
+    std::vector<GatewayRecord> all = config_->services;
+    if (config_->proxy) all.push_back(*config_->proxy);
+    for (const GatewayRecord& known : all) {
       if (!MayHoldTogether(known.section, record.section)) continue;
-      if (known.service == record.service) {
+      if (!known.is_proxy && !record.is_proxy && known.service == record.service) {
         Refuse(line.place, fmt::format("the service is given already in line {}; it carries one "
                                        "connection",
                                        known.place.line));
@@ -129,7 +149,7 @@ class GatewayReader {
       if (known.port == record.port && known.host == record.host) {
         Refuse(line.At(line.words[1]),
                fmt::format("port {} is that of '{}' in line {}; the two sides pair by port",
-                           record.port, Compose(known.service), known.place.line));
+                           record.port, known.Name(), known.place.line));
         return false;
       }
     }
@@ -141,6 +161,11 @@ class GatewayReader {
 };
 
 }  // namespace
+
+std::string GatewayRecord::Name() const {
+  if (!is_proxy) return Compose(service);
+  return host.empty() ? kProxyService : kProxyRecord;
+}
 
 GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
                                  std::string_view design, GatewaySide side) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ namespace openr_host {
 
 inline constexpr char kGatewayImage[] = "TCPGW.BIN";  // as OBJECT.CFG of a robot names it
 inline constexpr char kGatewayPrefix[] = "TCPGateway.";
+inline constexpr char kProxyService[] = "TCPGateway.Proxy.AperiosMessage.P";
+inline constexpr char kProxyRecord[] = "!ROBOT_PROXY";
 inline constexpr char kRobotGatewayFile[] = "ROBOTGW.CFG";
 inline constexpr char kHostGatewayFile[] = "HOSTGW.CFG";
 
@@ -26,19 +29,23 @@ enum class GatewaySide { kRobot, kHost };
 struct GatewayRecord {
   ServiceName service;
   uint16_t port = 0;
-  std::string host;     // address of the robot to connect to; "": this side listens
-  std::string section;  // robot design the line is limited to; "" for every robot
+  std::string host;       // address of the robot to connect to; "": this side listens
+  std::string section;    // robot design the line is limited to; "" for every robot
+  bool is_proxy = false;  // no service, but the OPEN-R calls of remote programs
   Place place;
+
+  std::string Name() const;  // of its service, as in the file
 };
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in file order
+  // TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
+  std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  The line of the OPEN-R
-// calls of remote programs (TCPGateway.Proxy.AperiosMessage.P, !ROBOT_PROXY) is a warning: its
-// protocol is not known.  A bad line, a port or service named twice is reported and skipped.
+// Parses "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  A bad line, a port or
+// service named twice is reported and skipped.
 GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
                                  std::string_view design, GatewaySide side);
 

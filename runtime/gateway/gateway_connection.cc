@@ -11,12 +11,25 @@
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 #include "runtime/gateway/tcp_gateway.h"
+#include "runtime/ipstack/ip_stack.h"
 
 namespace openr_host {
 namespace {
 
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
+
+// The address of a robot of that time, where today's is a run on this computer.
+std::string HintFor(const IPAddress& address) {
+  const IpStack* const stack = IpStack::OfCurrent();
+  if (address.InLoop() || stack == nullptr) return "";
+  for (const AddressPair& pair : stack->options().addresses)
+    if (pair.robot == address.Address()) return "";
+  return fmt::format(
+      "; a robot that openr runs on this computer is 127.0.0.1: write that, or run with --ip "
+      "{}=127.0.0.1",
+      AddressText(address.Address()));
+}
 
 }  // namespace
 
@@ -27,7 +40,7 @@ GatewayConnection::GatewayConnection(TcpGateway* gateway, int index, const Gatew
 void GatewayConnection::Warn(const std::string& text) {
   gateway_->system().AddFindingAbout(
       &gateway_->host(), Severity::kWarning,
-      fmt::format("{} (port {}): {}", Compose(record_.service), record_.port, text));
+      fmt::format("{} (port {}): {}", record_.Name(), record_.port, text));
 }
 
 template <typename M>
@@ -96,8 +109,8 @@ void GatewayConnection::Connect() {
 void GatewayConnection::TakeConnect(const TCPEndpointConnectMsg& answer) {
   if (answer.dstModule != endpoint_) return;
   if (answer.error == TCP_SUCCESS) return TakeConnection(endpoint_);
-  Warn(fmt::format("cannot connect to {}, error {}; tried again every second", record_.host,
-                   static_cast<int>(answer.error)));
+  Warn(fmt::format("cannot connect to {}, error {}; tried again every second{}", record_.host,
+                   static_cast<int>(answer.error), HintFor(IPAddress(record_.host.c_str()))));
   Close(endpoint_);
   endpoint_ = antModuleRef();
   gateway_->OpenLater(index_, kRetryUs);

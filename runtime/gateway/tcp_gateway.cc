@@ -10,12 +10,15 @@
 #include <utility>
 
 #include "runtime/core/hasher.h"
+#include "runtime/gateway/proxy_client.h"
+#include "runtime/gateway/proxy_server.h"
+#include "runtime/gateway/proxy_services.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 
-TcpGateway::TcpGateway(const std::vector<GatewayRecord>& services) {
+TcpGateway::TcpGateway(const GatewayConfig& config) {
   host().is_system = true;
   answer_ = AddExtra("Network", [this](void* payload) {
     const antEnvMsg& answer = *antEnvMsg::Receive(payload);
@@ -27,7 +30,8 @@ TcpGateway::TcpGateway(const std::vector<GatewayRecord>& services) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().Open();
   });
-  for (const GatewayRecord& record : services) AddChannel(record);
+  for (const GatewayRecord& record : config.services) AddChannel(record);
+  AddProxies(config);
   // Of each: what it waits for from the network, its data or its ready.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
@@ -50,13 +54,35 @@ void TcpGateway::AddChannel(const GatewayRecord& record) {
   }
 }
 
-OStatus TcpGateway::DoStart(const OSystemEvent&) {
+void TcpGateway::AddProxies(const GatewayConfig& config) {
+  if (!config.proxy) return;
+  const int index = static_cast<int>(channels_.size());
+  if (config.proxy->host.empty()) {
+    channels_.push_back(std::make_unique<ProxyServer>(this, index, *config.proxy));
+    return;
+  }
+  auto client = std::make_unique<ProxyClient>(this, index, *config.proxy);
+  proxy_client_ = client.get();
+  channels_.push_back(std::move(client));
+  call_ = AddExtra("Call",
+                   [this](void* payload) { proxy_client_->Take(payload, host().running->size); });
+  expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
+}
+
+// Objects call in their DoInit already, so that connection is made before.
+OStatus TcpGateway::DoInit(const OSystemEvent&) {
   stack_ = antStackRef(IpStack::kName);
+  if (proxy_client_ != nullptr && stack_.IsValid()) proxy_client_->connection().Open();
+  return oSUCCESS;
+}
+
+OStatus TcpGateway::DoStart(const OSystemEvent&) {
   if (!stack_.IsValid()) {
     Warn("the robot has no network; nothing is carried");
     return oSUCCESS;
   }
-  for (const auto& channel : channels_) channel->connection().Open();
+  for (const auto& channel : channels_)
+    if (channel.get() != proxy_client_) channel->connection().Open();
   return oSUCCESS;
 }
 
@@ -69,6 +95,10 @@ void TcpGateway::OpenLater(int channel, int64_t delay_us) {
   std::memcpy(message->payload, &channel, sizeof channel);
   message->size = sizeof channel;
   system().Post(message, delay_us);
+}
+
+void TcpGateway::ExpireLater(int64_t delay_us) {
+  system().Post(system().NewMessage(host().id, expire_), delay_us);
 }
 
 void TcpGateway::Warn(const std::string& text) {
@@ -90,6 +120,7 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
+    if (!config_.proxy) config_.proxy = std::move(other.proxy);  // a robot answers calls itself
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
               std::back_inserter(config_.diagnostics));
@@ -97,18 +128,25 @@ class GatewayLoader {
 
   void Add() {
     if (host_ != nullptr) return;
-    host_ = &system_->AddObject<TcpGateway>(robot_, TcpGateway::kName, config_.services)->host();
+    auto* const gateway = system_->AddObject<TcpGateway>(robot_, TcpGateway::kName, config_);
+    host_ = &gateway->host();
     Report(config_.diagnostics);
-    if (config_.services.empty())
+    if (CallsARobot()) {
+      std::unique_ptr<RobotServices>& services = system_->robot(robot_).services;
+      services = std::make_unique<ProxyServices>(system_, host_->id, gateway->call_entry(),
+                                                 std::move(services));
+    }
+    if (config_.services.empty() && !config_.proxy)
       Warn(fmt::format("{} names no service; nothing is carried", kRobotGatewayFile));
   }
 
   // After the stick has been read.
   void CheckWires() {
     const auto text = Text("CONNECT.CFG");
-    if (!text) return;
-    const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", *text, Design());
-    if (host_ == nullptr && !config_.services.empty() && NamesGateway(wires)) {
+    if (!text && !CallsARobot()) return;
+    const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
+    const bool is_wired = !config_.services.empty() && NamesGateway(wires);
+    if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)
         Warn(
@@ -134,6 +172,9 @@ class GatewayLoader {
     const auto text = Text(file);
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
+
+  // On a PC the gateway is there without being named.
+  bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {
     return std::any_of(wires.connections.begin(), wires.connections.end(), [](const auto& wire) {

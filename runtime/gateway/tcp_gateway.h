@@ -2,8 +2,8 @@
 //
 // On a robot it is the image TCPGW.BIN, which OBJECT.CFG names; here it is part of the runtime.
 // Its services are those of ROBOTGW.CFG, each with a port to listen on, and of HOSTGW.CFG, each
-// with an address to connect to.  The wire is that of the original, as measured.  Not there: the
-// OPEN-R calls of remote programs, whose protocol is not known.
+// with an address to connect to.  The wire is that of the original, as measured.  OPEN-R calls of a
+// program on a PC go through it as well, as far as the sources know them (proxy_wire.h).
 #pragma once
 
 #include <antStackRef.h>
@@ -20,15 +20,21 @@
 
 namespace openr_host {
 
+class ProxyClient;
+
 class TcpGateway : public CodeObject {
  public:
   static constexpr char kName[] = "tcpGateway";
 
-  explicit TcpGateway(const std::vector<GatewayRecord>& services);
+  explicit TcpGateway(const GatewayConfig& config);
   ~TcpGateway() override;
 
+  OStatus DoInit(const OSystemEvent& event) override;
   OStatus DoStart(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
+
+  // The entry that takes OPEN-R calls of objects to the robot (proxy_client.h).
+  Selector call_entry() const { return call_; }
 
   // ---- for channels
 
@@ -36,14 +42,20 @@ class TcpGateway : public CodeObject {
   // The answer comes to the channel whose number is the message's continuation.
   void PostToStack(antEnvMsg* message, int size);
   void OpenLater(int channel, int64_t delay_us);
+  // Calls ProxyClient::Expire().
+  void ExpireLater(int64_t delay_us);
   void Warn(const std::string& text);
 
  private:
   void AddChannel(const GatewayRecord& record);
+  void AddProxies(const GatewayConfig& config);
 
   antStackRef stack_;
   Selector answer_ = 0;
   Selector open_ = 0;
+  Selector call_ = 0;
+  Selector expire_ = 0;
+  ProxyClient* proxy_client_ = nullptr;
   std::vector<std::unique_ptr<GatewayChannel>> channels_;
 };
 

@@ -115,7 +115,7 @@ class GatewayCheck : public ::testing::Test {
 
 TEST_F(GatewayCheck, AGoodStickHasOnlyTheProxyToTellOf) {
   const std::string said = Check();
-  EXPECT_THAT(said, HasSubstr("ROBOTGW.CFG:4: warning: OPEN-R calls of a program on another"));
+  EXPECT_THAT(said, HasSubstr("ROBOTGW.CFG:4: note: of the OPEN-R calls of a program on a PC"));
   EXPECT_THAT(said, HasSubstr("0 errors"));
   EXPECT_THAT(said, Not(HasSubstr("TCPGW.BIN")));
 }

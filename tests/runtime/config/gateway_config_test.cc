@@ -42,14 +42,39 @@ TEST(GatewayConfigTest, OnlySectionsOfTheRobotHold) {
       2u);
 }
 
-TEST(GatewayConfigTest, ProxyOfRemoteCallsIsAWarning) {
-  EXPECT_EQ(ErrorIn(Robot("TCPGateway.Proxy.AperiosMessage.P 59001\n")),
-            "ROBOTGW.CFG:1: warning: OPEN-R calls of a program on another computer are not "
-            "carried: their protocol is not known; subjects and observers are\n"
-            "TCPGateway.Proxy.AperiosMessage.P 59001\n"
+TEST(GatewayConfigTest, OpenrCallsHaveAPortAndOnThePcAnAddress) {
+  const GatewayConfig robot = Robot("TCPGateway.Proxy.AperiosMessage.P 59001\n");
+  EXPECT_EQ(Render(robot.diagnostics), "");
+  ASSERT_TRUE(robot.proxy.has_value());
+  EXPECT_EQ(robot.proxy->port, 59001);
+  EXPECT_EQ(robot.proxy->Name(), "TCPGateway.Proxy.AperiosMessage.P");
+  EXPECT_TRUE(robot.services.empty());
+  const GatewayConfig host = Host("!ROBOT_PROXY 59001 10.0.1.100\n");
+  EXPECT_EQ(Render(host.diagnostics), "");
+  ASSERT_TRUE(host.proxy.has_value());
+  EXPECT_EQ(host.proxy->host, "10.0.1.100");
+}
+
+TEST(GatewayConfigTest, OpenrCallsOfTheOtherSideAreAWarning) {
+  EXPECT_EQ(ErrorIn(Robot("!ROBOT_PROXY 59001 10.0.1.100\n")),
+            "ROBOTGW.CFG:1: warning: OPEN-R calls are not carried: '!ROBOT_PROXY' belongs to the "
+            "PC's file, this file has 'TCPGateway.Proxy.AperiosMessage.P PORT'\n"
+            "!ROBOT_PROXY 59001 10.0.1.100\n"
             "^");
-  EXPECT_FALSE(HasErrors(Host("!ROBOT_PROXY 59001 10.0.1.100\n").diagnostics));
-  EXPECT_EQ(Host("!ROBOT_PROXY 59001 10.0.1.100\n").diagnostics.size(), 1u);
+  EXPECT_EQ(ErrorIn(Host("TCPGateway.Proxy.AperiosMessage.P 59001\n")).substr(0, 116),
+            "HOSTGW.CFG:1: warning: OPEN-R calls are not carried: "
+            "'TCPGateway.Proxy.AperiosMessage.P' belongs to the robot's file");
+}
+
+TEST(GatewayConfigTest, OpenrCallsShareTheirPortWithNobody) {
+  EXPECT_EQ(ErrorIn(Robot("TCPGateway.Proxy.AperiosMessage.P 59001\nTCPGateway.a.T.O 59001\n"))
+                .substr(0, 82),
+            "ROBOTGW.CFG:2: port 59001 is that of 'TCPGateway.Proxy.AperiosMessage.P' in line 1");
+  EXPECT_EQ(
+      ErrorIn(Host("!ROBOT_PROXY 59001 10.0.1.100\n!ROBOT_PROXY 59005 10.0.1.100\n")).substr(0, 56),
+      "HOSTGW.CFG:2: OPEN-R calls have a port already, in line ");
+  EXPECT_EQ(ErrorIn(Host("!ROBOT_PROXY 59001 dog\n")).substr(0, 34),
+            "HOSTGW.CFG:1: 'dog' is no address;");
 }
 
 TEST(GatewayConfigTest, UnknownConfigurationRecordIsNamed) {

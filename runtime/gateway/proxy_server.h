@@ -1,0 +1,31 @@
+// The robot's side of OPEN-R calls from a program on a PC: the service
+// TCPGateway.Proxy.AperiosMessage.P of ROBOTGW.CFG.
+//
+// A program finds a system object by its name and calls it; the answer is that of the robot
+// (system_messages.h).  Objects of the stick cannot be called: their messages hold addresses.
+#pragma once
+
+#include "runtime/gateway/gateway_channel.h"
+#include "runtime/gateway/proxy_wire.h"
+
+namespace openr_host {
+
+class ProxyServer : public GatewayChannel {
+ public:
+  ProxyServer(TcpGateway* gateway, int index, const GatewayRecord& record)
+      : GatewayChannel(gateway, index, record), gateway_(gateway) {}
+
+  void Up() override {}
+  void Received(std::string_view bytes) override;
+  void Sent() override {}
+  void Down() override { stream_ = {}; }
+
+ private:
+  // The frame that answers; its command is kUndefined when it is none that is answered.
+  ProxyFrame AnswerTo(const ProxyFrame& frame);
+  ProxyFrame AnswerCall(const ProxyFrame& frame);
+
+  TcpGateway* const gateway_;
+};
+
+}  // namespace openr_host

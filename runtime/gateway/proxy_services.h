@@ -1,0 +1,77 @@
+// The OPENR:: functions of a program on a PC: those about the robot's devices are carried to the
+// robot that !ROBOT_PROXY of HOSTGW.CFG names.
+//
+// Not carried, because no source gives their messages or Sony's runtime for PCs had none: a warning
+// says so where a program uses them (docs/network.md has the list).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "runtime/core/message.h"
+#include "runtime/core/robot_services.h"
+#include "runtime/gateway/system_messages.h"
+
+namespace openr_host {
+
+class System;
+
+class ProxyServices : public RobotServices {
+ public:
+  // Calls go to entry `selector` of the object `gateway` (proxy_client.h); `local` answers what is
+  // of this computer.
+  ProxyServices(System* system, ObjectId gateway, uint32_t selector,
+                std::unique_ptr<RobotServices> local);
+
+  OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
+  OStatus ClosePrimitive(OPrimitiveID id) override;
+  OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
+                           size_t param_size, void* result, size_t result_size) override;
+  OStatus EnableJointGain(OPrimitiveID id) override;
+  OStatus DisableJointGain(OPrimitiveID id) override;
+  OStatus SetJointGain(OPrimitiveID id, const word gains[6]) override;
+  OStatus GetJointGain(OPrimitiveID id, word gains[6]) override;
+  OStatus RegisterDefaultJointGain(OPrimitiveID id, const word gains[6]) override;
+  OStatus SetDefaultJointGain(OPrimitiveID id) override;
+  OStatus GetDefaultJointGain(OPrimitiveID id, word gains[6]) override;
+  OStatus GetJointValue(OPrimitiveID id, OJointValue* value) override;
+  OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value) override;
+  OStatus NewSyncKey(OVRSyncKey* key) override;
+  OStatus CancelSyncKey(OVRSyncKey key) override;
+  OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) override;
+  OStatus SetCdtVectorData(MemoryRegionID id) override;
+  OStatus SetMotorPower(OPower power) override;
+  OStatus GetBootCondition(OBootCondition* condition) override;
+  OStatus Shutdown(const OBootCondition& condition) override;
+  OStatus GetPowerStatus(OPowerStatus* status) override;
+  OStatus ObservePowerStatus(const OPowerStatus& notify, const OServiceEntry& entry) override;
+  OStatus UnobservePowerStatus(const OServiceEntry& entry) override;
+  OStatus SetTime(const OTime& time) override;
+  OStatus GetTime(OTime* time) override;
+  OStatus SetTimeDifference(sbyte hours) override;
+  OStatus GetTimeDifference(sbyte* hours) override;
+  OStatus SetVolumeSwitch(OVolumeSwitch volume) override;
+  OStatus GetVolumeSwitch(OVolumeSwitch* volume) override;
+  void Reseed(uint64_t seed) override { local_->Reseed(seed); }
+  void HashState(Hasher* hasher) const override { local_->HashState(hasher); }
+
+ private:
+  // Sends `message` to a system object of the robot and waits.  False, after a finding where nobody
+  // else gives one, when there is no answer of `reply_size` bytes.
+  bool Ask(const char* object, uint32_t selector, const std::string& message, size_t reply_size,
+           std::string* reply);
+  // A request of OVirtualRobot's control; `result` may be null.
+  OStatus Control(ControlRequest request, const std::string& param, std::string* result = nullptr);
+  OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
+  OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);
+  OStatus NotCarried(const char* function);
+  // The functions whose messages nobody knows.
+  RobotServices& LocalInstead(const char* function);
+
+  System* const system_;
+  const ObjectId gateway_;
+  const uint32_t selector_;
+  const std::unique_ptr<RobotServices> local_;
+};
+
+}  // namespace openr_host

@@ -1,0 +1,49 @@
+// The bytes of OPEN-R calls between a program on a PC and the robot.
+//
+// Words and order are those of the reference (core.md, 5.4, "Proxy wire header"): byte count of the
+// rest, number of items, which is 1, size of the item, command, and what the command takes.
+//
+//   FIND        name, 64 bytes                              FIND_REPLY   error, OID
+//   SEND        OID, selector, size; the bytes              SEND_REPLY   error
+//   CALL        OID, selector, size, reply size; the bytes  CALL_REPLY   error, size; the bytes
+//
+// Inferred, because nobody tried the original: the item begins with its command, and the answers
+// carry their words in this order.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace openr_host {
+
+enum class ProxyCommand : uint32_t {
+  kUndefined = 0,
+  kFind = 1,
+  kFindReply = 2,
+  kSend = 3,
+  kSendReply = 4,
+  kCall = 5,
+  kCallReply = 6,
+  kSendWithBox = 7,  // what it and kReply take is not known
+  kReply = 8,
+};
+
+// What no message of a system object exceeds (binary.md, 4), with room to spare.
+inline constexpr uint32_t kProxyBytesMax = 256;
+
+struct ProxyFrame {
+  ProxyCommand command = ProxyCommand::kUndefined;
+  std::string name = {};    // kFind: at most 63 characters
+  uint32_t error = 0;       // answers: an sError
+  uint32_t oid = 0;         // kFindReply, kSend, kCall
+  uint32_t selector = 0;    // kSend, kCall
+  uint32_t reply_size = 0;  // kCall: how many bytes of the answer are taken
+  std::string bytes = {};   // kSend, kCall, kCallReply
+};
+
+std::string EncodeProxyFrame(const ProxyFrame& frame);
+
+// `item`: as GatewayStream::NextSet() found it.  Returns "" or what is wrong with it.
+std::string DecodeProxyFrame(const std::string& item, ProxyFrame* frame);
+
+}  // namespace openr_host

@@ -1,0 +1,371 @@
+// OPEN-R calls from a PC to the robot: the wire of core.md, 5.4, byte for byte, and two runs of
+// ours that call each other.
+#include <OPENR/OPENRAPI.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "runtime/core/robot_services.h"
+#include "runtime/core/temp_folder.h"
+#include "runtime/gateway/proxy_client.h"
+#include "runtime/gateway/proxy_wire.h"
+#include "runtime/gateway/system_messages.h"
+#include "runtime/gateway/tcp_gateway.h"
+#include "runtime/stick/memory_stick.h"
+#include "tests/runtime/gateway/gateway_bytes.h"
+#include "tests/runtime/ipstack/net_probe.h"
+
+namespace openr_host {
+namespace {
+
+constexpr uint16_t kProxyPort = 59001;
+constexpr char kHead[] = "PRM:/r1/c1-Joint2:j1";
+
+std::string Item(const std::string& item) {
+  const auto size = static_cast<uint32_t>(item.size());
+  return Words({8 + size, 1, size}) + item;
+}
+std::string Padded(std::string text, size_t size) {
+  text.resize(size, '\0');
+  return text;
+}
+std::string Problem(const std::string& item) {
+  ProxyFrame frame;
+  return DecodeProxyFrame(item, &frame);
+}
+
+// ---- the wire
+
+TEST(ProxyWireTest, EachCommandHasTheWordsOfTheReference) {
+  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kFind, .name = "OVirtualRobot"}),
+            Item(Words({1}) + Padded("OVirtualRobot", 64)));
+  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kFindReply, .error = 12, .oid = 7}),
+            Item(Words({2, 12, 7})));
+  EXPECT_EQ(
+      EncodeProxyFrame({.command = ProxyCommand::kSend, .oid = 7, .selector = 4, .bytes = "abc"}),
+      Item(Words({3, 7, 4, 3}) + "abc"));
+  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kSendReply, .error = 2}),
+            Item(Words({4, 2})));
+  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kCall,
+                              .oid = 7,
+                              .selector = 4,
+                              .reply_size = 12,
+                              .bytes = "abc"}),
+            Item(Words({5, 7, 4, 3, 12}) + "abc"));
+  EXPECT_EQ(EncodeProxyFrame({.command = ProxyCommand::kCallReply, .bytes = "abc"}),
+            Item(Words({6, 0, 3}) + "abc"));
+}
+
+TEST(ProxyWireTest, WhatIsReadIsWhatWasWritten) {
+  ProxyFrame frame;
+  EXPECT_EQ(DecodeProxyFrame(Words({5, 7, 4, 3, 12}) + "abc", &frame), "");
+  EXPECT_EQ(frame.oid, 7u);
+  EXPECT_EQ(frame.selector, 4u);
+  EXPECT_EQ(frame.reply_size, 12u);
+  EXPECT_EQ(frame.bytes, "abc");
+  EXPECT_EQ(DecodeProxyFrame(Words({1}) + std::string(64, 'x'), &frame), "");
+  EXPECT_EQ(frame.name, std::string(63, 'x'));
+}
+
+TEST(ProxyWireTest, WhatNoSourceKnowsIsRefusedByName) {
+  EXPECT_EQ(Problem(""), "has the command 0, which no source names");
+  EXPECT_EQ(Problem(Words({9})), "has the command 9, which no source names");
+  EXPECT_EQ(Problem(Words({7})),
+            "has the command 7 (SENDWITHRBOX), whose layout is not known and "
+            "which is not carried");
+  EXPECT_EQ(Problem(Words({5, 7, 4})), "ends within the words of CALL");
+  EXPECT_EQ(Problem(Words({5, 7, 4, 0xffffffff, 0}) + "abc"),
+            "has 3 bytes in a CALL that announces 4294967295; 256 is the limit");
+  EXPECT_EQ(Problem(Words({1}) + "short"),
+            "has 5 bytes in a FIND that announces 64; 256 is the "
+            "limit");
+}
+
+// ---- two runs
+
+// A robot that writes down what it is asked.
+class HeardServices : public RobotServices {
+ public:
+  OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override {
+    heard.push_back(std::string("open ") + locator);
+    *id = std::string(locator) == kHead ? 0x77 : oprimitiveID_UNDEF;
+    return *id == 0x77 ? oSUCCESS : oNOT_FOUND;
+  }
+  OStatus ClosePrimitive(OPrimitiveID id) override { return Hear("close", id); }
+  OStatus EnableJointGain(OPrimitiveID id) override { return Hear("enable", id); }
+  OStatus DisableJointGain(OPrimitiveID id) override { return Hear("disable", id); }
+  OStatus SetJointGain(OPrimitiveID id, const word g[6]) override {
+    return Hear(fmt::format("gains {} {} {} {} {} {}", g[0], g[1], g[2], g[3], g[4], g[5]), id);
+  }
+  OStatus GetJointGain(OPrimitiveID id, word gains[6]) override {
+    for (size_t i = 0; i < 6; ++i) gains[i] = static_cast<word>(10 + i);
+    return Hear("get gains", id);
+  }
+  OStatus SetDefaultJointGain(OPrimitiveID id) override { return Hear("default", id); }
+  OStatus GetJointValue(OPrimitiveID id, OJointValue* value) override {
+    value->value = -1234567;
+    return Hear("joint", id);
+  }
+  OStatus NewSyncKey(OVRSyncKey* key) override {
+    *key = 5;
+    return oSUCCESS;
+  }
+  OStatus SetMotorPower(OPower power) override {
+    heard.push_back(power ? "power on" : "power off");
+    return oSUCCESS;
+  }
+  OStatus GetPowerStatus(OPowerStatus* status) override {
+    status->remainingCapacity = 83;
+    status->volume = 3;
+    return oSUCCESS;
+  }
+
+  std::vector<std::string> heard;
+
+ private:
+  OStatus Hear(const std::string& what, OPrimitiveID id) {
+    heard.push_back(fmt::format("{} {:#x}", what, id));
+    return oSUCCESS;
+  }
+};
+
+// A program of the PC; `body` runs in its DoInit.
+class Caller : public CodeObject {
+ public:
+  explicit Caller(std::function<void()> body) : body_(std::move(body)) {}
+  OStatus DoInit(const OSystemEvent&) override {
+    body_();
+    done = true;
+    return oSUCCESS;
+  }
+  bool done = false;
+
+ private:
+  const std::function<void()> body_;
+};
+
+class ProxyTest : public testing::Test {
+ protected:
+  ProxyTest() : peer(hub) {
+    Write(robot_folder, "OBJECT.CFG", "/MS/OPEN-R/SYSTEM/OBJS/TCPGW.BIN\n");
+    Write(robot_folder, "ROBOTGW.CFG", "TCPGateway.Proxy.AperiosMessage.P 59001\n");
+    Write(pc_folder, "OBJECT.CFG", "\n");
+    Write(pc_folder, "HOSTGW.CFG", "!ROBOT_PROXY 59001 10.0.1.100\n");
+  }
+
+  static void Write(const TempFolder& folder, const std::string& name, const std::string& text) {
+    const auto conf = std::filesystem::path(folder.path()) / "OPEN-R/MW/CONF";
+    std::filesystem::create_directories(conf);
+    std::ofstream(conf / name, std::ios::binary) << text;
+  }
+
+  std::unique_ptr<System> NewSystem(const TempFolder& folder, const char* address) {
+    auto system = std::make_unique<System>(SystemOptions{.console = [](std::string_view) {}});
+    system->AddRobot("ERS-210", std::make_shared<FolderStick>(folder.path()));
+    IpStackOptions options;
+    options.address = address;
+    AddIpStack(system.get(), 0, std::make_unique<LoopbackNetwork>(hub), options);
+    return system;
+  }
+  void StartRobot() {
+    robot = NewSystem(robot_folder, "10.0.1.100");
+    auto services = std::make_unique<HeardServices>();
+    asked = services.get();
+    robot->robot(0).services = std::move(services);
+    EXPECT_TRUE(LoadStickAndGateway(robot.get(), 0));
+    robot->Boot();
+    robot->RunFor(1000);
+  }
+  void StartPc(std::function<void()> body) {
+    pc = NewSystem(pc_folder, "10.0.1.2");
+    caller = pc->AddObject<Caller>(0, "caller", std::move(body));
+    EXPECT_TRUE(LoadStickAndGateway(pc.get(), 0));
+    pc->Boot();
+  }
+  void Frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      if (robot != nullptr) robot->RunFor(kFrameUs);
+      if (pc != nullptr) pc->RunFor(kFrameUs);
+      peer.Poll();
+    }
+  }
+  static std::string Findings(const System& system) {
+    std::string text;
+    for (const Finding& finding : system.findings().all())
+      if (!finding.object.empty()) text += finding.object + ": " + finding.text + "\n";
+    return text;
+  }
+  // What the robot says to these bytes of a PC that is not ours.
+  std::string Answer(const std::string& bytes) {
+    if (!peer.connected) {
+      peer.Connect(kProxyPort);
+      Frames(3);
+    }
+    peer.Say(bytes);
+    Frames(3);
+    return std::exchange(peer.heard, "");
+  }
+
+  const TempFolder robot_folder, pc_folder;
+  std::shared_ptr<LoopbackHub> hub = std::make_shared<LoopbackHub>();
+  Peer peer{hub, 0x0a000103};
+  std::unique_ptr<System> robot, pc;
+  HeardServices* asked = nullptr;
+  Caller* caller = nullptr;
+};
+
+TEST_F(ProxyTest, CallsOfAnObjectOnThePcAreDoneOnTheRobot) {
+  StartRobot();
+  OPrimitiveID id = 0, nobody = 0;
+  std::vector<OStatus> statuses;
+  OJointValue value;
+  word gains[6] = {};
+  OPowerStatus power;
+  OVRSyncKey key = 0;
+  StartPc([&] {
+    statuses.push_back(OPENR::OpenPrimitive(kHead, &id));
+    statuses.push_back(OPENR::OpenPrimitive("PRM:/r9-Joint2:j9", &nobody));
+    statuses.push_back(OPENR::SetMotorPower(opowerON));
+    statuses.push_back(OPENR::SetJointGain(id, 10, 0, 12, 14, 0, 15));
+    statuses.push_back(OPENR::EnableJointGain(id));
+    statuses.push_back(OPENR::GetJointValue(id, &value));
+    statuses.push_back(
+        OPENR::GetJointGain(id, &gains[0], &gains[1], &gains[2], &gains[3], &gains[4], &gains[5]));
+    statuses.push_back(OPENR::NewSyncKey(&key));
+    statuses.push_back(OPENR::GetPowerStatus(&power));
+    statuses.push_back(OPENR::ClosePrimitive(id));
+  });
+  for (int i = 0; i < 500 && !caller->done; ++i) Frames(1);
+  ASSERT_TRUE(caller->done) << Findings(*pc) << Findings(*robot);
+  EXPECT_EQ(statuses, (std::vector<OStatus>{oSUCCESS, oNOT_FOUND, oSUCCESS, oSUCCESS, oSUCCESS,
+                                            oSUCCESS, oSUCCESS, oSUCCESS, oSUCCESS, oSUCCESS}));
+  EXPECT_EQ(id, 0x77u);
+  EXPECT_EQ(value.value, -1234567);
+  EXPECT_EQ(gains[0], 10);
+  EXPECT_EQ(gains[5], 15);
+  EXPECT_EQ(key, 5u);
+  EXPECT_EQ(power.remainingCapacity, 83);
+  EXPECT_EQ(power.volume, 3);
+  EXPECT_EQ(asked->heard,
+            (std::vector<std::string>{std::string("open ") + kHead, "open PRM:/r9-Joint2:j9",
+                                      "power on", "gains 10 0 12 14 0 15 0x77", "enable 0x77",
+                                      "joint 0x77", "get gains 0x77", "close 0x77"}));
+  EXPECT_EQ(Findings(*pc) + Findings(*robot), "");
+}
+
+TEST_F(ProxyTest, TwoRunsWithTheSameAnswersAreTheSame) {
+  uint64_t hash[2];
+  for (uint64_t& one : hash) {
+    StartRobot();
+    StartPc([] {
+      OPrimitiveID id;
+      OPENR::OpenPrimitive(kHead, &id);
+      OPENR::SetMotorPower(opowerON);
+    });
+    Frames(100);
+    EXPECT_TRUE(caller->done);
+    one = pc->trace_hash();
+    pc.reset();
+  }
+  EXPECT_EQ(hash[0], hash[1]);
+}
+
+TEST_F(ProxyTest, WithoutARobotACallFailsAfterTenSecondsAndTheNextOneAtOnce) {
+  OStatus first = oSUCCESS, second = oSUCCESS;
+  int64_t first_us = 0, second_us = 0;
+  StartPc([&] {
+    OPrimitiveID id;
+    first = OPENR::OpenPrimitive(kHead, &id);
+    first_us = pc->now_us();
+    second = OPENR::SetMotorPower(opowerON);
+    second_us = pc->now_us();
+  });
+  Frames(1300);
+  ASSERT_TRUE(caller->done);
+  EXPECT_EQ(first, oFAIL);
+  EXPECT_EQ(second, oFAIL);
+  EXPECT_GE(first_us, ProxyClient::kPatienceUs);
+  EXPECT_LT(second_us, first_us + kFrameUs);
+  EXPECT_NE(Findings(*pc).find("the robot has not answered an OPEN-R call within 10 s"),
+            std::string::npos)
+      << Findings(*pc);
+  EXPECT_NE(Findings(*pc).find("!ROBOT_PROXY (port 59001): cannot connect to 10.0.1.100, error 10; "
+                               "tried again every second; a robot that openr runs on this computer "
+                               "is 127.0.0.1: write that, or run with --ip 10.0.1.100=127.0.0.1"),
+            std::string::npos)
+      << Findings(*pc);
+}
+
+TEST_F(ProxyTest, ARobotThatComesLaterIsFound) {
+  OStatus status = oFAIL;
+  StartPc([&] {
+    OPrimitiveID id;
+    status = OPENR::OpenPrimitive(kHead, &id);
+  });
+  Frames(400);
+  EXPECT_FALSE(caller->done);
+  StartRobot();
+  Frames(400);
+  EXPECT_TRUE(caller->done);
+  EXPECT_EQ(status, oSUCCESS);
+}
+
+TEST_F(ProxyTest, ACallThatIsNotCarriedIsSaid) {
+  StartRobot();
+  OStatus control = oSUCCESS;
+  StartPc([&] {
+    control = OPENR::ControlPrimitive(1, oprmreqCAM_SET_GAIN, nullptr, 0, nullptr, 0);
+    OTime time;
+    OPENR::GetTime(&time);
+  });
+  Frames(100);
+  ASSERT_TRUE(caller->done);
+  EXPECT_EQ(control, oNOT_SUPPORTED);
+  EXPECT_NE(Findings(*pc).find("OPENR::ControlPrimitive() is not carried to the robot"),
+            std::string::npos);
+  EXPECT_NE(Findings(*pc).find("OPENR::GetTime() is not carried to the robot: the layout"),
+            std::string::npos);
+}
+
+// ---- a PC that is not ours
+
+TEST_F(ProxyTest, ARobotAnswersBytesOfTheReference) {
+  StartRobot();
+  const std::string found = Answer(Item(Words({1}) + Padded("OVirtualRobot", 64)));
+  ASSERT_EQ(found.size(), 24u);
+  EXPECT_EQ(found.substr(0, 20), Words({20, 1, 12, 2, 0}));
+  const std::string oid = found.substr(20);
+  const std::string locator = Padded(kHead, 128);
+  EXPECT_EQ(Answer(Item(Words({5}) + oid + Words({4, 132, 12}) + Words({1024}) + locator)),
+            Item(Words({6, 0, 12}) + Words({1025, 0, 0x77})));
+  // Enabling the gain: request 8 of the control.
+  const std::string control = Padded(Words({1027, 0, 8, 0, 0, 0, 4, 0, 0x77}), 224);
+  const std::string enabled = Answer(Item(Words({5}) + oid + Words({9, 224, 224}) + control));
+  EXPECT_EQ(enabled.substr(0, 24), Words({244, 1, 236, 6, 0, 224}));
+  EXPECT_EQ(enabled.substr(24), control);  // with status 0
+  EXPECT_EQ(asked->heard.back(), "enable 0x77");
+}
+
+TEST_F(ProxyTest, WhatTheRobotCannotDoIsAnsweredAndSaid) {
+  StartRobot();
+  EXPECT_EQ(Answer(Item(Words({1}) + Padded("move\x1b[2JMe", 64))), Item(Words({2, 12, 0})));
+  EXPECT_NE(Findings(*robot).find("looks for 'move?[2JMe'; OVirtualRobot, OPowerManager and "
+                                  "ODesignedRobot can be called"),
+            std::string::npos)
+      << Findings(*robot);
+  EXPECT_EQ(Answer(Item(Words({5, 0x12345, 4, 0, 8}))), Item(Words({6, 7, 0})));
+  EXPECT_EQ(Answer(Item(Words({5, 0x80000002, 10, 0, 12}))), Item(Words({6, 2, 0})));
+  EXPECT_NE(Findings(*robot).find("entry 10 of OPowerManager is not carried"), std::string::npos);
+  EXPECT_EQ(Answer(Item(Words({5, 0x80000001, 4, 3, 12}) + "abc")), Item(Words({6, 2, 0})));
+  EXPECT_NE(Findings(*robot).find("a message of 3 bytes to OVirtualRobot, entry 4"),
+            std::string::npos);
+  EXPECT_TRUE(asked->heard.empty());
+  EXPECT_FALSE(peer.ended);
+  EXPECT_EQ(Answer(Item(Words({7, 1, 2, 3}))), "");
+  EXPECT_TRUE(peer.ended);
+  EXPECT_NE(Findings(*robot).find("has the command 7 (SENDWITHRBOX)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace openr_host
