@@ -108,7 +108,8 @@ void RemoteClient::ThrowSilent() const {
 void RemoteClient::ThrowLost(int error) const {
   Throw(
       fmt::format("the connection was lost ({}); has 'openr run' ended? Its output says why; "
-                  "start it again if so",
+                  "start it again if so. A client that is silent for 10 s gives way when all 8 "
+                  "places are taken and another one connects",
                   error == 0 ? "the robot closed it" : std::strerror(error)));
 }
 

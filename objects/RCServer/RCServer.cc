@@ -18,6 +18,7 @@ RCServer::RCServer() : handler_(this), retryFrame_(0), isStopped_(false)
         client_[i].receiveData = 0;
         client_[i].sendData = 0;
         client_[i].isLast = false;
+        client_[i].isWaiting = false;
         client_[i].lastFrame = 0;
     }
 }
@@ -50,8 +51,10 @@ RCServer::DoStart(const OSystemEvent&)
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
     ipstack_ = antStackRef("IPStack");
-    if (NewBuffers() != oSUCCESS) return oFAIL;
-    for (int i = 0; i < NUM_CLIENTS; i++) Listen(i);
+    for (int i = 0; i < NUM_PLACES; i++) {
+        if (NewBuffer(i) != oSUCCESS) return oFAIL;
+    }
+    for (int i = 0; i < NUM_PLACES; i++) Listen(i);
     OSYSLOG1((osyslogINFO, "state: listening"));
     return oSUCCESS;
 }
@@ -85,7 +88,7 @@ RCServer::NotifySensor(const ONotifyEvent& event)
     handler_.SetSensors(sensors_);
     observer[event.ObsIndex()]->AssertReady(event.SenderID());
     RetryListening(sensors_.frame);
-    CloseIdle(sensors_.frame);
+    PlaceWaiting(sensors_.frame);
 }
 
 void

@@ -48,9 +48,12 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    // At once; when another comes, the one that has been silent longest must go
-    // (CloseIdle).
-    static const int NUM_CLIENTS = 8;
+    // Served at once.
+    static const int NUM_PLACES = 8;
+
+    // One more may connect while all places are taken: it gets the place of a client that has been
+    // silent for long, or an answer that says why not (PlaceWaiting).
+    static const int NUM_CLIENTS = NUM_PLACES + 1;
 
     enum ClientState {
         clientCLOSED,
@@ -68,6 +71,7 @@ private:
         byte* sendData;
         RcFramer framer;
         bool isLast;       // close when what is being sent has been sent
+        bool isWaiting;    // all places were taken when it came
         Uint32 lastFrame;  // when it was heard of last
     };
 
@@ -77,14 +81,17 @@ private:
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature);
 
-    OStatus NewBuffers();
+    OStatus NewBuffer(int index);
     void Listen(int index);
+    void ListenForMore();
     void Receive(int index);
     void AnswerRequests(int index);
     void Send(int index, int size);
     void Close(int index);
     void RetryListening(Uint32 frame);
-    void CloseIdle(Uint32 frame);
+    int NumServed() const;
+    void PlaceWaiting(Uint32 frame);
+    void TurnAway(int index, const RcFramer* request);
     void SendMover();
     void SendLedEar();
 

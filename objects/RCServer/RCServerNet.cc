@@ -25,7 +25,7 @@ static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 // One second of 8 ms frames between two tries to listen.
 static const Uint32 RETRY_FRAMES = 125;
 
-// A client that said nothing for ten seconds gives way when nobody else can connect.
+// A client that said nothing for ten seconds of the robot's clock gives way to one that waits.
 static const Uint32 IDLE_FRAMES = 1250;
 
 // The continuation of a message carries the index of its client.
@@ -42,21 +42,20 @@ IndexOf(const antEnvMsg* message)
 }
 
 OStatus
-RCServer::NewBuffers()
+RCServer::NewBuffer(int index)
 {
-    for (int i = 0; i < NUM_CLIENTS; i++) {
-        antEnvCreateSharedBufferMsg create(RECEIVE_SIZE + SEND_SIZE);
-        create.Call(ipstack_, sizeof(create));
-        if (create.error != ANT_SUCCESS) {
-            OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for client %d, error %d", i,
-                      (int)create.error));
-            return oFAIL;
-        }
-        client_[i].buffer = create.buffer;
-        client_[i].buffer.Map();
-        client_[i].receiveData = (byte*)client_[i].buffer.GetAddress();
-        client_[i].sendData = client_[i].receiveData + RECEIVE_SIZE;
+    Client& client = client_[index];
+    antEnvCreateSharedBufferMsg create(RECEIVE_SIZE + SEND_SIZE);
+    create.Call(ipstack_, sizeof(create));
+    if (create.error != ANT_SUCCESS) {
+        OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for client %d, error %d", index,
+                  (int)create.error));
+        return oFAIL;
     }
+    client.buffer = create.buffer;
+    client.buffer.Map();
+    client.receiveData = (byte*)client.buffer.GetAddress();
+    client.sendData = client.receiveData + RECEIVE_SIZE;
     return oSUCCESS;
 }
 
@@ -74,6 +73,7 @@ RCServer::Listen(int index)
     }
     client.endpoint = create.moduleRef;
     client.isLast = false;
+    client.isWaiting = false;
     client.framer.Reset();
     TCPEndpointListenMsg listen(client.endpoint, IP_ADDR_ANY, RC_PORT);
     listen.continuation = Continuation(index);
@@ -91,21 +91,71 @@ RCServer::RetryListening(Uint32 frame)
     }
 }
 
-// Clients that connect and say nothing must not lock the others out.
+// With all places taken, an endpoint more listens for the client that would have to wait.
 void
-RCServer::CloseIdle(Uint32 frame)
+RCServer::ListenForMore()
 {
-    if (isStopped_) return;
-    int idle = -1;
+    int more = -1;
     for (int i = 0; i < NUM_CLIENTS; i++) {
         if (client_[i].state == clientLISTENING) return;
-        if (client_[i].state != clientRECEIVING) continue;
-        if (idle < 0 || frame - client_[i].lastFrame > frame - client_[idle].lastFrame) idle = i;
+        if (client_[i].state == clientCLOSED) more = i;
     }
-    if (idle < 0 || frame - client_[idle].lastFrame < IDLE_FRAMES) return;
-    OSYSLOG1((osyslogWARNING, "RCServer: client %d was silent for %u s and gives way to others",
-              idle, (frame - client_[idle].lastFrame) / RETRY_FRAMES));
-    Close(idle);
+    if (more < 0) return;
+    if (client_[more].receiveData == 0 && NewBuffer(more) != oSUCCESS) return;
+    Listen(more);
+}
+
+int
+RCServer::NumServed() const
+{
+    int count = 0;
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        const ClientState state = client_[i].state;
+        if ((state == clientRECEIVING || state == clientSENDING) && !client_[i].isWaiting) count++;
+    }
+    return count;
+}
+
+// Gives the client that waits a place: a free one, or that of the client that has been silent
+// longest.  A client that connects and says nothing keeps its place as long as nobody waits.
+void
+RCServer::PlaceWaiting(Uint32 frame)
+{
+    int waiting = -1;
+    int silent = -1;
+    for (int i = 0; i < NUM_CLIENTS; i++) {
+        if (client_[i].state != clientRECEIVING) continue;
+        if (client_[i].isWaiting) {
+            waiting = i;
+        } else if (silent < 0 ||
+                   frame - client_[i].lastFrame > frame - client_[silent].lastFrame) {
+            silent = i;
+        }
+    }
+    if (isStopped_ || waiting < 0) return;
+    if (NumServed() < NUM_PLACES) {
+        client_[waiting].isWaiting = false;
+    } else if (silent >= 0 && frame - client_[silent].lastFrame >= IDLE_FRAMES) {
+        OSYSLOG1((osyslogWARNING, "RCServer: client %d was silent for %u s and gives way to another",
+                  silent, (frame - client_[silent].lastFrame) / RETRY_FRAMES));
+        Close(silent);
+        client_[waiting].isWaiting = false;
+    } else if (frame - client_[waiting].lastFrame >= IDLE_FRAMES) {
+        TurnAway(waiting, 0);  // it asks for nothing and keeps others from being answered
+    }
+}
+
+// Answers that there is no place, to the request if there is one, and ends the connection.
+void
+RCServer::TurnAway(int index, const RcFramer* request)
+{
+    Client& client = client_[index];
+    OSYSLOG1((osyslogWARNING, "RCServer: client %d is turned away, all %d places are taken", index,
+              NUM_PLACES));
+    RcWriter out(client.sendData, RC_MAX_PACKET);
+    handler_.AnswerNoPlace(request, NUM_PLACES, (int)(IDLE_FRAMES / RETRY_FRAMES), &out);
+    client.isLast = true;
+    Send(index, out.Size());
 }
 
 void
@@ -121,7 +171,10 @@ RCServer::ListenCont(ANTENVMSG msg)
         return;
     }
     client_[index].lastFrame = sensors_.frame;
+    client_[index].isWaiting = NumServed() >= NUM_PLACES;
     Receive(index);
+    PlaceWaiting(sensors_.frame);
+    ListenForMore();
 }
 
 void
@@ -159,6 +212,7 @@ RCServer::AnswerRequests(int index)
         RcWriter out(client.sendData + size, RC_MAX_PACKET);
         const RcFramer::Result result = client.framer.Next();
         if (result == RcFramer::NEEDS_MORE) break;
+        if (result == RcFramer::PACKET && client.isWaiting) return TurnAway(index, &client.framer);
         if (result == RcFramer::PACKET) {
             handler_.Answer(client.framer, &out);
         } else {

@@ -117,9 +117,7 @@ RequestHandler::LoadMotion(const std::string& file, MoverCommand* command, RcPla
 {
     std::string why;
     std::vector<Uint8> bytes;
-    if (file.find('\0') != std::string::npos || !MtnFileName(file.c_str(), command->file, &why)) {
-        return Fail(rcerrorNO_SUCH_FILE, why.empty() ? "a file name has no zero bytes" : why);
-    }
+    if (!MtnFileName(file.c_str(), command->file, &why)) return Fail(rcerrorNO_SUCH_FILE, why);
     if (!port_->ReadFile(std::string(MTN_DIRECTORY) + command->file, &bytes, &why)) {
         return Fail(rcerrorNO_SUCH_FILE, why);
     }

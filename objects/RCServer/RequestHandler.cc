@@ -79,6 +79,20 @@ RequestHandler::AnswerBroken(const std::string& error, RcWriter* out)
     out->PutHeader(0, 0);
 }
 
+void
+RequestHandler::AnswerNoPlace(const RcFramer* request, int places, int seconds, RcWriter* out)
+{
+    BeginAnswer(out, rcerrorBUSY);
+    out->String(TextFormat("all %d places are taken, and none of these clients has been silent for "
+                           "%d s; end one of them, or try again",
+                           places, seconds));
+    if (request != 0) {
+        out->PutHeader(request->Header().command, request->Header().tag);
+    } else {
+        out->PutHeader(0, 0);
+    }
+}
+
 int
 RequestHandler::Fail(int status, const std::string& why)
 {

@@ -33,6 +33,10 @@ public:
     // The answer to bytes that are no packet; the connection ends with it.
     void AnswerBroken(const std::string& error, RcWriter* out);
 
+    // The answer to a client for which there is no place; the connection ends with it.  `request`
+    // may be null: the client has sent none.
+    void AnswerNoPlace(const RcFramer* request, int places, int seconds, RcWriter* out);
+
 private:
     void BeginAnswer(RcWriter* out, int status);
     int Handle(int command, RcReader* in, RcWriter* out);

@@ -41,14 +41,20 @@ RcWriter::U32(Uint32 value)
     size_ += 4;
 }
 
+// Names come from files and from the other side; whatever they hold, they end up on terminals.
+static char
+Ascii(char c)
+{
+    return c >= ' ' && c <= '~' ? c : '?';
+}
+
 void
 RcWriter::String(const std::string& text)
 {
     const int length = text.size() < 255 ? (int)text.size() : 255;
     if (!Room(1 + length)) return;
     buffer_[size_++] = (Uint8)length;
-    memcpy(buffer_ + size_, text.data(), length);
-    size_ += length;
+    for (int i = 0; i < length; i++) buffer_[size_++] = (Uint8)Ascii(text[i]);
 }
 
 void
@@ -114,7 +120,9 @@ RcReader::String()
     const int length = U8();
     if (!Has(length)) return std::string();
     at_ += length;
-    return std::string((const char*)bytes_ + at_ - length, length);
+    std::string text((const char*)bytes_ + at_ - length, length);
+    for (int i = 0; i < length; i++) text[i] = Ascii(text[i]);
+    return text;
 }
 
 // ---- RcFramer ------------------------------------------------------------------------

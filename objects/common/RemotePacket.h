@@ -41,7 +41,8 @@ public:
     void U32(Uint32 value);
     void S32(Sint32 value) { U32((Uint32)value); }
 
-    // A length byte and the characters; longer strings lose their end.
+    // A length byte and the characters; longer strings lose their end.  What is no printable ASCII
+    // character goes out as '?'.
     void String(const std::string& text);
 
     int Size() const { return size_; }
@@ -72,7 +73,7 @@ public:
     Uint16 U16();
     Uint32 U32();
     Sint32 S32();
-    std::string String();
+    std::string String();  // '?' for what is no printable ASCII character
 
     // Everything was there, and nothing is left over.
     bool IsComplete() const { return !hasFailed_ && at_ == size_; }

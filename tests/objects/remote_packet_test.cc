@@ -120,6 +120,22 @@ TEST(RemoteWriterTest, OverflowIsFlaggedAndWritesNothingOutside) {
   EXPECT_EQ(bytes[3], 9);
 }
 
+// Terminals obey control bytes, and a name may hold any.
+TEST(RemoteWriterTest, StringsAreAscii) {
+  uint8_t bytes[64];
+  RcWriter out(bytes, 64);
+  out.String("a\x1b[2Jb\n~ \xc3\xa9");
+  const std::string sent(reinterpret_cast<char*>(bytes) + 1, bytes[0]);
+  EXPECT_EQ(sent, "a?[2Jb?~ ??");
+}
+
+TEST(RemoteReaderTest, StringsAreAsciiWhateverTheOtherSideSends) {
+  const uint8_t bytes[] = {5, 'a', 0x1b, 0, 0x7f, 0xe9};
+  RcReader in(bytes, 6);
+  EXPECT_EQ(in.String(), "a????");
+  EXPECT_TRUE(in.IsComplete());
+}
+
 TEST(RemoteReaderTest, MissingBytesGiveZerosAndAFlag) {
   const uint8_t bytes[] = {5, 'a', 'b'};
   RcReader in(bytes, 3);
