@@ -83,8 +83,14 @@ class GatewayReader {
     const char* const form =
         side_ == GatewaySide::kRobot ? "a service and a port" : "a service, a port and an address";
     if (line.words.size() > wanted) {
+      const std::string& word = line.words[wanted].text;
+      const bool is_address = IPAddress(word.c_str()).Address() != 0;
       Refuse(line.At(line.words[wanted]),
-             fmt::format("'{}' after the record; a line holds {}", line.words[wanted].text, form));
+             fmt::format("'{}' after the record; a line holds {}{}", word, form,
+                         side_ == GatewaySide::kRobot && is_address
+                             ? "; addresses are in the PC's HOSTGW.CFG, where a robot that openr "
+                               "runs on this computer is 127.0.0.1"
+                             : ""));
     } else {
       Refuse(line.place, fmt::format("a line holds {}, separated by blanks", form));
     }

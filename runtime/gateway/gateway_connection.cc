@@ -75,7 +75,15 @@ void GatewayConnection::Open() {
     Listen();
   } else {
     Connect();
+    if (!had_answer_) gateway_->LookLater(index_, kHintUs);
   }
+}
+
+// A host that drops what is sent to it gives no answer for minutes.
+void GatewayConnection::LookForAnswer() {
+  const std::string hint = HintFor(IPAddress(record_.host.c_str()));
+  if (had_answer_ || hint.empty()) return;
+  Warn(fmt::format("no answer from {} within {} s{}", record_.host, kHintUs / 1'000'000, hint));
 }
 
 void GatewayConnection::Listen() {
@@ -108,6 +116,7 @@ void GatewayConnection::Connect() {
 
 void GatewayConnection::TakeConnect(const TCPEndpointConnectMsg& answer) {
   if (answer.dstModule != endpoint_) return;
+  had_answer_ = true;
   if (answer.error == TCP_SUCCESS) return TakeConnection(endpoint_);
   Warn(fmt::format("cannot connect to {}, error {}; tried again every second{}", record_.host,
                    static_cast<int>(answer.error), HintFor(IPAddress(record_.host.c_str()))));

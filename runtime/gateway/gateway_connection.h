@@ -30,6 +30,8 @@ class GatewayConnection {
   };
 
   static constexpr int64_t kRetryUs = 1'000'000;
+  // After so long without an answer from an address of another time, a warning names that of today.
+  static constexpr int64_t kHintUs = 5'000'000;
 
   // Number `index` of the gateway.  `owner` hears in handlers of the gateway.
   GatewayConnection(TcpGateway* gateway, int index, const GatewayRecord& record, Owner* owner);
@@ -44,6 +46,8 @@ class GatewayConnection {
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
+  // kHintUs after the first try.
+  void LookForAnswer();
 
   void HashState(Hasher* hasher) const;
 
@@ -71,6 +75,7 @@ class GatewayConnection {
   antModuleRef listener_;          // waits for the next client
   antModuleRef endpoint_;          // of the connection, or of the one that is being made
   bool is_up_ = false;
+  bool had_answer_ = false;  // of a connect, good or bad
   bool is_sending_ = false;
   std::string out_;  // not yet given to the stack
 };

@@ -32,6 +32,11 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
   });
   for (const GatewayRecord& record : config.services) AddChannel(record);
   AddProxies(config);
+  look_ = AddExtra("Look", [this](void* payload) {
+    int index = 0;
+    std::memcpy(&index, payload, sizeof index);
+    channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
+  });
   // Of each: what it waits for from the network, its data or its ready.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
@@ -90,8 +95,11 @@ void TcpGateway::PostToStack(antEnvMsg* message, int size) {
   message->Send(stack_, myOID_, static_cast<int32>(answer_), size);
 }
 
-void TcpGateway::OpenLater(int channel, int64_t delay_us) {
-  Message* const message = system().NewMessage(host().id, open_);
+void TcpGateway::OpenLater(int channel, int64_t delay_us) { PostLater(open_, channel, delay_us); }
+void TcpGateway::LookLater(int channel, int64_t delay_us) { PostLater(look_, channel, delay_us); }
+
+void TcpGateway::PostLater(Selector entry, int channel, int64_t delay_us) {
+  Message* const message = system().NewMessage(host().id, entry);
   std::memcpy(message->payload, &channel, sizeof channel);
   message->size = sizeof channel;
   system().Post(message, delay_us);

@@ -42,6 +42,8 @@ class TcpGateway : public CodeObject {
   // The answer comes to the channel whose number is the message's continuation.
   void PostToStack(antEnvMsg* message, int size);
   void OpenLater(int channel, int64_t delay_us);
+  // Calls GatewayConnection::LookForAnswer().
+  void LookLater(int channel, int64_t delay_us);
   // Calls ProxyClient::Expire().
   void ExpireLater(int64_t delay_us);
   void Warn(const std::string& text);
@@ -49,10 +51,12 @@ class TcpGateway : public CodeObject {
  private:
   void AddChannel(const GatewayRecord& record);
   void AddProxies(const GatewayConfig& config);
+  void PostLater(Selector entry, int channel, int64_t delay_us);
 
   antStackRef stack_;
   Selector answer_ = 0;
   Selector open_ = 0;
+  Selector look_ = 0;
   Selector call_ = 0;
   Selector expire_ = 0;
   ProxyClient* proxy_client_ = nullptr;

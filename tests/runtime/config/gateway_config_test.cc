@@ -42,6 +42,16 @@ TEST(GatewayConfigTest, OnlySectionsOfTheRobotHold) {
       2u);
 }
 
+TEST(GatewayConfigTest, AnAddressInTheRobotsFileGetsAHint) {
+  EXPECT_EQ(
+      ErrorIn(Robot("TCPGateway.a.T.O 59002 10.0.1.100\n")),
+      "ROBOTGW.CFG:1: '10.0.1.100' after the record; a line holds a service and a port; "
+      "addresses are in the PC's HOSTGW.CFG, where a robot that openr runs on this computer is "
+      "127.0.0.1; the service is not there\n"
+      "TCPGateway.a.T.O 59002 10.0.1.100\n"
+      "                       ^");
+}
+
 TEST(GatewayConfigTest, OpenrCallsHaveAPortAndOnThePcAnAddress) {
   const GatewayConfig robot = Robot("TCPGateway.Proxy.AperiosMessage.P 59001\n");
   EXPECT_EQ(Render(robot.diagnostics), "");

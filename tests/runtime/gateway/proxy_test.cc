@@ -297,6 +297,31 @@ TEST_F(ProxyTest, WithoutARobotACallFailsAfterTenSecondsAndTheNextOneAtOnce) {
       << Findings(*pc);
 }
 
+// A firewall, or a net of another place, that drops what is sent to the address.
+class DroppingNetwork : public LoopbackNetwork {
+ public:
+  void Connect(NetHandle, uint16_t, NetAddress) override {}
+};
+
+TEST_F(ProxyTest, AnAddressThatNeverAnswersGetsTheHintAsWell) {
+  for (const char* address : {"10.0.1.100", "127.0.0.1"}) {
+    Write(pc_folder, "HOSTGW.CFG", std::string("!ROBOT_PROXY 59001 ") + address + "\n");
+    System system({.console = [](std::string_view) {}});
+    system.AddRobot("ERS-210", std::make_shared<FolderStick>(pc_folder.path()));
+    AddIpStack(&system, 0, std::make_unique<DroppingNetwork>());
+    LoadStickAndGateway(&system, 0);
+    system.Boot();
+    system.RunFor(30'000'000);
+    const bool is_loopback = address[0] == '1' && address[1] == '2';
+    EXPECT_EQ(Findings(system),
+              is_loopback
+                  ? ""
+                  : "tcpGateway: !ROBOT_PROXY (port 59001): no answer from 10.0.1.100 within "
+                    "5 s; a robot that openr runs on this computer is 127.0.0.1: write that, "
+                    "or run with --ip 10.0.1.100=127.0.0.1\n");
+  }
+}
+
 TEST_F(ProxyTest, ARobotThatComesLaterIsFound) {
   OStatus status = oFAIL;
   StartPc([&] {
