@@ -11,6 +11,7 @@
 #include "openr/kit/controller_build.h"
 #include "openr/kit/new_controller.h"
 #include "openr/kit/robot_stick.h"
+#include "openr/kit/shell_words.h"
 
 namespace openr_host {
 namespace {
@@ -49,7 +50,7 @@ int New(const ControllerFlags& flags) {
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
-  fmt::print("\nopenr controller build {0}\nopenr run --stick {0}\n", folder);
+  fmt::print("\nopenr controller build {0}\nopenr run --stick {0}\n", ShellWord(folder));
   return kExitGood;
 }
 

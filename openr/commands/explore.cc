@@ -20,6 +20,7 @@
 #include "openr/explore/explorer.h"
 #include "openr/explore/schedule_file.h"
 #include "openr/json_text.h"
+#include "openr/kit/shell_words.h"
 #include "openr/output_file.h"
 #include "openr/pacing.h"
 
@@ -188,9 +189,9 @@ bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
   const std::string problem = WriteFile(flags.file, JsonText(schedule, 2) + "\n");
   fmt::print(stderr, "openr explore: {}\n",
-             problem.empty()
-                 ? fmt::format("wrote {}; again: openr explore --replay {}", flags.file, flags.file)
-                 : problem);
+             problem.empty() ? fmt::format("wrote {}; again: openr explore --replay {}", flags.file,
+                                           ShellWord(flags.file))
+                             : problem);
   return problem.empty();
 }
 

@@ -8,6 +8,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/exit_code.h"
 #include "openr/kit/new_object.h"
+#include "openr/kit/shell_words.h"
 
 namespace openr_host {
 namespace {
@@ -23,7 +24,8 @@ int New(const NewFlags& flags) {
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
-  fmt::print("\nopenr build {0}\nopenr run --stick {0}/MS\n", folder);
+  fmt::print("\nopenr build {}\nopenr run --stick {}\n", ShellWord(folder),
+             ShellWord(folder + "/MS"));
   return kExitGood;
 }
 

@@ -15,6 +15,7 @@
 #include "openr/kit/project.h"
 #include "openr/kit/sdk_paths.h"
 #include "openr/kit/sdk_tools.h"
+#include "openr/kit/shell_words.h"
 #include "openr/kit/stick_merge.h"
 #include "openr/kit/text_files.h"
 #include "runtime/core/temp_folder.h"
@@ -51,7 +52,7 @@ class ControllerBuild {
     fmt::print("{}  {}\n", kImage,
                sources.files.empty() ? "empty: Makefile.sources names no source"
                                      : folder_.filename().string());
-    fmt::print("openr run --stick {}\n", stick_.lexically_normal().string());
+    fmt::print("openr run --stick {}\n", ShellWord(stick_.lexically_normal()));
     return kExitGood;
   }
 

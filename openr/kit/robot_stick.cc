@@ -14,6 +14,7 @@
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/robot_sdk.h"
 #include "openr/kit/sdk_tools.h"
+#include "openr/kit/shell_words.h"
 #include "openr/kit/stick_merge.h"
 #include "openr/kit/text_files.h"
 
@@ -292,7 +293,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
     if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
   for (const fs::path& file : debug_files) fs::remove(file);
   draft.Finish();
-  fmt::print("openr run --stick {}\n", output);
+  fmt::print("openr run --stick {}\n", ShellWord(output));
 }
 
 }  // namespace openr_host
