@@ -1,12 +1,15 @@
 #include "openr/kit/compile_command.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <regex>
 #include <string_view>
 
 namespace openr_host {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool StartsWith(std::string_view text, std::string_view start) { return text.starts_with(start); }
 
@@ -56,8 +59,8 @@ bool TakesNextWord(const std::string& flag) {
 // Flags for the robot, and flags the kit decides about.
 bool IsRobotFlag(const std::string& flag) {
   // Everything about the processor begins with -m.
-  static const char* const kStarts[] = {"-m",    "-std=", "-Werror", "-pedantic", "-fpic",
-                                        "-fPIC", "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
+  static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
+                                        "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
   if (IsOneOf(flag, {"-EL", "-EB", "-ansi", "-Wno-return-type", "-nostdinc", "-nostdinc++", "-w",
                      "-static", "-non_shared", "-KPIC"})) {
     return true;
@@ -90,11 +93,24 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
                                                                            : Language::kCxx;
 }
 
+// The flags for the language level `name` of a -std flag; none for a level of another language.
+// Strict levels become those with GNU extensions, because the headers of the SDK's compiler hid
+// nothing for their sake.  `inline` of C99 was GNU's own until g++ 4.3.
+std::vector<std::string> StandardFlags(const std::string& name, Language language) {
+  const bool is_cxx = name.find("++") != std::string::npos;
+  if (name.empty() || is_cxx != (language == Language::kCxx)) return {};
+  if (is_cxx) return {"-std=" + (IsOneOf(name, {"c++98", "c++03"}) ? "gnu++98" : name)};
+  if (IsOneOf(name, {"c89", "c90", "iso9899:1990", "iso9899:199409"})) return {"-std=gnu89"};
+  if (IsOneOf(name, {"c99", "c9x", "gnu99", "gnu9x", "iso9899:1999", "iso9899:199x"}))
+    return {"-std=gnu99", "-fgnu89-inline"};
+  return {"-std=" + name};
+}
+
 }  // namespace
 
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx) {
   CompileCommand command;
-  std::string language;
+  std::string language, standard;
   bool asks = false;  // for the version, or only preprocesses
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
@@ -102,6 +118,8 @@ CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool 
     if (word == "-w") command.is_quiet = true;
     if (word == "-G" || word == "-V" || word == "-b") {
       i += has_next;
+    } else if (StartsWith(word, "-std=")) {
+      standard = word.substr(5);
     } else if (IsRobotFlag(word)) {
       continue;
     } else if (TakesNextWord(word) && has_next) {
@@ -120,9 +138,42 @@ CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool 
   }
   ModerniseIncludes(&command.arguments);
   command.language = LanguageOf(command, language, is_cxx);
+  const std::vector<std::string> level = StandardFlags(standard, command.language);
+  command.arguments.insert(command.arguments.end(), level.begin(), level.end());
   command.links = !command.compiles && !asks;
   if (asks) command.compiles = false;
   return command;
+}
+
+std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
+                                      const std::string& folder) {
+  const auto absolute = [&folder](const std::string& path) {
+    const fs::path whole = (fs::path(folder) / path).lexically_normal();
+    return (whole.has_filename() ? whole : whole.parent_path()).string();  // "a/" ends in nothing
+  };
+  std::vector<std::string> flags;
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    const bool has_next = i + 1 < arguments.size();
+    if (IsOneOf(word, {"-include", "-imacros", "-isystem", "-idirafter", "-iquote"}) && has_next) {
+      // A file that -include names is looked for in the folders of -I as well.
+      const std::string there = absolute(arguments[++i]);
+      flags.insert(flags.end(), {word, fs::exists(there) ? there : arguments[i]});
+    } else if (IsOneOf(word, {"-D", "-U", "-I"}) && has_next) {
+      flags.push_back(word + (word == "-I" ? absolute(arguments[i + 1]) : arguments[i + 1]));
+      ++i;
+    } else if (StartsWith(word, "-I") && word != "-I-" && word.size() > 2) {
+      flags.push_back("-I" + absolute(word.substr(2)));
+    } else if ((StartsWith(word, "-D") || StartsWith(word, "-U")) && word.size() > 2) {
+      flags.push_back(word);
+    } else if (StartsWith(word, "-std=") ||
+               IsOneOf(word, {"-funsigned-char", "-fpack-struct", "-fshort-enums"})) {
+      flags.push_back(word);
+    } else if (TakesNextWord(word)) {
+      ++i;
+    }
+  }
+  return flags;
 }
 
 std::vector<std::string> UnknownFlags(const std::string& output) {

@@ -19,10 +19,15 @@ struct CompileCommand {
   Language language = Language::kCxx;  // of the sources
 };
 
-// Takes out what means nothing on the host: flags for the processor (-mips3, -G 0, -EL), -Werror,
-// the language level (ours is part of the kit's flags), -I- is said in today's way.  `is_cxx`:
-// the driver was g++, which takes .c for C++.
+// Takes out what means nothing on the host: flags for the processor (-mips3, -G 0, -EL), -Werror
+// and -ansi.  -I- is said in today's way, and -std as a level of today's compiler that means the
+// same. `is_cxx`: the driver was g++, which takes .c for C++.
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx);
+
+// The flags among `arguments` that say what a source means: -D, -U, -I, -include and -std and the
+// like.  Folders and files that they name are made absolute; they are relative to `folder`.
+std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
+                                      const std::string& folder);
 
 // Flags the host's compiler says it does not know in `output`, its complaint.
 std::vector<std::string> UnknownFlags(const std::string& output);

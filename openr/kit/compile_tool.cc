@@ -1,6 +1,7 @@
 // The robot's compiler, on the host.  What does not compile at first is tried again with what the
 // old compiler would have let pass.
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -49,18 +50,20 @@ class CompileRun {
   int Run();
 
  private:
+  void Log(bool is_good) const;
   ProcessResult Try(const Arguments& extra);
   ProcessResult TryKnownFlags(const Arguments& extra);
   void UsePreludeIfItHelps(ProcessResult* result);
   void RepairIfItHelps(ProcessResult* result);
 
+  const Arguments given_;
   CompileCommand command_;
   Arguments compiler_;  // with the kit's flags
   Arguments extra_;     // what turned out to be needed
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
-    : command_(TranslateCompile(arguments, is_cxx)) {
+    : given_(arguments), command_(TranslateCompile(arguments, is_cxx)) {
   const std::string root = SdkRoot();
   compiler_ = HostCompiler(is_cxx ? Language::kCxx : Language::kC);
   const Arguments flags = ParseCompileFlags(ReadFlags(root), command_.language, IsClang(compiler_));
@@ -98,6 +101,7 @@ ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
 }
 
 void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
+  if (command_.language != Language::kCxx) return;
   const Arguments prelude = {"-include", SdkRoot() + "/compat/openr_prelude.h"};
   const ProcessResult again = Try(prelude);
   if (!again.good() && CountErrors(again.output) >= CountErrors(result->output)) return;
@@ -109,11 +113,15 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  ProcessResult now = *result;
+  // Another compiler may have repaired a header since this one failed: the complaints of before the
+  // lock was taken no longer count.
+  extra_.clear();
+  ProcessResult now = Try({});
+  if (!now.good()) UsePreludeIfItHelps(&now);
   for (int round = 0; !now.good() && round < kRepairRoundsMax; ++round) {
     Arguments as_json = extra_;
     as_json.insert(as_json.end(), {"-fdiagnostics-format=json", "-fmax-errors=0"});
-    if (!session.Apply(Try(as_json).output)) break;
+    if (!session.Apply(Try(as_json).output, command_.sources)) break;
     now = Try(extra_);
     if (!now.good() && extra_.empty()) UsePreludeIfItHelps(&now);
   }
@@ -125,6 +133,22 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   }
 }
 
+// For `openr build`: what was compiled, with which flags, and how it went.
+void CompileRun::Log(bool is_good) const {
+  const std::string here = std::filesystem::current_path();
+  for (const std::string& source : command_.sources) {
+    LogCompile({source, here, CarriedFlags(given_, here)});
+    const std::string output = command_.output.empty()
+                                   ? std::filesystem::path(source).stem().string() + ".o"
+                                   : command_.output;
+    if (is_good) {
+      LogSuccess(output);
+    } else {
+      LogFailure({source, "does not compile", output});
+    }
+  }
+}
+
 int CompileRun::Run() {
   if (!command_.compiles) {
     const ProcessResult result = TryKnownFlags({});
@@ -132,7 +156,7 @@ int CompileRun::Run() {
     return result.status;
   }
   ProcessResult result = TryKnownFlags({});
-  if (!result.good() && result.not_found.empty() && command_.language == Language::kCxx) {
+  if (!result.good() && result.not_found.empty()) {
     UsePreludeIfItHelps(&result);
     if (!result.good()) RepairIfItHelps(&result);
   }
@@ -145,9 +169,7 @@ int CompileRun::Run() {
   if (!result.good() || !command_.is_quiet)
     std::fputs(InTermsOfOriginals(WithoutFlagNotes(result.output), SourceCopies()).c_str(), stderr);
   if (!result.not_found.empty()) std::fprintf(stderr, "%s\n", result.not_found.c_str());
-  if (!result.good()) {
-    for (const std::string& source : command_.sources) LogFailure({source, "does not compile"});
-  }
+  Log(result.good());
   return result.status;
 }
 

@@ -1,16 +1,15 @@
 // mkbin, for the host.
-#include <elf.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <sstream>
 
+#include "openr/kit/foreign_code.h"
 #include "openr/kit/image_source.h"
 #include "openr/kit/kit_log.h"
 #include "openr/kit/link_command.h"
@@ -34,19 +33,29 @@ int Refuse(const std::string& why) {
   return 1;
 }
 
-// Object files of a former build for the robot look new to make.
-bool IsRobotObject(const std::string& file) {
-  Elf32_Ehdr header{};  // the machine is at the same place in files of 64 bits
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(&header), sizeof header);
-  return std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 && header.e_machine == EM_MIPS;
-}
-
-std::string FileForTheRobot(const LinkCommand& command) {
+// Refuses what was compiled for another processor.  Object files of a former build for the robot
+// look new to make; libraries may have come without their sources.
+bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
-    if (IsRobotObject(file)) return file;
+    const std::string processor = ForeignProcessorOf(file);
+    if (processor.empty()) continue;
+    const std::string why =
+        fmt::format("was compiled for another processor ({}); remove it (make clean)", processor);
+    LogFailure({file, why, command.output});
+    Refuse(fmt::format("{} {} and build again", file, why));
+    return true;
   }
-  return "";
+  for (const std::string& file : command.libraries) {
+    const std::string processor = ForeignProcessorOf(file);
+    if (processor.empty()) continue;
+    const std::string why = fmt::format(
+        "is a library for another processor ({}); build it for this machine from its sources",
+        processor);
+    LogFailure({file, why, command.output});
+    Refuse(fmt::format("{} {}", file, why));
+    return true;
+  }
+  return false;
 }
 
 // The stem of the output, beside which the SDK's mkbin leaves its intermediate files too.
@@ -137,14 +146,10 @@ int RunMkbin(const Arguments& arguments) {
   const OcfResult ocf = ParseOcf(command.ocf, *ocf_text);
   std::fputs(Render(ocf.diagnostics).c_str(), stderr);
   if (!ocf.ocf) {
-    LogFailure({command.ocf, "is not a good .ocf file"});
+    LogFailure({command.ocf, "is not a good .ocf file", command.output});
     return 1;
   }
-  const std::string mips = FileForTheRobot(command);
-  if (!mips.empty()) {
-    LogFailure({mips, "was compiled for the robot; remove it (make clean)"});
-    return Refuse(mips + " was compiled for the robot; remove it (make clean) and build again");
-  }
+  if (HasForeignCode(command)) return 1;
   const std::string image_info = CompileImageInfo(command, *ocf_text);
   if (image_info.empty()) return 1;
   const Arguments link = LinkArguments(command, image_info);
@@ -154,11 +159,13 @@ int RunMkbin(const Arguments& arguments) {
   std::fputs(WithoutDangers(result.output).c_str(), stderr);
   if (!result.good()) {
     if (!result.not_found.empty()) Refuse(result.not_found);
-    LogFailure({command.output, Summarise(result.output)});
+    LogFailure({command.output, Summarise(result.output), command.output});
     return result.status;
   }
   LinkIntermediates(command.output);
-  LogImage({command.output, ocf.ocf->name, command.ocf});
+  Arguments parts = command.objects;
+  parts.insert(parts.end(), command.libraries.begin(), command.libraries.end());
+  LogImage({command.output, ocf.ocf->name, command.ocf, parts});
   return 0;
 }
 

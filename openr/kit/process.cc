@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -44,7 +45,7 @@ std::vector<char*> Pointers(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-std::string ReadToEnd(int descriptor) {
+std::string ReadToEnd(int descriptor, bool echoes) {
   std::string text;
   char buffer[8192];
   for (;;) {
@@ -52,6 +53,7 @@ std::string ReadToEnd(int descriptor) {
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) return text;
     text.append(buffer, static_cast<size_t>(n));
+    if (echoes) std::fwrite(buffer, 1, static_cast<size_t>(n), stderr);
   }
 }
 
@@ -81,7 +83,7 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
   posix_spawn_file_actions_destroy(&actions);
   if (captures) close(pipe_ends[1]);
   if (error == 0) {
-    if (captures) result.output = ReadToEnd(pipe_ends[0]);
+    if (captures) result.output = ReadToEnd(pipe_ends[0], options.echoes);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

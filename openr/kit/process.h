@@ -13,6 +13,7 @@ struct ProcessOptions {
   std::string folder;           // where it runs; "": here
   bool captures_error = false;  // its standard error becomes `output` instead of ours
   bool captures_out = false;    // its standard output too, in the order in which both were written
+  bool echoes = false;          // what is captured is also shown on our standard error as it comes
   bool has_no_input = false;    // it finds the end of its standard input at once
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <regex>
 
+#include "openr/kit/asm_repair.h"
 #include "openr/kit/source_text.h"
 #include "openr/kit/text_files.h"
 
@@ -15,7 +16,7 @@ namespace {
 using Edits = std::vector<Edit>;
 
 // A complaint, and the text with and without comments.
-struct Place {
+struct Spot {
   const Complaint& complaint;
   const std::string& text;
   const std::string code;  // without comments and strings
@@ -45,13 +46,13 @@ std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
 }
 
 // std::vector<T>::iterator it;
-Edits Typename(const Place& place) {
+Edits Typename(const Spot& place) {
   if (!place.Says("need 'typename' before")) return {};
   return {{place.at, place.at, "typename ", "'typename' put before " + place.Quoted(2)}};
 }
 
 // void Turn(int left, int left);
-Edits RepeatedParameter(const Place& place) {
+Edits RepeatedParameter(const Spot& place) {
   if (!place.Says("redefinition of '")) return {};
   const std::string_view word = WordAt(place.code, place.at);
   int depth = 0;
@@ -71,7 +72,7 @@ Edits RepeatedParameter(const Place& place) {
 }
 
 // typedef unsigned long uint32; where the SDK has the type with the robot's 32 bits.
-Edits OwnTypedef(const Place& place) {
+Edits OwnTypedef(const Spot& place) {
   if (!place.Says("conflicting declaration 'typedef")) return {};
   const size_t begin = place.code.rfind("typedef", place.at);
   const size_t end = place.code.find(';', place.at);
@@ -83,7 +84,7 @@ Edits OwnTypedef(const Place& place) {
 }
 
 // switch (x) { case 1: return; default: }
-Edits LabelAtEnd(const Place& place) {
+Edits LabelAtEnd(const Spot& place) {
   if (!place.Says("expected primary-expression before '}'")) return {};
   const size_t before = PreviousOf(place.code, place.at);
   if (before == kNone || place.code[before] != ':') return {};
@@ -91,7 +92,7 @@ Edits LabelAtEnd(const Place& place) {
 }
 
 // "in " __FUNCTION__, which was a string literal.
-Edits FunctionName(const Place& place) {
+Edits FunctionName(const Spot& place) {
   size_t begin = NextOf(place.code, place.at);  // the compiler points behind what went before
   if (place.Says("before string constant")) {
     begin = PreviousOf(place.code, place.at);
@@ -107,7 +108,7 @@ Edits FunctionName(const Place& place) {
 }
 
 // a <? b and a >?= b, the operators for minimum and maximum; see compat/openr_prelude.h.
-Edits MinimumOperator(const Place& place) {
+Edits MinimumOperator(const Spot& place) {
   if (!place.Says("expected primary-expression before '?'") || place.at == 0) return {};
   const char sign = place.code[place.at - 1];
   if (place.code[place.at] != '?' || (sign != '<' && sign != '>')) return {};
@@ -119,7 +120,7 @@ Edits MinimumOperator(const Place& place) {
 }
 
 // if (file < 0): a pointer and a number.
-Edits PointerAndZero(const Place& place) {
+Edits PointerAndZero(const Spot& place) {
   if (!place.Says("ordered comparison of pointer with integer zero")) return {};
   const size_t after =
       NextOf(place.code, place.at + (place.code.substr(place.at + 1, 1) == "=" ? 2 : 1));
@@ -134,7 +135,7 @@ Edits PointerAndZero(const Place& place) {
 }
 
 // int Table<3>::size = 3; without template<>.
-Edits Specialisation(const Place& place) {
+Edits Specialisation(const Spot& place) {
   if (!place.Says("requires 'template<>' syntax")) return {};
   size_t begin = place.at;
   while (begin > 0 && std::string_view(";{}").find(place.code[begin - 1]) == std::string_view::npos)
@@ -147,12 +148,37 @@ Edits Specialisation(const Place& place) {
   return {{begin, begin, "template<> ", "'template<>' put before " + place.Quoted()}};
 }
 
-Edits StaticSpecialisation(const Place& place) {
+Edits StaticSpecialisation(const Spot& place) {
   if (!place.Says("explicit template specialization cannot have a storage class")) return {};
   const std::string_view word = WordAt(place.code, place.at);
   if (word != "static" && word != "extern") return {};
   return {{place.at, place.at + word.size(), std::string(word.size(), ' '),
            fmt::format("'{}' of a specialisation left out", word)}};
+}
+
+// int ::f() {} at global scope, after a declaration of f.
+Edits KnownGlobalName(const Spot& place) {
+  if (!place.Says("explicit qualification in declaration")) return {};
+  if (place.code.compare(place.at, 2, "::") != 0) return {};
+  return {{place.at, place.at + 2, "  ", "'::' left out before a name at global scope"}};
+}
+
+// int ::f(); at global scope.
+Edits GlobalName(const Spot& place) {
+  if (!place.Says("should have been declared inside '::'")) return {};
+  size_t at = place.at;  // the compiler points at the closing bracket, or at the name
+  if (place.code[at] == ')') {
+    int depth = 0;
+    for (; at > 0; --at) {
+      depth += place.code[at] == ')' ? 1 : place.code[at] == '(' ? -1 : 0;
+      if (depth == 0) break;
+    }
+    at = PreviousOf(place.code, at);
+    while (at != kNone && at > 0 && IsWordCharacter(place.code[at - 1])) --at;
+  }
+  const size_t colon = at == kNone ? kNone : PreviousOf(place.code, at);
+  if (colon == kNone || colon == 0 || place.code.compare(colon - 1, 2, "::") != 0) return {};
+  return {{colon - 1, colon + 1, "  ", "'::' left out before a name at global scope"}};
 }
 
 // A loop whose declaration may be meant by a use after it.
@@ -195,7 +221,7 @@ std::string TypeIn(const std::string& declaration, const std::string& name) {
 
 // for (int i = 0; ...) {}  use(i);  The variable lived on until the end of the block; a later loop
 // with the same declaration meant the same one, as far as anybody could tell.
-Edits LoopVariable(const Place& place) {
+Edits LoopVariable(const Spot& place) {
   if (!place.Says("was not declared in this scope")) return {};
   const std::string name = place.Quoted();
   const std::optional<Loop> loop =
@@ -247,7 +273,7 @@ bool IsInInheritingTemplate(const std::string& code, size_t at) {
 }
 
 // A name that a template inherits from a base that depends on its parameter.
-Edits InheritedName(const Place& place) {
+Edits InheritedName(const Spot& place) {
   if (!place.Says("was not declared in this scope")) return {};
   if (WordAt(place.code, place.at) != place.Quoted()) return {};
   const size_t before = PreviousOf(place.code, place.at);
@@ -259,7 +285,7 @@ Edits InheritedName(const Place& place) {
 }
 
 // #include "Sub\HEADER.H" of a file system where case does not count.
-Edits HeaderName(const Place& place, const std::vector<std::string>& headers) {
+Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
   const size_t end = place.complaint.message.find(": No such file or directory");
   if (end == kNone) return {};
   const std::string name = place.complaint.message.substr(0, end);
@@ -281,13 +307,14 @@ Edits HeaderName(const Place& place, const std::vector<std::string>& headers) {
 
 std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,
                            const std::vector<std::string>& headers) {
-  const Place place{complaint, text, WithoutComments(text),
-                    OffsetOf(text, complaint.line, complaint.column)};
+  if (IsAboutAssembly(complaint)) return AssemblyRepairOf(complaint, text);
+  const Spot place{complaint, text, WithoutComments(text),
+                   OffsetOf(text, complaint.line, complaint.column)};
   if (place.at == kNone) return {};
-  static Edits (*const kRules[])(const Place&) = {
+  static Edits (*const kRules[])(const Spot&) = {
       &Typename,        &RepeatedParameter, &OwnTypedef,     &LabelAtEnd,           &FunctionName,
-      &MinimumOperator, &PointerAndZero,    &Specialisation, &StaticSpecialisation, &LoopVariable,
-      &InheritedName};
+      &MinimumOperator, &PointerAndZero,    &Specialisation, &StaticSpecialisation, &GlobalName,
+      &KnownGlobalName, &LoopVariable,      &InheritedName};
   for (const auto rule : kRules) {
     Edits edits = rule(place);
     if (!edits.empty()) return edits;

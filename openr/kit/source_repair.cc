@@ -9,10 +9,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
+#include "openr/kit/asm_repair.h"
 #include "openr/kit/repair_rules.h"
 #include "openr/kit/sdk_paths.h"
+#include "openr/kit/source_text.h"
 #include "openr/kit/text_files.h"
 
 namespace openr_host {
@@ -38,6 +41,28 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
                             fs::absolute(caret.value("file", "")).lexically_normal(),
                             caret.value("line", 0), caret.value("byte-column", 0)});
     }
+  }
+  return complaints;
+}
+
+// What the assembler says of the lines of a source: "a.cc:3: Error: no such instruction: ...".  Of
+// assembly outside of functions it knows no source; it is one of the compiler's `sources`.
+std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
+                                               const std::vector<std::string>& sources) {
+  static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");
+  std::vector<Complaint> complaints;
+  std::istringstream lines(diagnostics);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (!std::regex_match(line, match, kError)) continue;
+    const std::string message = kAssemblerSays + match[3].str();
+    if (!match[1].str().ends_with(".s")) {
+      complaints.push_back(
+          {message, fs::absolute(match[1].str()).lexically_normal(), std::stoi(match[2]), 1});
+      continue;
+    }
+    for (const std::string& source : sources)
+      complaints.push_back({message, fs::absolute(source).lexically_normal(), 0, 0});
   }
   return complaints;
 }
@@ -81,10 +106,33 @@ RepairSession::~RepairSession() {
   if (lock_ >= 0) close(lock_);
 }
 
-bool RepairSession::Apply(const std::string& diagnostics) {
+// A macro of a header may hold the assembly that the line of `complaint` uses.
+void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
+                                  std::map<std::string, std::vector<Edit>>* edits_of) {
+  const size_t begin = OffsetOf(text, complaint.line, 1);
+  if (begin == kNone) return;
+  const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  for (const SourceCopy& entry : copies_) {
+    for (const fs::path& file : FilesBelow(entry.copy)) {
+      if (!IsHeaderName(file)) continue;
+      const std::string header = ReadText(file).value_or("");
+      if (header.find("asm") == std::string::npos) continue;
+      for (const Edit& edit : AssemblyMacroRepairOf(line, header)) {
+        std::vector<Edit>& all = (*edits_of)[file];
+        if (Overlaps({edit}, all)) continue;
+        all.push_back(edit);
+        repairs_.push_back({OriginalOf(file, copies_), edit.what});
+      }
+    }
+  }
+}
+
+bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std::string>& sources) {
   std::vector<std::string> headers;
   std::map<std::string, std::vector<Edit>> edits_of;
-  const std::vector<Complaint> complaints = ReadComplaints(diagnostics);
+  std::vector<Complaint> complaints = ReadComplaints(diagnostics);
+  const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
+  complaints.insert(complaints.end(), more.begin(), more.end());
   // What is not declared for want of a 'typename' will be.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
@@ -99,6 +147,8 @@ bool RepairSession::Apply(const std::string& diagnostics) {
         headers.push_back(file);
     }
     const std::vector<Edit> edits = RepairOf(complaint, text, headers);
+    if (edits.empty() && complaint.line > 0 && IsAboutAssembly(complaint))
+      AddMacroEdits(complaint, text, &edits_of);
     std::vector<Edit>& all = edits_of[complaint.file];
     if (edits.empty() || Overlaps(edits, all)) continue;
     all.insert(all.end(), edits.begin(), edits.end());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "openr/kit/kit_log.h"
+#include "openr/kit/repair_rules.h"
 #include "openr/kit/source_copies.h"
 
 namespace openr_host {
@@ -22,9 +23,9 @@ class RepairSession {
   // Whether there is anything that may be changed at all.
   bool may_repair() const { return !copies_.empty(); }
 
-  // One round.  `diagnostics`: what g++ said with -fdiagnostics-format=json.  False when nothing
-  // can be done about any of it.
-  bool Apply(const std::string& diagnostics);
+  // One round.  `diagnostics`: what g++ said of `sources` with -fdiagnostics-format=json.  False
+  // when nothing can be done about any of it.
+  bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
   // They helped: says in the log what was done, in terms of the originals.
   void Keep();
@@ -33,6 +34,9 @@ class RepairSession {
   void Undo();
 
  private:
+  void AddMacroEdits(const Complaint& complaint, const std::string& text,
+                     std::map<std::string, std::vector<Edit>>* edits_of);
+
   const std::vector<SourceCopy> copies_;
   int lock_ = -1;
   std::map<std::string, std::string> former_;  // text of changed files
