@@ -10,7 +10,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -18,11 +20,13 @@
 #include "openr/exit_code.h"
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/convention_build.h"
+#include "openr/kit/foreign_code.h"
 #include "openr/kit/harvest.h"
 #include "openr/kit/kit_log.h"
 #include "openr/kit/make_build.h"
 #include "openr/kit/project.h"
 #include "openr/kit/sdk_paths.h"
+#include "openr/kit/shell_words.h"
 #include "openr/kit/text_files.h"
 #include "openr/kit/work_copy.h"
 #include "runtime/core/hasher.h"
@@ -87,11 +91,14 @@ class FolderBuild {
   void PrepareWork();
   void CheckWorkIsOurs() const;
   void Build();
-  bool TryConvention(const std::vector<ObjectFolder>& objects);
+  void TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan);
+  bool HasFailure(const ObjectFolder& object) const;
   std::vector<ObjectFolder> NotBuilt() const;
-  void CheckForOldImages();
+  void RemoveOldImages(bool is_made);
   bool SomeImageIsMissing() const;
   void Deliver();
+  void TellFailures();
+  std::vector<std::string> LeftOutAndMissed() const;
   int Conclude() const;
   std::string ObjectOf(const fs::path& file) const;
   std::string Described(const KitLog::Failure& failure) const;
@@ -107,7 +114,10 @@ class FolderBuild {
   std::vector<SourceCopy> copies_;
   std::vector<fs::path> copied_folders_;
   Project project_;
-  bool is_made_ = false;  // make was content
+  bool is_made_ = false;              // make was content
+  std::string make_cause_;            // why it was not; "" if it does not say
+  std::vector<std::string> hurdles_;  // why objects could not even be tried
+  std::vector<std::string> missing_;  // images that OBJECT.CFG names
   std::vector<std::string> problems_;
   std::vector<std::string> notes_;
   std::vector<std::string> sticks_;  // where they are now
@@ -165,8 +175,9 @@ int FolderBuild::Run() {
   for (const SourceCopy& entry : copies_) copied_folders_.emplace_back(entry.copy);
   project_ = ScanProject(copied_folders_);
   if (project_.objects.empty() && IsControllerFolder(folder_)) {
-    throw std::runtime_error(fmt::format(
-        "{0}: a controller, not an OPEN-R object; openr controller build {0}", folder_.string()));
+    throw std::runtime_error(
+        fmt::format("{}: a controller, not an OPEN-R object; openr controller build {}",
+                    folder_.string(), ShellWord(folder_)));
   }
   if (project_.objects.empty() && project_.makefiles.empty()) {
     throw std::runtime_error(fmt::format(
@@ -175,21 +186,20 @@ int FolderBuild::Run() {
         folder_.string()));
   }
   Build();
-  const KitLog log = ReadKitLog(make_.log);
-  bool is_complete = true;
-  for (const KitLog::Failure& failure : log.failures) {
-    // Rules may ignore what fails, and mean it, as long as it is no part of an object.
-    const bool is_ignored = is_made_ && ObjectOf(failure.file).empty();
-    (is_ignored ? notes_ : problems_).push_back(Described(failure));
-    is_complete = is_complete && is_ignored;
-  }
-  for (const KitLog::Repair& repair : log.repairs)
-    notes_.push_back(fmt::format("{}: {}", repair.place, repair.what));
-  if (is_complete) Deliver();
+  Deliver();
+  TellFailures();
   return Conclude();
 }
 
-// The objects of which no image exists.
+// Whether a file of this object does not compile or link.
+bool FolderBuild::HasFailure(const ObjectFolder& object) const {
+  const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
+  return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
+    return IsBelow(failure.file, object.folder) || IsBelow(failure.output, object.folder);
+  });
+}
+
+// The objects of which no image exists, but for those that no other way would compile either.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -198,66 +208,97 @@ std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
         std::any_of(log.images.begin(), log.images.end(), [&](const KitLog::Image& image) {
           return IsBelow(image.ocf, object.folder) || IsBelow(image.file, object.folder);
         });
-    if (!is_built) objects.push_back(object);
+    if (!is_built && !HasFailure(object)) objects.push_back(object);
   }
   return objects;
 }
 
 void FolderBuild::Build() {
-  const fs::path stick_root =
-      project_.sticks.empty() ? project_.root / "MS" : project_.sticks[0].root;
-  const MakePlan plan = PlanMake(project_, sdk_root_, stick_root);
+  const MakePlan plan = PlanMake(project_, sdk_root_);
   if (plan.folders.empty()) {
-    TryConvention(project_.objects);
+    TryConvention(project_.objects, plan);
     return;
   }
-  is_made_ = RunMake(plan, make_);
-  const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
-  const bool is_of_object = std::any_of(
-      failures.begin(), failures.end(),
-      [this](const KitLog::Failure& failure) { return !ObjectOf(failure.file).empty(); });
-  if (is_of_object || (!is_made_ && !failures.empty())) return;  // no other way compiles it either
-  if (!is_made_) CheckForOldImages();
+  MakeOutcome outcome = RunMake(plan, make_);
+  RemoveOldImages(outcome.is_good);
+  // A rule that goes through folders one by one ends at the first that fails.
+  if (!outcome.is_good) {
+    for (const ObjectFolder& object : NotBuilt()) {
+      const bool has_makefile =
+          std::any_of(project_.makefiles.begin(), project_.makefiles.end(), [&](const fs::path& f) {
+            return f.parent_path() == object.folder && IsMainMakefileName(f);
+          });
+      const bool is_top =
+          std::find(plan.folders.begin(), plan.folders.end(), object.folder) != plan.folders.end();
+      if (has_makefile && !is_top)
+        outcome.output += RunMakeTargets(object.folder, plan, make_).output;
+    }
+    make_cause_ = InTermsOfOriginals(CauseOf(outcome.output), copies_);
+  }
+  is_made_ = outcome.is_good;
   const std::vector<ObjectFolder> rest = NotBuilt();
-  if (rest.empty() && !is_made_ && ReadKitLog(make_.log).images.empty())
-    problems_.push_back("make failed, see above");
-  if (rest.empty() || (is_made_ && !SomeImageIsMissing())) return;
+  if (rest.empty() || !SomeImageIsMissing()) return;
   std::string names;
   for (const ObjectFolder& object : rest)
     names += (names.empty() ? "" : ", ") + object.folder.filename().string();
   notes_.push_back(fmt::format("the Makefiles made no image of {}; built without them", names));
-  TryConvention(rest);
+  TryConvention(rest, plan);
 }
 
-// After make has failed: images that it would have made anew.
-void FolderBuild::CheckForOldImages() {
-  for (const KitLog::Image& image : ReadKitLog(make_.log).images) {
-    const fs::file_time_type time = fs::last_write_time(image.file);
-    const std::string object = ObjectOf(image.ocf);
-    for (const fs::path& file : FilesBelow(fs::path(image.ocf).parent_path())) {
-      const bool is_source = IsSourceName(file) || IsHeaderName(file);
-      if (!is_source || fs::last_write_time(file) <= time) continue;
-      problems_.push_back(fmt::format("{}: make failed, see above, before it came to {}", object,
-                                      file.filename().string()));
-      break;
-    }
-  }
-}
-
-bool FolderBuild::SomeImageIsMissing() const {
-  const KitLog log = ReadKitLog(make_.log);
-  return std::any_of(project_.sticks.begin(), project_.sticks.end(), [&](const StickFolder& stick) {
-    const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_);
-    for (const fs::path& file : harvest.placed) fs::remove(file);
-    return !harvest.problems.empty();
+// Whether `image` was linked of something that failed now, so that it comes from an earlier build.
+bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>& failures) {
+  return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
+    if (failure.file == image.ocf || failure.output == image.file) return true;
+    return std::any_of(image.parts.begin(), image.parts.end(), [&](const std::string& part) {
+      if (part == failure.output) return true;
+      const std::vector<std::string> members = ArchiveMembers(part);
+      return std::find(members.begin(), members.end(),
+                       fs::path(failure.output).filename().string()) != members.end();
+    });
   });
 }
 
-bool FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects) {
+// Whether a source beside the .ocf file of `image` is newer than it.
+bool IsOlderThanSources(const KitLog::Image& image) {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(image.file, error);
+  const std::vector<fs::path> files = FilesBelow(fs::path(image.ocf).parent_path());
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    return (IsSourceName(file) || IsHeaderName(file)) && fs::last_write_time(file, error) > time;
+  });
+}
+
+// Images of an earlier build that this one could not make anew would be taken for new ones.
+void FolderBuild::RemoveOldImages(bool is_made) {
+  KitLog log = ReadKitLog(make_.log);
+  const auto is_old = [&](const KitLog::Image& image) {
+    return IsOutOfDate(image, log.failures) || (!is_made && IsOlderThanSources(image));
+  };
+  std::vector<KitLog::Image> old;
+  std::copy_if(log.images.begin(), log.images.end(), std::back_inserter(old), is_old);
+  RemoveImages(old, project_);
+  std::erase_if(log.images, is_old);
+  WriteKitLog(make_.log, log);
+}
+
+// Whether some OBJECT.CFG names an image that there is not; without one, all are wanted.
+bool FolderBuild::SomeImageIsMissing() const {
+  const KitLog log = ReadKitLog(make_.log);
+  bool has_list = false;
+  for (const StickFolder& stick : project_.sticks) {
+    if (stick.objects.empty()) continue;
+    has_list = true;
+    const Harvest harvest = CompleteStick(stick, project_, log, sdk_root_);
+    for (const fs::path& file : harvest.placed) fs::remove(file);
+    if (!harvest.problems.empty()) return true;
+  }
+  return !has_list && !is_made_;
+}
+
+void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const MakePlan& plan) {
   const std::vector<std::string> problems =
-      BuildByConvention(project_, objects, work_ / "build", make_);
-  problems_.insert(problems_.end(), problems.begin(), problems.end());
-  return problems.empty();
+      BuildByConvention(project_, objects, plan, work_ / "build", make_);
+  hurdles_.insert(hurdles_.end(), problems.begin(), problems.end());
 }
 
 void FolderBuild::Deliver() {
@@ -265,11 +306,12 @@ void FolderBuild::Deliver() {
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
-  std::vector<std::string> problems;
+  std::set<std::string> used;
   size_t good = 0;
   for (const StickFolder& stick : after.sticks) {
     const Harvest harvest = CompleteStick(stick, after, log, sdk_root_);
     for (const fs::path& file : harvest.placed) placed += file.string() + "\n";
+    used.insert(harvest.used.begin(), harvest.used.end());
     const fs::path name = stick.root.lexically_relative(after.root);
     fs::path target = OriginalName(stick.root);
     if (!options_.output.empty()) {
@@ -278,7 +320,7 @@ void FolderBuild::Deliver() {
     }
     const auto failed =
         DeliverStick(stick, target, *copy_, work_ / "robot" / name, !options_.output.empty());
-    problems.insert(problems.end(), failed.begin(), failed.end());
+    problems_.insert(problems_.end(), failed.begin(), failed.end());
     const bool has_own = std::any_of(harvest.images.begin(), harvest.images.end(),
                                      [](const HarvestedImage& i) { return !i.object.empty(); });
     if (after.sticks.size() > 1 && !has_own) {
@@ -290,11 +332,64 @@ void FolderBuild::Deliver() {
     for (const HarvestedImage& image : harvest.images)
       fmt::print("{:12} {:24} {}\n", image.name, image.object, image.from);
     notes_.insert(notes_.end(), harvest.notes.begin(), harvest.notes.end());
-    problems.insert(problems.end(), harvest.problems.begin(), harvest.problems.end());
+    missing_.insert(missing_.end(), harvest.problems.begin(), harvest.problems.end());
   }
-  if (good == 0 && problems.empty() && problems_.empty()) problems.push_back("no image was made");
-  problems_.insert(problems_.end(), problems.begin(), problems.end());
+  for (const KitLog::Image& image : log.images) {
+    if (!used.contains(image.file))
+      notes_.push_back(fmt::format("{} was built, but OBJECT.CFG does not name it", image.object));
+  }
+  if (good == 0 && missing_.empty()) missing_.push_back("no image was made");
   WriteText(work_ / "placed.txt", placed);
+}
+
+// What failed is a mistake if an image is missing for it, and else only worth a note: OBJECT.CFG
+// says what belongs to the program.  The cause comes last, where people look first.
+void FolderBuild::TellFailures() {
+  const KitLog log = ReadKitLog(make_.log);
+  for (const KitLog::Repair& repair : log.repairs)
+    notes_.push_back(fmt::format("{}: {}", repair.place, repair.what));
+  const bool is_complete = missing_.empty() && problems_.empty();
+  std::vector<std::string>* const where = is_complete ? &notes_ : &problems_;
+  for (const KitLog::Failure& failure : log.failures) where->push_back(Described(failure));
+  where->insert(where->end(), hurdles_.begin(), hurdles_.end());
+  problems_.insert(problems_.end(), missing_.begin(), missing_.end());
+  if (is_complete) {
+    if (!make_cause_.empty()) notes_.push_back("make failed: " + make_cause_);
+    return;
+  }
+  const std::vector<std::string> libraries = LeftOutAndMissed();
+  problems_.insert(problems_.end(), libraries.begin(), libraries.end());
+  // A compiler's complaint that make repeats is no news.
+  if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
+      !make_cause_.empty())
+    problems_.push_back("make failed: " + make_cause_);
+}
+
+// Object files and libraries for another processor that Makefiles name and that nothing made anew.
+std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
+  std::string makefiles;
+  for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");
+  std::vector<std::string> lines;
+  for (const auto& [original, processor] : copy_->left_out()) {
+    const fs::path file = original;
+    std::string name = file.filename();
+    std::string kind = "object file";
+    if (file.extension() == ".a") {
+      kind = "library";
+      const std::string flag = "-l" + file.stem().string().substr(name.starts_with("lib") ? 3 : 0);
+      if (makefiles.find(flag) != std::string::npos) name = flag;
+    } else if (file.extension() != ".o") {
+      continue;
+    }
+    std::error_code error;
+    if (fs::exists(copy_->PlaceOf(original), error)) continue;
+    if (makefiles.find(name) == std::string::npos) continue;
+    lines.push_back(
+        fmt::format("{}: is a {} for another processor ({}); its sources are needed to build it "
+                    "for this machine",
+                    original, kind, processor));
+  }
+  return lines;
 }
 
 std::string FolderBuild::OriginalName(const std::string& file) const {
@@ -329,7 +424,7 @@ int FolderBuild::Conclude() const {
   for (const std::string& note : notes_) fmt::print(stderr, "openr build: note: {}\n", note);
   for (const std::string& problem : problems_) fmt::print(stderr, "openr build: {}\n", problem);
   if (!problems_.empty()) return kExitWrong;
-  for (const std::string& stick : sticks_) fmt::print("openr run --stick {}\n", stick);
+  for (const std::string& stick : sticks_) fmt::print("openr run --stick {}\n", ShellWord(stick));
   return kExitGood;
 }
 

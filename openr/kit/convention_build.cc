@@ -9,7 +9,10 @@
 
 #include "openr/kit/image_match.h"
 #include "openr/kit/kit_log.h"
+#include "openr/kit/make_flags.h"
+#include "openr/kit/process.h"
 #include "openr/kit/sdk_paths.h"
+#include "openr/kit/shell_words.h"
 #include "openr/kit/text_files.h"
 
 namespace openr_host {
@@ -79,11 +82,76 @@ fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   return {};
 }
 
+// A word of a shell as a Makefile has to spell it.
+std::string InMakefile(const std::string& word) {
+  std::string text;
+  for (const char c : word) {
+    if (c == '$') text += '$';
+    if (c == '#') text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+// Whether the def.h beside the stub.cfg was written by a person and not by stubgen2.
+bool HasOwnDefinitions(const ObjectFolder& object) {
+  const auto text = ReadText(object.folder / "def.h");
+  return text && !IsGeneratedDefinitions(*text);
+}
+
+// A folder of the object that its sources expect the stub in, as `#include "stub/def.h"` says; ""
+// if they name none, or one where it lies or will be made anyway.
+fs::path NamedStubFolder(const ObjectFolder& object) {
+  static const std::regex kInclude(
+      "(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)/(?:def|entry)\\.h[\">]");
+  std::error_code error;
+  for (const fs::path& file : FilesBelow(object.folder)) {
+    if (!IsSourceName(file) && !IsHeaderName(file)) continue;
+    const std::string text = ReadText(file).value_or("");
+    for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
+      const std::string name = (*it)[1];
+      const bool is_object = !FindEntry(file.parent_path() / name, "stub.cfg").empty() ||
+                             !FindEntry(object.folder.parent_path() / name, "stub.cfg").empty();
+      const fs::path folder = (file.parent_path() / name).lexically_normal();
+      const auto there = ReadText(folder / "def.h");
+      const bool is_free = !there || IsGeneratedDefinitions(*there);
+      if (!is_object && is_free && IsBelow(folder, object.folder)) return folder;
+    }
+  }
+  return {};
+}
+
+// Where the stub of `object` is made: where its sources expect it or else beside the stub.cfg, as a
+// person would, because sources of other objects may include it too ("../Walker/def.h").  In
+// `build` if there is a def.h of somebody's own.
+fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
+  const fs::path named = NamedStubFolder(object);
+  if (!named.empty()) return named;
+  return HasOwnDefinitions(object) ? build : object.folder;
+}
+
+// Errors in a stub.cfg are said when its object is built.
+void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
+  const fs::path folder = StubFolder(object, {});
+  if (object.stub.empty() || folder.empty()) return;
+  std::error_code error;
+  const auto made = fs::last_write_time(folder / "def.h", error);
+  if (!error && made > fs::last_write_time(object.stub, error)) return;
+  fs::create_directories(folder, error);
+  RunProcess({options.sdk_root + "/OPEN_R/bin/stubgen2", object.stub, "-o", folder},
+             {{}, "", true, true, false, true});
+}
+
 class ConventionBuild {
  public:
-  ConventionBuild(const Project& project, const ObjectFolder& object, fs::path build,
-                  const MakeOptions& options)
-      : project_(project), object_(object), build_(std::move(build)), options_(options) {
+  // `flags`: of the object's Makefile.
+  ConventionBuild(const Project& project, const ObjectFolder& object,
+                  std::vector<std::string> flags, fs::path build, const MakeOptions& options)
+      : project_(project),
+        object_(object),
+        flags_(std::move(flags)),
+        build_(std::move(build)),
+        options_(options) {
     // What a first attempt left undefined is no failure if the second one succeeds.
     options_.log = build_ / "log.txt";
     for (const fs::path& source : project.shared_sources) {
@@ -96,7 +164,6 @@ class ConventionBuild {
     std::string problem;
     ocf_ = ChooseOcf(object_, &problem);
     if (!problem.empty()) return problem;
-    RemoveStaleStub();
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
     // What is undefined in a first attempt may be found in a second one.
@@ -117,7 +184,7 @@ class ConventionBuild {
   bool Make(MakeOptions::Says says) {
     CleanKitLog(options_.log);
     options_.says = says;
-    return RunMakeIn(build_, {}, options_);
+    return RunMakeIn(build_, {}, options_).is_good;
   }
 
   // Whether all that is wrong is that something is undefined.
@@ -139,38 +206,45 @@ class ConventionBuild {
       MakeOptions quiet = options_;
       quiet.says = MakeOptions::Says::kNever;
       const std::string object = build_.string() + "/" + source.string() + ".o";
-      if (RunMakeIn(build_, {object}, quiet)) compiling.push_back(source);
+      if (RunMakeIn(build_, {object}, quiet).is_good) compiling.push_back(source);
     }
     WriteMakefile(included, compiling);
     Make(MakeOptions::Says::kAlways);
   }
 
-  // Those of an earlier build on the robot would be found before ours.
-  void RemoveStaleStub() const {
-    if (object_.stub.empty()) return;
-    std::error_code ignored;
-    for (const char* name : {"def.h", "entry.h"}) fs::remove(object_.folder / name, ignored);
+  // The flags of the Makefile know best where headers are; other folders are looked at last then.
+  std::string CompilerFlags() const {
+    std::string flags = "-O2";
+    for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
+    flags += " -I" + object_.folder.string();
+    // A folder that is searched last is no longer searched first (gcc, -idirafter).
+    const auto add = [&](const fs::path& folder, const char* search) {
+      const bool is_first =
+          std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();
+      if (!is_first && folder != object_.folder) flags += search + folder.string();
+    };
+    const char* const search = flags_.empty() ? " -I" : " -idirafter ";
+    for (const fs::path& folder : project_.header_folders) add(folder, search);
+    add(project_.root, search);
+    for (const ObjectFolder& other : project_.objects) add(other.folder, " -idirafter ");
+    return flags;
   }
 
   void WriteMakefile(const Paths& included, const Paths& more) const {
-    std::string flags = "-O2 -I" + object_.folder.string();
-    for (const fs::path& folder : project_.header_folders) flags += " -I" + folder.string();
-    flags += " -I" + project_.root.string();
-    for (const ObjectFolder& other : project_.objects) {
-      if (other.folder != object_.folder) flags += " -idirafter " + other.folder.string();
-    }
     WriteText(
         build_ / "Makefile",
         fmt::format(
             "OBJECT = {}\nSTUB = {}\nOCF = {}\nSOURCES ={}\nCOMMON ={}{}\n"
-            "BUILD = {}\nCXXFLAGS = {}\ninclude {}\n",
+            "BUILD = {}\nSTUBS = {}\nCXXFLAGS = {}\ninclude {}\n",
             ocf_.stem().string(), object_.stub.string(), ocf_.string(), Joined(object_.sources),
-            Joined(included), Joined(more), build_.string(), flags,
+            Joined(included), Joined(more), build_.string(), StubFolder(object_, build_).string(),
+            CompilerFlags(),
             (fs::path(options_.sdk_root) / "../Makefile.openr-host").lexically_normal().string()));
   }
 
   const Project& project_;
   const ObjectFolder& object_;
+  const std::vector<std::string> flags_;
   const fs::path build_;
   MakeOptions options_;
   Paths shared_;
@@ -204,13 +278,20 @@ std::vector<fs::path> SourcesIncluded(const Paths& sources, const Paths& shared)
 
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
-                                           const fs::path& work, const MakeOptions& options) {
+                                           const MakePlan& plan, const fs::path& work,
+                                           const MakeOptions& options) {
   std::vector<std::string> problems;
+  for (const ObjectFolder& object : project.objects) GenerateStub(object, options);
+  const KitLog made = ReadKitLog(options.log);
   for (const ObjectFolder& object : objects) {
     const fs::path build = work / object.folder.lexically_relative(project.root);
-    ConventionBuild attempt(project, object, build.lexically_normal(), options);
+    ConventionBuild attempt(project, object,
+                            FlagsOfMakefiles(object.folder, made, plan.variables, options),
+                            build.lexically_normal(), options);
     const std::string problem = attempt.Run();
-    AppendKitLog(options.log, attempt.log());
+    KitLog log = attempt.log();
+    log.compiles.clear();  // of our own Makefile
+    AppendKitLog(options.log, log);
     if (!problem.empty()) {
       problems.push_back(fmt::format("{}: {}", object.folder.filename().string(), problem));
     }

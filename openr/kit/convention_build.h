@@ -20,11 +20,12 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& sources,
     const std::vector<std::filesystem::path>& shared);
 
-// Builds `objects` of `project` in folders below `work`.  Returns what cannot even be tried, a
+// Builds `objects` of `project` in folders below `work`.  `plan`: how make was called for them, if
+// it was; the flags of their Makefiles count here as well.  Returns what cannot even be tried, a
 // line each; what compilers say passes through, and is in the log like the images.
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
-                                           const std::filesystem::path& work,
+                                           const MakePlan& plan, const std::filesystem::path& work,
                                            const MakeOptions& options);
 
 }  // namespace openr_host

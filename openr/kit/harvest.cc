@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -24,8 +25,23 @@ struct BuiltImage {
   std::vector<std::string> names;
 };
 
+// Files in the folder of images of `stick`.
+std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(stick.ObjectsFolder(), error))
+    if (entry.is_regular_file(error)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
   std::vector<BuiltImage> images;
+  std::vector<std::pair<std::string, std::string>> installed;  // name and bytes
+  for (const StickFolder& stick : project.sticks) {
+    for (const fs::path& file : InstalledFiles(stick))
+      installed.emplace_back(file.filename(), ReadImageFile(file).bytes);
+  }
   for (const KitLog::Image& entry : log.images) {
     BuiltImage image{entry, ReadImageFile(entry.file).bytes, {}};
     const fs::path folder = fs::path(entry.ocf).parent_path();
@@ -36,6 +52,8 @@ std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& projec
       if (!object.class_name.empty()) image.names.push_back(object.class_name);
       image.names.insert(image.names.end(), object.image_names.begin(), object.image_names.end());
     }
+    for (const auto& [name, bytes] : installed)
+      if (bytes == image.bytes) image.names.push_back(name);
     images.push_back(std::move(image));
   }
   return images;
@@ -46,6 +64,7 @@ class StickCompletion {
   StickCompletion(const StickFolder& stick, const Project& project, const KitLog& log,
                   const std::string& sdk_root)
       : stick_(stick),
+        project_(project),
         objects_(stick.ObjectsFolder()),
         sdk_root_(sdk_root),
         built_(ReadBuiltImages(log, project)),
@@ -58,7 +77,7 @@ class StickCompletion {
     } else {
       MatchTheRest();
     }
-    NoteUnused();
+    for (const size_t index : used_) harvest_.used.insert(built_[index].log.file);
     return std::move(harvest_);
   }
 
@@ -99,22 +118,41 @@ class StickCompletion {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
+  // Whether no other stick lies nearer to the folder of an image.
+  bool IsOfThisStick(const BuiltImage& image) const {
+    const auto depth = [&image](const StickFolder& stick) {
+      const fs::path around = stick.root.parent_path();
+      return IsBelow(image.log.ocf, around) ? std::distance(around.begin(), around.end()) : -1;
+    };
+    return std::all_of(project_.sticks.begin(), project_.sticks.end(),
+                       [&](const StickFolder& other) { return depth(other) <= depth(stick_); });
+  }
+
   void MatchTheRest() {
+    TakeMatching([this](const BuiltImage& image) { return IsOfThisStick(image); });
+    TakeMatching([](const BuiltImage&) { return true; });
+    for (const std::string& name : missing_) TakeFromKit(name);
+  }
+
+  // Takes those of the unused images that are wanted and meant by a missing name.
+  void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
     for (size_t i = 0; i < built_.size(); ++i) {
-      if (used_.contains(i)) continue;
+      if (used_.contains(i) || !is_wanted(built_[i])) continue;
       candidates.push_back({built_[i].names});
       indices.push_back(i);
     }
     const std::vector<int> matches = MatchImages(missing_, candidates);
+    std::vector<std::string> rest;
     for (size_t i = 0; i < missing_.size(); ++i) {
       if (matches[i] < 0) {
-        TakeFromKit(missing_[i]);
+        rest.push_back(missing_[i]);
       } else {
         Take(indices[static_cast<size_t>(matches[i])], missing_[i], "by its name");
       }
     }
+    missing_ = rest;
   }
 
   void Take(size_t index, const std::string& name, const char* how) {
@@ -156,6 +194,7 @@ class StickCompletion {
   void ListEverything() {
     std::string text;
     for (size_t i = 0; i < built_.size(); ++i) {
+      if (!IsOfThisStick(built_[i])) continue;
       const std::string name = ShortImageName(built_[i].log.object);
       Take(i, name, "by its name");
       text += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
@@ -168,15 +207,8 @@ class StickCompletion {
         "there is no OBJECT.CFG; one that lists every object was written, and no connections");
   }
 
-  void NoteUnused() {
-    for (size_t i = 0; i < built_.size(); ++i) {
-      if (used_.contains(i)) continue;
-      harvest_.notes.push_back(
-          fmt::format("{} was built, but OBJECT.CFG does not name it", built_[i].log.object));
-    }
-  }
-
   const StickFolder& stick_;
+  const Project& project_;
   const fs::path objects_;
   const std::string sdk_root_;
   const std::vector<BuiltImage> built_;
@@ -193,11 +225,33 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
   return ReadText(a) == ReadText(b);
 }
 
+// MW/DATA/P, where programs open files for writing; OPEN-R makes no folders for them.
+void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
+  const fs::path middleware =
+      target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);
+  fs::path data = FindEntry(middleware, "DATA");
+  if (data.empty()) data = middleware / "DATA";
+  std::error_code error;
+  if (FindEntry(data, "P").empty()) fs::create_directories(data / "P", error);
+}
+
 }  // namespace
 
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root) {
   return StickCompletion(stick, project, log, sdk_root).Run();
+}
+
+void RemoveImages(const std::vector<KitLog::Image>& images, const Project& project) {
+  std::error_code error;
+  for (const KitLog::Image& image : images) {
+    const std::string bytes = ReadImageFile(image.file).bytes;
+    for (const StickFolder& stick : project.sticks) {
+      for (const fs::path& file : InstalledFiles(stick))
+        if (ReadImageFile(file).bytes == bytes) fs::remove(file, error);
+    }
+    fs::remove(image.file, error);
+  }
 }
 
 std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& target,
@@ -223,6 +277,7 @@ std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& 
     if (!error) fs::rename(temporary, place, error);
     if (error) problems.push_back(fmt::format("{}: {}", place.string(), error.message()));
   }
+  MakeDataFolder(stick, target);
   return problems;
 }
 

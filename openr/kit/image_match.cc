@@ -7,7 +7,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kPrefixMin = 3;  // shorter beginnings say nothing
+constexpr size_t kPrefixMin = 3;  // shorter beginnings and parts say nothing
+constexpr size_t kSharedMin = 4;  // letters in a row that two different names have in common
 
 // Letters and digits in lower case, without an extension.
 std::string Normalised(const std::string& name) {
@@ -25,10 +26,30 @@ bool IsPrefix(const std::string& wanted, const std::string& name) {
 }
 
 bool IsSubsequence(const std::string& wanted, const std::string& name) {
-  if (wanted.empty() || name.empty() || wanted[0] != name[0]) return false;
   size_t found = 0;
   for (const char c : name) found += found < wanted.size() && wanted[found] == c;
-  return found == wanted.size();
+  return !wanted.empty() && found == wanted.size();
+}
+
+bool IsSubsequenceFromTheFirst(const std::string& wanted, const std::string& name) {
+  return !wanted.empty() && !name.empty() && wanted[0] == name[0] && IsSubsequence(wanted, name);
+}
+
+bool IsPart(const std::string& wanted, const std::string& name) {
+  if (std::min(wanted.size(), name.size()) < kPrefixMin) return false;
+  return name.find(wanted) != std::string::npos || wanted.find(name) != std::string::npos;
+}
+
+bool IsLongSubsequence(const std::string& wanted, const std::string& name) {
+  return wanted.size() >= kPrefixMin && IsSubsequence(wanted, name);
+}
+
+// "mywalker" and "walking" share "walk".
+bool ShareAWord(const std::string& wanted, const std::string& name) {
+  for (size_t at = 0; at + kSharedMin <= wanted.size(); ++at) {
+    if (name.find(wanted.substr(at, kSharedMin)) != std::string::npos) return true;
+  }
+  return false;
 }
 
 class Matcher {
@@ -90,7 +111,10 @@ std::vector<int> MatchImages(const std::vector<std::string>& wanted,
   Matcher matcher(wanted, candidates);
   matcher.Pair([](const std::string& a, const std::string& b) { return a == b; });
   matcher.Pair(&IsPrefix);
-  matcher.Pair(&IsSubsequence);
+  matcher.Pair(&IsSubsequenceFromTheFirst);
+  matcher.Pair(&IsPart);
+  matcher.Pair(&IsLongSubsequence);
+  matcher.Pair(&ShareAWord);
   matcher.Pair([](const std::string&, const std::string&) { return true; });
   return matcher.result();
 }

@@ -13,7 +13,9 @@ struct ImageCandidate {
 // For each of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  Tried in turn, each
 // time for what is left and only where it is unambiguous: equal names, in any case; the wanted
 // name is the beginning of a candidate's, or the other way round; its letters occur in a
-// candidate's name in this order, the first one first; one is left on either side.
+// candidate's name in this order, the first one first; either name is a part of the other; the
+// letters occur in this order; both have four letters in a row in common; one is left on either
+// side.
 std::vector<int> MatchImages(const std::vector<std::string>& wanted,
                              const std::vector<ImageCandidate>& candidates);
 

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <regex>
+#include <sstream>
 
 #include "openr/kit/kit_log.h"
 #include "openr/kit/makefile_text.h"
@@ -41,16 +44,17 @@ Environment MakeEnvironment(const MakeOptions& options) {
 }
 
 ProcessResult Make(const fs::path& folder, const std::vector<std::string>& arguments, int jobs,
-                   bool captures, const MakeOptions& options) {
-  std::vector<std::string> all{"make", fmt::format("-j{}", jobs)};
+                   bool echoes, const MakeOptions& options) {
+  // A file that a failing rule left half made would count as made in the next run.
+  std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
-  if (captures) all.push_back("--output-sync=target");
+  if (!echoes) all.push_back("--output-sync=target");
   // Recipes of the time were written where sh is bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);
   environment.emplace_back("PWD", folder);  // rules take it for the place of their Makefile
-  return RunProcess(all, {environment, folder, captures, captures, true});
+  return RunProcess(all, {environment, folder, true, true, echoes, true});
 }
 
 // Makefiles that no other one of the list is above of.
@@ -86,15 +90,71 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
                     const MakeOptions& options) {
   std::vector<std::string> arguments{"-n", "install"};
   arguments.insert(arguments.end(), variables.begin(), variables.end());
-  const std::string said = Make(folder, arguments, 1, true, options).output;
+  const std::string said = Make(folder, arguments, 1, false, options).output;
   return said.find("make: *** No rule to make target 'install'") == std::string::npos;
+}
+
+// The stick for rules that write to one elsewhere.  With several sticks this is an expression for
+// make, because each folder of the project may have its own: the stick beside the folder in which
+// make runs, or else beside the nearest folder around it.
+std::string StickValue(const Project& project) {
+  if (project.sticks.empty()) return project.root / "MS";
+  std::vector<fs::path> roots;
+  for (const StickFolder& stick : project.sticks) roots.push_back(stick.root);
+  if (roots.size() == 1) return roots[0];
+  const auto depth = [](const fs::path& path) { return std::distance(path.begin(), path.end()); };
+  std::stable_sort(roots.begin(), roots.end(),
+                   [&](const fs::path& a, const fs::path& b) { return depth(a) > depth(b); });
+  std::string cases;
+  for (const fs::path& root : roots)
+    cases += fmt::format("$(if $(filter {}/%,$(CURDIR)/),{}) ", root.parent_path().string(),
+                         root.string());
+  return fmt::format("$(firstword {}{})", cases, project.sticks[0].root.string());
+}
+
+// Variables of the plan as arguments of make.
+std::vector<std::string> VariableArguments(const MakePlan& plan) {
+  std::vector<std::string> arguments;
+  for (const auto& [name, value] : plan.variables) arguments.push_back(name + "=" + value);
+  return arguments;
+}
+
+// What make complains of in `line`: "No rule to make target 'x'" of "make[1]: *** No rule to make
+// target 'x'.  Stop.".  "" for any other line.
+std::string ComplaintOfMake(const std::string& line) {
+  static const std::regex kComplaint(
+      "(?:\\S*make(?:\\[\\d+\\])?: |([^\\s:]+:\\d+): )\\*\\*\\* (.*?)\\.?(?:  Stop\\.)?");
+  std::smatch match;
+  if (!std::regex_match(line, match, kComplaint)) return "";
+  return (match[1].matched ? match[1].str() + ": " : "") + match[2].str();
 }
 
 }  // namespace
 
-MakePlan PlanMake(const Project& project, const std::string& sdk_root, const fs::path& stick_root) {
+std::string CauseOf(const std::string& output) {
+  static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
+  std::istringstream lines(output);
+  std::string before;  // the last line that a command said
+  for (std::string line; std::getline(lines, line);) {
+    const std::string complaint = ComplaintOfMake(line);
+    if (complaint.empty()) {
+      if (!line.empty() && !line.starts_with("make")) before = line;
+      continue;
+    }
+    if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
+    std::smatch match;
+    if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
+    return fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
+                       match[1].matched ? " (" + match[1].str() + ")" : "",
+                       before.empty() ? match[3].str() : before);
+  }
+  return "";
+}
+
+MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   MakePlan plan;
   plan.folders = TopFolders(project);
+  const std::string stick = StickValue(project);
   std::string all;  // definitions in one file hold for what another includes
   for (const fs::path& file : project.makefiles) {
     const std::string text = ReadText(file).value_or("");
@@ -108,18 +168,19 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root, const fs:
     }
   }
   plan.variables.emplace_back("OPENRSDK_ROOT", sdk_root);
-  plan.variables.emplace_back(kStickVariable, stick_root);
+  plan.variables.emplace_back(kStickVariable, stick);
   for (const MakefileVariable& variable : SdkVariables(all)) {
     const std::string value = sdk_root + variable.folder;
     if (variable.name != "OPENRSDK_ROOT" && !IsAlready(variable, value))
       plan.variables.emplace_back(variable.name, value);
   }
   for (const MakefileVariable& variable : StickVariables(all)) {
-    if (LeadsElsewhere(variable)) plan.variables.emplace_back(variable.name, stick_root);
+    if (LeadsElsewhere(variable)) plan.variables.emplace_back(variable.name, stick);
   }
-  std::vector<fs::path> middleware{stick_root / "OPEN-R/MW"};
-  for (const StickFolder& stick : project.sticks)
-    middleware.push_back(stick.ObjectsFolder().parent_path());
+  std::vector<fs::path> middleware;
+  if (project.sticks.empty()) middleware.push_back(fs::path(stick) / "OPEN-R/MW");
+  for (const StickFolder& each : project.sticks)
+    middleware.push_back(each.ObjectsFolder().parent_path());
   for (const fs::path& folder : middleware) {
     plan.needed_folders.push_back(folder / "OBJS");
     plan.needed_folders.push_back(folder / "DATA/P");
@@ -127,49 +188,68 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root, const fs:
   return plan;
 }
 
-bool RunMakeIn(const fs::path& folder, const std::vector<std::string>& arguments,
-               const MakeOptions& options) {
+MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& arguments,
+                      const MakeOptions& options) {
   if (options.says != MakeOptions::Says::kAlways) {
-    const ProcessResult result = Make(folder, arguments, options.jobs, true, options);
+    const ProcessResult result = Make(folder, arguments, options.jobs, false, options);
     if (result.good() && options.says == MakeOptions::Says::kIfGood)
       std::fputs(result.output.c_str(), stderr);
-    return result.good();
+    return {result.good(), result.output};
   }
   if (options.jobs > 1) {
     // Old Makefiles often leave out dependencies and only work in order: if several jobs at once
-    // fail, nothing of it is shown and the rest is done one by one.
-    const ProcessResult together = Make(folder, arguments, options.jobs, true, options);
-    if (together.good()) {
+    // fail, nothing of it is shown and the rest is done one by one.  Rules may ignore a failure, so
+    // the compilers are asked as well.
+    const KitLog before = ReadKitLog(options.log);
+    const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
+    KitLog after = ReadKitLog(options.log);
+    if (together.good() && after.failures.size() == before.failures.size()) {
       std::fputs(together.output.c_str(), stderr);
-      return true;
+      return {true, together.output};
     }
-    CleanKitLog(options.log);
+    after.failures = before.failures;
+    WriteKitLog(options.log, after);
   }
-  const ProcessResult result = Make(folder, arguments, 1, false, options);
+  const ProcessResult result = Make(folder, arguments, 1, true, options);
   if (!result.not_found.empty())
     std::fprintf(stderr, "openr build: %s (Debian package make)\n", result.not_found.c_str());
-  return result.good();
+  return {result.good(), result.output};
 }
 
-bool RunMake(const MakePlan& plan, const MakeOptions& options) {
-  std::vector<std::string> variables;
-  for (const auto& [name, value] : plan.variables) variables.push_back(name + "=" + value);
+MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
+                           const MakeOptions& options) {
+  const std::vector<std::string> variables = VariableArguments(plan);
+  MakeOutcome outcome = RunMakeIn(folder, variables, options);
+  if (!HasInstallRule(folder, variables, options)) return outcome;
+  std::vector<std::string> arguments{"install"};
+  arguments.insert(arguments.end(), variables.begin(), variables.end());
+  const size_t failures = ReadKitLog(options.log).failures.size();
+  MakeOptions install = options;
+  // What failed a moment ago fails again, and was shown then.
+  if (!outcome.is_good || failures > 0) {
+    install.says = MakeOptions::Says::kIfGood;
+    install.jobs = 1;
+  }
+  const MakeOutcome installed = RunMakeIn(folder, arguments, install);
+  if (ReadKitLog(options.log).failures.size() > failures)
+    std::fputs(installed.output.c_str(), stderr);
+  outcome.is_good = installed.is_good;
+  outcome.output += installed.output;
+  return outcome;
+}
+
+MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options) {
   for (const fs::path& folder : plan.needed_folders) {
     std::error_code ignored;
     fs::create_directories(folder, ignored);
   }
-  bool good = true;
+  MakeOutcome all;
   for (const fs::path& folder : plan.folders) {
-    bool done = RunMakeIn(folder, variables, options);
-    const bool compiles = ReadKitLog(options.log).failures.empty();
-    if (compiles && HasInstallRule(folder, variables, options)) {
-      std::vector<std::string> arguments{"install"};
-      arguments.insert(arguments.end(), variables.begin(), variables.end());
-      done = RunMakeIn(folder, arguments, options);
-    }
-    good = good && done;
+    const MakeOutcome outcome = RunMakeTargets(folder, plan, options);
+    all.is_good = all.is_good && outcome.is_good;
+    all.output += outcome.output;
   }
-  return good;
+  return all;
 }
 
 }  // namespace openr_host

@@ -26,16 +26,30 @@ struct MakePlan {
   std::vector<std::filesystem::path> needed_folders;           // rules write into them
 };
 
-// `stick_root`: where variables for a Memory Stick elsewhere are to point.
-MakePlan PlanMake(const Project& project, const std::string& sdk_root,
-                  const std::filesystem::path& stick_root);
+struct MakeOutcome {
+  bool is_good = true;
+  std::string output;  // what make and its rules said; not of a run that was repeated
+};
 
-// Runs the plan.  What compilers and make say passes through.  Returns whether make was content;
-// the images it made are in the log.
-bool RunMake(const MakePlan& plan, const MakeOptions& options);
+// Variables for a Memory Stick elsewhere point to the stick of the project that is nearest to the
+// folder in which make runs.
+MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 
-// One run of make in `folder` with the kit's environment; `arguments` follow its own.
-bool RunMakeIn(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
-               const MakeOptions& options);
+// Runs the plan.  What compilers and make say passes through.  The images that it made are in the
+// log.
+MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
+
+// The first target and `install` of the Makefile in `folder`, with the variables of the plan.
+MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& plan,
+                           const MakeOptions& options);
+
+// One run of make in `folder` with the kit's environment; `arguments` follow its own.  It goes on
+// with other targets when one fails.
+MakeOutcome RunMakeIn(const std::filesystem::path& folder,
+                      const std::vector<std::string>& arguments, const MakeOptions& options);
+
+// Why make failed, in one line, after what it said: what nothing makes, or which rule failed and
+// what its command said.  "" when it does not say.
+std::string CauseOf(const std::string& output);
 
 }  // namespace openr_host

@@ -106,10 +106,12 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
+  std::set<fs::path> seen;  // one folder may lie in another one
   for (const fs::path& folder : folders) {
     // A neighbour that is referred to may have a stick of its own: not ours to write to.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
-    for (const fs::path& file : FilesBelow(folder)) files_of[file.parent_path()].push_back(file);
+    for (const fs::path& file : FilesBelow(folder))
+      if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
   }
   std::set<fs::path> object_folders;
   for (const auto& [folder, files] : files_of) {
@@ -135,6 +137,11 @@ Project ScanProject(const std::vector<fs::path>& folders) {
     if (has_header && !object_folders.contains(folder)) project.header_folders.push_back(folder);
   }
   return project;
+}
+
+bool IsGeneratedDefinitions(const std::string& text) {
+  return text.find("numOfSubject") != std::string::npos ||
+         text.find("numOfObserver") != std::string::npos;
 }
 
 std::string FileNameOf(const ObjectRecord& record) {

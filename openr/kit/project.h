@@ -42,6 +42,9 @@ struct Project {
 // objects and sticks count only if the root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
+// Whether the text of a def.h comes from stubgen2, of whatever time.
+bool IsGeneratedDefinitions(const std::string& text);
+
 // The file name of a robot path: "/MS/OPEN-R/MW/OBJS/HELLO.BIN" is HELLO.BIN.
 std::string FileNameOf(const ObjectRecord& record);
 

@@ -1,16 +1,15 @@
 #include "openr/kit/work_copy.h"
 
-#include <elf.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "openr/kit/foreign_code.h"
 #include "openr/kit/makefile_text.h"
 #include "openr/kit/text_files.h"
 #include "runtime/core/image_file.h"
@@ -20,30 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kLeftOutFile[] = "left_out.txt";
 constexpr size_t kOutsideFilesMax = 20'000;  // of one folder that is only referred to
-
-bool IsElfForRobot(const char* bytes, size_t size) {
-  Elf32_Ehdr header;
-  if (size < sizeof header) return false;
-  std::memcpy(&header, bytes, sizeof header);
-  return std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 && header.e_machine == EM_MIPS;
-}
-
-// Object files, archives and images that a build for the robot left behind; to make they look new.
-bool IsLeftFromRobot(const fs::path& file) {
-  char bytes[4096];
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes, sizeof bytes);
-  const auto size = static_cast<size_t>(stream.gcount());
-  if (IsElfForRobot(bytes, size)) return true;
-  if (size < 8 || std::memcmp(bytes, "!<arch>\n", 8) != 0) return false;
-  const std::string archive = ReadText(file).value_or("");
-  for (size_t at = archive.find(ELFMAG); at != std::string::npos;
-       at = archive.find(ELFMAG, at + 1)) {
-    if (IsElfForRobot(archive.data() + at, archive.size() - at)) return true;
-  }
-  return false;
-}
 
 // An image of an earlier build on the stick: the outcome, not a source.
 bool IsBuiltImage(const fs::path& file) {
@@ -99,13 +76,20 @@ WorkCopy::WorkCopy(fs::path work, std::string sdk_root)
     if (words >> stamp.size >> stamp.time_ns && std::getline(words >> std::ws, name))
       former_[name] = stamp;
   }
+  std::istringstream left_out(ReadText(work_ / kLeftOutFile).value_or(""));
+  for (std::string file, processor;
+       std::getline(left_out, file, '\t') && std::getline(left_out, processor);)
+    former_left_out_[file] = processor;
 }
 
 void WorkCopy::Save() const {
   std::string text;
   for (const auto& [name, stamp] : present_)
     text += fmt::format("{} {} {}\n", stamp.size, stamp.time_ns, name);
-  const std::string problem = WriteText(work_ / "copied.txt", text);
+  std::string left_out;
+  for (const auto& [name, processor] : left_out_) left_out += name + "\t" + processor + "\n";
+  std::string problem = WriteText(work_ / "copied.txt", text);
+  if (problem.empty()) problem = WriteText(work_ / kLeftOutFile, left_out);
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
@@ -125,6 +109,7 @@ bool WorkCopy::IsOriginal(const fs::path& file) const {
 fs::path WorkCopy::Add(const fs::path& original) {
   AddFolder(original);
   for (size_t i = 0; i < copies_.size(); ++i) AddOutside(fs::path(copies_[i].original));
+  for (const fs::path& folder : around_) copies_.push_back({PlaceOf(folder), folder});
   RemoveVanished();
   Save();
   return copies_[0].copy;
@@ -169,7 +154,8 @@ void WorkCopy::AddOutside(const fs::path& original) {
       if (!fs::exists(target, error) || IsCovered(target)) continue;
       if (std::any_of(copies_.begin(), copies_.end(),
                       [&](const SourceCopy& entry) { return IsBelow(entry.original, target); })) {
-        continue;  // the folder around: far too much
+        AddFilesAround(target);
+        continue;
       }
       const fs::path folder = fs::is_directory(target, error) ? target : target.parent_path();
       if (IsBelow(original, folder)) {
@@ -181,13 +167,37 @@ void WorkCopy::AddOutside(const fs::path& original) {
   }
 }
 
+// A folder around one of ours would be far too much.  Its own files are copied, without those of
+// folders in it: a Makefile with VPATH=.. compiles them.
+void WorkCopy::AddFilesAround(const fs::path& folder) {
+  if (!around_.insert(folder).second) return;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& file = entry.path();
+    const bool is_of_build = IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
+                             LowerCase(file.extension()) == ".ocf" ||
+                             LowerCase(file.extension()) == ".cfg";
+    if (is_of_build && entry.is_regular_file(error)) CopyFile(file);
+  }
+}
+
 void WorkCopy::CopyFile(const fs::path& original) {
   const fs::path copy = PlaceOf(original);
   const Stamp stamp = StampOf(original);
   const auto former = former_.find(original);
   present_[original] = stamp;
-  if (former != former_.end() && former->second == stamp) return;
-  if (IsLeftFromRobot(original) || IsBuiltImage(original)) return;
+  if (former != former_.end() && former->second == stamp) {
+    if (const auto entry = former_left_out_.find(original); entry != former_left_out_.end())
+      left_out_.insert(*entry);
+    return;
+  }
+  // What a build for the robot left behind looks new to make.
+  const std::string processor = ForeignProcessorOf(original);
+  if (!processor.empty()) {
+    left_out_[original] = processor;
+    return;
+  }
+  if (IsBuiltImage(original)) return;
   fs::create_directories(copy.parent_path());
   std::string text = IsDependencyList(original) ? "" : ReadText(original).value_or("");
   if (IsToBeAdapted(original, text)) text = AdaptMakefile(text, sdk_root_);

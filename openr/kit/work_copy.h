@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,13 @@ class WorkCopy {
   // Where `original` is, or would be, in the copy.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
-  // Every folder added; the first one is what was asked for.
+  // Every folder added; the first one is what was asked for.  Folders around others, of which only
+  // files were copied and no folders, come last.
   const std::vector<SourceCopy>& copies() const { return copies_; }
+
+  // Object files, libraries and images for another processor, which are not copied; their
+  // originals, each with the name of the processor.
+  const std::map<std::string, std::string>& left_out() const { return left_out_; }
 
   // Whether the file of the copy came from the original as it is now, and not from the build.
   bool IsOriginal(const std::filesystem::path& file) const;
@@ -46,6 +52,7 @@ class WorkCopy {
 
   void AddFolder(const std::filesystem::path& original);
   void AddOutside(const std::filesystem::path& original);
+  void AddFilesAround(const std::filesystem::path& folder);
   void CopyFile(const std::filesystem::path& original);
   void RemoveVanished();
   bool IsCovered(const std::filesystem::path& original) const;
@@ -54,6 +61,8 @@ class WorkCopy {
   const std::filesystem::path work_;
   const std::string sdk_root_;
   std::vector<SourceCopy> copies_;
+  std::set<std::filesystem::path> around_;  // originals of which only the own files are copied
+  std::map<std::string, std::string> left_out_, former_left_out_;
   std::map<std::string, Stamp> former_;   // by original: as of the last build
   std::map<std::string, Stamp> present_;  // by original: seen now
 };

@@ -1,6 +1,7 @@
 // A program of tests/kit/fixtures in a folder of the test's own, built and run by the built openr.
 #pragma once
 
+#include <ctype.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -35,6 +36,82 @@ class KitFolder {
     scratch_.Write("program/" + name, text);
   }
   std::string Read(const std::string& name) const { return scratch_.Read("program/" + name); }
+
+  // A statement that prints a line.
+  static std::string Printing(const std::string& words) {
+    return "    OSYSPRINT((\"" + words + "\\n\"));";
+  }
+
+  // Writes an object to `folder`: class header, source, stub.cfg and .ocf file, as they were
+  // written for the robot.  `head` stands before the class's functions, `start` is what DoStart()
+  // does.
+  void AddObject(const std::string& folder, const std::string& name, const std::string& head,
+                 const std::string& start) const {
+    Write(folder + "/stub.cfg", "ObjectName : " + name +
+                                    "\nNumOfOSubject : 1\nNumOfOObserver : 1\n"
+                                    "Service : \"" +
+                                    name +
+                                    ".DummySubject.DoNotConnect.S\", null, null\n"
+                                    "Service : \"" +
+                                    name + ".DummyObserver.DoNotConnect.O\", null, null\n");
+    Write(folder + "/" + name + ".ocf", "object " + name + " 3072 16384 128 cache tlb user\n");
+    Write(
+        folder + "/" + name + ".h",
+        "#include <OPENR/OObject.h>\n#include <OPENR/OSubject.h>\n#include <OPENR/OObserver.h>\n"
+        "#include \"def.h\"\n\nclass " +
+            name +
+            " : public OObject {\npublic:\n"
+            "    OSubject*  subject[numOfSubject];\n    OObserver* observer[numOfObserver];\n\n"
+            "    virtual OStatus DoInit(const OSystemEvent& event);\n"
+            "    virtual OStatus DoStart(const OSystemEvent& event);\n"
+            "    virtual OStatus DoStop(const OSystemEvent& event) { return oSUCCESS; }\n"
+            "    virtual OStatus DoDestroy(const OSystemEvent& event) { return oSUCCESS; }\n};\n");
+    Write(folder + "/" + name + ".cc",
+          "#include <OPENR/OSyslog.h>\n#include <OPENR/core_macro.h>\n#include \"" + name +
+              ".h\"\n" + head + "\nOStatus\n" + name +
+              "::DoInit(const OSystemEvent& event)\n{\n"
+              "    NEW_ALL_SUBJECT_AND_OBSERVER;\n    REGISTER_ALL_ENTRY;\n"
+              "    SET_ALL_READY_AND_NOTIFY_ENTRY;\n    return oSUCCESS;\n}\n\nOStatus\n" +
+              name + "::DoStart(const OSystemEvent& event)\n{\n" + start +
+              "\n    return oSUCCESS;\n}\n");
+  }
+
+  // A Makefile for such an object.  `more`: lines before its rules, which set DEFS, LIBS or
+  // INSTALL.
+  void AddMakefile(const std::string& folder, const std::string& name, const std::string& more = "",
+                   const std::string& objects = "") const {
+    std::string image = name;
+    for (char& c : image) c = static_cast<char>(toupper(c));
+    Write(folder + "/Makefile",
+          "PREFIX=/usr/local/OPEN_R_SDK\nINSTALLDIR=../MS\nINSTALL=" + image + ".BIN\n" + more +
+              "\nCXX=$(PREFIX)/bin/mipsel-linux-g++\nMKBIN=$(PREFIX)/OPEN_R/bin/mkbin\n"
+              "STUBGEN=$(PREFIX)/OPEN_R/bin/stubgen2\n"
+              "CXXFLAGS=-O2 -g -I. $(DEFS) -I$(PREFIX)/OPEN_R/include/R4000 "
+              "-I$(PREFIX)/OPEN_R/include/MCOOP -I$(PREFIX)/OPEN_R/include\n\n"
+              ".PHONY: all install clean\nall: " +
+              name +
+              ".bin\n\n"
+              "%.o: %.cc\n\t$(CXX) $(CXXFLAGS) -o $@ -c $<\n\n" +
+              name + "Stub.cc: stub.cfg\n\t$(STUBGEN) stub.cfg\n\n" + name + ".bin: " + name +
+              "Stub.o " + name + ".o " + objects + " " + name +
+              ".ocf\n"
+              "\t$(MKBIN) -p $(PREFIX) -o $@ $^ $(LIBS) -lObjectComm -lOPENR\n\n"
+              "install: " +
+              name +
+              ".bin\n"
+              "\tgzip -c " +
+              name +
+              ".bin > $(INSTALLDIR)/OPEN-R/MW/OBJS/$(INSTALL)\n\n"
+              "clean:\n\trm -f *.o *.bin *Stub.* def.h entry.h\n");
+  }
+
+  // A stick whose OBJECT.CFG names `images`, with no connections.
+  void AddStick(const std::string& folder, const std::vector<std::string>& images) const {
+    std::string lines;
+    for (const std::string& image : images) lines += "/MS/OPEN-R/MW/OBJS/" + image + "\n";
+    Write(folder + "/OPEN-R/MW/CONF/OBJECT.CFG", lines);
+    Write(folder + "/OPEN-R/MW/CONF/CONNECT.CFG", "");
+  }
 
   ProgramResult Build(std::vector<std::string> flags = {}) const {
     flags.insert(flags.begin(), {"build", File("")});
