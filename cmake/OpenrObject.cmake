@@ -98,7 +98,7 @@ function(openr_add_stick)
   endforeach()
   add_custom_target(${S_NAME} ALL
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${folder} ${S_OUTPUT}
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${S_OUTPUT}/OPEN-R/MW/OBJS
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${S_OUTPUT}/OPEN-R/MW/OBJS ${S_OUTPUT}/OPEN-R/MW/DATA/P
     ${copy_images}
     VERBATIM COMMENT "Assembling the Memory Stick ${S_NAME}")
   add_dependencies(${S_NAME} ${S_OBJECTS})

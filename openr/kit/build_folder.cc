@@ -97,6 +97,7 @@ class FolderBuild {
   void RemoveOldImages(bool is_made);
   bool SomeImageIsMissing() const;
   void Deliver();
+  bool HasFailed() const;
   void TellFailures();
   std::vector<std::string> LeftOutAndMissed() const;
   int Conclude() const;
@@ -116,6 +117,7 @@ class FolderBuild {
   Project project_;
   bool is_made_ = false;              // make was content
   std::string make_cause_;            // why it was not; "" if it does not say
+  bool wants_all_ = false;            // there is no OBJECT.CFG
   std::vector<std::string> hurdles_;  // why objects could not even be tried
   std::vector<std::string> missing_;  // images that OBJECT.CFG names
   std::vector<std::string> problems_;
@@ -304,6 +306,9 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 void FolderBuild::Deliver() {
   Project after = ScanProject(copied_folders_);  // rules may have made sticks
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
+  wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
+                           [](const StickFolder& stick) { return stick.objects.empty(); });
+  if (wants_all_ && HasFailed()) return;  // the OBJECT.CFG to be written would leave some out
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
   std::set<std::string> used;
@@ -342,13 +347,22 @@ void FolderBuild::Deliver() {
   WriteText(work_ / "placed.txt", placed);
 }
 
+// Whether an object does not compile or link, or could not be tried.
+bool FolderBuild::HasFailed() const {
+  const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
+  return !hurdles_.empty() ||
+         std::any_of(failures.begin(), failures.end(), [this](const KitLog::Failure& failure) {
+           return !is_made_ || !ObjectOf(failure.file).empty();
+         });
+}
+
 // What failed is a mistake if an image is missing for it, and else only worth a note: OBJECT.CFG
 // says what belongs to the program.  The cause comes last, where people look first.
 void FolderBuild::TellFailures() {
   const KitLog log = ReadKitLog(make_.log);
   for (const KitLog::Repair& repair : log.repairs)
     notes_.push_back(fmt::format("{}: {}", repair.place, repair.what));
-  const bool is_complete = missing_.empty() && problems_.empty();
+  const bool is_complete = missing_.empty() && problems_.empty() && !(wants_all_ && HasFailed());
   std::vector<std::string>* const where = is_complete ? &notes_ : &problems_;
   for (const KitLog::Failure& failure : log.failures) where->push_back(Described(failure));
   where->insert(where->end(), hurdles_.begin(), hurdles_.end());

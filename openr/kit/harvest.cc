@@ -229,10 +229,8 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
 void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
   const fs::path middleware =
       target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);
-  fs::path data = FindEntry(middleware, "DATA");
-  if (data.empty()) data = middleware / "DATA";
   std::error_code error;
-  if (FindEntry(data, "P").empty()) fs::create_directories(data / "P", error);
+  fs::create_directories(SpeltBelow(middleware, "DATA/P"), error);
 }
 
 }  // namespace

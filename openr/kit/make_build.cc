@@ -71,10 +71,17 @@ std::vector<fs::path> TopFolders(const Project& project) {
   return folders;
 }
 
-// Leads away from the copy, or was meant to be given by a person.
-bool LeadsElsewhere(const MakefileVariable& variable) {
+// Leads away from the copy, or was meant to be given by a person: in the environment, maybe.
+// `makefiles`: the text of all of them.
+bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
-  return std::any_of(variable.values.begin(), variable.values.end(), [](const std::string& value) {
+  static const std::regex kReference("\\$[({](\\w+)[)}].*");
+  return std::any_of(variable.values.begin(), variable.values.end(), [&](const std::string& value) {
+    std::smatch match;
+    if (std::regex_match(value, match, kReference) && match[1] != "CURDIR" && match[1] != "PWD" &&
+        !IsDefinedIn(makefiles, match[1])) {
+      return true;
+    }
     return value.empty() || value[0] == '/' || value[0] == '~' ||
            value.find("$(HOME)") != std::string::npos ||
            value.find("${HOME}") != std::string::npos || (value.size() > 1 && value[1] == ':');
@@ -135,6 +142,7 @@ std::string CauseOf(const std::string& output) {
   static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
   std::istringstream lines(output);
   std::string before;  // the last line that a command said
+  std::string tool, rule;
   for (std::string line; std::getline(lines, line);) {
     const std::string complaint = ComplaintOfMake(line);
     if (complaint.empty()) {
@@ -144,11 +152,15 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    return fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
-                       match[1].matched ? " (" + match[1].str() + ")" : "",
-                       before.empty() ? match[3].str() : before);
+    // A program that was not found says more than one that failed, and the first rule that failed
+    // says more than those that wait for it.
+    std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
+    if (!cause->empty()) continue;
+    *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
+                         match[1].matched ? " (" + match[1].str() + ")" : "",
+                         before.empty() ? match[3].str() : before);
   }
-  return "";
+  return tool.empty() ? rule : tool;
 }
 
 MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
@@ -163,7 +175,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
       for (const std::string& value : variable.values) {
         if (value.empty() || value[0] == '/' || value.find('$') != std::string::npos) continue;
         plan.needed_folders.push_back(
-            (file.parent_path() / value / "OPEN-R/MW/OBJS").lexically_normal());
+            SpeltBelow((file.parent_path() / value).lexically_normal(), "OPEN-R/MW/OBJS"));
       }
     }
   }
@@ -175,15 +187,15 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
       plan.variables.emplace_back(variable.name, value);
   }
   for (const MakefileVariable& variable : StickVariables(all)) {
-    if (LeadsElsewhere(variable)) plan.variables.emplace_back(variable.name, stick);
+    if (LeadsElsewhere(variable, all)) plan.variables.emplace_back(variable.name, stick);
   }
   std::vector<fs::path> middleware;
   if (project.sticks.empty()) middleware.push_back(fs::path(stick) / "OPEN-R/MW");
   for (const StickFolder& each : project.sticks)
     middleware.push_back(each.ObjectsFolder().parent_path());
   for (const fs::path& folder : middleware) {
-    plan.needed_folders.push_back(folder / "OBJS");
-    plan.needed_folders.push_back(folder / "DATA/P");
+    plan.needed_folders.push_back(SpeltBelow(folder, "OBJS"));
+    plan.needed_folders.push_back(SpeltBelow(folder, "DATA/P"));
   }
   return plan;
 }

@@ -110,6 +110,10 @@ std::vector<MakefileVariable> StickVariables(const std::string& text) {
   return variables;
 }
 
+bool IsDefinedIn(const std::string& text, const std::string& name) {
+  return Describe(name, text).is_defined;
+}
+
 std::vector<std::string> InstalledImages(const std::string& text) {
   static const std::regex kImage("(?:OBJS|objs)/([\\w$&#{}~%'()@^`!-]+\\.(?:BIN|bin))(?!\\w)");
   Names names = AllMatches(text, kImage);

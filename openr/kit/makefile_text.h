@@ -26,6 +26,9 @@ std::vector<MakefileVariable> SdkVariables(const std::string& text);
 // Variables that stand for the root of a Memory Stick: $(X)/OPEN-R/MW/OBJS.
 std::vector<MakefileVariable> StickVariables(const std::string& text);
 
+// Whether the text assigns to a variable of this name.
+bool IsDefinedIn(const std::string& text, const std::string& name);
+
 // File names of images that rules write below OPEN-R/MW/OBJS: "HELLO.BIN".
 std::vector<std::string> InstalledImages(const std::string& text);
 

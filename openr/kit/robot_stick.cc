@@ -292,6 +292,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
     if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
   for (const fs::path& file : debug_files) fs::remove(file);
+  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // programs write there
   draft.Finish();
   fmt::print("openr run --stick {}\n", ShellWord(output));
 }

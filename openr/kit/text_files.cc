@@ -98,6 +98,14 @@ fs::path FindBelow(fs::path folder, const std::string& path) {
   return folder;
 }
 
+fs::path SpeltBelow(fs::path folder, const std::string& path) {
+  for (const fs::path& part : fs::path(path)) {
+    const fs::path there = FindEntry(folder, part);
+    folder = there.empty() ? folder / part : there;
+  }
+  return folder;
+}
+
 bool IsSourceName(const fs::path& file) {
   return HasExtension(file, {".cc", ".cpp", ".cxx", ".C", ".c", ".CPP", ".CC"});
 }

@@ -24,6 +24,9 @@ std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::
 // The same for several parts: OPEN-R/MW/CONF.
 std::filesystem::path FindBelow(std::filesystem::path folder, const std::string& path);
 
+// `path` below `folder`, with the parts that are there in any case as they are spelt there.
+std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
+
 // Whether a file of this name is a C or C++ source, a header, or made of Makefile rules.
 bool IsSourceName(const std::filesystem::path& file);
 bool IsHeaderName(const std::filesystem::path& file);

@@ -11,6 +11,8 @@
 
 #include "openr/kit/foreign_code.h"
 #include "openr/kit/makefile_text.h"
+#include "openr/kit/process.h"
+#include "openr/kit/project.h"
 #include "openr/kit/text_files.h"
 #include "runtime/core/image_file.h"
 
@@ -109,6 +111,7 @@ bool WorkCopy::IsOriginal(const fs::path& file) const {
 fs::path WorkCopy::Add(const fs::path& original) {
   AddFolder(original);
   for (size_t i = 0; i < copies_.size(); ++i) AddOutside(fs::path(copies_[i].original));
+  MakeStubsAnew();
   for (const fs::path& folder : around_) copies_.push_back({PlaceOf(folder), folder});
   RemoveVanished();
   Save();
@@ -207,7 +210,32 @@ void WorkCopy::CopyFile(const fs::path& original) {
   fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
   SetTime(copy, original);
   // Older than its stub.cfg, so a rule that makes it will.
-  if (IsGeneratedStub(original)) SetOldTime(copy);
+  if (IsGeneratedStub(original)) {
+    SetOldTime(copy);
+    if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
+  }
+}
+
+// Stubs that lie about come from another stubgen2.  A Makefile may rely on them, because its rules
+// have no dependencies or the wrong order: ours take their place.
+void WorkCopy::MakeStubsAnew() const {
+  std::set<fs::path> folders;
+  for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());
+  const fs::path made = work_ / "stub.tmp";
+  std::error_code error;
+  for (const fs::path& folder : folders) {
+    fs::remove_all(made, error);
+    fs::create_directories(made, error);
+    RunProcess({sdk_root_ + "/OPEN_R/bin/stubgen2", FindEntry(folder, "stub.cfg"), "-o", made},
+               {{}, "", true, true, false, true});
+    for (const fs::path& file : left_stubs_) {
+      const auto text = ReadText(made / file.filename());
+      if (file.parent_path() != folder || !text) continue;
+      WriteText(file, *text);
+      SetOldTime(file);
+    }
+  }
+  fs::remove_all(made, error);
 }
 
 // Files that are gone from the originals go from the copy.

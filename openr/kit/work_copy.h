@@ -54,6 +54,7 @@ class WorkCopy {
   void AddOutside(const std::filesystem::path& original);
   void AddFilesAround(const std::filesystem::path& folder);
   void CopyFile(const std::filesystem::path& original);
+  void MakeStubsAnew() const;
   void RemoveVanished();
   bool IsCovered(const std::filesystem::path& original) const;
   static Stamp StampOf(const std::filesystem::path& file);
@@ -62,6 +63,7 @@ class WorkCopy {
   const std::string sdk_root_;
   std::vector<SourceCopy> copies_;
   std::set<std::filesystem::path> around_;  // originals of which only the own files are copied
+  std::vector<std::filesystem::path> left_stubs_;  // copies of generated files, of this run
   std::map<std::string, std::string> left_out_, former_left_out_;
   std::map<std::string, Stamp> former_;   // by original: as of the last build
   std::map<std::string, Stamp> present_;  // by original: seen now

@@ -78,6 +78,13 @@ TEST_F(OneBrokenOfThree, TheSameHoldsWithoutMakefiles) {
   EXPECT_EQ(folder_.Say(), "First runs\nLast runs\n");
 }
 
+TEST_F(OneBrokenOfThree, WithoutObjectCfgAllObjectsAreWanted) {
+  const ProgramResult result = folder_.Build();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("openr build: Middle: " + folder_.File("Middle/Middle.cc")));
+  EXPECT_FALSE(fs::exists(folder_.File("MS/OPEN-R/MW/CONF/OBJECT.CFG")));
+}
+
 // The image of an earlier build is no image of this one.
 TEST_F(OneBrokenOfThree, AnObjectThatCompiledBeforeAndNowDoesNotIsMissing) {
   folder_.AddStick("MS", {"FIRST.BIN", "MIDDLE.BIN", "LAST.BIN"});
@@ -130,6 +137,9 @@ TEST(BuildFailuresTest, TheCauseIsTheFirstComplaintOfMake) {
   EXPECT_EQ(CauseOf("/bin/bash: line 1: perl5: command not found\n"
                     "make: *** [Makefile:3: all] Error 127\n"),
             "the rule for 'all' (Makefile:3) failed: /bin/bash: line 1: perl5: command not found");
+  EXPECT_EQ(CauseOf("a.cc:1: error\nmake: *** [Makefile:3: a.o] Error 1\n"
+                    "make: *** No rule to make target 'x.h', needed by 'b.o'.\n"),
+            "No rule to make target 'x.h', needed by 'b.o'");
   EXPECT_EQ(CauseOf("Makefile:7: *** missing separator.  Stop.\n"),
             "Makefile:7: missing separator");
   EXPECT_EQ(CauseOf("all went well\n"), "");

@@ -192,6 +192,45 @@ TEST(BuildShapesTest, AStubIsFoundByTheNameOfItsFolder) {
   EXPECT_EQ(folder.Say(), "included\ntalking\n");
 }
 
+// The rule has no dependencies, and sources are compiled before it: old files hid both.
+TEST(BuildShapesTest, AStubThatLiesAboutIsMadeAnew) {
+  const KitFolder folder("");
+  folder.AddObject("Walker", "Walker", "", KitFolder::Printing("walking"));
+  folder.AddMakefile("Walker", "Walker");
+  std::string rules = folder.Read("Walker/Makefile");
+  rules.replace(rules.find("WalkerStub.cc: stub.cfg"), 23, "WalkerStub.cc:");
+  folder.Write("Walker/Makefile", rules);
+  const std::string old = "const int numOfSubject = 1;\n#error of another generator\n";
+  for (const char* name : {"def.h", "entry.h", "WalkerStub.h", "WalkerStub.cc"})
+    folder.Write(std::string("Walker/") + name, old);
+  folder.AddStick("MS", {"WALKER.BIN"});
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.Say(), "walking\n");
+  EXPECT_EQ(folder.Read("Walker/def.h"), old);
+}
+
+// Names in lower case everywhere, CR LF at the end of every line, a variable of the environment.
+TEST(BuildShapesTest, AStickInLowerCaseGetsNoSecondFolders) {
+  const KitFolder folder("");
+  folder.AddObject("Walker", "Walker", "", KitFolder::Printing("walking"));
+  folder.AddMakefile("Walker", "Walker", "INSTALLDIR=$(MEMORY_STICK_OF_MINE)\n");
+  std::string text = folder.Read("Walker/Makefile");
+  text.replace(text.find("/OPEN-R/MW/OBJS"), 15, "/open-r/mw/objs");
+  std::string lines;
+  for (const char c : text) lines += c == '\n' ? "\r\n" : std::string(1, c);
+  folder.Write("Walker/Makefile", lines);
+  folder.Write("ms/open-r/mw/conf/object.cfg", "\r\n\t/MS/OPEN-R/MW/OBJS/WALKER.BIN  \r\n");
+  folder.Write("ms/open-r/mw/conf/connect.cfg", "");
+  folder.Write("ms/open-r/mw/objs/readme.txt", "");
+  const ProgramResult result = folder.Build();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("WALKER.BIN   Walker                   Makefile"));
+  EXPECT_FALSE(fs::exists(folder.File("ms/open-r/mw/OBJS")));
+  EXPECT_TRUE(fs::exists(folder.File("ms/open-r/mw/objs/WALKER.BIN")));
+  EXPECT_EQ(folder.Say("ms"), "walking\n");
+}
+
 // The stub's def.h is made elsewhere by this object's own build; the one here is the author's.
 TEST(BuildShapesTest, ADefinitionHeaderOfTheObjectsOwnIsLeftAlone) {
   const KitFolder folder("");
