@@ -171,9 +171,10 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
   Object* const self = t_current.object;
   switch (kind) {
     case NoteKind::kFinding:
+      // A number that names no severity is taken for an error.
       system_->AddFindingAbout(system_->object(static_cast<ObjectId>(number(1)) - 1),
-                               number(0) == static_cast<uint64_t>(Severity::kWarning)
-                                   ? Severity::kWarning
+                               number(0) <= static_cast<uint64_t>(Severity::kNote)
+                                   ? static_cast<Severity>(number(0))
                                    : Severity::kError,
                                text);
       return;

@@ -65,13 +65,15 @@ Json ObjectReport(const Object& object) {
 }
 
 Json FindingReport(const Finding& finding) {
-  return {{"severity", SeverityName(finding.severity)},
-          {"robot", finding.robot},
-          {"object", finding.object},
-          {"message", finding.message},
-          {"time_s", static_cast<double>(finding.time_us) / 1e6},
-          {"count", finding.count},
-          {"text", finding.text}};
+  Json report = {{"severity", SeverityName(finding.severity)},
+                 {"robot", finding.robot},
+                 {"object", finding.object},
+                 {"message", finding.message},
+                 {"time_s", static_cast<double>(finding.time_us) / 1e6},
+                 {"count", finding.count},
+                 {"text", finding.text}};
+  if (!finding.also_at.empty()) report["also_at"] = finding.also_at;
+  return report;
 }
 
 }  // namespace
@@ -125,8 +127,8 @@ std::string DescribeFindings(Simulation* simulation) {
       about = fmt::format("{} (message {}, t={:.3f} s): ", finding.object, finding.message,
                           static_cast<double>(finding.time_us) / 1e6);
     }
-    const std::string often = finding.count > 1 ? fmt::format(" ({} times)", finding.count) : "";
-    text += fmt::format("{}: {}{}{}\n", SeverityName(finding.severity), about, finding.text, often);
+    text += fmt::format("{}: {}{}{}\n", SeverityName(finding.severity), about, finding.text,
+                        HowOften(finding));
   }
   if (findings.not_kept() > 0) text += fmt::format("and {} more findings\n", findings.not_kept());
   return text;

@@ -21,7 +21,8 @@ class NoFindings : public Property {
     const auto& findings = view.scene->system->findings().all();
     for (; seen_ < findings.size(); ++seen_) {
       const Finding& finding = findings[seen_];
-      if (finding.severity != Severity::kError && !warnings_too_) continue;
+      const bool is_warning = finding.severity == Severity::kWarning && warnings_too_;
+      if (finding.severity != Severity::kError && !is_warning) continue;
       const std::string about = finding.object.empty() ? "" : finding.object + ": ";
       return fmt::format("{}: {}{} (message {})", SeverityName(finding.severity), about,
                          finding.text, finding.message);

@@ -137,7 +137,8 @@ class SceneRun {
   void CountFindings(Json* answer) const {
     uint64_t errors = 0, warnings = 0;
     for (const Finding& finding : system_.findings().all()) {
-      ++(finding.severity == Severity::kError ? errors : warnings);
+      errors += finding.severity == Severity::kError;
+      warnings += finding.severity == Severity::kWarning;
     }
     (*answer)["warnings"] = warnings;
     (*answer)["errors"] = errors;

@@ -64,6 +64,7 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::string Render(const Diagnostic& d) {
+  if (d.severity == Severity::kNote) return RenderAs(d, "note: ");
   return RenderAs(d, d.severity == Severity::kWarning ? "warning: " : "");
 }
 

@@ -9,6 +9,7 @@ namespace openr_host {
 enum class Severity {
   kError,    // the line is skipped, or the file cannot be used
   kWarning,  // the line holds, but somebody should look at it
+  kNote,     // nothing is wrong; good to know
 };
 
 // A spot in a text file.  Records keep theirs, so that whatever turns out wrong with them
@@ -38,9 +39,9 @@ Diagnostic WarningAt(const Place& place, std::string message);
 bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 
 // "file:line: message", then the offending line, then a caret under `column`; warnings say
-// "file:line: warning: message".  No newline at the end.  Without a line: "file: message";
-// without a column: no caret.  Tabs keep the caret in place, UTF-8 sequences count as one
-// character, control bytes are shown as '?'.
+// "file:line: warning: message", notes "note: " in its place.  No newline at the end.  Without a
+// line: "file: message"; without a column: no caret.  Tabs keep the caret in place, UTF-8 sequences
+// count as one character, control bytes are shown as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
 // The same without "warning: ", for findings, which have a severity of their own.

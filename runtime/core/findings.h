@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-const char* SeverityName(Severity severity);  // "warning", "error"
+const char* SeverityName(Severity severity);  // "note", "warning", "error"
 
 struct Finding {
   Severity severity = Severity::kWarning;
@@ -19,14 +19,22 @@ struct Finding {
   int64_t time_us = 0;   // virtual
   std::string text;
   uint64_t count = 1;  // how often the same was seen
+  // Findings with one cause are one finding: consequences of one missing thing.  Empty: its text.
+  std::string cause = {};
+  std::string place = {};                 // "CONNECT.CFG:4"; only beside a cause
+  std::vector<std::string> also_at = {};  // places of later consequences, kPlacesMax at most
 };
 
-// Findings in order of first appearance.  The same text about the same object
+// " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)", or "" for a finding seen once.
+std::string HowOften(const Finding& finding);
+
+// Findings in order of first appearance.  The same text, or the same cause, about the same object
 // is kept once and counted.
 class Findings {
  public:
   // Different findings kept; later ones are only counted.
   static constexpr size_t kMax = 1000;
+  static constexpr size_t kPlacesMax = 5;
 
   void Add(Finding finding);
   const std::vector<Finding>& all() const { return all_; }

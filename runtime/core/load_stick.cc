@@ -141,8 +141,8 @@ bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
 void System::LoadConnections(int robot_index) {
   const auto text = ReadConfig(robot_index, "CONNECT.CFG");
   if (!text) {
-    findings_.Add({options_.strict ? Severity::kError : Severity::kWarning, robot_index, "", 0,
-                   now_us_,
+    // Programs that use no service of another object came without the file; the robot starts them.
+    findings_.Add({Severity::kNote, robot_index, "", 0, now_us_,
                    fmt::format("{}CONNECT.CFG: No such file on the stick; no object is connected",
                                kConfFolder)});
     return;

@@ -267,19 +267,28 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "no object registered it in DoInit (REGISTER_ALL_ENTRY missing, or the object is not in "
       "OBJECT.CFG)";
   std::vector<std::string> known;
+  const std::string object = service.substr(0, service.find('.') + 1);
+  std::string cause = object;  // nothing is registered under the object's name
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
+    if (name.starts_with(object)) cause = service;  // the object is there, the service is not
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
     why = fmt::format("syntax error, the object registered it with data '{}', not '{}'",
                       registered->data, wanted->data);
   }
-  system().findings_.Add({Severity::kError, connection.robot, "", 0, system().now_us(),
-                          fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; {}",
-                                      connection.where, service, DidYouMean(service, known), why,
-                                      system().options().strict ? "--strict: no object starts"
-                                                                : "the line is skipped")});
+  const char* const consequence =
+      system().options().strict ? "--strict: no object starts" : "the line is skipped";
+  system().findings_.Add(
+      {.severity = Severity::kError,
+       .robot = connection.robot,
+       .object = "",
+       .time_us = system().now_us(),
+       .text = fmt::format("{}: OServiceManager::Connect() : {} NOT FOUND{}: {}; {}",
+                           connection.where, service, DidYouMean(service, known), why, consequence),
+       .cause = "NOT FOUND " + cause,
+       .place = connection.where});
 }
 
 void ObjectManager::Connect(const Connection& connection) {

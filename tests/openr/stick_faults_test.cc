@@ -59,12 +59,13 @@ TEST(StickFaultsTest, AMissingConnectConfigIsAWarningAndStrictlyAnError) {
   std::filesystem::remove(stick.File("OPEN-R/MW/CONF/CONNECT.CFG"));
   const ProgramResult result = RunStick(stick);
   EXPECT_EQ(result.status, 0);
-  ExpectSaid(result, "warning: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
+  ExpectSaid(result, "note: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
   ExpectSaid(result, "Trouble is running");
-  const ProgramResult strict = RunStick(stick, {"--strict"});
-  EXPECT_EQ(strict.status, 1);
-  ExpectSaid(strict, "error: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
-  EXPECT_EQ(strict.err.find("Trouble is running"), std::string::npos) << strict.err;
+  const ProgramResult strict = RunStick(stick, {"--strict", "--json"});
+  EXPECT_EQ(strict.status, 0);
+  ExpectSaid(strict, "note: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
+  ExpectSaid(strict, "Trouble is running");
+  EXPECT_EQ(nlohmann::json::parse(strict.out)["findings"].at(0)["severity"], "note");
 }
 
 // Opening it would wait for somebody to write.
@@ -76,7 +77,7 @@ TEST(StickFaultsTest, AFifoInPlaceOfConnectConfigDoesNotHoldTheRunUp) {
   ASSERT_EQ(mkfifo(config.c_str(), 0600), 0);
   const ProgramResult result = RunStick(stick);
   EXPECT_EQ(result.status, 0);
-  ExpectSaid(result, "warning: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
+  ExpectSaid(result, "note: /MS/OPEN-R/MW/CONF/CONNECT.CFG: No such file on the stick");
 }
 
 TEST(StickFaultsTest, AWarningSaysSoOnce) {
@@ -100,6 +101,27 @@ TEST(StickFaultsTest, AnUnknownServiceIsSkippedAsOnTheRobot) {
   EXPECT_EQ(result.status, 1);
   ExpectSaid(result, "CONNECT.CFG:1: OServiceManager::Connect() : Nobody.In.Text.O NOT FOUND");
   ExpectSaid(result, "Trouble is running");
+}
+
+// One object that OBJECT.CFG does not name, and each line of CONNECT.CFG that speaks of it.
+TEST(StickFaultsTest, EqualConsequencesOfOneMissingObjectAreOneFinding) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  std::string lines;
+  for (int i = 0; i < 40; ++i)
+    lines += "Trouble.Out.Text.S Nobody.In" + std::to_string(i) + ".Text.O\n";
+  stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", lines + "Trouble.Owt.Text.S Trouble.In.Text.O\n");
+  const ProgramResult result = RunStick(stick, {"--json"});
+  EXPECT_EQ(result.status, 1);
+  ExpectSaid(result,
+             "(40 times, also at CONNECT.CFG:2, CONNECT.CFG:3, CONNECT.CFG:4, "
+             "CONNECT.CFG:5, CONNECT.CFG:6 and 34 more)");
+  const auto findings = nlohmann::json::parse(result.out)["findings"];
+  ASSERT_GE(findings.size(), 2u) << findings;
+  EXPECT_EQ(findings[0]["count"], 40);
+  EXPECT_EQ(findings[0]["also_at"].size(), 5u);
+  // A service that an object lacks is a mistake of its own.
+  EXPECT_EQ(findings[1]["text"].get<std::string>().rfind("CONNECT.CFG:41:", 0), 0u) << findings[1];
 }
 
 TEST(StickFaultsTest, StrictRefusesAnUnknownServiceBeforeAnyObjectStarts) {
