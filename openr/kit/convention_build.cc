@@ -21,19 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
-// File names, without folders, that a source or header includes.
-std::vector<std::string> IncludedNames(const fs::path& file) {
-  static const std::regex kInclude("(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]");
-  const std::string text = ReadText(file).value_or("");
-  std::vector<std::string> names;
-  for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
-    std::string name = (*it)[1];
-    std::replace(name.begin(), name.end(), '\\', '/');
-    names.push_back(LowerCase(fs::path(name).filename()));
-  }
-  return names;
-}
-
 // Headers with a name, wherever the project keeps them.
 std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const Paths& shared) {
   std::set<fs::path> folders;
@@ -253,6 +240,17 @@ class ConventionBuild {
 
 }  // namespace
 
+std::vector<std::string> IncludedNames(const std::string& text) {
+  static const std::regex kInclude("(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]");
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
+    std::string name = (*it)[1];
+    std::replace(name.begin(), name.end(), '\\', '/');
+    names.push_back(LowerCase(fs::path(name).filename()));
+  }
+  return names;
+}
+
 std::vector<fs::path> SourcesIncluded(const Paths& sources, const Paths& shared) {
   const std::multimap<std::string, fs::path> headers = HeadersByName(sources, shared);
   std::set<fs::path> found, seen(sources.begin(), sources.end());
@@ -260,7 +258,7 @@ std::vector<fs::path> SourcesIncluded(const Paths& sources, const Paths& shared)
   while (!todo.empty()) {
     const fs::path file = todo.back();
     todo.pop_back();
-    for (const std::string& name : IncludedNames(file)) {
+    for (const std::string& name : IncludedNames(ReadText(file).value_or(""))) {
       const auto [begin, end] = headers.equal_range(name);
       for (auto it = begin; it != end; ++it) {
         if (seen.insert(it->second).second) todo.push_back(it->second);

@@ -14,6 +14,9 @@
 
 namespace openr_host {
 
+// File names in lower case, without folders, that the text of a source or header includes.
+std::vector<std::string> IncludedNames(const std::string& text);
+
 // The sources among `shared` whose namesake header (Util.h for Util.cc) `sources` include,
 // directly or by way of other headers or of those sources.
 std::vector<std::filesystem::path> SourcesIncluded(

@@ -1,7 +1,6 @@
 #include "openr/kit/project.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <regex>
 #include <set>
@@ -123,8 +122,12 @@ Project ScanProject(const std::vector<fs::path>& folders) {
     return IsBelow(object.folder, project.root);
   };
   // Nor are its objects ours to build, if there are some here.
-  if (std::any_of(project.objects.begin(), project.objects.end(), is_ours))
-    std::erase_if(project.objects, std::not_fn(is_ours));
+  if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
+    const auto first =
+        std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);
+    project.neighbours.assign(first, project.objects.end());
+    project.objects.erase(first, project.objects.end());
+  }
   for (const auto& [folder, files] : files_of) {
     if (IsInStick(folder, project)) continue;
     bool has_header = false;

@@ -31,7 +31,8 @@ struct StickFolder {
 
 struct Project {
   std::filesystem::path root;
-  std::vector<ObjectFolder> objects;  // in order of names
+  std::vector<ObjectFolder> objects;     // in order of names
+  std::vector<ObjectFolder> neighbours;  // objects outside of the root, if the root has some
   std::vector<StickFolder> sticks;
   std::vector<std::filesystem::path> makefiles;       // all of them, included ones too
   std::vector<std::filesystem::path> shared_sources;  // in no object's own folder

@@ -13,6 +13,7 @@
 #include "openr/kit/makefile_text.h"
 #include "openr/kit/process.h"
 #include "openr/kit/project.h"
+#include "openr/kit/referred_places.h"
 #include "openr/kit/text_files.h"
 #include "runtime/core/image_file.h"
 
@@ -22,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kLeftOutFile[] = "left_out.txt";
-constexpr size_t kOutsideFilesMax = 20'000;  // of one folder that is only referred to
 
 // An image of an earlier build on the stick: the outcome, not a source.
 bool IsBuiltImage(const fs::path& file) {
@@ -109,10 +109,11 @@ bool WorkCopy::IsOriginal(const fs::path& file) const {
 }
 
 fs::path WorkCopy::Add(const fs::path& original) {
-  AddFolder(original);
-  for (size_t i = 0; i < copies_.size(); ++i) AddOutside(fs::path(copies_[i].original));
+  const ReferredPlaces places = FindReferredPlaces(original);
+  for (const fs::path& folder : places.folders) AddFolder(folder);
+  for (const fs::path& file : places.files) CopyFile(file);
   MakeStubsAnew();
-  for (const fs::path& folder : around_) copies_.push_back({PlaceOf(folder), folder});
+  for (const fs::path& folder : places.around) copies_.push_back({PlaceOf(folder), folder});
   RemoveVanished();
   Save();
   return copies_[0].copy;
@@ -140,47 +141,6 @@ void WorkCopy::AddFolder(const fs::path& original) {
     } else {
       fs::create_directories(PlaceOf(it->path()));
     }
-  }
-}
-
-// What the files of `original` call "../something" and lies outside.
-void WorkCopy::AddOutside(const fs::path& original) {
-  for (const fs::path& file : FilesBelow(original)) {
-    const bool is_makefile = IsMakefileName(file);
-    if (!is_makefile && !IsSourceName(file) && !IsHeaderName(file)) continue;
-    const std::string text = ReadText(file).value_or("");
-    if (text.find("..") == std::string::npos) continue;
-    for (const std::string& path : UpwardPaths(text)) {
-      fs::path target = (file.parent_path() / path).lexically_normal();
-      if (!target.has_filename()) target = target.parent_path();  // "a/.." ends in a slash
-      std::error_code error;
-      if (!fs::exists(target, error) || IsCovered(target)) continue;
-      if (std::any_of(copies_.begin(), copies_.end(),
-                      [&](const SourceCopy& entry) { return IsBelow(entry.original, target); })) {
-        AddFilesAround(target);
-        continue;
-      }
-      const fs::path folder = fs::is_directory(target, error) ? target : target.parent_path();
-      if (IsBelow(original, folder)) {
-        CopyFile(target);
-      } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
-        AddFolder(folder);
-      }
-    }
-  }
-}
-
-// A folder around one of ours would be far too much.  Its own files are copied, without those of
-// folders in it: a Makefile with VPATH=.. compiles them.
-void WorkCopy::AddFilesAround(const fs::path& folder) {
-  if (!around_.insert(folder).second) return;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const fs::path& file = entry.path();
-    const bool is_of_build = IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
-                             LowerCase(file.extension()) == ".ocf" ||
-                             LowerCase(file.extension()) == ".cfg";
-    if (is_of_build && entry.is_regular_file(error)) CopyFile(file);
   }
 }
 

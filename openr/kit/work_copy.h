@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,9 @@ class WorkCopy {
   // `work`: a folder of the kit's own.  `sdk_root` replaces paths of other SDKs in Makefiles.
   WorkCopy(std::filesystem::path work, std::string sdk_root);
 
-  // Brings the copy of `original` (an absolute folder, or a file) up to date, and of everything
-  // outside of it that its Makefiles and sources name with "../".  Returns its place in the copy.
+  // Brings the copy of `original`, an absolute folder, up to date, and of everything outside of it
+  // that its Makefiles and sources name with "../" (referred_places.h).  Returns its place in the
+  // copy.
   // Throws std::runtime_error when something cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
@@ -51,8 +51,6 @@ class WorkCopy {
   };
 
   void AddFolder(const std::filesystem::path& original);
-  void AddOutside(const std::filesystem::path& original);
-  void AddFilesAround(const std::filesystem::path& folder);
   void CopyFile(const std::filesystem::path& original);
   void MakeStubsAnew() const;
   void RemoveVanished();
@@ -62,7 +60,6 @@ class WorkCopy {
   const std::filesystem::path work_;
   const std::string sdk_root_;
   std::vector<SourceCopy> copies_;
-  std::set<std::filesystem::path> around_;  // originals of which only the own files are copied
   std::vector<std::filesystem::path> left_stubs_;  // copies of generated files, of this run
   std::map<std::string, std::string> left_out_, former_left_out_;
   std::map<std::string, Stamp> former_;   // by original: as of the last build
