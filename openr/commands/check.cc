@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "openr/commands/commands.h"
 #include "openr/exit_code.h"
+#include "openr/install_paths.h"
+#include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
 namespace {
@@ -16,8 +20,22 @@ struct CheckFlags {
   bool json = false;
 };
 
+// What robot_get_device() knows on some robot.
+std::vector<std::string> AllLocators() {
+  std::vector<std::string> locators;
+  for (const char* robot : {"ers210", "ers220", "ers7"}) {
+    const RobotModel model = LoadRobotModel(ModelFile(robot));
+    for (const JointModel& joint : model.joints) locators.push_back(joint.locator);
+    for (const Led& led : model.leds) locators.push_back(led.locator);
+    for (const Plunger& ear : model.plungers) locators.push_back(ear.locator);
+    for (const Sensor& sensor : model.sensors) locators.push_back(sensor.locator);
+    locators.push_back(model.camera.locator);
+  }
+  return locators;
+}
+
 int Check(const CheckFlags& flags) {
-  const Remarks remarks = CheckFolder(flags.folder);
+  const Remarks remarks = CheckFolder(flags.folder, AllLocators());
   if (flags.json) {
     fmt::print("{}", RemarksToJson(remarks, flags.folder));
   } else {

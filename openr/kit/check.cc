@@ -1,6 +1,7 @@
 #include "openr/kit/check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,13 +13,22 @@
 #include "openr/kit/check_objects.h"
 #include "openr/kit/check_stick.h"
 #include "openr/kit/controller_sources.h"
+#include "openr/kit/object_parts.h"
 #include "openr/kit/project.h"
+#include "openr/kit/referred_places.h"
 #include "openr/kit/text_files.h"
 
 namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr size_t kPlacesMax = 5;  // shown beside the first one
+
+Remark::Kind KindOf(Severity severity) {
+  if (severity == Severity::kNote) return Remark::Kind::kNote;
+  return severity == Severity::kError ? Remark::Kind::kError : Remark::Kind::kWarning;
+}
 
 const char* WordOf(Remark::Kind kind) {
   switch (kind) {
@@ -33,8 +43,28 @@ const char* WordOf(Remark::Kind kind) {
 
 }  // namespace
 
+std::string Remarks::Shown(const std::string& file) const {
+  if (real_root_.empty() || !IsBelow(file, real_root_)) return file;
+  const fs::path below = fs::path(file).lexically_relative(real_root_);
+  return below == "." ? shown_root_ : (fs::path(shown_root_) / below).string();
+}
+
 void Remarks::Add(Remark::Kind kind, const Place& place, std::string text) {
-  all_.push_back({kind, place.file, place.line, place.column, std::move(text), place.text});
+  AddConsequence(kind, place, "", std::move(text));
+}
+
+void Remarks::AddConsequence(Remark::Kind kind, const Place& place, std::string cause,
+                             std::string text) {
+  const std::string file = Shown(place.file);
+  for (Remark& known : all_) {
+    if (cause.empty() || known.cause != cause || known.kind != kind || known.file != file) continue;
+    ++known.count;
+    if (known.also_at.size() < kPlacesMax)
+      known.also_at.push_back(fmt::format("{}:{}", fs::path(file).filename().string(), place.line));
+    return;
+  }
+  all_.push_back(
+      {kind, file, place.line, place.column, std::move(text), place.text, std::move(cause), 1, {}});
 }
 
 void Remarks::Error(const std::string& file, std::string text) {
@@ -50,10 +80,9 @@ void Remarks::Note(const std::string& file, std::string text) {
 }
 
 void Remarks::AddAll(const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& d : diagnostics) {
-    Add(d.severity == Severity::kError ? Remark::Kind::kError : Remark::Kind::kWarning,
-        Place{d.file, d.line, d.column, d.text}, d.message);
-  }
+  for (const Diagnostic& d : diagnostics)
+    AddConsequence(KindOf(d.severity), Place{d.file, d.line, d.column, d.text}, d.message,
+                   d.message);
 }
 
 int Remarks::CountOf(Remark::Kind kind) const {
@@ -61,11 +90,14 @@ int Remarks::CountOf(Remark::Kind kind) const {
       std::count_if(all_.begin(), all_.end(), [&](const Remark& r) { return r.kind == kind; }));
 }
 
-Remarks CheckFolder(const std::string& folder) {
+Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
-  const Project project = ScanProject({folder});
+  // What Makefiles take from elsewhere belongs to the program, as it does when it is built.
+  const fs::path root = fs::canonical(folder);
+  const ReferredPlaces places = FindReferredPlaces(root);
+  const Project project = ScanProject(places.folders);
   const bool is_controller = project.objects.empty() && IsControllerFolder(folder);
   if (project.objects.empty() && project.sticks.empty() && !is_controller) {
     throw std::runtime_error(
@@ -73,11 +105,12 @@ Remarks CheckFolder(const std::string& folder) {
         ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below, "
         "nor a controller (Makefile.sources, or sources that include robot.h)");
   }
-  Remarks remarks;
-  if (is_controller) CheckController(folder, &remarks);
-  CheckObjects(project, &remarks);
+  Remarks remarks(root, folder);
+  if (is_controller) CheckController(folder, locators, &remarks);
+  const ObjectParts parts(project, places);
+  CheckObjects(project, parts, &remarks);
   CheckSentData(project, &remarks);
-  for (const StickFolder& stick : project.sticks) CheckStick(stick, project, &remarks);
+  for (const StickFolder& stick : project.sticks) CheckStick(stick, project, parts, &remarks);
   return remarks;
 }
 
@@ -89,6 +122,10 @@ std::string RenderRemarks(const Remarks& remarks) {
     if (remark.kind != Remark::Kind::kError)
       diagnostic.message = fmt::format("{}: {}", WordOf(remark.kind), remark.text);
     text += Render(diagnostic) + "\n";
+    if (remark.count < 2) continue;
+    const uint64_t rest = remark.count - 1 - remark.also_at.size();
+    text += fmt::format("  also at {}{}\n", fmt::join(remark.also_at, ", "),
+                        rest > 0 ? fmt::format(" and {} more", rest) : "");
   }
   return text;
 }
@@ -100,7 +137,9 @@ std::string RemarksToJson(const Remarks& remarks, const std::string& folder) {
                     {"file", remark.file},
                     {"line", remark.line},
                     {"column", remark.column},
-                    {"text", remark.text}});
+                    {"text", remark.text},
+                    {"count", remark.count},
+                    {"also_at", remark.also_at}});
   }
   const nlohmann::ordered_json all = {{"path", folder},
                                       {"errors", remarks.CountOf(Remark::Kind::kError)},

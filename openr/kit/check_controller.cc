@@ -11,6 +11,7 @@
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/endless_loop.h"
 #include "openr/kit/robot_lacks.h"
+#include "openr/kit/source_place.h"
 #include "openr/kit/source_text.h"
 #include "runtime/config/spelling.h"
 
@@ -24,8 +25,10 @@ enum class Part { kMain, kRun, kDie };
 
 class ControllerCheck {
  public:
-  ControllerCheck(const ControllerSources& sources, Remarks* remarks)
+  ControllerCheck(const ControllerSources& sources, const std::vector<std::string>& locators,
+                  Remarks* remarks)
       : code_(sources.files),
+        locators_(locators),
         run_functions_(code_.GivenTo("robot_run")),
         in_run_(code_.ReachedFrom(run_functions_)),
         in_die_(code_.ReachedFrom(code_.GivenTo("robot_die"))),
@@ -38,6 +41,7 @@ class ControllerCheck {
       CheckSteps(file);
       CheckLoops(file);
       CheckCalls(file);
+      CheckLocators(file);
       CheckStickPaths(file.name, file.source, remarks_);
     }
     CheckRunFunctions();
@@ -166,6 +170,40 @@ class ControllerCheck {
     return type == "ifstream" || type == "ofstream" || type == "fstream";
   }
 
+  // Names of devices: what robot_get_device() is given, and every "PRM:..." of the source, since
+  // controllers keep them in tables.
+  void CheckLocators(const CodeFile& file) {
+    if (locators_.empty()) return;
+    for (const StringLiteral& literal : StringLiteralsIn(file.source)) {
+      const size_t after = NextOf(file.source, literal.at + literal.text.size() + 2);
+      const size_t before = PreviousOf(file.source, literal.at);
+      const bool is_joined = (after != kNone && file.source[after] == '"') ||
+                             (before != kNone && file.source[before] == '"');
+      const bool is_made_up = literal.text.find_first_of("%\\") != std::string::npos;
+      const bool is_beginning = literal.text.find_last_of("/-:") + 1 == literal.text.size();
+      if (is_joined || is_made_up || is_beginning) continue;
+      if (literal.text.starts_with("PRM:") || IsGivenToGetDevice(file.source, before))
+        CheckLocator(file, literal);
+    }
+  }
+
+  // Whether the text up to `last` ends in "robot_get_device(".
+  static bool IsGivenToGetDevice(const std::string& source, size_t last) {
+    constexpr std::string_view kFunction = "robot_get_device";
+    if (last == kNone || source[last] != '(') return false;
+    const size_t end = PreviousOf(source, last);
+    return end != kNone && end + 1 >= kFunction.size() &&
+           HasWordAt(source, end + 1 - kFunction.size(), kFunction);
+  }
+
+  void CheckLocator(const CodeFile& file, const StringLiteral& literal) {
+    if (std::find(locators_.begin(), locators_.end(), literal.text) != locators_.end()) return;
+    remarks_->Add(Remark::Kind::kWarning, PlaceAt(file.name, file.source, literal.at),
+                  fmt::format("no robot has a device '{}'; it reads 0, and what it is told goes "
+                              "nowhere{}",
+                              literal.text, DidYouMean(literal.text, locators_)));
+  }
+
   void AddLack(const CodeFile& file, size_t at, const std::string& name) {
     const LackedCall* const lack = FindLackedCall(name);
     if (lack == nullptr) return;
@@ -200,6 +238,7 @@ class ControllerCheck {
   }
 
   const ControllerCode code_;
+  const std::vector<std::string>& locators_;  // of every device of every robot
   const std::set<std::string> run_functions_;
   const std::set<std::string> in_run_, in_die_;  // functions, by name
   const std::set<std::string> steps_;            // those that lead to robot_step()
@@ -208,10 +247,11 @@ class ControllerCheck {
 
 }  // namespace
 
-void CheckController(const std::string& folder, Remarks* remarks) {
+void CheckController(const std::string& folder, const std::vector<std::string>& locators,
+                     Remarks* remarks) {
   const ControllerSources sources = FindControllerSources(folder);
   remarks->AddAll(sources.diagnostics);
-  ControllerCheck(sources, remarks).Run();
+  ControllerCheck(sources, locators, remarks).Run();
 }
 
 }  // namespace openr_host

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "openr/kit/check.h"
 
 namespace openr_host {
 
-void CheckController(const std::string& folder, Remarks* remarks);
+// `locators`: the names that robot_get_device() knows; names are not checked when it is empty.
+void CheckController(const std::string& folder, const std::vector<std::string>& locators,
+                     Remarks* remarks);
 
 }  // namespace openr_host

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <regex>
 
 #include "openr/kit/source_text.h"
@@ -22,16 +20,10 @@ namespace fs = std::filesystem;
 constexpr int64_t kStackBytesMin = 1024;
 constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
 
-// The C++ of an object, as one text without comments.
-std::string CodeOf(const ObjectFolder& object) {
+// These files as one text without comments.
+std::string CodeIn(const std::vector<fs::path>& files, const ObjectParts& parts) {
   std::string code;
-  for (const fs::path& file : FilesBelow(object.folder)) {
-    const std::string name = file.filename();
-    const bool is_generated =
-        name == "def.h" || name == "entry.h" || file.stem() == object.class_name + "Stub";
-    if ((IsSourceName(file) || IsHeaderName(file)) && !is_generated)
-      code += WithoutComments(ReadText(file).value_or("")) + "\n";
-  }
+  for (const fs::path& file : files) code += WithoutComments(parts.TextOf(file)) + "\n";
   return code;
 }
 
@@ -49,15 +41,18 @@ bool HasAnyWord(const std::string& code, std::initializer_list<const char*> word
 
 class ObjectCheck {
  public:
-  ObjectCheck(const ObjectFolder& object, Remarks* remarks)
-      : object_(object), remarks_(remarks), code_(CodeOf(object)) {}
+  ObjectCheck(const ObjectFolder& object, const ObjectParts& parts, Remarks* remarks)
+      : object_(object),
+        parts_(parts),
+        remarks_(remarks),
+        files_(parts.CodeOf(object)),
+        code_(CodeIn(files_, parts)) {}
 
-  // Returns the names of its .ocf files, with their places.
-  std::vector<Ocf> Run() {
+  void Run() {
     if (!object_.stub.empty()) CheckStub();
     for (const fs::path& file : object_.sources)
       CheckStickPaths(file, ReadText(file).value_or(""), remarks_);
-    return CheckOcfs();
+    CheckOcfs();
   }
 
  private:
@@ -66,11 +61,14 @@ class ObjectCheck {
         ParseStubConfig(object_.stub, ReadText(object_.stub).value_or(""));
     remarks_->AddAll(stub.diagnostics);
     if (HasErrors(stub.diagnostics)) return;
-    const fs::path header = object_.folder / (stub.config.object_name + ".h");
-    if (!fs::exists(header)) {
+    const std::string header = LowerCase(stub.config.object_name + ".h");
+    const bool has_header = std::any_of(files_.begin(), files_.end(), [&](const fs::path& file) {
+      return LowerCase(file.filename()) == header;
+    });
+    if (!has_header) {
       remarks_->Add(Remark::Kind::kError, stub.config.object_name_place,
-                    fmt::format("the stub includes \"{0}.h\", which is not beside stub.cfg; write "
-                                "the class {0} there",
+                    fmt::format("the stub includes \"{0}.h\", which is neither beside stub.cfg nor "
+                                "where a Makefile leads; write the class {0} there",
                                 stub.config.object_name));
     }
     CheckFunctions(stub.config);
@@ -126,17 +124,19 @@ class ObjectCheck {
     }
   }
 
-  std::vector<Ocf> CheckOcfs() {
-    std::vector<Ocf> good;
-    if (object_.ocfs.empty()) {
+  void CheckOcfs() {
+    const std::vector<fs::path> ocfs = parts_.OcfsOf(object_);
+    if (ocfs.empty() && parts_.IsForRemoteProcessing(object_)) {
+      remarks_->Note(object_.folder,
+                     "is for the PC side of Remote Processing, which is not built here");
+    } else if (ocfs.empty()) {
       remarks_->Error(object_.folder,
                       "no .ocf file; write one line: object NAME 3072 16384 128 cache tlb user");
     }
-    for (const fs::path& file : object_.ocfs) {
+    for (const fs::path& file : ocfs) {
       const OcfResult ocf = ParseOcf(file, ReadText(file).value_or(""));
       remarks_->AddAll(ocf.diagnostics);
       if (!ocf.ocf) continue;
-      good.push_back(*ocf.ocf);
       if (ocf.ocf->stack_bytes < kStackBytesMin) {
         remarks_->Add(
             Remark::Kind::kWarning, ocf.ocf->place,
@@ -151,38 +151,28 @@ class ObjectCheck {
                         ocf.ocf->heap_bytes));
       }
     }
-    return good;
   }
 
   const ObjectFolder& object_;
+  const ObjectParts& parts_;
   Remarks* const remarks_;
+  const std::vector<fs::path> files_;
   const std::string code_;
 };
 
-// Names that two objects of one program have in common.
-void CheckNames(const std::vector<Ocf>& ocfs, Remarks* remarks) {
-  std::map<std::string, Place> seen;
-  for (const Ocf& ocf : ocfs) {
-    const auto [first, is_new] = seen.emplace(ocf.name, ocf.place);
-    if (is_new) continue;
-    remarks->Add(
-        Remark::Kind::kWarning, ocf.place,
-        fmt::format("an object is named '{}' in {} already; on one stick names must differ",
-                    ocf.name, first->second.file));
-  }
-}
-
 // What nobody of the program does although somebody commands joints.
-void CheckMotors(const Project& project, Remarks* remarks) {
+void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* remarks) {
   std::string code;
   const ObjectFolder* mover = nullptr;
-  for (const ObjectFolder& object : project.objects) {
-    const std::string own = CodeOf(object);
-    if (HasAnyWord(own, {"odataJOINT_COMMAND2", "OJointCommandValue2"})) mover = &object;
-    code += own;
+  for (const auto* objects : {&project.objects, &project.neighbours}) {
+    for (const ObjectFolder& object : *objects) {
+      const std::string own = CodeIn(parts.CodeOf(object), parts);
+      const bool moves = HasAnyWord(own, {"odataJOINT_COMMAND2", "OJointCommandValue2"});
+      if (moves && objects == &project.objects) mover = &object;
+      code += own;
+    }
   }
-  for (const fs::path& source : project.shared_sources)
-    code += WithoutComments(ReadText(source).value_or(""));
+  code += CodeIn(project.shared_sources, parts);
   if (mover == nullptr) return;
   const std::string file = mover->folder;
   if (!HasWord(code, "SetMotorPower"))
@@ -208,20 +198,49 @@ void CheckStickPaths(const std::string& file, const std::string& text, Remarks* 
     for (const fs::path& part : fs::path(match[1].str())) {
       const std::string name = part;
       if (name == "/" || name.empty() || IsShortName(name)) continue;
-      remarks->Add(Remark::Kind::kWarning, line,
-                   fmt::format("'{}' is not an 8.3 name; the robot cannot open it", name));
+      remarks->AddConsequence(
+          Remark::Kind::kWarning, line, "not 8.3: " + name,
+          fmt::format("'{}' is not an 8.3 name; the robot cannot open it", name));
     }
   }
 }
 
-void CheckObjects(const Project& project, Remarks* remarks) {
-  std::vector<Ocf> ocfs;
-  for (const ObjectFolder& object : project.objects) {
-    const std::vector<Ocf> own = ObjectCheck(object, remarks).Run();
-    ocfs.insert(ocfs.end(), own.begin(), own.end());
+void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* remarks) {
+  for (const ObjectFolder& object : project.objects) ObjectCheck(object, parts, remarks).Run();
+  if (project.sticks.empty()) {
+    std::vector<PlacedObject> all;
+    for (const ObjectFolder& object : project.objects) all.push_back({&object, ""});
+    CheckObjectNames(all, parts, remarks);
   }
-  if (project.sticks.size() < 2) CheckNames(ocfs, remarks);
-  CheckMotors(project, remarks);
+  CheckMotors(project, parts, remarks);
+}
+
+void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
+                      Remarks* remarks) {
+  struct Named {
+    const PlacedObject* object;
+    Ocf ocf;
+  };
+  std::vector<Named> seen;
+  for (const PlacedObject& object : placed) {
+    std::vector<Named> own;
+    for (const fs::path& file : parts.OcfsOf(*object.folder)) {
+      const OcfResult ocf = ParseOcf(file, ReadText(file).value_or(""));
+      if (ocf.ocf) own.push_back({&object, *ocf.ocf});
+    }
+    for (const Named& mine : own) {
+      const auto first = std::find_if(seen.begin(), seen.end(), [&](const Named& other) {
+        return other.ocf.name == mine.ocf.name && other.object->folder != object.folder &&
+               MayHoldTogether(other.object->section, object.section);
+      });
+      if (first == seen.end()) continue;
+      remarks->Add(
+          Remark::Kind::kWarning, mine.ocf.place,
+          fmt::format("an object is named '{}' in {} already; on one stick names must differ",
+                      mine.ocf.name, first->ocf.place.file));
+    }
+    seen.insert(seen.end(), own.begin(), own.end());
+  }
 }
 
 }  // namespace openr_host

@@ -1,13 +1,27 @@
 // Objects as they lie in their folders: stub.cfg, .ocf, sources.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "openr/kit/check.h"
+#include "openr/kit/object_parts.h"
 #include "openr/kit/project.h"
 #include "runtime/config/stub_config.h"
 
 namespace openr_host {
 
-void CheckObjects(const Project& project, Remarks* remarks);
+void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* remarks);
+
+// An object of the project that a stick loads.
+struct PlacedObject {
+  const ObjectFolder* folder = nullptr;
+  std::string section;  // of OBJECT.CFG: the only robot design that loads it; "" for every one
+};
+
+// Names in .ocf files that two objects have in common which one robot loads.
+void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
+                      Remarks* remarks);
 
 // Whether a service is one of those that an object only has because it must have one: nothing is
 // ever connected to it.

@@ -1,5 +1,6 @@
 #include "openr/kit/source_text.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace openr_host {
@@ -41,6 +42,17 @@ std::string WithoutComments(std::string_view text) {
     at = std::max(end, at + 1);
   }
   return result;
+}
+
+std::vector<StringLiteral> StringLiteralsIn(std::string_view text) {
+  std::vector<StringLiteral> literals;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::max(EndOfComment(text, at), EndOfString(text, at));
+    if (text[at] == '"' && end >= at + 2)
+      literals.push_back({at, std::string(text.substr(at + 1, end - at - 2))});
+    at = std::max(end, at + 1);
+  }
+  return literals;
 }
 
 size_t OffsetOf(std::string_view text, int line, int column) {

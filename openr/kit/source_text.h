@@ -3,11 +3,21 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace openr_host {
 
 // `text` with comments, strings and characters replaced by blanks; of the same length.
 std::string WithoutComments(std::string_view text);
+
+// A string in quotes.
+struct StringLiteral {
+  size_t at = 0;     // of the opening quote
+  std::string text;  // between the quotes, as it is written
+};
+
+// Those of `text` that stand in no comment.
+std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 
 // The position of a line and a column, both from 1; npos when the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);

@@ -15,9 +15,12 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
+const std::vector<std::string> kLocators = {"PRM:/r1/c1-Joint2:j1", "PRM:/r1/l7-LED2:l7",
+                                            "PRM:/r1/l6-LED2:l6"};
+
 class ControllerCheckTest : public ::testing::Test {
  protected:
-  std::vector<Remark> Remarked() const { return CheckFolder(folder.File("")).all(); }
+  std::vector<Remark> Remarked() const { return CheckFolder(folder.File(""), kLocators).all(); }
   // Of one source.
   std::vector<Remark> Remarked(const std::string& source) const {
     folder.Write("wave.c", source);
@@ -25,7 +28,7 @@ class ControllerCheckTest : public ::testing::Test {
   }
   std::string Checked(const std::string& source) const {
     folder.Write("wave.c", source);
-    return RenderRemarks(CheckFolder(folder.File("")));
+    return RenderRemarks(CheckFolder(folder.File(""), kLocators));
   }
   // The remarks about a controller whose run function has this body.
   std::vector<Remark> InRun(const std::string& body) const {
@@ -45,6 +48,51 @@ class ControllerCheckTest : public ::testing::Test {
   return AllOf(::testing::Field(&Remark::kind, Remark::Kind::kWarning),
                ::testing::Field(&Remark::line, line),
                ::testing::Field(&Remark::text, HasSubstr(text)));
+}
+
+// ---- Names of devices ------------------------------------------------------------------
+
+TEST_F(ControllerCheckTest, MisspeltDevicesAreFoundWithTheNearestName) {
+  EXPECT_THAT(
+      Remarked("#include <device/robot.h>\n"
+               "#define NECK \"PRM:/r1/c1-Joint2:j1\"\n"
+               "#define MODE \"PRM:/r1/17-LED2:l7\"\n"
+               "static const char* eyes[] = {\"PRM:/r1/l6-LED2:l6\", \"PRM:/r1/l6-LED:l6\"};\n"
+               "/* robot_get_device(\"PRM:/r9-LED2:l9\") */\n"
+               "static int run(int ms) { return 64; }\n"
+               "int main(void)\n"
+               "{\n"
+               "    robot_get_device(NECK); robot_get_device(MODE);\n"
+               "    robot_get_device ( \"RPM:/r1/c1-Joint2:j1\" );\n"
+               "    robot_console_printf(\"wheel\");\n"
+               "    robot_get_device(eyes[0]); robot_get_device(\"wheel\");\n"
+               "    robot_run(run);\n"
+               "}\n"),
+      ElementsAre(Warning(3,
+                          "no robot has a device 'PRM:/r1/17-LED2:l7'; it reads 0, and "
+                          "what it is told goes nowhere; did you mean "
+                          "'PRM:/r1/l7-LED2:l7'?"),
+                  Warning(4, "did you mean 'PRM:/r1/l6-LED2:l6'?"),
+                  Warning(10, "did you mean 'PRM:/r1/c1-Joint2:j1'?"),
+                  Warning(12,
+                          "no robot has a device 'wheel'; it reads 0, and what it is "
+                          "told goes nowhere")));
+}
+
+// A part of a name, or one made up while the program runs, says nothing.
+TEST_F(ControllerCheckTest, PartsOfDeviceNamesAreLeftAlone) {
+  EXPECT_THAT(Remarked("#include <device/robot.h>\n"
+                       "#define HEAD \"PRM:/r1/\"\n"
+                       "static int run(int ms) { return 64; }\n"
+                       "int main(void)\n"
+                       "{\n"
+                       "    char name[40];\n"
+                       "    sprintf(name, \"PRM:/r1/l%d-LED2:l%d\", 7, 7);\n"
+                       "    robot_get_device(HEAD \"l7-LED2:l7\");\n"
+                       "    robot_get_device(\"PRM:/r1/\" \"l7-LED2:l7\");\n"
+                       "    robot_run(run);\n"
+                       "}\n"),
+              IsEmpty());
 }
 
 // ---- robot_step() ----------------------------------------------------------------------
