@@ -15,11 +15,12 @@
 #   openr_add_stick(NAME stick FOLDER MS OBJECTS helloWorld ... [OUTPUT dir])
 #
 # A target that copies the Memory Stick tree FOLDER and the images of OBJECTS to OUTPUT (default:
-# NAME in the build folder), for: openr run --stick OUTPUT.
+# NAME in the build folder), for: openr run --stick OUTPUT.  Images that come with openr-host
+# (POWERMON.BIN) are there as well if OBJECT.CFG names them, unless FOLDER or OBJECTS bring others.
 #
 # Used in this tree and, by way of find_package(openr-host), in others.  Whoever includes this file
 # sets: OPENR_STUBGEN2 and OPENR_SDK_TOOL (targets or programs), OPENR_HEADERS (folders),
-# OPENR_OBJECT_FLAGS (compiler flags).
+# OPENR_OBJECT_FLAGS (compiler flags), OPENR_STICK_IMAGES (folder of images that come along).
 
 # The class of a stub.cfg.
 function(openr_class_of stub result)
@@ -91,14 +92,33 @@ function(openr_add_stick)
   endif()
   get_filename_component(folder ${S_FOLDER} ABSOLUTE)
   set(copy_images)
+  set(copy_own)
+  set(config ${folder}/OPEN-R/MW/CONF/OBJECT.CFG)
+  set(names)  # of robot paths, whose case does not count
+  if(EXISTS ${config})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${config})
+    file(STRINGS ${config} names REGEX "^[ \t]*/")
+    string(TOUPPER "${names}" names)
+  endif()
+  file(GLOB own_images ${OPENR_STICK_IMAGES}/*.BIN)
+  foreach(image ${own_images})
+    get_filename_component(name ${image} NAME)
+    if(names MATCHES "/${name}[ \t\r]*(;|$)")
+      # First, so that others take its place.
+      list(APPEND copy_own COMMAND ${CMAKE_COMMAND} -E copy_if_different ${image}
+        ${S_OUTPUT}/OPEN-R/MW/OBJS)
+    endif()
+  endforeach()
   foreach(object ${S_OBJECTS})
     list(APPEND copy_images COMMAND ${CMAKE_COMMAND} -E copy_if_different
       $<TARGET_FILE:${object}> $<TARGET_FILE_DIR:${object}>/$<TARGET_FILE_BASE_NAME:${object}>.DBG
       ${S_OUTPUT}/OPEN-R/MW/OBJS)
   endforeach()
   add_custom_target(${S_NAME} ALL
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${S_OUTPUT}/OPEN-R/MW/OBJS
+            ${S_OUTPUT}/OPEN-R/MW/DATA/P
+    ${copy_own}
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${folder} ${S_OUTPUT}
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${S_OUTPUT}/OPEN-R/MW/OBJS ${S_OUTPUT}/OPEN-R/MW/DATA/P
     ${copy_images}
     VERBATIM COMMENT "Assembling the Memory Stick ${S_NAME}")
   add_dependencies(${S_NAME} ${S_OBJECTS})

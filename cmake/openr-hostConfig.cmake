@@ -10,6 +10,7 @@ set(OPENR_STUBGEN2 ${OPENR_HOST_PREFIX}/bin/stubgen2)
 set(OPENR_SDK_TOOL ${OPENR_HOST_PREFIX}/bin/openr-sdk)
 set(OPENR_HEADERS ${OPENR_HOST_SDK}/OPEN_R/include ${OPENR_HOST_SDK}/compat)
 set(OPENR_HEADERS_KIND SYSTEM)
+set(OPENR_STICK_IMAGES ${OPENR_HOST_SDK}/images)
 
 # Lines of compile-flags.txt are "LANGUAGE[,COMPILER] FLAG".
 set(OPENR_OBJECT_FLAGS)
@@ -39,4 +40,10 @@ endforeach()
 include(${CMAKE_CURRENT_LIST_DIR}/OpenrObject.cmake)
 if(EXISTS ${OPENR_HOST_PREFIX}/lib/libopenr_testing.a)
   include(${CMAKE_CURRENT_LIST_DIR}/OpenrTesting.cmake)
+elseif(EXISTS ${OPENR_HOST_PREFIX}/CMakeCache.txt)
+  message(STATUS "openr-host: no openr::testing, since it is not built; build it with: "
+    "cmake --build ${OPENR_HOST_PREFIX} --target openr_testing")
+else()
+  message(STATUS "openr-host: no openr::testing, since ${OPENR_HOST_PREFIX} was installed without; "
+    "build openr-host with OPENR_TESTING=ON and install it again")
 endif()

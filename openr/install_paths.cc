@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -40,6 +42,20 @@ std::string ProgramFile() {
 }
 
 std::string ProgramFolder() { return fs::path(ProgramFile()).parent_path(); }
+
+std::string ProgramCall() {
+  const fs::path self = ProgramFile();
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path found = fs::path(folder.empty() ? "." : folder) / self.filename();
+    std::error_code error;
+    if (!fs::is_regular_file(found, error)) continue;
+    const bool is_self = fs::equivalent(found, self, error);
+    return is_self && !error ? self.filename().string() : self.string();
+  }
+  return self;
+}
 
 std::string DefaultStick() {
   std::string looked;

@@ -12,6 +12,9 @@ std::string ProgramFolder();
 // The running program itself.
 std::string ProgramFile();
 
+// Its name if PATH leads to it, else the file: what a person writes in a shell.
+std::string ProgramCall();
+
 // The default stick: a folder that holds OPEN-R/.  Throws std::runtime_error naming the places
 // looked at when it is nowhere.
 std::string DefaultStick();

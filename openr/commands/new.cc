@@ -1,12 +1,15 @@
 // openr new: an object to begin with.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/exit_code.h"
+#include "openr/install_paths.h"
 #include "openr/kit/new_object.h"
 #include "openr/kit/shell_words.h"
 
@@ -18,14 +21,31 @@ struct NewFlags {
   std::string folder;
 };
 
+// What to do next, from where the person stands: each line can be run as it is printed.
+std::string NextCommands(const std::string& folder) {
+  const std::string openr = ShellWord(ProgramCall());
+  const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();
+  const auto below = [&](const char* name) { return ShellWord(folder + "/" + name); };
+  return fmt::format(
+      "\nto build it and run it for 10 s of virtual time:\n"
+      "{0} build {1}\n"
+      "{0} run --stick {2} --rate max --for 10s\n"
+      "\nor with CMake, and with its tests:\n"
+      "cmake -S {1} -B {3} -DCMAKE_PREFIX_PATH={4}\n"
+      "cmake --build {3}\n"
+      "ctest --test-dir {3} --output-on-failure\n"
+      "{0} run --stick {5} --rate max --for 10s\n",
+      openr, ShellWord(folder), below("MS"), below("build"), ShellWord(prefix),
+      below("build/stick"));
+}
+
 int New(const NewFlags& flags) {
   const std::string folder = flags.folder.empty() ? flags.name : flags.folder;
   const std::vector<NewFile> files = MakeNewObject(flags.name);
   const std::string problem = WriteNewObject(files, folder);
   if (!problem.empty()) throw std::runtime_error(problem);
   for (const NewFile& file : files) fmt::print("{}/{}\n", folder, file.path);
-  fmt::print("\nopenr build {}\nopenr run --stick {}\n", ShellWord(folder),
-             ShellWord(folder + "/MS"));
+  fmt::print("{}", NextCommands(folder));
   return kExitGood;
 }
 

@@ -59,7 +59,7 @@ std::vector<NewFile> MakeNewObject(const std::string& name) {
           {config + "CONNECT.CFG", filled(kConnectConfig)},
           {"Makefile", filled(kMakefile)},
           {"CMakeLists.txt", filled(kCMake)},
-          {"test.sh", filled(kTest), true}};
+          {"test/" + class_name + "Test.cc", filled(kTest)}};
 }
 
 std::string WriteNewObject(const std::vector<NewFile>& files, const std::string& folder) {
@@ -72,9 +72,6 @@ std::string WriteNewObject(const std::vector<NewFile>& files, const std::string&
     const fs::path path = fs::path(folder) / file.path;
     const std::string problem = WriteText(path, file.text);
     if (!problem.empty()) return problem;
-    if (file.is_program)
-      fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                      fs::perm_options::add, error);
   }
   return "";
 }

@@ -9,14 +9,14 @@ namespace openr_host {
 struct NewFile {
   std::string path;  // relative
   std::string text;
-  bool is_program = false;
 };
 
 // Why `name` cannot be the name of an object, or "".
 std::string WhyNoObjectName(const std::string& name);
 
 // A folder with the object `name`: stub.cfg, sources, .ocf file, a Memory Stick tree that connects
-// it to the robot's sensors, a Makefile for the robot's SDK and ours, a CMakeLists.txt, a test.
+// it to the robot's sensors, a Makefile for the robot's SDK and ours, a CMakeLists.txt, a test with
+// openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
 // Writes them to `folder`.  Nothing that is there is overwritten: then nothing is written.

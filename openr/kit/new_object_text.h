@@ -112,8 +112,10 @@ OVirtualRobotComm.Sensor.OSensorFrameVectorData.S @Name@.Sensor.OSensorFrameVect
 
 inline constexpr char kMakefile[] = R"(# For the robot, with its SDK: make install
 # For the host: openr build .
+# or, with P where openr-host is installed: make install OPENRSDK_ROOT=P/share/openr-host/sdk
 OPENRSDK_ROOT ?= /usr/local/OPEN_R_SDK
 INSTALLDIR = MS
+OBJS = $(INSTALLDIR)/OPEN-R/MW/OBJS
 CXX = $(OPENRSDK_ROOT)/bin/mipsel-linux-g++
 STRIP = $(OPENRSDK_ROOT)/bin/mipsel-linux-strip
 MKBIN = $(OPENRSDK_ROOT)/OPEN_R/bin/mkbin
@@ -125,8 +127,10 @@ CXXFLAGS = -O2 -g -I@Name@ -I$(OPENRSDK_ROOT)/OPEN_R/include/R4000 \
 .PHONY: all install clean
 all: @Name@/@name@.bin
 
-@Name@/@Name@Stub.cc @Name@/def.h: @Name@/stub.cfg
+@Name@/@Name@Stub.cc: @Name@/stub.cfg
 	cd @Name@ && $(STUBGEN) stub.cfg
+
+@Name@/def.h: @Name@/@Name@Stub.cc
 
 @Name@/%.o: @Name@/%.cc @Name@/def.h @Name@/@Name@.h
 	$(CXX) $(CXXFLAGS) -o $@ -c $<
@@ -135,16 +139,23 @@ all: @Name@/@name@.bin
 	$(MKBIN) -p $(OPENRSDK_ROOT) -o $@ $^ $(LIBS)
 	$(STRIP) $@
 
+# POWERMON.BIN handles the pause button.  The host's SDK brings one.
 install: @Name@/@name@.bin
-	mkdir -p $(INSTALLDIR)/OPEN-R/MW/OBJS
-	gzip -c $< > $(INSTALLDIR)/OPEN-R/MW/OBJS/@NAME@.BIN
+	mkdir -p $(OBJS) $(INSTALLDIR)/OPEN-R/MW/DATA/P
+	gzip -c $< > $(OBJS)/@NAME@.BIN
+	if [ -f $(OPENRSDK_ROOT)/images/POWERMON.BIN ] && [ ! -f $(OBJS)/POWERMON.BIN ]; then \
+	  cp $(OPENRSDK_ROOT)/images/POWERMON.BIN $(OBJS); fi
 
 clean:
 	rm -f @Name@/*.o @Name@/*.bin @Name@/@Name@Stub.* @Name@/def.h @Name@/entry.h
 )";
 
 inline constexpr char kCMake[] =
-    R"(# For the host: cmake -S . -B build && cmake --build build && openr run --stick build/stick
+    R"(# For the host, with P where openr-host is installed, or the folder it was built in:
+#   cmake -S . -B build -DCMAKE_PREFIX_PATH=P
+#   cmake --build build
+#   ctest --test-dir build
+#   openr run --stick build/stick
 cmake_minimum_required(VERSION 3.16)
 project(@Name@ LANGUAGES CXX)
 find_package(openr-host REQUIRED)
@@ -155,20 +166,44 @@ openr_add_object(NAME @name@ BIN @NAME@.BIN
   SOURCES @Name@/@Name@.cc
   INCLUDES @Name@)
 openr_add_stick(NAME stick FOLDER MS OBJECTS @name@)
+
+# GoogleTest with openr::testing; what is missing for it is said above.
+if(TARGET openr::testing)
+  enable_testing()
+  add_executable(@name@_test test/@Name@Test.cc)
+  set_target_properties(@name@_test PROPERTIES CXX_STANDARD 20)
+  target_compile_definitions(@name@_test PRIVATE STICK="${CMAKE_CURRENT_BINARY_DIR}/stick")
+  target_link_libraries(@name@_test PRIVATE openr::testing GTest::gmock_main)
+  add_dependencies(@name@_test stick)
+  add_test(NAME @Name@ COMMAND @name@_test)
+endif()
 )";
 
-inline constexpr char kTest[] = R"text(#!/bin/sh
-# Builds, runs a second of virtual time and looks at what was said.
-set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-stick=$(mktemp -d)
-trap 'rm -rf "$stick"' EXIT
-${OPENR:-openr} build "$here" -o "$stick"
-${OPENR:-openr} run --stick "$stick" --for 1s --rate max --no-panel > "$stick/said.txt" 2>&1
-for words in '@Name@ has started' '@Name@ hears'; do
-  grep -q "$words" "$stick/said.txt" || { echo "not said: $words"; cat "$stick/said.txt"; exit 1; }
-done
-echo "good"
-)text";
+inline constexpr char kTest[] = R"(// What @Name@ does on its stick, with openr::testing.
+#include <openr/testing.h>
+
+using namespace openr::testing;
+
+class @Name@Test : public ::testing::Test {
+ protected:
+  @Name@Test() { bench.Boot(); }
+
+  Bench bench{{.stick = STICK, .body = "ideal"}};
+};
+
+TEST_F(@Name@Test, HearsTheSensorsOfTheRobot) {
+  bench.RunFor(100ms);
+  EXPECT_THAT(bench.console(), ::testing::HasSubstr("@Name@ hears 31 sensors"));
+}
+
+// Without its ready the robot would send no more.
+TEST_F(@Name@Test, SaysReadyAfterEveryVector) {
+  for (int i = 0; i < 3; i++) {
+    bench.Expect(Notify("OVirtualRobotComm.Sensor", "@Name@.Sensor"));
+    bench.Expect(Ready("@Name@.Sensor"));
+  }
+  bench.RunFor(200ms);
+}
+)";
 
 }  // namespace openr_host::new_object

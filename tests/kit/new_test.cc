@@ -1,6 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "openr/kit/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {
@@ -16,6 +22,64 @@ TEST(NewTest, ANewObjectBuildsAndRuns) {
   const ProgramResult built = folder.Build();
   ASSERT_EQ(built.status, 0) << built.err;
   EXPECT_EQ(folder.Say(), "Wag has started\nWag hears 31 sensors\n");
+}
+
+// Runs what `openr new` of `program` prints, line by line, where a person stands.
+void RunPrintedCommands(const std::string& program, const std::string& path) {
+  const ScratchFolder scratch;
+  scratch.Write("with blanks/here.txt", "");
+  const std::string here = scratch.File("with blanks");
+  const auto shell = [&](const std::string& line) {
+    return RunProcess(
+        {"sh", "-c", line},
+        {{{"XDG_CACHE_HOME", scratch.File("cache")}, {"PATH", path}, {"MAKEFLAGS", ""}},
+         here,
+         true,
+         true});
+  };
+  const ProcessResult made = shell("'" + program + "' new Wag 'my dog'");
+  ASSERT_TRUE(made.good()) << made.output;
+  std::istringstream lines(made.output);
+  int commands = 0, runs = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("my dog/") || line.empty() || line.ends_with(":")) continue;
+    ++commands;
+    const ProcessResult result = shell(line);
+    EXPECT_TRUE(result.good()) << line << "\n" << result.output;
+    if (line.find(" run ") == std::string::npos) continue;
+    ++runs;
+    EXPECT_THAT(result.output, HasSubstr("Wag hears 31 sensors\n"));
+    EXPECT_THAT(result.output, ::testing::Not(HasSubstr("warning: ")));
+  }
+  EXPECT_EQ(commands, 6) << made.output;
+  EXPECT_EQ(runs, 2);
+  // The rules for the robot, with the host's SDK.
+  std::filesystem::remove_all(here + "/my dog/MS/OPEN-R/MW/OBJS");
+  const std::string sdk =
+      std::filesystem::path(program).parent_path().parent_path() / "share/openr-host/sdk";
+  const ProcessResult installed = shell("make -C 'my dog' install OPENRSDK_ROOT='" + sdk + "'");
+  ASSERT_TRUE(installed.good()) << installed.output;
+  EXPECT_EQ(KitFolder::SayOf(here + "/my dog/MS"), "Wag has started\nWag hears 31 sensors\n");
+}
+
+TEST(NewTest, TheCommandsThatItPrintsWorkWithABuildFolder) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the library for tests wants a program with sanitizers";
+#endif
+  RunPrintedCommands(OPENR_PROGRAM, getenv("PATH"));
+}
+
+TEST(NewTest, TheCommandsThatItPrintsWorkWithAnInstallation) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the installed library wants a program with sanitizers";
+#endif
+  const ScratchFolder prefix;
+  const ProcessResult installed = RunProcess(
+      {"cmake", "--install", OPENR_BUILD, "--prefix", prefix.File("opt")}, {{}, "", true, true});
+  ASSERT_TRUE(installed.good()) << installed.output;
+  // Found by its name, as after an installation into /usr/local.
+  const std::string path = prefix.File("opt/bin") + ":" + getenv("PATH");
+  RunPrintedCommands(prefix.File("opt/bin/openr"), path);
 }
 
 TEST(NewTest, NothingIsOverwritten) {

@@ -2,6 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "openr/kit/process.h"
 #include "tests/kit/kit_folder.h"
 
@@ -89,6 +94,9 @@ TEST_F(PackageTest, CMakeFindsThePackageAndBuildsObjectsAndAStick) {
       RunProcess({"cmake", "--build", folder_.File("build")}, {{}, "", true, true});
   ASSERT_TRUE(built.good()) << built.output;
   EXPECT_EQ(Say("build/stick"), kHeard);
+  // OBJECT.CFG names no POWERMON.BIN.
+  EXPECT_FALSE(std::filesystem::exists(folder_.File("build/stick/OPEN-R/MW/OBJS/POWERMON.BIN")));
+  EXPECT_TRUE(std::filesystem::exists(folder_.File("build/stick/OPEN-R/MW/DATA/P")));
 }
 
 TEST_F(PackageTest, TheTutorialOnTestingBuildsAsItsPageSays) {
@@ -107,7 +115,51 @@ TEST_F(PackageTest, TheTutorialOnTestingBuildsAsItsPageSays) {
   EXPECT_THAT(run.output, HasSubstr("[  PASSED  ] 4 tests."));
 }
 
+// ./dev run builds less than everything; `cmake --install` says what is missing.
+TEST_F(PackageTest, WhatIsNotBuiltYetIsNamedWithTheTargetThatBuildsIt) {
+  const ScratchFolder scratch;
+  const std::string script = scratch.File("cmake_install.cmake");
+  // The script of the build, as if its folder were an empty one.
+  std::ifstream stream(std::string(OPENR_BUILD) + "/cmake_install.cmake");
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (size_t at = text.find(OPENR_BUILD); at != std::string::npos; at = text.find(OPENR_BUILD, at))
+    text.replace(at, std::string(OPENR_BUILD).size(), scratch.path());
+  scratch.Write("cmake_install.cmake", text);
+  const ProcessResult installed =
+      RunProcess({"cmake", "-DCMAKE_INSTALL_PREFIX=" + scratch.File("opt"), "-P", script},
+                 {{}, "", true, true});
+  EXPECT_FALSE(installed.good());
+  EXPECT_THAT(installed.output, HasSubstr("bin/openr is not built yet"));
+  EXPECT_THAT(installed.output, HasSubstr("--target"));
+  EXPECT_THAT(installed.output, HasSubstr("install_parts"));
+}
+
+// As after a build of the program alone.
+TEST_F(PackageTest, WithoutTheLibraryOfTheTestsItSaysWhatBuildsIt) {
+  const ScratchFolder copy;
+  namespace fs = std::filesystem;
+  fs::copy(prefix_->path(), copy.File("opt"),
+           fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  fs::remove(copy.File("opt/lib/libopenr_testing.a"));
+  folder_.Write("CMakeLists.txt",
+                "cmake_minimum_required(VERSION 3.16)\nproject(chat LANGUAGES CXX)\n"
+                "find_package(openr-host REQUIRED)\n");
+  const auto configured = [&] {
+    return RunProcess({"cmake", "-S", folder_.File(""), "-B", folder_.File("build"), "-G", "Ninja",
+                       "-DCMAKE_PREFIX_PATH=" + copy.File("opt")},
+                      {{}, "", true, true})
+        .output;
+  };
+  EXPECT_THAT(configured(), HasSubstr("build openr-host with OPENR_TESTING=ON"));
+  copy.Write("opt/CMakeCache.txt", "");  // a folder that something is built in
+  EXPECT_THAT(configured(),
+              HasSubstr("cmake --build " + copy.File("opt") + " --target openr_testing"));
+}
+
 TEST_F(PackageTest, AMakefileIncludesTheKitsRules) {
+  folder_.Write("MS/OPEN-R/MW/CONF/OBJECT.CFG",
+                "/MS/OPEN-R/MW/OBJS/POWERMON.BIN\n/MS/OPEN-R/MW/OBJS/SENDER.BIN\n"
+                "/MS/OPEN-R/MW/OBJS/RECEIVER.BIN\n");
   for (const char* name : {"Sender", "Receiver"}) {
     std::string object = name;
     object[0] = static_cast<char>(object[0] - 'A' + 'a');
