@@ -121,7 +121,13 @@ std::vector<fs::path> ObjectParts::NamedBy(const Paths& makefiles) const {
   return found;
 }
 
-std::vector<fs::path> ObjectParts::CodeOf(const ObjectFolder& object) const {
+const std::vector<fs::path>& ObjectParts::CodeOf(const ObjectFolder& object) const {
+  const auto [entry, is_new] = code_.emplace(object.folder, Paths());
+  if (is_new) entry->second = FindCode(object);
+  return entry->second;
+}
+
+std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
   std::set<fs::path> parts;
   std::deque<fs::path> todo;
   const auto add = [&](const fs::path& file) {

@@ -22,7 +22,7 @@ class ObjectParts {
   // those that mention its class, and what all of these include, with the sources beside headers.
   // Files of other objects' folders count only if a Makefile names their folder.  Without what
   // stubgen2 makes.
-  std::vector<std::filesystem::path> CodeOf(const ObjectFolder& object) const;
+  const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
   // The .ocf files of its folder; else those that its Makefiles name; else, of those that lie in no
   // object's folder, the one with a name like the object's.
@@ -51,6 +51,7 @@ class ObjectParts {
 
   void AddFile(const std::filesystem::path& file);
   bool IsOfOther(const std::filesystem::path& file, const ObjectFolder& object) const;
+  Paths FindCode(const ObjectFolder& object) const;
   Paths MakefilesOf(const ObjectFolder& object) const;
   Paths NamedBy(const Paths& makefiles) const;
 
@@ -61,6 +62,7 @@ class ObjectParts {
   // Sources and headers by names in lower case, without folders; sources also without extension.
   std::multimap<std::string, std::filesystem::path> by_name_, by_stem_;
   mutable std::map<std::filesystem::path, std::string> texts_;
+  mutable std::map<std::filesystem::path, Paths> code_;  // by object folder
 };
 
 }  // namespace openr_host
