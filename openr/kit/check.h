@@ -22,8 +22,8 @@ struct Remark {
   int column = 0;  // 0: no caret
   std::string text;
   std::string source_line;
-  std::string cause;                 // consequences of one cause are one remark; empty: stands alone
-  uint64_t count = 1;                // places where the same was seen
+  std::string cause;   // consequences of one cause are one remark; empty: stands alone
+  uint64_t count = 1;  // places where the same was seen
   std::vector<std::string> also_at;  // "CONNECT.CFG:5", the first ones of the later places
 };
 
