@@ -82,6 +82,8 @@ class ImageCheck {
  private:
   void CheckRecord(const ObjectRecord& record);
   void CheckImage(const ObjectRecord& record, const ImageFile& image);
+  bool HasOcfName(const ObjectFolder& object, const std::string& name) const;
+  bool HasServicesIn(const ObjectFolder& object, const ObjectRecord& record) const;
   void ExpectFromProject();
   void ReportMissing(const MissingImage& image, bool may_be_made);
   std::vector<int> MatchMissing() const;
@@ -144,12 +146,38 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   }
   lines_by_name_[name].push_back(record);
   if (!image.problem.empty()) return;
+  std::vector<const ObjectFolder*> namesakes;
   for (const ObjectFolder* object : objects_) {
-    for (const fs::path& file : parts_.OcfsOf(*object)) {
-      const OcfResult ocf = ParseOcf("", ReadText(file).value_or(""));
-      if (ocf.ocf && ocf.ocf->name == name) Place(*object, record.section);
-    }
+    if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
+  // Objects for two robots often have one name; then the services tell which one was built.  An
+  // only one is meant also if its stub.cfg has changed since.
+  if (namesakes.size() > 1)
+    std::erase_if(namesakes,
+                  [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
+  for (const ObjectFolder* object : namesakes) Place(*object, record.section);
+}
+
+bool ImageCheck::HasOcfName(const ObjectFolder& object, const std::string& name) const {
+  const std::vector<fs::path> files = parts_.OcfsOf(object);
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    const OcfResult ocf = ParseOcf("", ReadText(file).value_or(""));
+    return ocf.ocf && ocf.ocf->name == name;
+  });
+}
+
+// Whether the image of `record` has all services of the object's stub.cfg.
+bool ImageCheck::HasServicesIn(const ObjectFolder& object, const ObjectRecord& record) const {
+  if (object.stub.empty()) return true;
+  const StubConfig stub = ParseStubConfig(object.stub, ReadText(object.stub).value_or("")).config;
+  const auto is_there = [&](const StubService& service) {
+    const auto [begin, end] = images_.services.equal_range(Compose(service.name));
+    return std::any_of(begin, end, [&](const auto& entry) {
+      return entry.second.name == FileNameOf(record) && entry.second.section == record.section;
+    });
+  };
+  return std::all_of(stub.subjects.begin(), stub.subjects.end(), is_there) &&
+         std::all_of(stub.observers.begin(), stub.observers.end(), is_there);
 }
 
 std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
