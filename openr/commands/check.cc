@@ -20,7 +20,7 @@ struct CheckFlags {
   bool json = false;
 };
 
-// What robot_get_device() knows on some robot.
+// Names of all devices that robot_get_device() knows on some robot.
 std::vector<std::string> AllLocators() {
   std::vector<std::string> locators;
   for (const char* robot : {"ers210", "ers220", "ers7"}) {

@@ -21,7 +21,7 @@ struct NewFlags {
   std::string folder;
 };
 
-// What to do next, from where the person stands: each line can be run as it is printed.
+// Commands to go on with.  Each can be run as it is printed, from where the person stands.
 std::string NextCommands(const std::string& folder) {
   const std::string openr = ShellWord(ProgramCall());
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();

@@ -94,7 +94,7 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
-  // What Makefiles take from elsewhere belongs to the program, as it does when it is built.
+  // Files that Makefiles take from elsewhere belong to the program, as they do in openr build.
   const fs::path root = fs::canonical(folder);
   const ReferredPlaces places = FindReferredPlaces(root);
   const Project project = ScanProject(places.folders);

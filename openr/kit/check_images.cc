@@ -150,8 +150,8 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Objects for two robots often have one name; then the services tell which one was built.  An
-  // only one is meant also if its stub.cfg has changed since.
+  // Objects for two robots often have one name; then the services tell which one was built.  A
+  // single namesake is taken even if its stub.cfg has changed since.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });

@@ -20,8 +20,8 @@ class ObjectParts {
 
   // Sources and headers: those below the object's folder, those in folders that its Makefiles name,
   // those that mention its class, and what all of these include, with the sources beside headers.
-  // Files of other objects' folders count only if a Makefile names their folder.  Without what
-  // stubgen2 makes.
+  // Files of other objects' folders count only if a Makefile names their folder.  Files
+  // that stubgen2 makes are left out.
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
   // The .ocf files of its folder; else those that its Makefiles name; else, of those that lie in no
@@ -43,7 +43,7 @@ class ObjectParts {
   // The file with this name, in any case, that lies on no stick; an empty path if there is none.
   std::filesystem::path FindFile(const std::string& name) const;
 
-  // Of a Makefile the text that make reads (referred_places.h).
+  // The text of a file; for a Makefile the text that make reads (referred_places.h).
   const std::string& TextOf(const std::filesystem::path& file) const;
 
  private:

@@ -1,5 +1,5 @@
-// What a folder of programs uses of the folders around it: paths with "../" in Makefiles, sources
-// and headers.
+// Files and folders around a folder of programs that it uses: Makefiles, sources and headers name
+// them by paths with "../".
 #pragma once
 
 #include <filesystem>

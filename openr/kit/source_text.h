@@ -16,7 +16,7 @@ struct StringLiteral {
   std::string text;  // between the quotes, as it is written
 };
 
-// Those of `text` that stand in no comment.
+// The strings of `text` that stand in no comment.
 std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 
 // The position of a line and a column, both from 1; npos when the text has no such place.

@@ -205,7 +205,7 @@ TEST_F(CheckBeforeBuildTest, ImagesNamedOtherwiseThanTheirFoldersOnSeveralSticks
   ExpectGoodBeforeAndAfterABuild();
 }
 
-// Of two objects with one name, each robot loads one.
+// Two objects have one name, and each robot loads one of them.
 TEST_F(CheckBeforeBuildTest, SectionsOfRobotsExcludeEachOther) {
   WriteObject("Ping", "ball", "Ping/", "Ping/", "Ping/", "Ping/");
   WriteObject("Ping7", "ball", "Ping7/", "Ping7/", "Ping7/", "Ping7/");
@@ -240,7 +240,7 @@ TEST_F(CheckBeforeBuildTest, ALineForARobotThatDoesNotLoadTheObject) {
   EXPECT_THAT(Count(), HasSubstr("0 errors, 2 warnings"));
 }
 
-// What was built for the dog lies where ours will.
+// Binaries for the dog lie where a build will put those for the host.
 TEST_F(CheckBeforeBuildTest, BinariesForTheRobotAreReplacedWhereTheirSourcesAre) {
   WriteObject("Ping", "ping", "Ping/", "Ping/", "Ping/", "Ping/");
   std::string mips(64, '\0');
@@ -301,7 +301,7 @@ TEST_F(CheckBeforeBuildTest, NetworkSettingsInAWrongPlaceAreNamed) {
   EXPECT_THAT(Count(), HasSubstr("did you mean WLANCONF.TXT?"));
 }
 
-// One object that nobody brought, and every line that speaks of it.
+// Nobody brought the object Legs, and forty lines speak of it.
 TEST_F(CheckBeforeBuildTest, EqualConsequencesOfOneMissingThingAreOneRemark) {
   WriteObject("Ping", "ping", "Ping/", "Ping/", "Ping/", "Ping/");
   std::string lines;

@@ -115,7 +115,7 @@ TEST_F(PackageTest, TheTutorialOnTestingBuildsAsItsPageSays) {
   EXPECT_THAT(run.output, HasSubstr("[  PASSED  ] 4 tests."));
 }
 
-// ./dev run builds less than everything; `cmake --install` says what is missing.
+// Whoever builds single targets and then installs is told what is missing.
 TEST_F(PackageTest, WhatIsNotBuiltYetIsNamedWithTheTargetThatBuildsIt) {
   const ScratchFolder scratch;
   const std::string script = scratch.File("cmake_install.cmake");
@@ -134,7 +134,7 @@ TEST_F(PackageTest, WhatIsNotBuiltYetIsNamedWithTheTargetThatBuildsIt) {
   EXPECT_THAT(installed.output, HasSubstr("install_parts"));
 }
 
-// As after a build of the program alone.
+// A build of the program alone leaves the library out.
 TEST_F(PackageTest, WithoutTheLibraryOfTheTestsItSaysWhatBuildsIt) {
   const ScratchFolder copy;
   namespace fs = std::filesystem;

@@ -103,7 +103,7 @@ TEST(StickFaultsTest, AnUnknownServiceIsSkippedAsOnTheRobot) {
   ExpectSaid(result, "Trouble is running");
 }
 
-// One object that OBJECT.CFG does not name, and each line of CONNECT.CFG that speaks of it.
+// OBJECT.CFG does not name the object, and forty lines of CONNECT.CFG speak of it.
 TEST(StickFaultsTest, EqualConsequencesOfOneMissingObjectAreOneFinding) {
   const ScratchFolder stick;
   stick.MakeTrouble("nothing");
