@@ -268,7 +268,7 @@ void ImageCheck::ReportMissing(const MissingImage& image, bool may_be_made) {
                   fmt::format("{} {}", record.path, image.problem));
     return;
   }
-  std::vector<std::string> there;
+  std::vector<std::string> there = parts_.AllImageNames();
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(stick_.ObjectsFolder(), error))
     there.push_back(entry.path().filename());

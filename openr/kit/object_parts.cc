@@ -205,8 +205,20 @@ std::vector<std::string> ObjectParts::ImageNamesOf(const ObjectFolder& object) c
 bool ObjectParts::MakefilesName(const std::string& file_name) const {
   const std::string name = LowerCase(file_name);
   return std::any_of(makefiles_.begin(), makefiles_.end(), [&](const fs::path& file) {
-    return LowerCase(TextOf(file)).find(name) != std::string::npos;
+    const std::string text = LowerCase(TextOf(file));
+    for (size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+      if (at == 0 || !IsWordCharacter(text[at - 1])) return true;
+    }
+    return false;
   });
+}
+
+std::vector<std::string> ObjectParts::AllImageNames() const {
+  std::vector<std::string> names;
+  for (const fs::path& file : makefiles_) {
+    for (const std::string& name : InstalledImages(TextOf(file))) names.push_back(name);
+  }
+  return names;
 }
 
 bool ObjectParts::HasUnreadableInstall() const {

@@ -34,6 +34,9 @@ class ObjectParts {
   // File names of images that rules install for this object only.
   std::vector<std::string> ImageNamesOf(const ObjectFolder& object) const;
 
+  // The same for all Makefiles and objects.
+  std::vector<std::string> AllImageNames() const;
+
   // Whether a Makefile of the project contains this file name, in any case.
   bool MakefilesName(const std::string& file_name) const;
 

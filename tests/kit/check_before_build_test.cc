@@ -279,6 +279,19 @@ TEST_F(CheckBeforeBuildTest, MistakesAreStillFoundInOtherFolders) {
   EXPECT_THAT(said, HasSubstr("Pong/stub.cfg:1: the stub includes \"Pong.h\""));
 }
 
+TEST_F(CheckBeforeBuildTest, AMisspeltImageIsFoundAmongThoseThatMakefilesInstall) {
+  WriteObject("Ping", "ping", "Ping/", "Ping/", "Ping/", "Ping/");
+  folder.Write("Ping/Makefile", MakefileOf("Ping", "ping", "$(NAME)", "NAME = PPING.BIN\n"));
+  WriteObject("Pong", "pong", "Pong/", "Pong/", "Pong/", "Pong/");
+  WriteStick("MS",
+             "/MS/OPEN-R/MW/OBJS/PPING.BIN\n/MS/OPEN-R/MW/OBJS/PONG.BIN\n"
+             "/MS/OPEN-R/MW/OBJS/PIING.BIN\n",
+             "");
+  EXPECT_THAT(Count(),
+              HasSubstr("OBJECT.CFG:3: /MS/OPEN-R/MW/OBJS/PIING.BIN does not exist on the "
+                        "stick; the robot stops with error 90; did you mean 'PPING.BIN'?"));
+}
+
 TEST_F(CheckBeforeBuildTest, AMissingConnectConfigMeansNoConnections) {
   WriteObject("Ping", "ping", "Ping/", "Ping/", "Ping/", "Ping/");
   folder.Write("MS/OPEN-R/MW/CONF/OBJECT.CFG", kPing);
