@@ -1,5 +1,6 @@
 #include "StickFile.h"
 
+#include <dirent.h>
 #include <stdio.h>
 
 #include "TextFormat.h"
@@ -8,6 +9,12 @@ bool
 ReadStickFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error)
 {
     bytes->clear();
+    DIR* folder = opendir(path.c_str());
+    if (folder != 0) {  // where it can be opened as a file its size means nothing
+        closedir(folder);
+        *error = path + ": is a folder, not a file";
+        return false;
+    }
     FILE* file = fopen(path.c_str(), "rb");
     if (file == 0) {
         *error = path + ": no such file on the Memory Stick";
