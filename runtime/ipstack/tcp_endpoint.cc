@@ -202,7 +202,7 @@ void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
 void TcpEndpoint::WarnOfSmallSends(const Operation& operation, int size) {
   const int64_t now_us = stack_->system().now_us();
   const bool goes_on = small_row_ > 0 && now_us - last_send_us_ < kRobotAcknowledgeUs;
-  small_row_ = size > kRobotFastBytes ? 0 : goes_on ? small_row_ + 1 : 1;
+  small_row_ = size > kRobotSmallBytes ? 0 : goes_on ? small_row_ + 1 : 1;
   last_send_us_ = now_us;
   if (small_row_ != kRobotRow) return;
   stack_->Warn(operation,

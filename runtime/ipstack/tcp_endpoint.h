@@ -30,7 +30,10 @@ class TcpEndpoint : public Endpoint {
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
   // Small sends in a row, each so soon after the last, with nothing received in between: Nagle's
-  // algorithm keeps the next one until the peer acknowledges, which it may put off that long.
+  // algorithm keeps the next one until the peer acknowledges, which it may put off that long.  One
+  // that fills more than half of what goes at once is not small (chosen): nothing is gained by
+  // joining it with the next.
+  static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
 

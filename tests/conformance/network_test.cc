@@ -81,6 +81,15 @@ TEST_F(NetworkConformance, SmallSendsThatTheRobotHoldsBackAreReported) {
   EXPECT_TRUE(Found("3 small TCP Sends in a row with nothing received in between"));
 }
 
+// Each fills most of what the robot sends at once: joining them would gain nothing.
+TEST_F(NetworkConformance, SendsThatAreNearlyFullAreNotSmall) {
+  for (int i = 0; i < 5; ++i) {
+    Send(std::string(769, 'a'));
+    Frames();
+  }
+  EXPECT_FALSE(Found("Nagle"));
+}
+
 // network.md, 4.3; field-notes.md, 11.5
 TEST_F(NetworkConformance, ASendTooLargeForTheRobotIsReported) {
   Do([&] { probe->Send(TCPEndpointCloseMsg(endpoint)); });
