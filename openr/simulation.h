@@ -40,7 +40,7 @@ struct SimulationOptions {
   uint32_t log_level = 3;           // see SystemOptions
   bool host_network = true;         // false: a network without anybody else in it
   // Port of the host for the first robot's remote control; 0: any free one, -1: the robot's own
-  // if it is free, else any.
+  // if it is free, else the next free one.
   int rc_port = -1;
   // Addresses that programs have compiled in, and where they are on this host; before those of the
   // stick's HOSTADDR.CFG.

@@ -23,6 +23,7 @@
 #include "openr/interrupt.h"
 #include "openr/json_text.h"
 #include "openr/last_words.h"
+#include "openr/network_setup.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
 #include "openr/runner.h"
@@ -211,6 +212,9 @@ RunPlan PlanOf(const RunFlags& flags) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }
   RunPlan plan;
+  const int rc_port = flags.simulation.rc_port;
+  if (const std::string problem = WhyNoPort(rc_port); !problem.empty())
+    throw CLI::ValidationError("--rc-port", problem);
   plan.for_us = flags.for_us;
   plan.until_idle = flags.until_idle;
   plan.rate = RateOf(flags.rate);

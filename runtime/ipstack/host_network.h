@@ -25,7 +25,8 @@ namespace openr_host {
 
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // of the host, for server ports; 0: every interface
-  // Robot's port to host's port; 0: any free one.  Others keep their number.
+  // Robot's port to host's port, which it gets or none; 0: any free one.  Others keep their number
+  // if it is free.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
   // Addresses as programs know them, and where they are; the first one of a host's address is how

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstring>
 
 namespace openr_host {
@@ -13,8 +14,19 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
   const uint16_t first = before != chosen_.end() ? before->second
                          : wish != wished_.end() ? wish->second
                                                  : port;
+  const char* const protocol = protocol_ == NetProtocol::kTcp ? "TCP" : "UDP";
   const int first_error = take(first);
   int error = first_error;
+  if (error != 0 && wish != wished_.end() && wish->second != 0) {
+    *note = fmt::format(
+        "{} port {} of the robot is nowhere: port {} of this computer, which was asked for, cannot "
+        "be had ({})",
+        protocol, port, first, std::strerror(error));
+    return error;
+  }
+  for (int next = port + 1; error == EADDRINUSE && next <= port + kNextPorts && next <= 65535;
+       ++next)
+    error = take(static_cast<uint16_t>(next));
   if (error != 0 && first != 0) error = take(0);
   if (error != 0) return error;
   chosen_[port] = bound();
@@ -22,8 +34,7 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
     *note = fmt::format(
         "{} port {} of the robot is port {} of this computer: port {} cannot be had ({}; "
         "another openr-host running?)",
-        protocol_ == NetProtocol::kTcp ? "TCP" : "UDP", port, chosen_[port], first,
-        std::strerror(first_error));
+        protocol, port, chosen_[port], first, std::strerror(first_error));
   }
   return 0;
 }

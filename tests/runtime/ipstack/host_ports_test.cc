@@ -35,15 +35,36 @@ TEST(HostPortsTest, PortKeepsItsNumberWhenItIsFree) {
   EXPECT_EQ(host.note, "");
 }
 
-TEST(HostPortsTest, TakenPortIsReplacedByAFreeOneWithANote) {
+TEST(HostPortsTest, TakenPortIsReplacedByTheNextFreeOneWithANote) {
   HostPorts ports(NetProtocol::kUdp, {});
-  Host host{{54000}};
+  Host host{{54000, 54001}};
   EXPECT_EQ(host.Bind(&ports, 54000), 0);
-  EXPECT_EQ(ports.HostPort(54000), 5555);
-  EXPECT_EQ(ports.RobotPort(5555), 54000);
+  EXPECT_EQ(ports.HostPort(54000), 54002);
+  EXPECT_EQ(ports.RobotPort(54002), 54000);
   EXPECT_EQ(host.note,
-            "UDP port 54000 of the robot is port 5555 of this computer: port 54000 cannot be had "
+            "UDP port 54000 of the robot is port 54002 of this computer: port 54000 cannot be had "
             "(Address already in use; another openr-host running?)");
+}
+
+TEST(HostPortsTest, WhereTheNextHundredAreTakenAnyFreeOneWillDo) {
+  HostPorts ports(NetProtocol::kTcp, {});
+  Host host;
+  for (uint16_t port = 65500; port != 0; ++port) host.taken.push_back(port);
+  EXPECT_EQ(host.Bind(&ports, 65500), 0);
+  EXPECT_EQ(ports.HostPort(65500), 5555);
+}
+
+TEST(HostPortsTest, APortThatWasAskedForIsTakenOrNone) {
+  HostPorts ports(NetProtocol::kTcp, {{54000, 8000}});
+  Host host{{8000}};
+  EXPECT_EQ(host.Bind(&ports, 54000), EADDRINUSE);
+  EXPECT_EQ(ports.HostPort(54000), 0);
+  EXPECT_EQ(host.note,
+            "TCP port 54000 of the robot is nowhere: port 8000 of this computer, which was asked "
+            "for, cannot be had (Address already in use)");
+  host.taken.clear();
+  EXPECT_EQ(host.Bind(&ports, 54000), 0);
+  EXPECT_EQ(ports.HostPort(54000), 8000);
 }
 
 TEST(HostPortsTest, AnyFreePortIsTakenSilentlyWhenWishedFor) {
@@ -65,7 +86,9 @@ TEST(HostPortsTest, PortOnceChosenIsTriedFirstTheNextTime) {
 
 TEST(HostPortsTest, HostWithoutAnyPortIsAnError) {
   HostPorts ports(NetProtocol::kTcp, {});
-  Host host{{54000, 0}};
+  Host host{{0}};
+  for (uint16_t port = 54000; port <= 54000 + HostPorts::kNextPorts; ++port)
+    host.taken.push_back(port);
   EXPECT_EQ(host.Bind(&ports, 54000), EADDRINUSE);
   EXPECT_EQ(ports.HostPort(54000), 0);
 }
