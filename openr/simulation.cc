@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -76,6 +78,10 @@ std::string StickFolder(const std::string& wanted) {
       fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
                   "Stick",
                   wanted));
+  if (root.error != 0 && root.error != ENOENT) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be read: {}", wanted, std::strerror(root.error)));
+  }
 }
 
 Simulation::Simulation(const SimulationOptions& options)

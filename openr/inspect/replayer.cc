@@ -75,7 +75,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
   if (options.robots == 1) {  // several cannot write
-    if (!std::filesystem::is_directory(stick)) {
+    if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
     }

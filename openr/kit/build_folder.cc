@@ -169,6 +169,8 @@ void FolderBuild::PrepareWork() {
 }
 
 int FolderBuild::Run() {
+  if (const std::string problem = WhyUnreadable(folder_); !problem.empty())
+    throw std::runtime_error(fmt::format("{}: {}", folder_.string(), problem));
   PrepareWork();
   copy_.emplace(work_, sdk_root_);
   copy_->Add(folder_);

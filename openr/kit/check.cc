@@ -94,6 +94,12 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
+  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
+    throw std::runtime_error(folder + ": " + problem);
+  Remarks unreadable;
+  for (const fs::path& path : UnreadableBelow(folder))
+    unreadable.Error(path.string(), WhyUnreadable(path) + "; nothing else was checked");
+  if (!unreadable.all().empty()) return unreadable;  // what is in it would be called missing
   // Files that Makefiles take from elsewhere belong to the program, as they do in openr build.
   const fs::path root = fs::canonical(folder);
   const ReferredPlaces places = FindReferredPlaces(root);

@@ -161,6 +161,8 @@ int BuildController(const ControllerBuildOptions& options) {
     throw std::runtime_error(
         fmt::format("{}: is no folder; name the one that holds the controller", options.folder));
   }
+  if (const std::string problem = WhyUnreadable(options.folder); !problem.empty())
+    throw std::runtime_error(options.folder + ": " + problem);
   return ControllerBuild(options).Run();
 }
 

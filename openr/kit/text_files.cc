@@ -142,4 +142,29 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
   return files;
 }
 
+std::string WhyUnreadable(const fs::path& path) {
+  std::error_code error;
+  const int wanted = fs::is_directory(path, error) ? R_OK | X_OK : R_OK;
+  if (access(path.c_str(), wanted) == 0 || errno != EACCES) return "";
+  return std::string("cannot be read: ") + std::strerror(errno);
+}
+
+std::vector<fs::path> UnreadableBelow(const fs::path& folder) {
+  std::vector<fs::path> all;
+  if (!WhyUnreadable(folder).empty()) return {folder};
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const bool is_folder = entry.is_directory(error) && !entry.is_symlink(error);
+    if (is_folder && IsIgnoredFolder(entry.path())) continue;
+    if (is_folder) {
+      const std::vector<fs::path> more = UnreadableBelow(entry.path());
+      all.insert(all.end(), more.begin(), more.end());
+    } else if (!WhyUnreadable(entry.path()).empty()) {
+      all.push_back(entry.path());
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 }  // namespace openr_host

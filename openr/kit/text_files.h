@@ -43,4 +43,10 @@ bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& fol
 // followed, but not in circles.
 std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
 
+// "" or "cannot be read: Permission denied" of a file or folder that is there.
+std::string WhyUnreadable(const std::filesystem::path& path);
+
+// `folder` and what is below it, as far as it is there and may not be read.
+std::vector<std::filesystem::path> UnreadableBelow(const std::filesystem::path& folder);
+
 }  // namespace openr_host

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "runtime/config/connect_config.h"
@@ -18,6 +20,7 @@ namespace openr_host {
 namespace {
 
 constexpr char kConfFolder[] = "/MS/OPEN-R/MW/CONF/";
+constexpr char kMissing[] = "No such file on the stick";
 
 std::string FileName(const std::string& path) {
   return std::filesystem::path(path).filename().string();
@@ -54,6 +57,8 @@ std::unique_ptr<ImageObject> System::OpenImage(int robot_index, ObjectId id,
   MemoryStick* const stick = robot(robot_index).stick.get();
   if (stick == nullptr) return refuse("cannot be read: there is no Memory Stick");
   const MemoryStick::Location location = stick->Locate(path);
+  if (location.error != 0 && location.error != ENOENT)
+    return refuse(fmt::format("cannot be read: {}", std::strerror(location.error)));
   if (location.error != 0 || !location.exists) {
     return refuse(
         "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : "
@@ -99,13 +104,21 @@ std::string System::NameInImage(int robot_index, const std::string& path) {
   return ocf.ocf ? ocf.ocf->name : "";
 }
 
+// kMissing or what keeps it from being read.
+std::string System::WhyNoConfig(int robot_index, const char* name) {
+  MemoryStick* const stick = robot(robot_index).stick.get();
+  const int error = stick == nullptr ? ENOENT : stick->WhyUnread(kConfFolder + std::string(name));
+  const std::string why =
+      error == ENOENT ? kMissing : fmt::format("cannot be read: {}", std::strerror(error));
+  return fmt::format("{}{}: {}", kConfFolder, name, why);
+}
+
 bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
   const auto text = ReadConfig(robot_index, "OBJECT.CFG");
   if (!text) {
-    findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
-                   fmt::format("{}OBJECT.CFG: No such file on the stick; a stick is a folder "
-                               "that holds OPEN-R/",
-                               kConfFolder)});
+    std::string why = WhyNoConfig(robot_index, "OBJECT.CFG");
+    if (why.ends_with(kMissing)) why += "; a stick is a folder that holds OPEN-R/";
+    findings_.Add({Severity::kError, robot_index, "", 0, now_us_, why});
     return false;
   }
   const ObjectConfig config = ParseObjectConfig("OBJECT.CFG", *text, robot(robot_index).design);
@@ -142,9 +155,11 @@ void System::LoadConnections(int robot_index) {
   const auto text = ReadConfig(robot_index, "CONNECT.CFG");
   if (!text) {
     // Programs that use no service of another object came without the file; the robot starts them.
-    findings_.Add({Severity::kNote, robot_index, "", 0, now_us_,
-                   fmt::format("{}CONNECT.CFG: No such file on the stick; no object is connected",
-                               kConfFolder)});
+    const std::string why = WhyNoConfig(robot_index, "CONNECT.CFG");
+    const Severity severity = why.ends_with(kMissing) ? Severity::kNote
+                              : options_.strict       ? Severity::kError
+                                                      : Severity::kWarning;
+    findings_.Add({severity, robot_index, "", 0, now_us_, why + "; no object is connected"});
     return;
   }
   const ConnectConfig config = ParseConnectConfig(

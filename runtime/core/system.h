@@ -314,6 +314,7 @@ class System {
   std::vector<StandingReady> EndMessagesTo(Object* old);
   void Replace(std::unique_ptr<Object> fresh);
   std::vector<Message> TakeMessagesTo(Object* object);
+  std::string WhyNoConfig(int robot, const char* name);
   // As its observers would, which know nothing of its replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);

@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <strings.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -31,15 +32,18 @@ std::string UpperCase(std::string_view text) {
 }
 
 // The entry of `folder` called `part` in any case; an exact match wins, then the
-// first in the order of bytes.  Empty when there is none.
-std::string FindEntry(const std::string& folder, const std::string& part) {
+// first in the order of bytes.  Empty when there is none; `error` is set when that cannot be told.
+std::string FindEntry(const std::string& folder, const std::string& part, int* error) {
   if (Exists(folder + "/" + part)) return part;
+  if (errno == EACCES) *error = EACCES;
   std::vector<std::string> matches;
   if (DIR* const dir = opendir(folder.c_str())) {
     while (const dirent* const entry = readdir(dir)) {
       if (strcasecmp(entry->d_name, part.c_str()) == 0) matches.push_back(entry->d_name);
     }
     closedir(dir);
+  } else if (errno == EACCES) {
+    *error = EACCES;
   }
   return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
 }
@@ -91,10 +95,39 @@ std::optional<std::string> MemoryStick::ReadFile(std::string_view name) {
   return text.str();
 }
 
+int MemoryStick::WhyUnread(std::string_view name) {
+  const Location location = Locate(name);
+  if (location.error != 0) return location.error;
+  if (!location.exists) return ENOENT;
+  std::error_code error;
+  if (std::filesystem::is_directory(location.path, error)) return EISDIR;
+  if (!std::filesystem::is_regular_file(location.path, error)) return ENOENT;
+  return access(location.path.c_str(), R_OK) == 0 ? EIO : errno;
+}
+
+void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher) {
+  constexpr size_t kPieceBytes = 1 << 20;
+  const Location location = Locate(name);
+  std::error_code error;
+  std::ifstream file;
+  if (location.error == 0 && std::filesystem::is_regular_file(location.path, error))
+    file.open(location.path, std::ios::binary);
+  const uint64_t size = file.is_open() ? std::filesystem::file_size(location.path, error) : 0;
+  if (!file.is_open() || error) return hasher->AddText(otherwise);
+  hasher->Add(size);
+  std::string piece;
+  for (uint64_t left = size; left > 0 && file; left -= piece.size()) {
+    piece.resize(std::min<uint64_t>(left, kPieceBytes));
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    piece.resize(static_cast<size_t>(file.gcount()));
+    hasher->AddBytes(piece.data(), piece.size());
+  }
+}
+
 void MemoryStick::HashState(Hasher* hasher) {
   for (const std::string& name : written_) {
     hasher->AddText(name);
-    hasher->AddText(ReadFile(name).value_or("(gone)"));
+    HashFile(name, "(gone)", hasher);
   }
 }
 
@@ -105,7 +138,9 @@ MemoryStick::Location FolderStick::Locate(std::string_view name) {
   for (size_t i = 0; i < parts->size(); ++i) {
     const std::string& part = (*parts)[i];
     if (part.find('\0') != std::string::npos) return {"", false, EINVAL};
-    const std::string entry = FindEntry(path, part);
+    int error = 0;
+    const std::string entry = FindEntry(path, part, &error);
+    if (error != 0) return {"", false, error};
     const bool is_last = i + 1 == parts->size();
     if (entry.empty() && !is_last) return {"", false, ENOENT};
     if (entry.empty()) return {path + "/" + UpperCase(part), false, 0};
@@ -138,7 +173,7 @@ uint64_t FolderStick::ContentHash() {
   Hasher hasher;
   for (const std::string& name : names) {
     hasher.AddText(name);
-    hasher.AddText(ReadFile("/MS/" + name).value_or("(unreadable)"));
+    HashFile("/MS/" + name, "(unreadable)", &hasher);
   }
   return hasher.Digest();
 }

@@ -32,8 +32,10 @@ class MemoryStick {
   };
   virtual Location Locate(std::string_view name) = 0;
 
-  // For the boot and for design data; nullopt when the file cannot be read.
+  // For the boot and for design data; nullopt when the file cannot be read: WhyUnread() tells why.
   std::optional<std::string> ReadFile(std::string_view name);
+  // An errno: ENOENT when there is no such file, EACCES when it may not be read.
+  int WhyUnread(std::string_view name);
 
   // Names (below /MS) and contents of all files but images, which differ from build to
   // build (what they do is in the trace), and the record of a crash.  0 without files.
@@ -52,6 +54,11 @@ class MemoryStick {
 
   // Names and contents of the files objects have written.
   void HashState(Hasher* hasher);
+
+ protected:
+  // Adds the size and the bytes of a file, a piece at a time, since it may be larger than the
+  // memory of the host; `otherwise` when it cannot be read.
+  void HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher);
 
  private:
   bool writable_ = true;

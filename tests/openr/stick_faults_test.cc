@@ -143,5 +143,67 @@ TEST(StickFaultsTest, ARobotThatHasNoPhysicsYetNamesTheFlagThatHelps) {
   ExpectSaid(result, "use --body ideal");
 }
 
+// The same user, or nobody in place of root, who may read everything.
+ProgramResult RunUnprivileged(const std::vector<std::string>& words) {
+  if (geteuid() != 0) return RunProgram(words);
+  std::vector<std::string> all{"--reuid", "65534",          "--regid",
+                               "65534",   "--clear-groups", OPENR_PROGRAM};
+  all.insert(all.end(), words.begin(), words.end());
+  return ProgramRun(all, "/usr/bin/setpriv").Finish();
+}
+
+class UnreadableStickTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    namespace fs = std::filesystem;
+    stick_.MakeTrouble("nothing");
+    fs::permissions(stick_.path(), fs::perms(0755));
+    if (RunUnprivileged({"version"}).status != 0)
+      GTEST_SKIP() << "no user but root may run the program here";
+  }
+  void TearDown() override {
+    std::filesystem::permissions(closed_, std::filesystem::perms::owner_all);
+  }
+  void Close(const std::string& name) {
+    closed_ = name.empty() ? stick_.path() : stick_.File(name);
+    std::filesystem::permissions(closed_, std::filesystem::perms::none);
+  }
+  // What `openr run` and `openr check` say of it.
+  void ExpectUnreadable(const std::string& in_run, const std::string& in_check) {
+    for (const std::string command : {"run", "check"}) {
+      const std::vector<std::string> words =
+          command == "run"
+              ? std::vector<std::string>{"run",       "--for", "100ms",   "--rate",     "max",
+                                         "--rc-port", "0",     "--stick", stick_.path()}
+              : std::vector<std::string>{"check", stick_.path()};
+      const ProgramResult result = RunUnprivileged(words);
+      EXPECT_EQ(result.status, 1) << result.err;
+      const std::string said = result.out + result.err;
+      const std::string& wanted = command == "run" ? in_run : in_check;
+      EXPECT_NE(said.find(wanted + "cannot be read: Permission denied"), std::string::npos) << said;
+      for (const char* wrong : {"does not exist", "No such file", "is missing", "holds no folder"})
+        EXPECT_EQ(said.find(wrong), std::string::npos) << said;
+    }
+  }
+  const ScratchFolder stick_;
+  std::string closed_ = stick_.path();
+};
+
+TEST_F(UnreadableStickTest, TheFolderItself) {
+  Close("");
+  ExpectUnreadable(stick_.path() + ": ", stick_.path() + ": ");
+}
+
+TEST_F(UnreadableStickTest, AFolderOfIt) {
+  Close("OPEN-R/MW/OBJS");
+  ExpectUnreadable("OBJECT.CFG:1: /MS/OPEN-R/MW/OBJS/TROUBLE.BIN ",
+                   stick_.File("OPEN-R/MW/OBJS") + ": ");
+}
+
+TEST_F(UnreadableStickTest, AFileOfIt) {
+  Close("OPEN-R/MW/CONF/OBJECT.CFG");
+  ExpectUnreadable("/MS/OPEN-R/MW/CONF/OBJECT.CFG: ", stick_.File("OPEN-R/MW/CONF/OBJECT.CFG: "));
+}
+
 }  // namespace
 }  // namespace openr_host

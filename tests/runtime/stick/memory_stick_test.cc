@@ -1,0 +1,95 @@
+// The stick of a folder: what is large, and what may not be read.
+#include "runtime/stick/memory_stick.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+
+#include "runtime/core/hasher.h"
+#include "runtime/core/temp_folder.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(MemoryStickTest, TheHashOfAFileIsThatOfItsNameSizeAndBytes) {
+  const TempFolder folder;
+  fs::create_directories(folder.path() + "/OPEN-R");
+  const std::string text(3 << 20, 'x');  // several pieces
+  std::ofstream(folder.path() + "/OPEN-R/A.TXT") << text;
+  Hasher expected;
+  expected.AddText("OPEN-R/A.TXT");
+  expected.AddText(text);
+  EXPECT_EQ(FolderStick(folder.path()).ContentHash(), expected.Digest());
+}
+
+long PeakKb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+// In a process of its own, whose memory did not grow before.
+TEST(MemoryStickTest, ALargeFileIsNotReadIntoMemoryWhole) {
+  constexpr uint64_t kFileBytes = 256 << 20;
+  constexpr long kRoomKb = 32 << 10;
+  const TempFolder folder;
+  fs::create_directories(folder.path() + "/OPEN-R");
+  std::ofstream(folder.path() + "/OPEN-R/BIG.DAT") << "x";
+  fs::resize_file(folder.path() + "/OPEN-R/BIG.DAT", kFileBytes);  // sparse
+  const pid_t child = fork();
+  if (child == 0) {
+    const long before_kb = PeakKb();
+    FolderStick stick(folder.path());
+    stick.NoteWritten("/MS/OPEN-R/BIG.DAT");
+    Hasher hasher;
+    stick.HashState(&hasher);
+    _exit(stick.ContentHash() != 0 && PeakKb() - before_kb < kRoomKb ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+TEST(MemoryStickTest, WhatIsNotThereIsToldFromWhatIsNoFile) {
+  const TempFolder folder;
+  fs::create_directories(folder.path() + "/OPEN-R/MW");
+  FolderStick stick(folder.path());
+  EXPECT_EQ(stick.WhyUnread("/MS/OPEN-R/A.TXT"), ENOENT);
+  EXPECT_EQ(stick.WhyUnread("/MS/NOWHERE/A.TXT"), ENOENT);
+  EXPECT_EQ(stick.WhyUnread("/MS/OPEN-R/MW"), EISDIR);
+}
+
+// As a user who may not read it: root may.
+TEST(MemoryStickTest, WhatMayNotBeReadIsNotCalledMissing) {
+  constexpr uid_t kNobody = 65534;
+  const TempFolder folder;
+  fs::permissions(folder.path(), fs::perms(0755));
+  fs::create_directories(folder.path() + "/OPEN-R/CLOSED");
+  std::ofstream(folder.path() + "/OPEN-R/CLOSED/A.TXT") << "x";
+  std::ofstream(folder.path() + "/OPEN-R/B.TXT") << "x";
+  fs::permissions(folder.path() + "/OPEN-R/CLOSED", fs::perms::none);
+  fs::permissions(folder.path() + "/OPEN-R/B.TXT", fs::perms::none);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);
+    FolderStick stick(folder.path());
+    const bool good = stick.WhyUnread("/MS/OPEN-R/CLOSED/A.TXT") == EACCES &&
+                      stick.Locate("/MS/OPEN-R/CLOSED/A.TXT").error == EACCES &&
+                      stick.WhyUnread("/MS/OPEN-R/B.TXT") == EACCES;
+    _exit(good ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  fs::permissions(folder.path() + "/OPEN-R/CLOSED", fs::perms::owner_all);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << WEXITSTATUS(status);
+}
+
+}  // namespace
+}  // namespace openr_host
