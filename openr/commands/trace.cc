@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "openr/commands/commands.h"
@@ -19,7 +20,17 @@ struct TraceFlags {
   TraceFilter filter;
 };
 
+// Throws std::runtime_error when the filter names what the recording does not have.
+void CheckFilter(const TraceFlags& flags) {
+  if (flags.filter.object.empty() && flags.filter.service.empty()) return;
+  TraceReader reader(flags.file);
+  while (reader.Peek() != nullptr) reader.Take();
+  const std::string nothing = reader.WhyNothing(flags.filter.object, flags.filter.service);
+  if (!nothing.empty()) throw std::runtime_error(fmt::format("{}: {}", flags.file, nothing));
+}
+
 int ShowTrace(const TraceFlags& flags) {
+  CheckFilter(flags);
   TraceReader reader(flags.file);
   const TextSink out = [](std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
@@ -28,8 +39,6 @@ int ShowTrace(const TraceFlags& flags) {
   if (flags.format == "csv") WriteTraceCsv(&reader, flags.filter, out);
   if (flags.format == "perfetto") WriteTracePerfetto(&reader, flags.filter, out);
   for (const std::string& problem : reader.problems()) fmt::print(stderr, "openr: {}\n", problem);
-  const std::string nothing = reader.WhyNothing(flags.filter.object, flags.filter.service);
-  if (!nothing.empty()) fmt::print(stderr, "openr: {}: {}\n", flags.file, nothing);
   return reader.problems().empty() ? kExitGood : kExitWrong;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -322,7 +323,8 @@ std::string TraceReader::WhyNothing(const std::string& object, const std::string
   for (const auto& [id, name] : entries_)
     has_service = has_service || name.find(service) != std::string::npos;
   if (!object.empty() && std::find(known.begin(), known.end(), object) == known.end())
-    return fmt::format("there is no object '{}'{}", object, DidYouMean(object, known));
+    return fmt::format("there is no object '{}'{}; there are: {}", object,
+                       DidYouMean(object, known), fmt::join(known, ", "));
   return has_service ? "" : fmt::format("no entry has '{}' in its name", service);
 }
 

@@ -12,6 +12,7 @@
 #include "openr/inspect/recorder.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/trace_text.h"
+#include "tests/openr/program_run.h"
 
 namespace openr_host {
 namespace {
@@ -193,6 +194,28 @@ TEST_F(ReplayTest, AChangedStickIsRefused) {
                          .stick = (folder_ / "stick").string(),
                          .console = [](std::string_view) {}}),
                std::runtime_error);
+}
+
+TEST_F(ReplayTest, ATraceOfAnObjectThatIsNotThereIsRefusedWithTheNamesThereAre) {
+  Record();
+  const ProgramResult result = RunProgram({"trace", file_, "--object", "Nope"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("there is no object 'Nope'; there are: "), std::string::npos);
+  EXPECT_NE(result.err.find(", JointMover"), std::string::npos) << result.err;
+  EXPECT_EQ(RunProgram({"trace", file_, "--service", "Nope"}).status, 1);
+  EXPECT_EQ(RunProgram({"trace", file_, "--object", "JointMover"}).status, 0);
+}
+
+// Version 2 had neither the battery nor the reason of the end.
+TEST_F(ReplayTest, ARecordingOfTheVersionBeforeIsStillRead) {
+  Record();
+  std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(8);
+  file.put(2);
+  file.close();
+  EXPECT_EQ(Replay(), "");
+  EXPECT_EQ(count_, messages_);
 }
 
 TEST_F(ReplayTest, TextCsvAndPerfettoTellTheSameMessages) {
