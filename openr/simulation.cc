@@ -58,8 +58,12 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
   throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
 }
 
-VirtualRobotOptions DevicesOf(const SimulationOptions& options) {
+// What only the first robot has is left out for the others.
+VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   VirtualRobotOptions devices;
+  const std::string problem = ParseBattery(options.battery, &devices.battery);
+  if (!problem.empty()) throw std::runtime_error("battery: " + problem);
+  if (!is_first) return devices;
   if (!options.speaker.empty()) devices.speaker = OpenSpeakerFile(options.speaker);
   if (!options.microphone.empty())
     devices.microphone = OpenMicrophoneFile(options.microphone, AfterEnd::kSilence);
@@ -74,14 +78,14 @@ std::string StickFolder(const std::string& wanted) {
   std::error_code error;
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");  // in any case
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
-  throw std::runtime_error(
-      fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
-                  "Stick",
-                  wanted));
   if (root.error != 0 && root.error != ENOENT) {
     throw std::runtime_error(
         fmt::format("{}: cannot be read: {}", wanted, std::strerror(root.error)));
   }
+  throw std::runtime_error(
+      fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
+                  "Stick",
+                  wanted));
 }
 
 Simulation::Simulation(const SimulationOptions& options)
@@ -102,7 +106,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   const int robot = system_->AddRobot(model_.design, std::move(stick));
   robots_.push_back(AddVirtualRobot(system_.get(), robot, model_,
                                     MakeBody(options.body, model_, world_),
-                                    index == 0 ? DevicesOf(options) : VirtualRobotOptions{}));
+                                    DevicesOf(options, index == 0)));
   auto network = options.host_network
                      ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
                      : MakeLonelyNetwork();

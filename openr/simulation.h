@@ -32,6 +32,7 @@ struct SimulationOptions {
   // pattern.
   std::string speaker, microphone;  // WAV
   std::string images;               // a folder of pictures for its camera
+  std::string battery = "drain";    // of every robot; see ParseBattery()
   bool writable_stick = true;       // with one robot
   bool measures = true;             // handler times and stacks, for the report
   bool guard_regions = false;       // see SystemOptions

@@ -118,7 +118,11 @@ void Bench::AddBody() {
     throw std::runtime_error(
         fmt::format("no body '{}'; there are: none, ideal, ode", options_.body));
   }
-  dog_ = openr_host::AddVirtualRobot(system_.get(), 0, *model_, std::move(body));
+  openr_host::VirtualRobotOptions devices;
+  const std::string problem = openr_host::ParseBattery(options_.battery, &devices.battery);
+  if (!problem.empty()) throw std::runtime_error("battery: " + problem);
+  dog_ =
+      openr_host::AddVirtualRobot(system_.get(), 0, *model_, std::move(body), std::move(devices));
 }
 
 void Bench::LoadStick() {

@@ -85,6 +85,7 @@ struct BenchOptions {
   std::string body = "none";          // "none": no OVirtualRobotComm; "ideal"; "ode"
   std::string robot = "ers210";       // name of a model
   std::string world = "";             // a world file; "": a flat floor
+  std::string battery = "drain";      // full at boot; "100%" stays full; "N%": so much at boot
   uint64_t seed = SeedOfEnvironment();
   bool strict = false;                               // limits of the robot are enforced
   std::shared_ptr<openr_host::CostModel> cost = {};  // what handlers cost; null: nothing

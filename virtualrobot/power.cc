@@ -13,8 +13,6 @@
 namespace openr_host {
 namespace {
 
-// Chosen: a full battery lasts 90 minutes, the running time of an ERS-210 in use.
-constexpr int64_t kBatteryUs = int64_t{90} * 60 * 1'000'000;
 constexpr word kLowCapacityPercent = 10;  // chosen
 constexpr word kTemperature = 3031;       // 30 degrees Celsius in 0.1 K; chosen
 constexpr word kFullCapacityMah = 2000;   // chosen
@@ -41,19 +39,22 @@ bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerSt
 
 }  // namespace
 
-Power::Power(System* system) : system_(system) { last_ = Status(); }
+Power::Power(System* system, Battery battery) : system_(system), battery_(battery) {
+  last_ = Status();
+}
 
 word Power::RemainingCapacity() const {
-  const int64_t used = std::min(system_->now_us(), kBatteryUs);
-  return static_cast<word>(100 - used * 100 / kBatteryUs);
+  return static_cast<word>(battery_.PercentAt(system_->now_us()));
 }
+
+bool Power::is_battery_low() const { return RemainingCapacity() < kLowCapacityPercent; }
 
 OPowerStatus Power::Status() const {
   const word remaining = RemainingCapacity();
   longword robot = orsbBATTERY_CONNECTED | orsbOPEN_R_POWER_GOOD | orsbPLUNGER;
   if (motor_power_) robot |= orsbMOTOR_POWER;
   if (pause_) robot |= orsbPAUSE;
-  if (remaining < kLowCapacityPercent) robot |= orsbBATTERY_CAPACITY_LOW;
+  if (is_battery_low()) robot |= orsbBATTERY_CAPACITY_LOW;
   const word battery = static_cast<word>(obsbINITIALIZED | obsbDISCHARGING);
   return OPowerStatus(robot, battery, remaining, kTemperature, kFullCapacityMah, kVoltageMv,
                       kCurrentMa, time_difference_, volume_);

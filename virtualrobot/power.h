@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "virtualrobot/battery.h"
+
 namespace openr_host {
 
 class Hasher;
@@ -13,7 +15,7 @@ class System;
 
 class Power {
  public:
-  explicit Power(System* system);
+  explicit Power(System* system, Battery battery = {});
 
   bool motor_power() const { return motor_power_; }
   void SetMotorPower(bool on);
@@ -24,6 +26,9 @@ class Power {
   void PressPause();
 
   OPowerStatus Status() const;
+
+  bool is_battery_low() const;  // as orsbBATTERY_CAPACITY_LOW says
+  int remaining_percent() const { return RemainingCapacity(); }
 
   void Observe(const OPowerStatus& filter, const OServiceEntry& entry);
   // False when nobody observes with that entry.
@@ -54,6 +59,7 @@ class Power {
   void NotifyChange();
 
   System* const system_;
+  const Battery battery_;
   bool motor_power_ = false;
   bool pause_ = false;
   sbyte time_difference_ = 0;

@@ -34,6 +34,7 @@ struct VirtualRobotOptions {
   std::unique_ptr<SoundSink> speaker;       // null: its sound goes nowhere
   std::unique_ptr<SoundSource> microphone;  // null: silence
   std::unique_ptr<ImageSource> camera;      // null: the test pattern
+  Battery battery;                          // full at boot, and drains
 };
 
 class VirtualRobot : public RobotServices {

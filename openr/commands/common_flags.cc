@@ -21,6 +21,19 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
       ->capture_default_str();
 }
 
+void AddBatteryFlag(CLI::App* command, SimulationOptions* options) {
+  const auto problem = [](const std::string& text) {
+    Battery battery;
+    return ParseBattery(text, &battery);
+  };
+  command
+      ->add_option("--battery", options->battery,
+                   "100%: full, and stays so; drain: full at boot, empty after 90 minutes; N%: so "
+                   "much at boot, and drains")
+      ->check(CLI::Validator(problem, ""))
+      ->capture_default_str();
+}
+
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
                              const std::function<void(int64_t us)>& take,
                              const std::string& description) {

@@ -11,6 +11,9 @@
 namespace openr_host {
 
 // --stick, --robot, --world, --seed.
+// --battery of commands that run robots.
+void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
+
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
 // A flag that takes a duration as people write it.  `take` gets microseconds, and only when the

@@ -59,6 +59,7 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
   command->add_option("--robots", simulation.robots, "Number of robots, each in its own world")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  AddBatteryFlag(command, &simulation);
   command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
   command->add_option("--cost", simulation.cost_file,
                       "zero, or a file that says how long handlers take (ers210.cost)");

@@ -75,6 +75,7 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
       ->add_option("--body", flags->simulation.body, "ode: physics; ideal: joints follow exactly")
       ->check(CLI::IsMember({"ode", "ideal"}))
       ->capture_default_str();
+  AddBatteryFlag(command, &flags->simulation);
   command->add_flag("--strict", flags->simulation.strict,
                     "Enforce the limits of the robot; refuse wrong wiring");
   command->add_option("--cost", flags->simulation.cost_file,

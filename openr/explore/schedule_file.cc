@@ -53,6 +53,7 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
           {"strict", stick.simulation.strict},
           {"guard", stick.simulation.guard_regions},
           {"cost", stick.simulation.cost_file},
+          {"battery", stick.simulation.battery},
           {"for_us", stick.for_us},
           {"properties", stick.properties},
           {"seed", failure.at("seed")},
@@ -79,6 +80,7 @@ ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
   simulation.strict = json.at("strict").get<bool>();
   simulation.guard_regions = json.at("guard").get<bool>();
   simulation.cost_file = json.at("cost").get<std::string>();
+  simulation.battery = json.value("battery", "drain");  // before there was a choice, it drained
   schedule.stick.for_us = json.at("for_us").get<int64_t>();
   schedule.stick.properties = json.at("properties").get<std::vector<std::string>>();
   schedule.seed = json.at("seed").get<uint64_t>();

@@ -1,9 +1,9 @@
 // The file of a failing run: what was explored, and the order that breaks it.
 //
-//   { "openr_explore": 1, "stick": "", "robot": "ers210", "world": "", "body": "ideal", "robots":
-//   1,
-//     "strict": false, "guard": true, "cost": "", "for_us": 20000000, "properties": ["default"],
-//     "seed": 17, "property": "no-drops", "text": "...", "deviations": [ ... ] }
+//   { "openr_explore": 1, "stick": "", "robot": "ers210", "world": "", "body": "ideal",
+//     "robots": 1, "strict": false, "guard": true, "cost": "", "battery": "drain",
+//     "for_us": 20000000, "properties": ["default"], "seed": 17, "property": "no-drops",
+//     "text": "...", "deviations": [ ... ] }
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,7 +16,7 @@ namespace openr_host {
 
 // What was run; seeds and orders aside.
 struct ExploredStick {
-  // stick, robot, world, body, robots, strict, guard_regions, cost_file
+  // stick, robot, world, body, robots, strict, guard_regions, cost_file, battery
   SimulationOptions simulation;
   int64_t for_us = 20'000'000;
   std::vector<std::string> properties = {"default"};

@@ -26,6 +26,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options, b
   header.body = options.body;
   header.world = options.world;
   header.cost = options.cost_file;
+  header.battery = options.battery;
   header.microphone = options.microphone;
   header.images = options.images;
   for (const AddressPair& pair : options.addresses)

@@ -26,6 +26,7 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   options.body = header.body;
   options.world = header.world;
   options.cost_file = header.cost;
+  options.battery = header.battery;
   options.microphone = header.microphone;
   options.images = header.images;
   for (const std::string& text : header.addresses) {

@@ -41,6 +41,7 @@ std::string HeaderText(const TraceHeader& h) {
                {"microphone", h.microphone},
                {"images", h.images},
                {"strict", h.strict},
+               {"battery", h.battery},
                {"payloads", h.payloads}};
   if (h.is_free) json["free_running"] = true;
   if (!h.addresses.empty()) json["ip"] = h.addresses;
@@ -63,6 +64,7 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("images").get_to(h.images);
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
+  h.battery = json.value("battery", "drain");  // before there was a choice, it drained
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);
   return h;

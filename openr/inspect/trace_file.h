@@ -32,6 +32,7 @@ struct TraceHeader {
   std::string microphone, images;      // files and folders; "": none
   std::vector<std::string> addresses;  // of --ip, "10.0.1.2=127.0.0.1"
   int robots = 1;
+  std::string battery;             // see ParseBattery()
   uint64_t seed = 1;
   bool strict = false;
   bool is_free = false;  // --free-running: cannot be replayed

@@ -304,5 +304,17 @@ TEST(SeedTest, TheEnvironmentGivesTheSeedThatATestDoesNot) {
   EXPECT_EQ(BenchOptions().seed, 1u);
 }
 
+TEST(BuildTest, TheBatteryIsAsTheOptionsSay) {
+  for (const auto& [battery, percent] :
+       {std::pair{"100%", 100}, std::pair{"drain", 98}, std::pair{"12%", 10}}) {
+    Bench bench({.body = "ideal", .battery = battery});
+    bench.Boot();
+    bench.RunFor(110s);  // two per cent
+    EXPECT_EQ(bench.dog().power().Status().remainingCapacity, percent) << battery;
+  }
+  EXPECT_THAT(ErrorOf([] { Bench({.body = "ideal", .battery = "half"}); }),
+              HasSubstr("battery: 'half' is none of 100%"));
+}
+
 }  // namespace
 }  // namespace openr::testing

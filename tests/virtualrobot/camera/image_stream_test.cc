@@ -84,7 +84,7 @@ class ImageTest : public VirtualRobotCommTest {
   static Wired Wire() {
     auto recorder = std::make_unique<ShotRecorder>();
     ShotRecorder* const seen = recorder.get();
-    return {seen, {nullptr, nullptr, std::move(recorder)}};
+    return {seen, {nullptr, nullptr, std::move(recorder), {}}};
   }
 };
 

@@ -120,7 +120,7 @@ class SoundTest : public VirtualRobotCommTest {
   static Wired Wire() {
     auto sink = std::make_unique<MemorySoundSink>();
     MemorySoundSink* const seen = sink.get();
-    return {seen, {std::move(sink), Tones(), nullptr}};
+    return {seen, {std::move(sink), Tones(), nullptr, {}}};
   }
   // 1000 samples that count: left from 0, right from 0 downwards.
   static std::unique_ptr<SoundSource> Tones() {

@@ -1,0 +1,35 @@
+#include "virtualrobot/battery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace openr_host {
+
+int Battery::PercentAt(int64_t time_us) const {
+  if (!drains) return percent;
+  const int64_t used = std::min(time_us, kEmptyUs) * 100 / kEmptyUs;
+  return static_cast<int>(std::max<int64_t>(percent - used, 0));
+}
+
+std::string ParseBattery(std::string_view text, Battery* battery) {
+  if (text == "drain") {
+    *battery = {100, true};
+    return "";
+  }
+  int percent = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, percent);
+  const bool is_percent = error == std::errc() && end - at == 1 && *at == '%';
+  if (!is_percent || percent < 1 || percent > 100) {
+    return fmt::format(
+        "'{}' is none of 100% (stays full), drain (full at boot) and 1% to 99% (so "
+        "much at boot, and drains)",
+        text);
+  }
+  *battery = {percent, percent < 100};
+  return "";
+}
+
+}  // namespace openr_host

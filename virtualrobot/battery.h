@@ -1,0 +1,25 @@
+// How full a robot's battery is when it boots, and whether it drains.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace openr_host {
+
+struct Battery {
+  // Chosen: a full battery lasts 90 minutes, the running time of an ERS-210 in use.
+  static constexpr int64_t kEmptyUs = int64_t{90} * 60 * 1'000'000;
+
+  int percent = 100;   // of the full capacity, at boot: 1 to 100
+  bool drains = true;  // 1 % less every 54 s, down to 0 %; else it stays as it is
+
+  // Remaining capacity in percent after so much virtual time.
+  int PercentAt(int64_t time_us) const;
+};
+
+// "100%": full, and stays so.  "drain": full at boot.  "1%" to "99%": so much at boot, and drains
+// as fast.  Returns "" or what is wrong with `text`.
+std::string ParseBattery(std::string_view text, Battery* battery);
+
+}  // namespace openr_host
