@@ -68,6 +68,12 @@ TEST(RunTest, TheSameSeedGivesTheSameHashes) {
   EXPECT_EQ(first["trace_hash"], second["trace_hash"]);
 }
 
+TEST(RunTest, TheErs220StandsOnItsBodyWithPhysics) {
+  const json report = json::parse(RunFor("20s", {"--robot", "ers220", "--json"}).out);
+  EXPECT_EQ(report["robots"][0]["model"], "ERS-220");
+  EXPECT_TRUE(report["robots"][0]["standing"]);
+}
+
 TEST(RunTest, SeveralRobotsAreReportedEach) {
   const json report =
       json::parse(RunFor("200ms", {"--json", "--robots", "2", "--body", "ideal"}).out);
