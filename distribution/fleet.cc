@@ -215,7 +215,8 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
     process.set_lost();
-    return StopTheRun();
+    return StopTheRun(
+        {EndKind::kSignal, "Ctrl-C or SIGTERM came again while a process was waited for"});
   }
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
@@ -236,7 +237,7 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
     process.set_lost();
-    return StopTheRun();
+    return StopTheRun({EndKind::kLostProcess, text});
   }
   if (member->crashed)  // else it is named already
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.facts().pid);
@@ -250,8 +251,8 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
   for (const auto& [id, object] : member->objects) crash_listener_(object);
 }
 
-void Fleet::StopTheRun() {
-  for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot);
+void Fleet::StopTheRun(const RunEnd& why) {
+  for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot, why);
 }
 
 bool Fleet::TakeWhatCame() {
@@ -342,7 +343,8 @@ std::map<ObjectId, uint64_t> Fleet::HeapMax() const {
 }
 
 void Fleet::End() {
-  for (auto& [name, member] : members_) member.process->End();
+  const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
+  for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
     // One that has not come yet has not heard it.
     const bool has_come = member.process->facts().pid != 0;

@@ -146,7 +146,7 @@ class Fleet {
   bool TakeWhatCame();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   void Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
-  void StopTheRun();
+  void StopTheRun(const RunEnd& why);
 
   // fleet_return.cc
   bool MayComeBack(const Member& member) const;

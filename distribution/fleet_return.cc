@@ -203,7 +203,7 @@ void Fleet::WaitForReturns() {
     if (member.stage != Stage::kGone || member.crashed || system_->powered_off()) continue;
     system_->AddFindingAbout(member.objects.begin()->second, Severity::kError,
                              fmt::format("{}; the run stops here", member.lost));
-    StopTheRun();
+    StopTheRun({EndKind::kLostProcess, member.lost});
   }
 }
 

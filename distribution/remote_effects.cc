@@ -164,6 +164,14 @@ void RemoteProcess::Unpin(uint32_t region) {
   system_->regions().Unpin(region);
 }
 
+void RemoteProcess::EndRobot(NoteKind kind, int robot, const RunEnd& why) {
+  if (kind == NoteKind::kPowerOff) {
+    system_->PowerOff(robot, why);
+  } else {
+    system_->Shutdown(robot, why);
+  }
+}
+
 void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers,
                               const std::string& text) {
   const auto number = [&](size_t i) { return i < numbers.size() ? numbers[i] : 0; };
@@ -183,8 +191,8 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
       if (number(0) >= static_cast<uint64_t>(system_->robot_count())) Refuse("an unknown robot");
       if (self != nullptr && number(0) != static_cast<uint64_t>(self->robot))
         Refuse("the end of another robot");
-      if (kind == NoteKind::kPowerOff) return system_->PowerOff(static_cast<int>(number(0)));
-      return system_->Shutdown(static_cast<int>(number(0)));
+      if (number(1) >= kEndKinds) Refuse("an end of an unknown kind");
+      return EndRobot(kind, static_cast<int>(number(0)), {static_cast<EndKind>(number(1)), text});
     case NoteKind::kDeleteRegion:
       if (!objects_.contains(system_->regions().OwnerOf(region)))
         Refuse("the end of a region that is not its own");

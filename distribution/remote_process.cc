@@ -419,10 +419,12 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   return StringOf(state.subjects);
 }
 
-void RemoteProcess::End() {
+void RemoteProcess::End(const std::string& why) {
   courier_.reset();                  // what it has borrowed is the System's
   if (!seat_.has_arrived()) return;  // nobody is there; one that is coming back is
   openr_wire_Down down = NewDown(openr_wire_DOWN_END);
+  WireArena arena;
+  down.body._u.ended = {false, arena.Text(why)};
   try {
     Send(down);
     seat_.line()->Flush(kEndMs);

@@ -28,6 +28,7 @@ namespace openr_host {
 class Object;
 class RemoteObject;
 class System;
+struct RunEnd;
 
 // The same, by the fault of the object whose handler ran.
 struct ProcessCrashed : ProcessLost {
@@ -133,8 +134,8 @@ class RemoteProcess {
   // The same, or what its last word says.
   std::string WhyItIsGone();
 
-  // It may end.  Before the System does.
-  void End();
+  // It may end, and hears why: DescribeEnd(), or "".  Before the System does.
+  void End(const std::string& why);
 
  private:
   using Loan = MasterLine::Loan;
@@ -167,6 +168,7 @@ class RemoteProcess {
   bool Serve(const openr_wire_Up& up);
   void SendAnswer(const Answer& answer);
   void Apply(const openr_wire_Up& up, Object* self);
+  void EndRobot(NoteKind kind, int robot, const RunEnd& why);
   void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
   void Unpin(uint32_t region);
   int32_t Post(const openr_wire_Posted& posted, Object* self);

@@ -70,7 +70,8 @@ void Seat::TellTheLeft() {
     if (left.is_told || !left.line->IsConnected()) continue;
     openr_wire_Down down{};
     down.body._d = openr_wire_DOWN_END;
-    down.body._u.without_you = true;
+    WireArena arena;
+    down.body._u.ended = {true, arena.Text("")};
     left.is_told = true;
     try {
       left.line->Send(down);

@@ -81,9 +81,9 @@ Worker::Loan Worker::Next(bool answer) {
     }
     if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
     if (loan->body._d == openr_wire_DOWN_END) {  // in the middle of a handler
-      if (!loan->body._u.without_you) _exit(0);
-      options_.say(kGivenUp);
-      _exit(1);
+      const openr_wire_End& end = loan->body._u.ended;
+      SayThatItIsOver(end);
+      _exit(end.without_you ? 1 : 0);
     }
     early_.push_back(std::move(loan));
   }
@@ -314,6 +314,14 @@ void Worker::SayThatItJoined() {
                            fmt::join(own_names_, ", ")));
 }
 
+void Worker::SayThatItIsOver(const openr_wire_End& end) {
+  if (end.without_you) {
+    options_.say(kGivenUp);
+  } else if (options_.session.empty() && StringOf(end.why) != "") {
+    options_.say("the run is over, " + StringOf(end.why));
+  }
+}
+
 std::string Worker::Serve() {
   for (;;) {
     const Loan down = Next(false);
@@ -339,7 +347,9 @@ std::string Worker::Serve() {
         Forget(down->body._u.forgotten);
         break;
       case openr_wire_DOWN_END:
-        return down->body._u.without_you ? kGivenUp : "";
+        if (down->body._u.ended.without_you) return kGivenUp;
+        SayThatItIsOver(down->body._u.ended);
+        return "";
       case openr_wire_DOWN_WELCOME:
       case openr_wire_DOWN_ANSWER:
         return "the master says what was not asked";

@@ -85,6 +85,7 @@ class Worker : public Uplink {
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
   std::string Serve();
   void SayThatItJoined();
+  void SayThatItIsOver(const openr_wire_End& end);
   void Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out);
   void RunTimed(ObjectId id);
   void SendStopped(Object* object);

@@ -12,7 +12,11 @@ volatile sig_atomic_t g_count = 0;
 
 void Count(int) {
   g_count = g_count + 1;
-  if (g_count >= 3) _exit(kExitWrong);
+  if (g_count < 3) return;
+  static constexpr char kText[] =
+      "ended by signal: Ctrl-C or SIGTERM came three times; no report is written\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
+  _exit(kExitWrong);
 }
 
 void Install(void (*handler)(int)) {

@@ -23,19 +23,26 @@ constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
 LastWords* g_newest = nullptr;
 Ending* g_ending = nullptr;
-Current g_current;  // of the object's handler
+Current g_current;          // of the object's handler
+bool g_is_awaited = false;  // by a LastAnswer
 int g_answer = -1;
 char g_answer_file[4096] = "";  // fixed before the run: nothing is allocated at its end
 
 void AnswerWithTheEnding(const Ending& ending) {
+  if (g_is_awaited) {
+    SignalText last;
+    last.Add("ended by ").Add(EndName(ending.kind)).Add(": ").Add(ending.finding.text());
+    last.Add("\n").WriteTo(STDERR_FILENO);
+  }
   if (ending.answered) return;
-  WriteEndingAsJson(ending.record, ending.finding, g_current, g_answer);
+  const char* const ended_by = EndName(ending.kind);
+  WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, g_answer);
   if (g_answer_file[0] == 0) return;
   // Not open(): that of this process may act for an object.
   const long file = syscall(SYS_openat, AT_FDCWD, static_cast<const char*>(g_answer_file),
                             O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (file >= 0)
-    WriteEndingAsJson(ending.record, ending.finding, g_current, static_cast<int>(file));
+    WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, static_cast<int>(file));
 }
 
 void GiveUp(int) {
@@ -45,6 +52,8 @@ void GiveUp(int) {
 }
 
 }  // namespace
+
+RunEnd EndOf(const Ending& ending) { return {ending.kind, std::string(ending.finding.text())}; }
 
 LastWords::LastWords(std::function<void(Ending*)> say)
     : say_(std::move(say)), outer_(std::exchange(g_newest, this)) {}
@@ -57,12 +66,14 @@ void SayLastWords(Ending* ending) {
 }
 
 LastAnswer::LastAnswer(int descriptor, const std::string& file) {
+  g_is_awaited = true;
   g_answer = descriptor;
   const size_t size = file.copy(static_cast<char*>(g_answer_file), sizeof g_answer_file - 1);
   g_answer_file[size] = 0;
 }
 
 LastAnswer::~LastAnswer() {
+  g_is_awaited = false;
   g_answer = -1;
   g_answer_file[0] = 0;
 }

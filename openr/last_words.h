@@ -10,6 +10,7 @@
 #include <string>
 
 #include "openr/signal_text.h"
+#include "runtime/core/run_end.h"
 
 namespace openr_host {
 
@@ -17,11 +18,14 @@ class Object;
 
 // How the process comes to its end.
 struct Ending {
+  EndKind kind = EndKind::kCrash;
   SignalText record;         // for people, in lines
   SignalText finding;        // one sentence, for the report
   Object* object = nullptr;  // whose handler it is
   bool answered = false;     // the answer is given: see LastAnswer
 };
+
+RunEnd EndOf(const Ending& ending);
 
 // While it lives: CrashLog and Watchdog call `say` before they end the process.
 class LastWords {
@@ -41,8 +45,9 @@ class LastWords {
 // All of them, the newest first; once.
 void SayLastWords(Ending* ending);
 
-// While it lives: where an answer in JSON is due that the end of the process keeps from being
-// given.  When no LastWords has given it, {"error", "findings"} goes there.  One at a time.
+// While it lives: somebody waits for the end of a run.  The last line on standard error says what
+// ended it.  When an answer in JSON is due and no LastWords has given it, {"error", "ended_by",
+// "findings"} goes there.  One at a time.
 class LastAnswer {
  public:
   // `descriptor`: -1 for none; `file`: "" for none.

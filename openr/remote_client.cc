@@ -32,8 +32,8 @@ std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address) 
   return fmt::format("'{}' has no port from 1 to 65535 after the colon", text);
 }
 
-RemoteClient::RemoteClient(const RemoteAddress& address, int timeout_ms)
-    : address_(address), timeout_ms_(timeout_ms) {
+RemoteClient::RemoteClient(const RemoteAddress& address, int timeout_ms, bool is_probe)
+    : address_(address), timeout_ms_(timeout_ms), is_probe_(is_probe) {
   try {
     Connect();
   } catch (...) {
@@ -72,7 +72,9 @@ void RemoteClient::Connect() {
   freeaddrinfo(found);
   if (error == EINPROGRESS) error = WaitForConnection();
   if (error == ECONNREFUSED) {
-    Throw("nobody listens there; is 'openr run' running, and is this the port it printed?");
+    Throw(
+        "nobody listens there; is 'openr run' running, and is this the port it printed? If it "
+        "has ended, its last line says why");
   }
   if (error == ETIMEDOUT) {
     Throw(fmt::format("no connection within {} ms; {}", timeout_ms_,
@@ -105,12 +107,27 @@ void RemoteClient::ThrowSilent() const {
                   timeout_ms_));
 }
 
+bool RemoteClient::RobotGoesOn() const {
+  if (is_probe_) return false;
+  try {
+    RemoteClient probe(address_, timeout_ms_, true);
+    probe.Request(rcINFO);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 void RemoteClient::ThrowLost(int error) const {
-  Throw(
-      fmt::format("the connection was lost ({}); has 'openr run' ended? Its output says why; "
-                  "start it again if so. A client that is silent for 10 s gives way when all 8 "
-                  "places are taken and another one connects",
-                  error == 0 ? "the robot closed it" : std::strerror(error)));
+  const char* const why =
+      RobotGoesOn()
+          ? "but the robot goes on; it closes the connection of a client whose bytes are no packet, "
+            "and of one that was silent for 10 s when all 8 places are taken and another one "
+            "connects: connect again"
+          : "and the robot does not answer any more: it seems that the run has ended. The last "
+            "line of 'openr run' (\"ended by ...\") and 'ended_by' in its report say why";
+  Throw(fmt::format("the connection was lost ({}), {}",
+                    error == 0 ? "the robot closed it" : std::strerror(error), why));
 }
 
 void RemoteClient::ThrowMalformed() const {

@@ -41,7 +41,8 @@ struct RemoteAnswer {
 // no.
 class RemoteClient {
  public:
-  RemoteClient(const RemoteAddress& address, int timeout_ms);
+  RemoteClient(const RemoteAddress& address, int timeout_ms)
+      : RemoteClient(address, timeout_ms, false) {}
   ~RemoteClient();
   RemoteClient(const RemoteClient&) = delete;
   RemoteClient& operator=(const RemoteClient&) = delete;
@@ -71,7 +72,10 @@ class RemoteClient {
   }
 
  private:
+  RemoteClient(const RemoteAddress& address, int timeout_ms, bool is_probe);
   void Connect();
+  // Whether the robot answers another client, now that this connection is lost.
+  bool RobotGoesOn() const;
   int WaitForConnection() const;  // an errno
   uint16_t SendRequest(int command, const std::vector<uint8_t>& payload);
   RemoteAnswer ReceiveAnswer(uint16_t tag);
@@ -85,6 +89,7 @@ class RemoteClient {
 
   const RemoteAddress address_;
   const int timeout_ms_;
+  const bool is_probe_;  // made by RobotGoesOn() of another one
   int socket_ = -1;
   uint16_t tag_ = 0;
   RcFramer framer_;

@@ -86,6 +86,8 @@ Json MakeReport(Simulation* simulation, const RunFacts& facts) {
   report["wall_time_s"] = Rounded(facts.wall_time_s, 1e-6);
   report["x_real_time"] =
       facts.wall_time_s > 0 ? Rounded(virtual_time_s / facts.wall_time_s, 0.01) : 0.0;
+  report["ended_by"] = system.end() ? Json(EndName(system.end()->kind)) : Json();
+  report["ended_why"] = system.end() ? Json(system.end()->why) : Json();
   report["frames"] = simulation->robots().empty() ? 0 : simulation->robots()[0]->frame();
   report["messages"] = system.message_count();
   report["seed"] = facts.seed;
@@ -94,8 +96,12 @@ Json MakeReport(Simulation* simulation, const RunFacts& facts) {
   report["rc_port"] = simulation->RcPort(0);
   report["robots"] = Json::array();
   for (size_t i = 0; i < simulation->robots().size(); ++i) {
+    const int robot = static_cast<int>(i);
     report["robots"].push_back(RobotReport(*simulation->robots()[i], facts.standing[i].standing(),
-                                           simulation->RcPort(static_cast<int>(i))));
+                                           simulation->RcPort(robot)));
+    const Robot& dog = system.robot(robot);
+    report["robots"].back()["ended_by"] =
+        dog.powered_off && dog.end ? Json(EndName(dog.end->kind)) : Json();
   }
   report["objects"] = Json::array();
   for (const auto& object : system.objects()) report["objects"].push_back(ObjectReport(*object));

@@ -57,13 +57,21 @@ void Runner::WatchActivity() {
       });
 }
 
-bool Runner::IsOver() const {
+std::optional<RunEnd> Runner::WhyOver() const {
   System& system = simulation_->system();
   const int64_t now_us = system.now_us();
-  if (system.powered_off() || interrupts_->count() >= 2) return true;
-  if (paused_us_ >= 0) return now_us - paused_us_ >= kPauseUs + kShutdownMaxUs;
-  if (plan_.for_us && now_us >= *plan_.for_us) return true;
-  return plan_.until_idle && system.booted() && now_us - last_activity_us_ >= kIdleUs;
+  if (system.powered_off()) return {};
+  if (interrupts_->count() >= 2)
+    return RunEnd{EndKind::kSignal, "Ctrl-C or SIGTERM came again; no object was told"};
+  if (paused_us_ >= 0) {
+    if (now_us - paused_us_ < kPauseUs + kShutdownMaxUs) return {};
+    return RunEnd{EndKind::kPause, "the shutdown after the pause button took more than 60 s"};
+  }
+  if (plan_.for_us && now_us >= *plan_.for_us)
+    return RunEnd{EndKind::kTime, fmt::format("--for {} is over", FormatDuration(*plan_.for_us))};
+  if (plan_.until_idle && system.booted() && now_us - last_activity_us_ >= kIdleUs)
+    return RunEnd{EndKind::kIdle, "no object has sent anything for 1 s (--until-idle)"};
+  return {};
 }
 
 // The next frame boundary, or what comes before it.
@@ -134,7 +142,9 @@ void Runner::AfterFrame() {
   if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
     shutdown_posted_ = true;
     plan_.say("no object handles the pause button; shutting down");
-    system.Shutdown();
+    system.Shutdown({EndKind::kPause,
+                     "no object shut the robot down within 1 s after the pause button, so openr "
+                     "did"});
     if (plan_.recorder != nullptr) plan_.recorder->NoteShutdown(system.now_us());
   }
 }
@@ -164,7 +174,8 @@ bool Runner::Run() {
   begin_ns_ = WallClockNs();
   ConsoleFeed typed(plan_.stdin_file);
   system.Boot();
-  while (!IsOver()) {
+  std::optional<RunEnd> end = WhyOver();
+  for (; !end && !system.powered_off(); end = WhyOver()) {
     typed.Feed(&system);
     const int64_t stop_us = NextStop();
     if (plan_.pump) {
@@ -175,6 +186,7 @@ bool Runner::Run() {
     }
     AfterFrame();
   }
+  if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
   if (!system.powered_off()) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;

@@ -9,6 +9,7 @@
 
 #include "openr/report.h"
 #include "openr/snapshot.h"
+#include "runtime/core/run_end.h"
 
 namespace openr_host {
 
@@ -52,7 +53,8 @@ class Runner {
 
  private:
   void WatchActivity();
-  bool IsOver() const;
+  // None while it goes on, and when all robots are off: they say themselves why.
+  std::optional<RunEnd> WhyOver() const;
   int64_t NextStop() const;
   void AfterFrame();
   void PressPause();

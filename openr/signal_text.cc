@@ -90,12 +90,13 @@ bool AddCurrentHandler(SignalText* text) {
 }
 
 // In pieces, each of which is small enough.
-void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const Current& current,
-                       int descriptor) {
+void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
+                       const Current& current, int descriptor) {
   if (descriptor < 0) return;
   const Object* const object = current.object;
   SignalText error, about, name, text, end;
   error.Add("{\"error\":").AddQuoted(record).WriteTo(descriptor);
+  about.Add(",\"ended_by\":\"").Add(ended_by).Add("\"");
   about.Add(",\"findings\":[{\"severity\":\"error\",\"robot\":");
   about.AddNumber(object == nullptr ? 0 : static_cast<uint64_t>(object->robot));
   about.Add(",\"object\":").AddQuoted(name.Add(object == nullptr ? "" : object->name.c_str()));

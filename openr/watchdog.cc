@@ -26,6 +26,7 @@ int g_seen = 0;          // ticks in a row
 
 void EndTheHandler() {
   Ending ending;
+  ending.kind = EndKind::kHandlerLimit;
   const auto add_limit = [](SignalText* text) {
     text->Add(" has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
     text->AddNumber(g_limit_s_tenths % 10).Add(" s of processor time (--handler-limit)");

@@ -144,7 +144,9 @@ bool Bench::RunUntil(const std::function<bool()>& predicate, Duration budget, Pl
   const bool good = Control(place, [&] { holds = system_->RunUntil(predicate, budget.count()); });
   if (holds) return good;
   return Miss(place, fmt::format("RunUntil: it does not hold within {}{}", Seconds(budget),
-                                 system_->powered_off() ? "; the robot is off" : ""));
+                                 system_->powered_off() && system_->end()
+                                     ? "; the robot is off, " + DescribeEnd(*system_->end())
+                                     : ""));
 }
 
 bool Bench::RunUntilMet(Duration budget, Place place) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/core/current.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/sound/audio_comm.h"
@@ -53,7 +54,9 @@ void VirtualRobot::WatchLoad() {
       fmt::format("PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 % "
                   "of its drive or more for 30 s, the robot shuts down",
                   joint, model_.joints[static_cast<size_t>(joint)].locator));
-  if (system_->options().strict) system_->Shutdown(robot_);
+  if (!system_->options().strict) return;
+  system_->Shutdown(robot_,
+                    {EndKind::kStrict, fmt::format("motor {} was at its limit for 30 s", joint)});
 }
 
 void VirtualRobot::Warn(std::string text) {
@@ -228,8 +231,19 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
   return oSUCCESS;
 }
 
+// Before System::Shutdown(), which knows neither button nor battery.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   power_.next_boot = condition;
+  const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;
+  if (power_.pause()) {
+    system_->NoteEnd(robot_,
+                     {EndKind::kPause, who + " shut the robot down after the pause button"});
+  } else if (power_.is_battery_low()) {
+    system_->NoteEnd(robot_,
+                     {EndKind::kBattery, fmt::format("{} shut the robot down with {} % left in its "
+                                                     "battery; --battery 100% keeps it full",
+                                                     who, power_.remaining_percent())});
+  }
   return oSUCCESS;
 }
 

@@ -154,6 +154,17 @@ std::function<void(uint64_t)> ProgressOf(uint64_t runs) {
   };
 }
 
+// "ended before their time: 2 by battery\n", or "".
+std::string EndsBeforeTime(const Json& result) {
+  std::string text;
+  for (const auto& [reason, runs] : result.at("ended_by").items()) {
+    if (reason == EndName(EndKind::kTime)) continue;
+    text += fmt::format("{} {} by {}", text.empty() ? "ended before their time:" : ",",
+                        runs.get<uint64_t>(), reason);
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
 std::string Summary(const Json& result, const ExploreFlags& flags) {
   const uint64_t runs = result["runs"].get<uint64_t>();
   std::string text =
@@ -170,6 +181,7 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   }
   const uint64_t broken = result["broken"].get<uint64_t>();
   text += broken == 0 ? "no property broken\n" : fmt::format("{} broke a property\n", broken);
+  text += EndsBeforeTime(result);
   if (result.contains("failure")) text += DescribeFailure(result["failure"]);
   if (const uint64_t dependent = result.value("address_dependent", uint64_t{0}); dependent > 0) {
     text += fmt::format(

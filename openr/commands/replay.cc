@@ -31,6 +31,10 @@ struct ReplayFlags {
   bool console = false;
 };
 
+nlohmann::ordered_json TextOrNull(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
 int Finish(Replayer* replayer, const ReplayFlags& flags) {
   std::vector<std::string> problems = replayer->problems();
   if (!replayer->loss().empty()) problems.push_back(replayer->loss());
@@ -44,11 +48,16 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
                                                             : "";
   fmt::print(stderr, "openr: {} messages equal, {:.3f} s of virtual time{}\n", replayer->count(),
              time_s, how_far);
+  const auto& [ended_by, why] = replayer->reader().ended();
+  if (!ended_by.empty() && replayer->at_end())
+    fmt::print(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);
   if (flags.json) {
     const nlohmann::ordered_json answer = {{"equal", equal && problems.empty()},
                                            {"messages", replayer->count()},
                                            {"virtual_time_s", time_s},
                                            {"at_end", replayer->at_end()},
+                                           {"ended_by", TextOrNull(ended_by)},
+                                           {"ended_why", TextOrNull(why)},
                                            {"difference", replayer->difference()},
                                            {"problems", problems}};
     fmt::print("{}\n", JsonText(answer));

@@ -212,10 +212,10 @@ RunPlan PlanOf(const RunFlags& flags) {
   if (flags.panel->count() > 0) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }
-  RunPlan plan;
   const int rc_port = flags.simulation.rc_port;
   if (const std::string problem = WhyNoPort(rc_port); !problem.empty())
     throw CLI::ValidationError("--rc-port", problem);
+  RunPlan plan;
   plan.for_us = flags.for_us;
   plan.until_idle = flags.until_idle;
   plan.rate = RateOf(flags.rate);
@@ -236,7 +236,7 @@ bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags, Co
   return problem.empty();
 }
 
-std::string Summary(const nlohmann::ordered_json& report) {
+std::string Summary(const nlohmann::ordered_json& report, const std::optional<RunEnd>& end) {
   std::string text = fmt::format(
       "{:.3f} s of virtual time in {:.3f} s, {:.1f} x real time; {} messages; state {}\n",
       report["virtual_time_s"].get<double>(), report["wall_time_s"].get<double>(),
@@ -246,6 +246,7 @@ std::string Summary(const nlohmann::ordered_json& report) {
     text += fmt::format("{}: {}\n", robot["model"].get<std::string>(),
                         robot["standing"].get<bool>() ? "standing" : "not standing");
   }
+  if (end) text += DescribeEnd(*end) + "\n";
   return text;
 }
 
@@ -262,6 +263,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   {
     const CurrentScope scope(&simulation->system(), ending->object);
     simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
+    simulation->system().NoteRunEnd(EndOf(*ending));
   }
   distribution->Hurry();
   nlohmann::ordered_json report = MakeReport(simulation, facts);
@@ -271,6 +273,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   report["error"] = std::string(record);
   WriteReport(report, flags, console);
   ending->answered = true;
+  distribution->EndProcesses();
 }
 
 // One run, from its command line to its report.
@@ -283,6 +286,7 @@ class CommandedRun {
 
  private:
   SimulationOptions Options();
+  void NoteThatItDoesNotBoot(bool is_refused);
   bool RunToTheEnd();
   bool Report();
 
@@ -329,6 +333,7 @@ int CommandedRun::Run() {
   const bool is_refused = flags_.simulation.strict && system().findings().HasError();
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
+  if (!boots_) NoteThatItDoesNotBoot(is_refused);
   if (!boots_ && interrupts_.count() > 0) boots_ = true;  // as far as anybody knows
   if (good) {
     good = RunToTheEnd();
@@ -337,6 +342,17 @@ int CommandedRun::Run() {
   }
   good = Report() && good;
   return good && !system().findings().HasError() ? kExitGood : kExitWrong;
+}
+
+void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
+  RunEnd end{EndKind::kNoBoot, "the robot does not boot; the findings say why"};
+  if (simulation_.loaded()) {
+    end.why = is_refused ? "--strict refuses what the findings name; no object was started"
+                         : "a process with objects of the run did not come";
+    if (interrupts_.count() > 0)
+      end = {EndKind::kSignal, "Ctrl-C or SIGTERM came while a process was waited for"};
+  }
+  system().NoteRunEnd(end);
 }
 
 // False after a complaint.
@@ -376,7 +392,7 @@ bool CommandedRun::Report() {
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
   distribution_.Describe(&report);
   distribution_.EndProcesses();
-  fmt::print(stderr, "{}{}", DescribeFindings(&simulation_), Summary(report));
+  fmt::print(stderr, "{}{}", DescribeFindings(&simulation_), Summary(report, system().end()));
   return WriteReport(report, flags_, &console_);
 }
 

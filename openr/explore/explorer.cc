@@ -56,6 +56,7 @@ class Sum {
       ++broken_;
       if (!first_broken_) first_broken_ = answer;
     }
+    ++ended_by_[answer.at("ended_by").get<std::string>()];
     messages_ += answer.value("messages", uint64_t{0});
     digest_.Add(answer.at("seed").get<uint64_t>());
     digest_.AddText(answer.value("state", ""));
@@ -66,6 +67,7 @@ class Sum {
   Json Tell(WorkerPool* pool) const {
     Json sum = {{"runs", runs_},
                 {"broken", broken_},
+                {"ended_by", ended_by_},
                 {"messages", messages_},
                 {"digest", fmt::format("{:016x}", digest_.Digest())}};
     if (first_broken_) sum["failure"] = MakeFailure(plan_, pool, *first_broken_);
@@ -75,6 +77,7 @@ class Sum {
  private:
   const ExplorePlan& plan_;
   uint64_t runs_ = 0, broken_ = 0, messages_ = 0;
+  std::map<std::string, uint64_t> ended_by_;  // how many runs each reason ended
   Hasher digest_;
   std::optional<Json> first_broken_;
 };

@@ -66,7 +66,9 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
   for (uint64_t i = 0; i < log_->count; ++i) {
     deviations.push_back(DeviationToJson(log_->entries[i], *scene_.system));
   }
+  const bool hangs = std::string_view(property) == kHandlersReturn;
   return {{"seed", plan.at("seed")},
+          {"ended_by", EndName(hangs ? EndKind::kHandlerLimit : EndKind::kCrash)},
           {"broken",
            {{"property", property}, {"time_us", nullptr}, {"message", nullptr}, {"text", text}}},
           {"deviations", std::move(deviations)}};

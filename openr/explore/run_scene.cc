@@ -55,7 +55,7 @@ class SceneRun {
     while (text.ends_with('\n')) text.remove_suffix(1);
     broken_ = nullptr;
     Break(PropertyOfEnding(text), std::string(text));
-    Json answer = {{"seed", plan_.at("seed")}};
+    Json answer = {{"seed", plan_.at("seed")}, {"ended_by", EndName(ending.kind)}};
     AddBroken(&answer);
     return answer;
   }
@@ -147,6 +147,7 @@ class SceneRun {
   Json Answer() {
     Json answer = {{"seed", plan_.at("seed")},
                    {"time_us", system_.now_us()},
+                   {"ended_by", WhatEndedIt()},
                    {"messages", system_.message_count()},
                    {"state", fmt::format("{:016x}", system_.state_hash())},
                    {"trace", fmt::format("{:016x}", system_.trace_hash())}};
@@ -154,6 +155,11 @@ class SceneRun {
     AddBroken(&answer);
     if (exact_ != nullptr) answer["exact"] = exact_->Tell();
     return answer;
+  }
+
+  const char* WhatEndedIt() const {
+    if (system_.end()) return EndName(system_.end()->kind);
+    return broken_.is_null() ? EndName(EndKind::kTime) : "property";
   }
 
   // What did not hold, and what had led to it.

@@ -61,6 +61,8 @@ class Search {
       ++broken_;
       if (!failure_) failure_ = answer;
     }
+    if (!answer.contains("exact") || !answer["exact"]["cut"].get<bool>())
+      ++ended_by_[answer.at("ended_by").get<std::string>()];
     if (!answer.contains("exact")) return TakeDeath();
     const Json& exact = answer["exact"];
     ++(exact["cut"].get<bool>() ? cut_ : orders_);
@@ -114,13 +116,10 @@ class Search {
   }
 
   Json Tell() {
-    Json result = {{"runs", runs_},
-                   {"orders", orders_},
-                   {"cut", cut_},
-                   {"broken", broken_},
-                   {"complete", stopped_.empty()},
-                   {"covered", Covered()},
-                   {"choices_max", choices_max_}};
+    Json result = {{"runs", runs_},         {"orders", orders_},
+                   {"cut", cut_},           {"broken", broken_},
+                   {"ended_by", ended_by_}, {"complete", stopped_.empty()},
+                   {"covered", Covered()},  {"choices_max", choices_max_}};
     if (!stopped_.empty()) result["stopped"] = stopped_;
     if (failure_) result["failure"] = MakeFailure(plan_, &pool_, *failure_);
     return result;
@@ -130,6 +129,7 @@ class Search {
   WorkerPool& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
+  std::map<std::string, uint64_t> ended_by_;  // how many orders each reason ended
   size_t choices_max_ = 0;
   std::string stopped_;
   std::optional<Json> failure_;

@@ -46,7 +46,10 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options, b
       writer_->AddStick(location.path.substr(root.size()), location.path);
     });
   }
-  last_words_ = std::make_unique<LastWords>([this](Ending*) { writer_->Flush(); });
+  last_words_ = std::make_unique<LastWords>([this](Ending* ending) {
+    writer_->AddEnded(EndOf(*ending));
+    writer_->Flush();
+  });
   system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
     writer_->AddMessage(system, record, message);
   });

@@ -101,8 +101,8 @@ Replayer::~Replayer() = default;
 
 void Replayer::SkipNames() {
   for (const TraceEntry* next = reader_.Peek();
-       next != nullptr &&
-       (next->kind == Kind::kObject || next->kind == Kind::kEntry || next->kind == Kind::kStick);
+       next != nullptr && (next->kind == Kind::kObject || next->kind == Kind::kEntry ||
+                           next->kind == Kind::kStick || next->kind == Kind::kEnded);
        next = reader_.Peek()) {
     reader_.Take();
   }

@@ -146,6 +146,10 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
       out->Zigzag(entry.time_us);
       out->Text(entry.name);
       return;
+    case TraceEntry::Kind::kEnded:
+      out->Text(entry.name);
+      out->Text(entry.payload);
+      return;
     case TraceEntry::Kind::kStick:
       out->U8(static_cast<uint8_t>(entry.what));
       out->Text(entry.name);
@@ -161,7 +165,7 @@ void TraceCoder::Write(const TraceEntry& entry, ByteWriter* out) {
 
 TraceEntry TraceCoder::Read(ByteReader* in) {
   TraceEntry entry;
-  entry.kind = ReadEnum(in, TraceEntry::Kind::kLoss);
+  entry.kind = ReadEnum(in, TraceEntry::Kind::kEnded);
   switch (entry.kind) {
     case TraceEntry::Kind::kObject:
       entry.id = static_cast<int32_t>(in->Zigzag());
@@ -192,6 +196,10 @@ TraceEntry TraceCoder::Read(ByteReader* in) {
     case TraceEntry::Kind::kLoss:
       entry.time_us = in->Zigzag();
       entry.name = in->Text();
+      return entry;
+    case TraceEntry::Kind::kEnded:
+      entry.name = in->Text();
+      entry.payload = in->Text();
       return entry;
     case TraceEntry::Kind::kStick:
       entry.what = ReadEnum(in, TraceEntry::OnStick::kFolder);

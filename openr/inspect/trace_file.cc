@@ -190,7 +190,16 @@ void TraceWriter::AddStick(const std::string& name, const std::string& path) {
   Add(entry);
 }
 
+void TraceWriter::AddEnded(const RunEnd& end) {
+  TraceEntry entry;
+  entry.kind = TraceEntry::Kind::kEnded;
+  entry.name = EndName(end.kind);
+  entry.payload = end.why;
+  Add(entry);
+}
+
 std::string TraceWriter::Finish(System* system) {
+  if (system->end()) AddEnded(*system->end());
   TraceEntry entry;
   entry.kind = TraceEntry::Kind::kEnd;
   entry.time_us = system->now_us();
@@ -214,9 +223,10 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   ByteReader reader(std::string_view(bytes_).substr(kMagic.size()));
   try {
     const uint32_t version = reader.U32();
-    if (version != kTraceVersion) {
-      throw std::runtime_error(fmt::format("has version {} of the format, this program reads {}",
-                                           version, kTraceVersion));
+    if (version < kOldestTraceVersion || version > kTraceVersion) {
+      throw std::runtime_error(
+          fmt::format("has version {} of the format, this program reads {} to {}", version,
+                      kOldestTraceVersion, kTraceVersion));
     }
     header_ = HeaderOf(reader.Text());
   } catch (const std::exception& e) {
@@ -303,6 +313,7 @@ TraceEntry TraceReader::Take() {
 
 void TraceReader::Learn(const TraceEntry& entry) {
   if (entry.kind == TraceEntry::Kind::kMessage) last_ = entry.record;
+  if (entry.kind == TraceEntry::Kind::kEnded) why_ended_ = {entry.name, entry.payload};
   if (entry.kind == TraceEntry::Kind::kObject) objects_[entry.id] = {entry.robot, entry.name};
   if (entry.kind == TraceEntry::Kind::kEntry) entries_[{entry.id, entry.selector}] = entry.name;
 }

@@ -19,8 +19,10 @@
 namespace openr_host {
 
 class System;
+struct RunEnd;
 
-constexpr uint32_t kTraceVersion = 2;
+constexpr uint32_t kTraceVersion = 3;
+constexpr uint32_t kOldestTraceVersion = 2;  // that can be read: it has no kEnded
 
 // What a run is a function of, besides the recorded input.
 struct TraceHeader {
@@ -29,10 +31,10 @@ struct TraceHeader {
   uint64_t stick_hash = 0;
   std::string robot, body, world;
   std::string cost;                    // file; "": zero
+  std::string battery;                 // see ParseBattery()
   std::string microphone, images;      // files and folders; "": none
   std::vector<std::string> addresses;  // of --ip, "10.0.1.2=127.0.0.1"
   int robots = 1;
-  std::string battery;             // see ParseBattery()
   uint64_t seed = 1;
   bool strict = false;
   bool is_free = false;  // --free-running: cannot be replayed
@@ -51,6 +53,7 @@ struct TraceEntry {
     kConsole = 8,   // time_us, robot, name: what was typed
     kStick = 9,     // what, name, payload: a file or folder before objects change it
     kLoss = 10,     // time_us, name: of a process that was lost; what follows cannot be replayed
+    kEnded = 11,    // name, payload: EndName() and why, before kEnd; none when the run was killed
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -100,6 +103,7 @@ class TraceWriter {
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
   void AddLoss(const std::string& process, int64_t time_us);
+  void AddEnded(const RunEnd& end);
   void AddConsole(int robot, std::string_view text, int64_t time_us);
   // `path` on the host is about to change; `name` is what it is below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
@@ -144,6 +148,8 @@ class TraceReader {
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
+  // Why the run ended: EndName() and a sentence; empty when it was not recorded, or not met yet.
+  const std::pair<std::string, std::string>& ended() const { return why_ended_; }
   // At the end: "there is no object 'JointMvoer'; did you mean ...", or "".  Empty names are there.
   std::string WhyNothing(const std::string& object, const std::string& service) const;
 
@@ -164,6 +170,7 @@ class TraceReader {
   std::optional<TraceEntry> next_;
   bool ended_ = false;
   TraceRecord last_{};  // the message before
+  std::pair<std::string, std::string> why_ended_;
   std::vector<std::string> problems_;
   std::map<int32_t, std::pair<int, std::string>> objects_;  // robot, name
   std::map<std::pair<int32_t, uint32_t>, std::string> entries_;

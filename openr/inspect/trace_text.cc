@@ -48,6 +48,8 @@ std::string DescribeInput(const TraceEntry& entry) {
       return fmt::format("    loss: process '{}' at t={:.6f}", entry.name, Seconds(entry.time_us));
     case Kind::kShutdown:
       return fmt::format("    input: shutdown at t={:.6f}", Seconds(entry.time_us));
+    case Kind::kEnded:
+      return fmt::format("ended by {}: {}", entry.name, entry.payload);
     case Kind::kEnd:
       return fmt::format("end at t={:.6f}: trace {:016x}, state {:016x}", Seconds(entry.time_us),
                          entry.trace_hash, entry.state_hash);

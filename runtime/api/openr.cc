@@ -128,7 +128,9 @@ OStatus Shutdown(const OBootCondition& bootCondition) {
   const ApiScope scope;
   const OStatus status = Services().Shutdown(bootCondition);
   if (status == oSUCCESS || status == oNOT_SUPPORTED)
-    t_current.system->Shutdown(t_current.object->robot);
+    t_current.system->Shutdown(
+        t_current.object->robot,
+        {EndKind::kPowerOff, t_current.object->name + " shut the robot down (OPENR::Shutdown)"});
   return oSUCCESS;
 }
 
@@ -154,11 +156,11 @@ OStatus UnobservePowerStatus(const OServiceEntry& entry) {
 
 OStatus Fatal(OFatal fatal) {
   const ApiScope scope;
-  t_current.system->AddFinding(
-      Severity::kError,
-      fmt::format("OPENR::Fatal({}): the robot powers off at once, without DoStop",
-                  static_cast<int>(fatal)));
-  t_current.system->PowerOff(t_current.object->robot);
+  const std::string call = fmt::format("OPENR::Fatal({})", static_cast<int>(fatal));
+  t_current.system->AddFinding(Severity::kError,
+                               call + ": the robot powers off at once, without DoStop");
+  t_current.system->PowerOff(t_current.object->robot,
+                             {EndKind::kFatal, t_current.object->name + " called " + call});
   return oSUCCESS;
 }
 

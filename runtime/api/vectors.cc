@@ -45,7 +45,7 @@ void WatchForLeak() {
       fmt::format("OObserver::SHManager::GetBaseAddress() AttachMemoryRegion failed for {:#x} "
                   "sError = 4: too much shared memory, the robot shuts down",
                   kRegionsOfRobot));
-  system.Shutdown(self.robot);
+  system.Shutdown(self.robot, {EndKind::kStrict, self.name + " had too much shared memory"});
 }
 
 // A vector of `bytes` with a header for `count` elements; `*base` is null without memory.

@@ -130,7 +130,10 @@ void ObjectManager::RunBoot() {
 
 // Which services there are is known only now; on the robot a wrong line is skipped.
 void ObjectManager::RefuseToStart() {
-  for (int robot = 0; robot < system().robot_count(); ++robot) system().PowerOff(robot);
+  for (int robot = 0; robot < system().robot_count(); ++robot) {
+    system().PowerOff(robot,
+                      {EndKind::kNoBoot, "--strict refuses wrong wiring; no object was started"});
+  }
 }
 
 void ObjectManager::RunShutdown(int robot) {

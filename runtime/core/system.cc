@@ -53,6 +53,10 @@ void AllocateStandardOutput() {
   if (isatty(STDOUT_FILENO)) setvbuf(stdout, nullptr, _IOLBF, 0);
 }
 
+std::vector<uint64_t> EndNumbers(int robot, const RunEnd& why) {
+  return {static_cast<uint64_t>(robot), static_cast<uint64_t>(why.kind)};
+}
+
 }  // namespace
 
 System::System(SystemOptions options)
@@ -120,12 +124,21 @@ Object* System::FindObject(int robot, std::string_view name) const {
 }
 
 void System::Boot() { manager_->PostBoot(); }
-void System::Shutdown(int robot) {
+void System::Shutdown(int robot, const RunEnd& why) {
   if (uplink() != nullptr) {
-    uplink()->Tell(NoteKind::kShutdown, {static_cast<uint64_t>(robot)});
+    uplink()->Tell(NoteKind::kShutdown, EndNumbers(robot, why), why.why);
   } else {
+    NoteEnd(robot, why);
     manager_->PostShutdown(robot);
   }
+}
+
+void System::NoteEnd(int index, const RunEnd& why) {
+  if (index < robot_count() && !robot(index).end) robot(index).end = why;
+}
+
+void System::NoteRunEnd(const RunEnd& why) {
+  if (!end_) end_ = why;
 }
 
 void System::Reseed(uint64_t seed) {
@@ -134,12 +147,15 @@ void System::Reseed(uint64_t seed) {
   for (const auto& robot : robots_) robot->services->Reseed(seed);
 }
 
-void System::Shutdown() {
-  for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i);
+void System::Shutdown(const RunEnd& why) {
+  for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i, why);
 }
 
-void System::PowerOff(int index) {
-  if (uplink() != nullptr) uplink()->Tell(NoteKind::kPowerOff, {static_cast<uint64_t>(index)});
+void System::PowerOff(int index, const RunEnd& why) {
+  if (uplink() != nullptr) uplink()->Tell(NoteKind::kPowerOff, EndNumbers(index, why), why.why);
+  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // its reason was noted before
+  if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
+  NoteEnd(index, why);
   if (index < robot_count()) robot(index).powered_off = true;
   for (const auto& object : objects_) {
     if (object != nullptr && object->robot == index && object.get() != &manager_->host())
@@ -147,6 +163,7 @@ void System::PowerOff(int index) {
   }
   powered_off_ =
       std::all_of(robots_.begin(), robots_.end(), [](const auto& dog) { return dog->powered_off; });
+  if (powered_off_) NoteRunEnd(index < robot_count() ? *robot(index).end : why);
 }
 
 bool System::Step() {

@@ -32,6 +32,7 @@
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/rng.h"
+#include "runtime/core/run_end.h"
 #include "runtime/core/schedule.h"
 #include "runtime/core/time_events.h"
 #include "runtime/core/trace.h"
@@ -104,6 +105,7 @@ struct Robot {
   MemoryBudget memory;                                             // limited with --strict
   uint64_t stick_hash = 0;  // of the stick as LoadStick() found it
   bool powered_off = false;
+  std::optional<RunEnd> end;  // why it goes off, or went; none: nothing has told it to
 };
 
 class System {
@@ -180,12 +182,20 @@ class System {
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy; messages to
   // them are dropped from then on.
-  void Shutdown(int robot);
-  void Shutdown();                                   // of all
+  void Shutdown(int robot, const RunEnd& why = {});
+  void Shutdown(const RunEnd& why = {});             // of all
   bool booted() const { return booted_; }            // the last DoStart has returned
   bool powered_off() const { return powered_off_; }  // all robots are off; nothing runs
   // The robot stops at once, as OPENR::Fatal does.
-  void PowerOff(int robot);
+  void PowerOff(int robot, const RunEnd& why = {});
+
+  // Why a robot goes off, and why the run ends for a reason that is not one of its robots'.  The
+  // first reason is kept, but for a PowerOff() during a shutdown.  Those two do it themselves.
+  void NoteEnd(int robot, const RunEnd& why);
+  void NoteRunEnd(const RunEnd& why);
+  // Why the run has ended: what NoteRunEnd() was told, or, when all robots are off, the reason of
+  // the one that went off last; none while it goes on.
+  const std::optional<RunEnd>& end() const { return end_; }
 
   // ---- Running ----
 
@@ -304,6 +314,7 @@ class System {
   void AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics);
   // LoadStick()'s parts; a text of /MS/OPEN-R/MW/CONF.
   std::optional<std::string> ReadConfig(int robot, const char* name);
+  std::string WhyNoConfig(int robot, const char* name);
   bool LoadObjects(int robot, const StandIns& stand_ins);
   void LoadConnections(int robot);
   std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
@@ -314,7 +325,6 @@ class System {
   std::vector<StandingReady> EndMessagesTo(Object* old);
   void Replace(std::unique_ptr<Object> fresh);
   std::vector<Message> TakeMessagesTo(Object* object);
-  std::string WhyNoConfig(int robot, const char* name);
   // As its observers would, which know nothing of its replacement.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
@@ -334,6 +344,7 @@ class System {
   uint64_t last_number_ = 0;
   bool booted_ = false;
   bool powered_off_ = false;
+  std::optional<RunEnd> end_;
 
   MessageQueue queue_;
   RegionTable regions_;

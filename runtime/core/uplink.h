@@ -25,8 +25,8 @@ enum class NoteKind : uint32_t {
   kOpenBox,       // box: the current object may get a reply
   kCloseBox,      // box
   kFinding,       // severity, object + 1 (0: none); text
-  kShutdown,      // robot
-  kPowerOff,      // robot
+  kShutdown,      // robot, EndKind; why
+  kPowerOff,      // robot, EndKind; why
   kQueueMax,      // messages
   kMapBuffer,     // cookie, region, 1 or 0
   kEntryName,     // selector; what Object::EntryName() says of it

@@ -97,6 +97,27 @@ TEST_F(JoinedTest, ItSaysWhichRunItHasJoined) {
   EXPECT_THAT(run->heard(), Not(HasSubstr("has joined")));
 }
 
+TEST_F(JoinedTest, ItSaysWhyTheRunEnded) {
+  const auto join = Join();
+  const auto run = Run({});
+  ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
+  run->Signal(SIGINT);
+  EXPECT_EQ(run->Finish().status, 0) << run->heard();
+  EXPECT_EQ(join->Finish().status, 0) << join->heard();
+  EXPECT_THAT(join->heard(), HasSubstr("openr: process 'vision': the run is over, ended by pause: "
+                                       "PowerMonitor shut the robot down after the pause button"));
+}
+
+TEST_F(JoinedTest, ALostOneIsTheEndOfTheRun) {
+  const auto join = Join();
+  const auto run = Run({"--report", folder_.File("r.json")});
+  ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
+  join->Signal(SIGKILL);
+  EXPECT_EQ(run->Finish().status, 1);
+  EXPECT_THAT(run->heard(), HasSubstr("\nended by lost-process: process 'vision'"));
+  EXPECT_THAT(folder_.Read("r.json"), HasSubstr("\"ended_by\": \"lost-process\""));
+}
+
 TEST_F(JoinedTest, ASecondRunOfTheNameGivesUp) {
   const auto first = Run({});  // which waits
   ASSERT_TRUE(first->WaitFor("waiting for process 'vision'"));

@@ -39,7 +39,7 @@ TEST(RunTest, TheReportHasEveryFieldOfTheManual) {
   const json report = json::parse(folder.Read("r.json"));
   for (const char* field :
        {"virtual_time_s", "wall_time_s", "x_real_time", "frames", "messages", "seed", "state_hash",
-        "trace_hash", "rc_port", "robots", "objects", "findings"}) {
+        "trace_hash", "rc_port", "robots", "objects", "findings", "ended_by", "ended_why"}) {
     EXPECT_TRUE(report.contains(field)) << field;
   }
   const json& robot = report["robots"].at(0);

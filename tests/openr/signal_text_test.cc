@@ -14,7 +14,7 @@ namespace {
 std::string JsonOf(const SignalText& record, const SignalText& finding) {
   int ends[2];
   EXPECT_EQ(pipe(ends), 0);
-  WriteEndingAsJson(record, finding, Current{}, ends[1]);
+  WriteEndingAsJson(record, finding, "crash", Current{}, ends[1]);
   close(ends[1]);
   char buffer[8192];
   const ssize_t size = read(ends[0], buffer, sizeof buffer);

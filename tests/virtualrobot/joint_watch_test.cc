@@ -191,6 +191,8 @@ TEST_F(StrictJointWatchTest, AndShutsTheRobotDownWhenStrict) {
   body->mutable_state().joints[0].drive = 300;
   RunToFrame(3751);
   EXPECT_TRUE(system.powered_off());
+  ASSERT_TRUE(system.end());
+  EXPECT_EQ(system.end()->kind, EndKind::kStrict);
 }
 
 // ---- reading and closing

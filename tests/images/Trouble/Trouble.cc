@@ -78,6 +78,8 @@ Trouble::DoStart(const OSystemEvent&)
         for (;;) sink = 1 - sink;
     } else if (strcmp(word, "shutdown") == 0) {
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
+    } else if (strcmp(word, "fatal") == 0) {
+        OPENR::Fatal(ofatalMEMORY_STICK);
     }
     OSYSPRINT(("Trouble is running\n"));
     return oSUCCESS;

@@ -123,6 +123,8 @@ TEST_F(StrictVectorsTest, AndStopTheRobotAt459WhenStrict) {
   As([&] { NewCommands(1); });
   system.RunFor(10'000);
   EXPECT_TRUE(system.powered_off());
+  ASSERT_TRUE(system.end());
+  EXPECT_EQ(system.end()->kind, EndKind::kStrict);
   EXPECT_TRUE(system.findings().HasError());
 }
 

@@ -1,0 +1,38 @@
+// Why a run ends, or a robot of it: a value of a closed set, and a sentence for people.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace openr_host {
+
+// docs/cli.md says what each one means.  Numbers are on the wire of distribution/: new ones come
+// last.
+enum class EndKind : uint8_t {
+  kTime,          // the virtual time that was asked for is over
+  kIdle,          // no object has sent anything for long enough
+  kPause,         // the robot shut down after its pause button was pressed
+  kBattery,       // an object shut the robot down while the battery was low
+  kPowerOff,      // an object shut the robot down for a reason of its own
+  kFatal,         // an object called OPENR::Fatal()
+  kStrict,        // a limit of the robot that --strict enforces
+  kCrash,         // an object crashed
+  kHandlerLimit,  // a handler did not return
+  kLostProcess,   // a process with objects of the run was lost
+  kNoBoot,        // the robot did not boot, or was refused before any object started
+  kSignal,        // Ctrl-C or SIGTERM came again
+};
+constexpr int kEndKinds = 12;
+
+// "time", "idle" ...: the values of `ended_by` in a report.
+const char* EndName(EndKind kind);
+
+struct RunEnd {
+  EndKind kind = EndKind::kPowerOff;
+  std::string why = "the robot was shut down";  // "PowerMonitor shut the robot down ..."
+};
+
+// "ended by time: --for 20s is over", for people.
+std::string DescribeEnd(const RunEnd& end);
+
+}  // namespace openr_host

@@ -1,0 +1,275 @@
+// Why a run ended: the last line on the screen and `ended_by` in the report (docs/cli.md).
+#include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <sys/socket.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using nlohmann::json;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using Words = std::vector<std::string>;
+
+Words RunWords(const Words& more) {
+  Words words{"run", "--rate", "max", "--rc-port", "0", "--body", "ideal"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+void ExpectEnd(const ProgramResult& result, const std::string& report, const std::string& by,
+               const std::string& why) {
+  const json parsed = json::parse(report, nullptr, false);
+  ASSERT_TRUE(parsed.is_object()) << result.err;
+  EXPECT_EQ(parsed.value("ended_by", json()), by) << result.err;
+  EXPECT_THAT(parsed.value("ended_why", ""), HasSubstr(why));
+  EXPECT_THAT(result.err,
+              EndsWith("\nended by " + by + ": " + parsed.value("ended_why", "no reason") + "\n"));
+}
+
+void ExpectEndOf(const Words& words, int status, const std::string& by, const std::string& why) {
+  Words all = RunWords(words);
+  all.push_back("--json");
+  const ProgramResult result = RunProgram(all);
+  EXPECT_EQ(result.status, status) << result.err;
+  ExpectEnd(result, result.out, by, why);
+}
+
+void ExpectEndOfTrouble(const std::string& word, const Words& more, int status,
+                        const std::string& by, const std::string& why) {
+  const ScratchFolder stick;
+  stick.MakeTrouble(word);
+  Words words{"--stick", stick.path()};
+  words.insert(words.end(), more.begin(), more.end());
+  ExpectEndOf(words, status, by, why);
+}
+
+TEST(EndingTest, TheTimeThatWasAskedFor) {
+  ExpectEndOfTrouble("nothing", {"--for", "100ms"}, 0, "time", "--for 100ms is over");
+}
+
+TEST(EndingTest, Silence) {
+  ExpectEndOfTrouble("nothing", {"--until-idle"}, 0, "idle", "for 1 s (--until-idle)");
+}
+
+TEST(EndingTest, AnObjectThatShutsTheRobotDown) {
+  ExpectEndOfTrouble("shutdown", {}, 0, "power-off", "Trouble shut the robot down");
+}
+
+TEST(EndingTest, AnObjectThatCallsFatal) {
+  ExpectEndOfTrouble("fatal", {}, 1, "fatal", "Trouble called OPENR::Fatal(");
+}
+
+TEST(EndingTest, ACrashIsInTheReportAndInTheLastLine) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const ProgramResult result = RunProgram(RunWords({"--stick", stick.path(), "--json"}));
+  EXPECT_EQ(result.status, 1);
+  ExpectEnd(result, result.out, "crash", "crash: SIGSEGV");
+}
+
+TEST(EndingTest, AHandlerThatDoesNotReturn) {
+  ExpectEndOfTrouble("hang", {"--handler-limit", "200ms"}, 1, "handler-limit",
+                     "a handler does not return: DoStart");
+}
+
+TEST(EndingTest, ARobotThatDoesNotBoot) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  std::filesystem::remove(stick.File("OPEN-R/MW/OBJS/TROUBLE.BIN"));
+  ExpectEndOf({"--stick", stick.path(), "--for", "1s"}, 1, "no-boot", "the findings say why");
+}
+
+// A line that cannot be read, and one whose object is not there, which is known after DoInit.
+TEST(EndingTest, AStickThatStrictRefuses) {
+  for (const char* line : {"Trouble.Out.Text.S\n", "Nobody.Out.Text.S Trouble.In.Text.O\n"}) {
+    const ScratchFolder stick;
+    stick.MakeTrouble("nothing");
+    stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", line);
+    ExpectEndOf({"--stick", stick.path(), "--strict", "--for", "1s"}, 1, "no-boot", "--strict");
+  }
+}
+
+TEST(EndingTest, ABatteryThatIsLow) {
+  ExpectEndOf({"--battery", "10%", "--for", "1min"}, 0, "battery",
+              "PowerMonitor shut the robot down with 9 % left in its battery; --battery 100%");
+}
+
+TEST(EndingTest, ABatteryThatStaysFullEndsNothing) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("nothing");
+  ExpectEndOf({"--battery", "100%", "--for", "1min"}, 0, "time", "--for 1min is over");
+}
+
+TEST(EndingTest, ABatteryThatMakesNoSenseIsAWrongCommandLine) {
+  for (const char* wrong : {"0%", "101%", "50", "full", ""}) {
+    const ProgramResult result = RunProgram(RunWords({"--battery", wrong, "--for", "1s"}));
+    EXPECT_EQ(result.status, 2) << wrong;
+    EXPECT_THAT(result.err, HasSubstr("100% (stays full), drain (full at boot)")) << wrong;
+  }
+}
+
+// By an object that watches the button, and by the program when none does.
+TEST(EndingTest, ThePauseButton) {
+  const ScratchFolder folder;
+  folder.MakeTrouble("nothing");
+  for (const bool is_watched : {true, false}) {
+    Words words = RunWords({"--report", folder.File("r.json")});
+    if (!is_watched) words.insert(words.end(), {"--stick", folder.path()});
+    ProgramRun run(words);
+    ASSERT_TRUE(run.WaitFor(is_watched ? "state: sleeping" : "is running"));
+    run.Signal(SIGINT);
+    const ProgramResult& result = run.Finish();
+    EXPECT_EQ(result.status, 0) << result.err;
+    ExpectEnd(result, folder.Read("r.json"), "pause",
+              is_watched ? "PowerMonitor shut the robot down after the pause button"
+                         : "no object shut the robot down within 1 s");
+  }
+}
+
+TEST(EndingTest, ASecondSignal) {
+  const ScratchFolder folder;
+  folder.MakeTrouble("nothing");
+  ProgramRun run({"run", "--rate", "0.01", "--rc-port", "0", "--body", "ideal", "--stick",
+                  folder.path(), "--report", folder.File("r.json")});
+  ASSERT_TRUE(run.WaitFor("is running"));
+  for (const int signal : {SIGSTOP, SIGINT, SIGTERM, SIGCONT}) run.Signal(signal);  // both at once
+  const ProgramResult& result = run.Finish();
+  ExpectEnd(result, folder.Read("r.json"), "signal", "came again");
+}
+
+// More than three are sent: one that comes while the one before is not yet heard is lost.
+TEST(EndingTest, AThirdSignalSaysThatThereIsNoReport) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("hang");
+  ProgramRun run(RunWords({"--stick", stick.path(), "--handler-limit", "0s"}));
+  ASSERT_TRUE(run.WaitFor(" Trouble\n"));
+  for (int i = 0; i < 100; ++i) {
+    run.Signal(SIGTERM);
+    usleep(10'000);
+  }
+  const ProgramResult& result = run.Finish();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, EndsWith("\nended by signal: Ctrl-C or SIGTERM came three times; no "
+                                   "report is written\n"));
+}
+
+TEST(EndingTest, OfSeveralRobotsEachSaysItself) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("shutdown");
+  const ProgramResult result =
+      RunProgram(RunWords({"--stick", stick.path(), "--robots", "2", "--json"}));
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["ended_by"], "power-off");
+  for (const json& robot : report["robots"]) EXPECT_EQ(robot["ended_by"], "power-off");
+  EXPECT_EQ(
+      json::parse(RunProgram(RunWords({"--for", "100ms", "--json"})).out)["robots"][0]["ended_by"],
+      nullptr);
+}
+
+TEST(EndingTest, AReplaySaysWhyTheRecordedRunEnded) {
+  const ScratchFolder folder;
+  const std::string file = folder.File("run.rec");
+  ProgramResult result = RunProgram(
+      RunWords({"--battery", "10%", "--for", "1min", "--record", file, "--no-payloads"}));
+  ASSERT_EQ(result.status, 0) << result.err;
+  result = RunProgram({"replay", file, "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json answer = json::parse(result.out);
+  EXPECT_TRUE(answer["equal"]);
+  EXPECT_EQ(answer["ended_by"], "battery");
+  EXPECT_THAT(answer["ended_why"].get<std::string>(), HasSubstr("with 9 % left"));
+  EXPECT_THAT(result.err, HasSubstr("the recorded run was ended by battery: "));
+  EXPECT_THAT(RunProgram({"trace", file}).out, HasSubstr("\nended by battery: PowerMonitor"));
+}
+
+TEST(EndingTest, ARecordingOfACrashHasTheReason) {
+  const ScratchFolder folder;
+  folder.MakeTrouble("crash");
+  const std::string file = folder.File("run.rec");
+  RunProgram(RunWords({"--stick", folder.path(), "--record", file}));
+  EXPECT_THAT(RunProgram({"trace", file}).out, HasSubstr("ended by crash: crash: SIGSEGV"));
+}
+
+TEST(EndingTest, AnExplorationCountsTheReasons) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("shutdown");
+  const ProgramResult result =
+      RunProgram({"explore", "--stick", stick.path(), "--runs", "3", "--for", "1s", "--jobs", "1",
+                  "--battery", "50%", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(json::parse(result.out)["ended_by"], json({{"power-off", 3}}));
+  EXPECT_THAT(result.err, HasSubstr("ended before their time: 3 by power-off\n"));
+}
+
+TEST(EndingTest, AClientWhoseRunEndsIsToldWhereItSaysWhy) {
+  ProgramRun run(RunWords({}));
+  const std::string said = "remote control: openr rc 127.0.0.1:";
+  ASSERT_TRUE(run.WaitFor(said));
+  ASSERT_TRUE(run.WaitFor("state: sleeping"));
+  const std::string port =
+      std::to_string(std::stoi(run.heard().substr(run.heard().find(said) + said.size())));
+  ProgramRun client({"rc", "127.0.0.1:" + port, "sensors", "--watch", "--every", "10ms"});
+  ASSERT_TRUE(client.WaitForOutput("battery"));
+  run.Signal(SIGINT);
+  EXPECT_EQ(run.Finish().status, 0);
+  EXPECT_EQ(client.Finish().status, 1);
+  EXPECT_THAT(client.heard(), HasSubstr("(\"ended by ...\") and 'ended_by' in its report say why"));
+}
+
+// A port of this computer that somebody listens on.
+class TakenPort {
+ public:
+  explicit TakenPort(uint16_t port) : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(port);
+    socklen_t size = sizeof address;
+    auto* const generic = reinterpret_cast<sockaddr*>(&address);
+    const bool is_bound = bind(socket_, generic, size) == 0 && listen(socket_, 1) == 0;
+    if (is_bound && getsockname(socket_, generic, &size) == 0) port_ = ntohs(address.sin_port);
+  }
+  ~TakenPort() { close(socket_); }
+  TakenPort(const TakenPort&) = delete;
+  TakenPort& operator=(const TakenPort&) = delete;
+  uint16_t port() const { return port_; }  // 0: somebody else has it
+
+ private:
+  const int socket_;
+  uint16_t port_ = 0;
+};
+
+TEST(RcPortTest, ATakenOneThatWasAskedForIsRefusedBeforeAnythingStarts) {
+  const TakenPort taken(0);
+  const ScratchFolder folder;
+  const ProgramResult result =
+      RunProgram({"run", "--for", "1s", "--rate", "max", "--rc-port", std::to_string(taken.port()),
+                  "--record", folder.File("run.rec"), "--report", folder.File("r.json")});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("--rc-port: port " + std::to_string(taken.port()) +
+                                    " of this computer cannot be had: Address already in use"));
+  EXPECT_THAT(result.err, Not(HasSubstr("[oid:")));
+  EXPECT_FALSE(std::filesystem::exists(folder.File("run.rec")));
+  EXPECT_FALSE(std::filesystem::exists(folder.File("r.json")));
+}
+
+TEST(RcPortTest, WithoutAWishTheNextFreeOneIsTaken) {
+  const TakenPort taken(54000);  // or somebody else has it: as good
+  const ProgramResult result =
+      RunProgram({"run", "--for", "500ms", "--rate", "max", "--body", "ideal", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const int port = json::parse(result.out)["rc_port"].get<int>();
+  EXPECT_GT(port, 54000);
+  EXPECT_LE(port, 54100);
+}
+
+}  // namespace
+}  // namespace openr_host
