@@ -28,10 +28,16 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  if (!is_interactive) {  // Ctrl-C is for the program, which ends the others
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes, 0);
-  }
+  // A pipe that nobody reads ends a debugger, as it expects; this program ignores such signals.
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGPIPE);
+  sigaddset(&signals, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
+  short flags = POSIX_SPAWN_SETSIGDEF;
+  if (!is_interactive) flags |= POSIX_SPAWN_SETPGROUP;  // Ctrl-C is for the program alone
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, flags);
   const int error = posix_spawnp(&pid_, words[0], &actions, &attributes, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);

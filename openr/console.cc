@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
+
+#include "openr/output_file.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -15,25 +17,43 @@ namespace {
 // Whether what was printed last through the system had no end of line.
 bool g_is_open_line = false;
 
-}  // namespace
+// Why the console cannot be written any more, as an errno; 0 while it can.
+int g_error = 0;
 
-void WriteAll(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return;
-    text.remove_prefix(static_cast<size_t>(written));
-  }
+// What objects print goes nowhere from now on, so that none of them sees an error of this host.
+void LoseConsole(int error) {
+  if (std::exchange(g_error, error) != 0) return;
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  dup2(nowhere, STDOUT_FILENO);
+  close(nowhere);
+  std::clearerr(stdout);
+  std::fflush(stdout);
 }
 
-Console::Console(const std::string& file) {
-  int target = STDERR_FILENO;
-  if (!file.empty()) {
-    target = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (target < 0) throw std::runtime_error(file + ": cannot be written: " + std::strerror(errno));
-  }
+void WriteConsole(std::string_view text) {
+  const int error = WriteAll(STDOUT_FILENO, text);
+  if (error != 0) LoseConsole(error);
+}
+
+// What objects print without the system waits in the C library's buffer until its line ends.
+void FlushConsole() {
+  errno = 0;
+  const bool is_flushed = std::fflush(stdout) == 0;
+  const int error = errno != 0 ? errno : EIO;  // ferror() may change it
+  if (!is_flushed || std::ferror(stdout) != 0) LoseConsole(error);
+}
+
+}  // namespace
+
+Console::Console(const std::string& file) : file_(file) {
+  std::string problem;
+  const int target = file.empty() ? STDERR_FILENO : OpenGrowingFile(file, &problem);
+  if (target < 0) throw std::runtime_error(problem);
+  g_error = 0;
   std::fflush(stdout);
-  saved_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  saved_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  SetStandardOutput(saved_);
   dup2(target, STDOUT_FILENO);
   if (!file.empty()) close(target);
   // Lines of objects and of the system come in the order they were written.
@@ -44,23 +64,25 @@ Console::~Console() {
   EndConsoleLine();
   if (saved_ < 0) return;
   dup2(saved_, STDOUT_FILENO);
+  SetStandardOutput(STDOUT_FILENO);
   close(saved_);
 }
 
 void Console::Print(std::string_view text) {
-  std::fflush(stdout);
-  WriteAll(STDOUT_FILENO, text);
+  FlushConsole();
+  WriteConsole(text);
   if (!text.empty()) g_is_open_line = text.back() != '\n';
 }
 
-void Console::Answer(std::string_view text) { WriteAll(saved_, text); }
+std::string Console::Problem() const {
+  return file_.empty() || g_error == 0 ? "" : WhyNotWritten(file_, g_error);
+}
 
-// What objects print without the system waits in the C library's buffer until its line ends.
 void EndConsoleLine() {
   const char* const end = stdout->_IO_write_ptr;
   if (__fpending(stdout) > 0) g_is_open_line = end[-1] != '\n';
-  std::fflush(stdout);
-  if (std::exchange(g_is_open_line, false)) WriteAll(STDOUT_FILENO, "\n");
+  FlushConsole();
+  if (std::exchange(g_is_open_line, false)) WriteConsole("\n");
 }
 
 }  // namespace openr_host

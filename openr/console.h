@@ -8,10 +8,13 @@
 namespace openr_host {
 
 // While it lives, descriptor 1 of the process is the console (standard error, or a file), so that
-// whatever objects write there does not mix with the answer.  One at a time.
+// whatever objects write there does not mix with the answer, which goes to StandardOutput().  A
+// console that cannot be written any more takes what objects print all the same: it is lost.  One
+// at a time.
 class Console {
  public:
-  // `file` empty: standard error.  Throws std::runtime_error when it cannot be opened.
+  // `file` empty: standard error.  Throws std::runtime_error when it cannot be opened or another
+  // run writes it.
   explicit Console(const std::string& file);
   ~Console();  // descriptor 1 is what it was
   Console(const Console&) = delete;
@@ -20,19 +23,16 @@ class Console {
   // What objects print through the system.
   void Print(std::string_view text);
 
-  // To the standard output the program was started with.
-  void Answer(std::string_view text);
-  int answer_descriptor() const { return saved_; }
+  // "FILE: cannot be written: why" when not all of it could be; "", as always for standard error.
+  std::string Problem() const;
 
  private:
+  const std::string file_;
   int saved_ = -1;  // the former descriptor 1
 };
 
 // What objects print goes out at once, a line that is not ended with an end of its own: something
 // else is about to be said.
 void EndConsoleLine();
-
-// Writes all of `text` to `descriptor`; what cannot be written is lost.
-void WriteAll(int descriptor, std::string_view text);
 
 }  // namespace openr_host

@@ -8,7 +8,7 @@
 
 #include <cerrno>
 
-#include "openr/console.h"
+#include "openr/output_file.h"
 
 extern char** environ;
 

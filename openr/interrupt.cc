@@ -19,24 +19,36 @@ void Count(int) {
   _exit(kExitWrong);
 }
 
-void Install(void (*handler)(int)) {
+void Install(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
   // On the alternate stack: an object may be using up its own.
-  action.sa_flags = handler == SIG_DFL ? 0 : SA_ONSTACK;
+  action.sa_flags = handler == &Count ? SA_ONSTACK : 0;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  sigaction(signal, &action, nullptr);
+}
+
+// As nohup has set it.
+bool IsIgnored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
 }  // namespace
 
-InterruptCounter::InterruptCounter() {
+InterruptCounter::InterruptCounter(HangUp hang_up)
+    : hears_hang_up_(hang_up != HangUp::kEnds && !IsIgnored(SIGHUP)) {
   g_count = 0;
-  Install(&Count);
+  Install(SIGINT, &Count);
+  Install(SIGTERM, &Count);
+  if (hears_hang_up_) Install(SIGHUP, hang_up == HangUp::kCounts ? &Count : SIG_IGN);
 }
 
-InterruptCounter::~InterruptCounter() { Install(SIG_DFL); }
+InterruptCounter::~InterruptCounter() {
+  Install(SIGINT, SIG_DFL);
+  Install(SIGTERM, SIG_DFL);
+  if (hears_hang_up_) Install(SIGHUP, SIG_DFL);
+}
 
 int InterruptCounter::count() const { return g_count; }
 

@@ -1,18 +1,28 @@
-// Ctrl-C and SIGTERM as a count to look at between frames.
+// Ctrl-C, SIGTERM and a terminal that closes, as a count to look at between frames.
 #pragma once
 
 namespace openr_host {
 
-// While it lives, both signals are only counted; the third ends the process at once, should the
-// run not come to an end by itself.
+// What a terminal that closes (SIGHUP) means.
+enum class HangUp {
+  kEnds,     // the end of the process, as without us
+  kCounts,   // the same as Ctrl-C
+  kIgnored,  // nothing: the work comes to an end by itself
+};
+
+// While it lives, SIGINT and SIGTERM are only counted; the third ends the process at once, should
+// the run not come to an end by itself.
 class InterruptCounter {
  public:
-  InterruptCounter();
+  explicit InterruptCounter(HangUp hang_up = HangUp::kEnds);
   ~InterruptCounter();
   InterruptCounter(const InterruptCounter&) = delete;
   InterruptCounter& operator=(const InterruptCounter&) = delete;
 
   int count() const;
+
+ private:
+  const bool hears_hang_up_;
 };
 
 }  // namespace openr_host

@@ -1,15 +1,15 @@
 #include "openr/last_words.h"
 
-#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <optional>
 #include <utility>
 
 #include "openr/console.h"
 #include "openr/exit_code.h"
+#include "openr/output_file.h"
 #include "runtime/core/current.h"
 
 namespace openr_host {
@@ -26,7 +26,7 @@ Ending* g_ending = nullptr;
 Current g_current;          // of the object's handler
 bool g_is_awaited = false;  // by a LastAnswer
 int g_answer = -1;
-char g_answer_file[4096] = "";  // fixed before the run: nothing is allocated at its end
+std::optional<PreparedFile> g_answer_file;  // nothing is allocated at the end of a run
 
 void AnswerWithTheEnding(const Ending& ending) {
   if (g_is_awaited) {
@@ -37,12 +37,11 @@ void AnswerWithTheEnding(const Ending& ending) {
   if (ending.answered) return;
   const char* const ended_by = EndName(ending.kind);
   WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, g_answer);
-  if (g_answer_file[0] == 0) return;
-  // Not open(): that of this process may act for an object.
-  const long file = syscall(SYS_openat, AT_FDCWD, static_cast<const char*>(g_answer_file),
-                            O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (file >= 0)
-    WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, static_cast<int>(file));
+  if (!g_answer_file) return;
+  const int file = g_answer_file->Open();
+  if (file < 0) return;
+  WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, file);
+  g_answer_file->Close();
 }
 
 void GiveUp(int) {
@@ -68,14 +67,13 @@ void SayLastWords(Ending* ending) {
 LastAnswer::LastAnswer(int descriptor, const std::string& file) {
   g_is_awaited = true;
   g_answer = descriptor;
-  const size_t size = file.copy(static_cast<char*>(g_answer_file), sizeof g_answer_file - 1);
-  g_answer_file[size] = 0;
+  if (!file.empty()) g_answer_file.emplace(file);
 }
 
 LastAnswer::~LastAnswer() {
   g_is_awaited = false;
   g_answer = -1;
-  g_answer_file[0] = 0;
+  g_answer_file.reset();
 }
 
 void BeginEnding(Ending* ending) {

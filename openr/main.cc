@@ -8,14 +8,16 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <system_error>
 
 #include "openr/commands/command_line.h"
 #include "openr/commands/commands.h"
 #include "openr/exit_code.h"
 #include "openr/output_file.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -51,6 +53,19 @@ void TellFailure(const std::string& why, bool as_json) {
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
+// Help was asked for, or the version.
+int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream text;
+  const int exit_code = app.exit(error, text, text);
+  try {
+    PrintAnswer(text.str());
+    return exit_code;
+  } catch (const std::exception& failure) {
+    TellFailure(failure.what(), false);
+    return kExitWrong;
+  }
+}
+
 int Main(int argc, char** argv) {
   CLI::App app{"Runs OPEN-R objects of Sony's AIBO on a PC, with a simulated body."};
   int exit_code = kExitGood;
@@ -60,12 +75,19 @@ int Main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help was asked for, or the version
+    if (error.get_exit_code() == 0) return PrintAskedFor(app, error);
     TellFailure(ExplainCommandLine(app, error), as_json);
     std::fprintf(stderr, "'%s' tells more\n", HelpWords(app).c_str());
     return kExitCommandLine;
   } catch (const std::filesystem::filesystem_error& error) {
     TellFailure(Explain(error), as_json);
+    return kExitWrong;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) {  // fmt::print() throws it
+      NoteLostAnswer(error.code().value());
+    } else {
+      TellFailure(error.what(), as_json);
+    }
     return kExitWrong;
   } catch (const std::exception& error) {
     TellFailure(error.what(), as_json);
@@ -77,4 +99,7 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace openr_host
 
-int main(int argc, char** argv) { return openr_host::Main(argc, argv); }
+int main(int argc, char** argv) {
+  openr_host::PrepareStandardStreams();
+  return openr_host::FinishStandardOutput(openr_host::Main(argc, argv), "openr");
+}

@@ -194,6 +194,7 @@ bool Runner::Run() {
   }
   ReportStacks(&system);
   simulation_->ReportUnusedCosts();
+  simulation_->CloseFiles();
   TakeSnapshots(true);
   wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);
   return good_;

@@ -1,9 +1,8 @@
 #include "openr/signal_text.h"
 
-#include <unistd.h>
-
 #include <cstring>
 
+#include "openr/output_file.h"
 #include "runtime/core/current.h"
 #include "runtime/core/system.h"
 
@@ -41,13 +40,7 @@ SignalText& SignalText::AddNumber(uint64_t number, unsigned base) {
   return Add(digits + at);
 }
 
-void SignalText::WriteTo(int descriptor) const {
-  for (size_t done = 0; done < size_;) {
-    const ssize_t written = write(descriptor, text_ + done, size_ - done);
-    if (written <= 0) return;
-    done += static_cast<size_t>(written);
-  }
-}
+void SignalText::WriteTo(int descriptor) const { WriteAll(descriptor, text()); }
 
 SignalText& SignalText::AddQuoted(const SignalText& text) {
   std::string_view rest = text.text();

@@ -148,6 +148,14 @@ void Simulation::ReportUnusedCosts() {
                                        unused[0].file, lines));
 }
 
+void Simulation::CloseFiles() {
+  for (VirtualRobot* const robot : robots_) {
+    const std::string problem = robot->CloseFiles();
+    if (!problem.empty())
+      system_->AddFindingAbout(nullptr, Severity::kError, "Speaker: " + problem);
+  }
+}
+
 uint16_t Simulation::RcPort(int robot) const {
   return HostPortOfRemoteControl(*networks_.at(static_cast<size_t>(robot)));
 }

@@ -76,6 +76,10 @@ class Simulation {
   // At the end of the run: a warning that names the lines of the cost file that no handler fitted.
   void ReportUnusedCosts();
 
+  // At the end of the run: files that devices wrote are complete; one that is not is an error
+  // finding.
+  void CloseFiles();
+
   // Port of the host where the remote control of `robot` is found; 0 while nobody listens.
   uint16_t RcPort(int robot) const;
 

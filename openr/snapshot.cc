@@ -7,6 +7,7 @@
 
 #include "openr/duration.h"
 #include "openr/install_paths.h"
+#include "openr/output_file.h"
 #include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
@@ -87,10 +88,9 @@ std::string TakeSnapshot(const SnapshotPlan& plan, const VirtualRobot& robot, co
   render::Picture picture;
   picture.width_px = plan.width_px;
   picture.height_px = plan.height_px;
-  picture.file = plan.file;
-  std::string problem;
-  render(MakeRobotScene(robot.model(), look, world, plan.view), picture, &problem);
-  return problem;
+  std::string png, problem;
+  render(MakeRobotScene(robot.model(), look, world, plan.view), picture, &png, &problem);
+  return problem.empty() ? WriteFile(plan.file, png) : fmt::format("{}: {}", plan.file, problem);
 }
 
 }  // namespace openr_host

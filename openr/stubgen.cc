@@ -1,18 +1,20 @@
 #include "openr/stubgen.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 #include <vector>
 
+#include "openr/output_file.h"
 #include "runtime/config/stub_config.h"
 #include "runtime/config/stub_generator.h"
 
@@ -50,56 +52,25 @@ std::optional<std::string> ReadInput(const std::string& file, std::istream& in, 
   return text;
 }
 
-// New contents of some files of one folder, under temporary names until all are on the disk.
-class FileBatch {
- public:
-  explicit FileBatch(const fs::path& folder) : folder_(folder) {}
-  ~FileBatch() {
-    std::error_code ignored;
-    for (const fs::path& path : temporary_) fs::remove(path, ignored);
-  }
-  FileBatch(const FileBatch&) = delete;
-  FileBatch& operator=(const FileBatch&) = delete;
-
-  // Both return "" or what went wrong.
-  std::string Write(const GeneratedFile& file);
-  std::string Commit();
-
- private:
-  const fs::path folder_;
-  std::vector<fs::path> temporary_;
-  std::vector<fs::path> final_;
-};
-
-std::string FileBatch::Write(const GeneratedFile& file) {
-  final_.push_back(folder_ / file.name);
-  // Two stubgens in one folder (a parallel build) must not write to the same name.
-  temporary_.push_back(folder_ / fmt::format(".{}.{}.tmp", file.name, getpid()));
-  errno = 0;
-  std::ofstream stream(temporary_.back(), std::ios::binary | std::ios::trunc);
-  stream << file.text;
-  stream.close();
-  if (stream) return "";
-  return fmt::format("{}: cannot be written: {}", final_.back().string(), std::strerror(errno));
-}
-
-std::string FileBatch::Commit() {
-  // The one failure of a rename that can be foreseen, so that it does not strike half way.
-  for (const fs::path& path : final_) {
+// All of them or none: the first name changes when all contents are on the disk.  "" or what went
+// wrong.
+std::string WriteTogether(const std::vector<GeneratedFile>& files, const fs::path& folder) {
+  std::vector<PendingFile> pending;
+  for (const GeneratedFile& file : files) {
+    const fs::path path = folder / file.name;
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
       return fmt::format("{}: is a folder; remove it, a file of this name is to be written",
                          path.string());
     }
+    pending.emplace_back(path);
+    const std::string problem = pending.back().Write(file.text);
+    if (!problem.empty()) return problem;
   }
-  for (size_t i = 0; i < final_.size(); ++i) {
-    std::error_code status;
-    fs::rename(temporary_[i], final_[i], status);
-    if (status) {
-      return fmt::format("{}: cannot be replaced: {}", final_[i].string(), status.message());
-    }
+  for (PendingFile& file : pending) {
+    const std::string problem = file.Commit();
+    if (!problem.empty()) return problem;
   }
-  temporary_.clear();
   return "";
 }
 
@@ -111,12 +82,7 @@ bool WriteFiles(const std::vector<GeneratedFile>& files, const fs::path& folder,
     err << fmt::format("{}: cannot be made: {}\n", folder.string(), status.message());
     return false;
   }
-  FileBatch batch(folder);
-  std::string fault;
-  for (const GeneratedFile& file : files) {
-    if (fault.empty()) fault = batch.Write(file);
-  }
-  if (fault.empty()) fault = batch.Commit();
+  const std::string fault = WriteTogether(files, folder);
   if (!fault.empty()) err << fault << '\n';
   return fault.empty();
 }
@@ -166,7 +132,10 @@ int StubgenMain(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cout, std::cerr) == 0 ? kGood : kCommandLineWrong;
+    std::ostringstream text;  // written at once: std::endl would hide why it cannot be
+    const bool is_help = app.exit(error, text, std::cerr) == 0;
+    std::fputs(text.str().c_str(), stdout);
+    return is_help ? kGood : kCommandLineWrong;
   }
   return RunStubgen(options, std::cin, std::cout, std::cerr);
 }

@@ -60,6 +60,9 @@ class VirtualRobot : public RobotServices {
   // CameraDevice::Look().
   bool ImageIsDue() const { return camera_.Due(frame_); }
   std::string Look(Picture* picture) { return camera_.Look(frame_, *body_, picture); }
+  // The run is over: the file of the speaker is complete.  "FILE: cannot be written: why", or "".
+  std::string CloseFiles() { return speaker_.Close(); }
+
   // Sticks objects' pause button in: see Power::PressPause().
   void PressPause() { power_.PressPause(); }
 

@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <vector>
 
 #include "openr/commands/commands.h"
 #include "openr/exit_code.h"
+#include "openr/standard_streams.h"
 #include "runtime/config/spelling.h"
 
 namespace openr_host {
@@ -86,7 +86,7 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   const std::string path = PathOf(*about);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
   // Not help(): that would tell of the command that was chosen, which is `help`.
-  std::cout << app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal);
+  PrintAnswer(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal));
 }
 
 }  // namespace

@@ -2,18 +2,20 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/console.h"
 #include "openr/cost_file.h"
 #include "openr/duration.h"
 #include "openr/exit_code.h"
@@ -127,22 +129,60 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// Objects print to nowhere unless there is a file; every run appends to it.
-std::function<void(std::string_view)> ConsoleOf(const std::string& file) {
-  if (file.empty()) return [](std::string_view) {};
-  const int descriptor =
-      open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  return [descriptor](std::string_view text) { WriteAll(descriptor, text); };
+// Objects print to nowhere unless there is a file; every run, of whatever process, adds to it.
+class SharedConsole {
+ public:
+  // Throws std::runtime_error.
+  explicit SharedConsole(const std::string& file) : file_(file) {
+    if (file.empty()) return;
+    std::string problem;
+    descriptor_ = OpenGrowingFile(file, &problem);
+    if (descriptor_ < 0) throw std::runtime_error(problem);
+    error_ = static_cast<int*>(
+        mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+    if (error_ == MAP_FAILED) throw std::bad_alloc();
+    fcntl(descriptor_, F_SETFL, O_APPEND);
+  }
+  ~SharedConsole() {
+    if (descriptor_ < 0) return;
+    munmap(error_, sizeof(int));
+    close(descriptor_);
+  }
+  SharedConsole(const SharedConsole&) = delete;
+  SharedConsole& operator=(const SharedConsole&) = delete;
+
+  void Print(std::string_view text) const {
+    if (descriptor_ < 0 || *error_ != 0) return;
+    *error_ = WriteAll(descriptor_, text);
+  }
+
+  // "FILE: cannot be written: why", or "".
+  std::string Problem() const {
+    return descriptor_ < 0 || *error_ == 0 ? "" : WhyNotWritten(file_, *error_);
+  }
+
+ private:
+  const std::string file_;
+  int descriptor_ = -1;
+  int* error_ = nullptr;  // the first of any process
+};
+
+// `exit_code`, or 1 after a complaint.
+int WithConsole(int exit_code, const SharedConsole& console) {
+  const std::string problem = console.Problem();
+  if (problem.empty()) return exit_code;
+  fmt::print(stderr, "openr explore: {}\n", problem);
+  return kExitWrong;
 }
 
 // Completes the plan by what the stick is.
-void SetStick(const ExploredStick& stick, const std::string& console_file, ExplorePlan* plan) {
+void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
   LoadCostFile(stick.simulation.cost_file);  // so that a wrong one is reported once, here
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;
   plan->run.properties.Make();
   SimulationOptions simulation = stick.simulation;
-  simulation.console = ConsoleOf(console_file);
+  simulation.console = [&console](std::string_view text) { console.Print(text); };
   plan->make_scene = [simulation] { return MakeSimulationScene(simulation); };
 }
 
@@ -196,7 +236,7 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    unlink(flags.file.c_str());  // one of an earlier exploration would be taken for this one's
+    RemoveFile(flags.file);  // one of an earlier exploration would be taken for this one's
     return true;
   }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);
@@ -218,7 +258,8 @@ int Replay(ExploreFlags flags) {
   const ScheduleFile schedule = ReadScheduleFile(flags.replay_file, &deviations);
   ExploredStick stick = schedule.stick;
   if (!flags.stick.simulation.stick.empty()) stick.simulation.stick = flags.stick.simulation.stick;
-  SetStick(stick, flags.console_file, &flags.plan);
+  const SharedConsole console(flags.console_file);
+  SetStick(stick, console, &flags.plan);
   const Json answer = ReplayDeviations(flags.plan, deviations, schedule.seed);
   const bool broken = !answer["broken"].is_null();
   std::string text;
@@ -248,7 +289,7 @@ int Replay(ExploreFlags flags) {
   Json result = answer;
   result["same"] = same;
   Tell(result, text, flags.json);
-  return broken ? kExitWrong : kExitGood;
+  return WithConsole(broken ? kExitWrong : kExitGood, console);
 }
 
 int Explore(ExploreFlags flags) {
@@ -259,7 +300,8 @@ int Explore(ExploreFlags flags) {
   }
   flags.stick.simulation.guard_regions =
       flags.guard || !(flags.no_guard || flags.verify || flags.exhaustive);
-  SetStick(flags.stick, flags.console_file, &flags.plan);
+  const SharedConsole console(flags.console_file);
+  SetStick(flags.stick, console, &flags.plan);
   ExplorePlan& plan = flags.plan;
   plan.first_seed = flags.stick.simulation.seed;
   plan.run.vary = VaryOf(flags.vary);
@@ -279,7 +321,7 @@ int Explore(ExploreFlags flags) {
   Tell(result, Summary(result, flags), flags.json);
   const bool written = WriteFailure(result, flags);
   const bool good = result["broken"] == 0 && result.value("differences", 0) == 0;
-  return good && written ? kExitGood : kExitWrong;
+  return WithConsole(good && written ? kExitGood : kExitWrong, console);
 }
 
 std::string ListOfProperties() {

@@ -16,6 +16,7 @@
 #include "openr/json_text.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -37,9 +38,9 @@ std::string Rendered(const GraphView& graph, const std::string& format) {
   throw std::runtime_error("--format svg needs the program 'dot' (Debian package graphviz)");
 }
 
-void Write(const std::string& text, const std::string& name, Console* console) {
+void Write(const std::string& text, const std::string& name) {
   if (name.empty()) {
-    console->Answer(text);
+    PrintAnswer(text);
     return;
   }
   const std::string problem = WriteFile(name, text);
@@ -47,7 +48,7 @@ void Write(const std::string& text, const std::string& name, Console* console) {
 }
 
 int Graph(GraphFlags flags) {
-  Console console("");
+  const Console console("");
   flags.simulation.console = [](std::string_view) {};  // only the wiring is asked for
   flags.simulation.host_network = false;
   Simulation simulation(flags.simulation);
@@ -63,7 +64,7 @@ int Graph(GraphFlags flags) {
     return kExitWrong;
   }
   fmt::print(stderr, "{}", DescribeFindings(&simulation));
-  Write(Rendered(CollectGraph(&system), flags.format), flags.file, &console);
+  Write(Rendered(CollectGraph(&system), flags.format), flags.file);
   return system.findings().HasError() ? kExitWrong : kExitGood;
 }
 

@@ -44,11 +44,13 @@ std::string WhyNoStick(const std::string& folder) {
 constexpr int kRefused = 3;  // it would be the same the next time
 constexpr int kOffline = 4;  // it could not so much as look for the run
 
-// One that a run has started goes when the run goes, however that ends; Ctrl-C is for the run.
+// One that a run has started goes when the run goes, however that ends; Ctrl-C and a terminal that
+// closes are for the run.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (kill(parent, 0) != 0) _exit(kExitWrong);  // it has gone already
   ::signal(SIGINT, SIG_IGN);
+  ::signal(SIGHUP, SIG_IGN);
 }
 
 volatile sig_atomic_t g_ended_by = 0;  // the first signal
@@ -63,7 +65,7 @@ void NoteTheEnd(int signal) {
 
 // Those that somebody has set to be ignored are.
 void CatchTheEnd(int flags) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;

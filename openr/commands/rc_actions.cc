@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "MoverState.h"
 #include "MtnPlayer.h"
 #include "openr/commands/rc_format.h"
 #include "openr/remote_client.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -33,11 +33,11 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
   if (flags.json) {
     Json answer = {{"frame", FrameJson(frame)}};
     answer.update(json);
-    fmt::print("{}\n", answer.dump());
+    PrintAnswer(answer.dump() + "\n");
   } else {
-    fmt::print("{} {}\n", FrameText(frame), text);
+    PrintAnswer(fmt::format("{} {}\n", FrameText(frame), text));
   }
-  std::fflush(stdout);
+  FlushAnswer();
 }
 
 // A device of the robot, and the name it goes by.

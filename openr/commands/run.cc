@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@
 #include "openr/report.h"
 #include "openr/runner.h"
 #include "openr/simulation.h"
+#include "openr/standard_streams.h"
 #include "openr/watchdog.h"
 
 namespace openr_host {
@@ -197,8 +199,9 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   std::map<std::string, std::string> flag_of;
   for (const auto& [flag, file] : named) {
     if (file.empty() || file == "-" || file == "/dev/null") continue;
-    const auto [first, is_new] =
-        flag_of.emplace(std::filesystem::weakly_canonical(file).string(), flag);
+    std::error_code error;  // a stream (/dev/stdout) leads to no file
+    const std::string real = std::filesystem::weakly_canonical(file, error);
+    const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
     if (!is_new) {
       throw CLI::ValidationError(flag,
                                  fmt::format("{} is the file of {} already", file, first->second));
@@ -228,12 +231,25 @@ RunPlan PlanOf(const RunFlags& flags) {
 }
 
 // False after a complaint.
-bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags, Console* console) {
-  if (flags.json) console->Answer(JsonText(report) + "\n");
-  if (flags.report_file.empty()) return true;
-  const std::string problem = WriteFile(flags.report_file, JsonText(report, 2) + "\n");
+bool IsGood(const std::string& problem) {
   if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
   return problem.empty();
+}
+
+bool Answer(const std::string& text) {
+  try {
+    PrintAnswer(text);
+    return true;
+  } catch (const std::exception& error) {
+    return IsGood(error.what());
+  }
+}
+
+// False after a complaint.
+bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags) {
+  const bool is_answered = !flags.json || Answer(JsonText(report) + "\n");
+  if (flags.report_file.empty()) return is_answered;
+  return IsGood(WriteFile(flags.report_file, JsonText(report, 2) + "\n")) && is_answered;
 }
 
 std::string Summary(const nlohmann::ordered_json& report, const std::optional<RunEnd>& end) {
@@ -250,28 +266,22 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
   return text;
 }
 
-// False after a complaint.
-bool FinishRecording(Recorder* recorder, Simulation* simulation) {
-  const std::string problem = recorder->Finish(&simulation->system());
-  if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
-  return problem.empty();
-}
-
 // The report of a run that an object brings down: what there is at that moment, and why.
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
-                     const RunFacts& facts, const RunFlags& flags, Console* console) {
+                     const RunFacts& facts, const RunFlags& flags) {
   {
     const CurrentScope scope(&simulation->system(), ending->object);
     simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
     simulation->system().NoteRunEnd(EndOf(*ending));
   }
   distribution->Hurry();
+  simulation->CloseFiles();
   nlohmann::ordered_json report = MakeReport(simulation, facts);
   distribution->Describe(&report);
   std::string_view record = ending->record.text();
   while (record.ends_with('\n')) record.remove_suffix(1);
   report["error"] = std::string(record);
-  WriteReport(report, flags, console);
+  WriteReport(report, flags);
   ending->answered = true;
   distribution->EndProcesses();
 }
@@ -309,6 +319,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
     : flags_(flags),
       plan_(PlanOf(flags)),
       console_(flags.console_file),
+      interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
       recorder_(flags.record_file, !flags.no_payloads),
       distribution_(flags.placement, flags.ros2, StickFolder(flags.simulation.stick),
                     flags.handler_limit_us, &interrupts_),
@@ -357,7 +368,7 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
 
 // False after a complaint.
 bool CommandedRun::RunToTheEnd() {
-  const LastAnswer answer(flags_.json ? console_.answer_descriptor() : -1, flags_.report_file);
+  const LastAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
   const CrashLog crash_log(
       std::vector<std::string>(static_cast<size_t>(options_.robots), simulation_.stick()),
       distribution_.has_processes());
@@ -374,12 +385,12 @@ bool CommandedRun::RunToTheEnd() {
   };
   const LastWords last_words([&](Ending* ending) {
     learn_facts();
-    ReportTheEnding(ending, &simulation_, &distribution_, facts_, flags_, &console_);
+    ReportTheEnding(ending, &simulation_, &distribution_, facts_, flags_);
   });
   bool good = runner.Run();
   distribution_.RunIsOver();
   learn_facts();
-  if (records()) good = FinishRecording(&recorder_, &simulation_) && good;
+  if (records()) good = IsGood(recorder_.Finish(&system())) && good;
   boots_ = system().booted() || !system().powered_off() || interrupts_.count() >= 2;
   return good;
 }
@@ -393,7 +404,8 @@ bool CommandedRun::Report() {
   distribution_.Describe(&report);
   distribution_.EndProcesses();
   fmt::print(stderr, "{}{}", DescribeFindings(&simulation_), Summary(report, system().end()));
-  return WriteReport(report, flags_, &console_);
+  const bool is_written = WriteReport(report, flags_);
+  return IsGood(console_.Problem()) && is_written;
 }
 
 }  // namespace

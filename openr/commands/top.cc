@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "openr/exit_code.h"
 #include "openr/interrupt.h"
 #include "openr/json_text.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -42,7 +42,7 @@ class Top {
          next_us += flags_.interval_us) {
       while (NowUs() < next_us && interrupts_.count() == 0) Listen();
       runs_.Forget(Now_s());
-      if (interrupts_.count() == 0 && !Show()) break;  // nobody reads any more
+      if (interrupts_.count() == 0) Show();
     }
     if (on_screen_ && !flags_.json) fmt::print("\n");
     return kExitGood;
@@ -55,7 +55,8 @@ class Top {
     const bool is_one = flags_.bus.run != "*";
     const int64_t until_us = std::max(NowUs(), is_one ? 0 : kOthersUs);
     while (NowUs() < until_us && interrupts_.count() == 0) Listen();
-    return Show() ? kExitGood : kExitWrong;
+    Show();
+    return kExitGood;
   }
 
  private:
@@ -69,23 +70,22 @@ class Top {
     runs_.Take(reader_.Take(), Now_s());
   }
 
-  // False when it could not be written.
-  bool Show() {
-    if (flags_.json) {
-      fmt::print("{}\n", JsonText(TopJson(runs_.All(), Now_s())));
-      return std::fflush(stdout) == 0;
-    }
+  // Throws std::runtime_error when it cannot be written.
+  void Show() {
+    PrintAnswer(flags_.json ? JsonText(TopJson(runs_.All(), Now_s())) + "\n" : Table());
+    FlushAnswer();
+  }
+
+  std::string Table() const {
     winsize size{};
     if (on_screen_) ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
     const size_t rows = size.ws_row > 0 ? size.ws_row : 24;
     const size_t columns = size.ws_col > 0 ? size.ws_col : 80;
     const std::string text = TopText(runs_.All(), Now_s(), on_screen_ ? columns : 0);
     if (on_screen_ && !flags_.once) {
-      fmt::print("\x1b[H{}", OnScreen(text, rows, columns));
-    } else {
-      fmt::print("{}{}", text, flags_.once ? "" : "\n");
+      return fmt::format("\x1b[H{}", OnScreen(text, rows, columns));
     }
-    return std::fflush(stdout) == 0;
+    return text + (flags_.once ? "" : "\n");
   }
 
   int Complain() const {

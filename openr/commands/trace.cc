@@ -10,6 +10,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/exit_code.h"
 #include "openr/inspect/trace_text.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -32,9 +33,7 @@ void CheckFilter(const TraceFlags& flags) {
 int ShowTrace(const TraceFlags& flags) {
   CheckFilter(flags);
   TraceReader reader(flags.file);
-  const TextSink out = [](std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-  };
+  const TextSink out = [](std::string_view text) { PrintAnswer(text); };
   if (flags.format == "text") WriteTraceText(&reader, flags.filter, out);
   if (flags.format == "csv") WriteTraceCsv(&reader, flags.filter, out);
   if (flags.format == "perfetto") WriteTracePerfetto(&reader, flags.filter, out);

@@ -16,10 +16,10 @@
 #include <string>
 #include <utility>
 
-#include "openr/console.h"
 #include "openr/crash_log.h"
 #include "openr/json_text.h"
 #include "openr/last_words.h"
+#include "openr/output_file.h"
 #include "openr/watchdog.h"
 
 namespace openr_host {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
 #include "openr/inspect/recorded_network.h"
+#include "openr/output_file.h"
 
 namespace openr_host {
 namespace {
@@ -60,8 +60,9 @@ std::string Replayer::StickOfThen(const std::string& now) {
       continue;
     }
     fs::remove_all(path);
-    if (change->what == TraceEntry::OnStick::kFile)
-      std::ofstream(path, std::ios::binary) << change->payload;
+    if (change->what != TraceEntry::OnStick::kFile) continue;
+    const std::string problem = WriteFile(path, change->payload);
+    if (!problem.empty()) throw std::runtime_error(problem);
   }
   return stick;
 }

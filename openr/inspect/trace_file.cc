@@ -1,6 +1,5 @@
 #include "openr/inspect/trace_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -15,6 +14,7 @@
 #include <sstream>
 
 #include "openr/json_text.h"
+#include "openr/output_file.h"
 #include "runtime/config/spelling.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
@@ -73,11 +73,10 @@ TraceHeader HeaderOf(std::string_view text) {
 }  // namespace
 
 TraceWriter::TraceWriter(const std::string& file, const TraceHeader& header)
-    : file_(file),
-      payloads_(header.payloads),
-      coder_(header.payloads),
-      descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-  if (descriptor_ < 0) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
+    : file_(file), payloads_(header.payloads), coder_(header.payloads) {
+  std::string problem;
+  descriptor_ = OpenGrowingFile(file, &problem);
+  if (descriptor_ < 0) throw std::runtime_error(problem);
   ByteWriter head;
   head.U32(kTraceVersion);
   head.Text(HeaderText(header));
@@ -90,11 +89,7 @@ TraceWriter::~TraceWriter() {
 }
 
 void TraceWriter::WriteOut(const std::string& bytes) {
-  for (size_t done = 0; done < bytes.size() && error_ == 0;) {
-    const ssize_t size = write(descriptor_, bytes.data() + done, bytes.size() - done);
-    if (size < 0 && errno != EINTR) error_ = errno;
-    if (size > 0) done += static_cast<size_t>(size);
-  }
+  if (error_ == 0) error_ = WriteAll(descriptor_, bytes);
 }
 
 void TraceWriter::Flush() {

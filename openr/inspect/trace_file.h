@@ -92,7 +92,7 @@ class TraceCoder {
 
 class TraceWriter {
  public:
-  // Throws std::runtime_error when the file cannot be made.
+  // Throws std::runtime_error when the file cannot be made, or another process writes it.
   TraceWriter(const std::string& file, const TraceHeader& header);
   ~TraceWriter();
   TraceWriter(const TraceWriter&) = delete;

@@ -18,6 +18,7 @@
 #include "openr/kit/shell_words.h"
 #include "openr/kit/stick_merge.h"
 #include "openr/kit/text_files.h"
+#include "openr/output_file.h"
 #include "runtime/core/temp_folder.h"
 
 namespace openr_host {
@@ -140,7 +141,8 @@ class ControllerBuild {
 
   static void Put(const fs::path& from, const fs::path& to) {
     fs::create_directories(to.parent_path());
-    fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+    const std::string problem = CopyToFile(from, to);
+    if (!problem.empty()) throw std::runtime_error(problem);
   }
 
   std::string Made() const { return scratch_.path() + "/" + kImage; }

@@ -9,6 +9,7 @@
 
 #include "openr/kit/image_match.h"
 #include "openr/kit/text_files.h"
+#include "openr/output_file.h"
 #include "runtime/config/gateway_config.h"
 #include "runtime/config/spelling.h"
 #include "runtime/core/image_file.h"
@@ -166,9 +167,9 @@ class StickCompletion {
     fs::create_directories(objects_, error);
     const fs::path there = FindEntry(objects_, name);
     const fs::path place = there.empty() ? objects_ / name : there;
-    fs::copy_file(file, place, fs::copy_options::overwrite_existing, error);
+    const std::string problem = CopyToFile(file, place);
     harvest_.placed.push_back(place);
-    if (error) harvest_.problems.push_back(fmt::format("{}: {}", place.string(), error.message()));
+    if (!problem.empty()) harvest_.problems.push_back(problem);
   }
 
   void TakeFromKit(const std::string& name) {

@@ -15,6 +15,7 @@
 #include "openr/kit/link_command.h"
 #include "openr/kit/process.h"
 #include "openr/kit/sdk_tools.h"
+#include "openr/output_file.h"
 #include "runtime/config/ocf.h"
 
 namespace openr_host {
@@ -67,13 +68,10 @@ std::string Stem(const std::string& output) {
 std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_text) {
   const std::string source = Stem(command.output) + ".snap.c";
   const std::string object = Stem(command.output) + ".snap.o";
-  {
-    std::ofstream stream(source, std::ios::trunc);
-    stream << MakeImageSource(ocf_text);
-    if (!stream.flush()) {
-      Refuse(fmt::format("{}: cannot be written", source));
-      return "";
-    }
+  const std::string problem = WriteFile(source, MakeImageSource(ocf_text));
+  if (!problem.empty()) {
+    Refuse(problem);
+    return "";
   }
   Arguments compile = HostCompiler(Language::kC);
   compile.insert(compile.end(), {"-x", "c", "-O1", "-fPIC", "-c", "-o", object, source});
@@ -84,10 +82,13 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
+// What the linker makes; the image is a copy, so that it is never half of one.
+std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
+
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
   const fs::path prefix = fs::path(SdkRoot()).parent_path().parent_path().parent_path();
   Arguments link = HostCompiler(Language::kCxx);
-  link.insert(link.end(), {"-shared", "-o", command.output});
+  link.insert(link.end(), {"-shared", "-o", Made(command)});
   link.insert(link.end(), command.objects.begin(), command.objects.end());
   link.push_back("-Wl,--start-group");
   link.insert(link.end(), command.libraries.begin(), command.libraries.end());
@@ -114,11 +115,11 @@ std::string WithoutDangers(const std::string& output) {
 }
 
 // The SDK's mkbin leaves steps on the way under these names, and rules look at them.
-void LinkIntermediates(const std::string& output) {
+void LinkIntermediates(const LinkCommand& command) {
   std::error_code ignored;
-  for (const char* extension : {".nosnap.elf", ".snap.elf", ".rel.elf"}) {
-    fs::remove(Stem(output) + extension, ignored);
-    fs::create_hard_link(output, Stem(output) + extension, ignored);
+  for (const char* extension : {".snap.elf", ".rel.elf"}) {
+    fs::remove(Stem(command.output) + extension, ignored);
+    fs::create_hard_link(Made(command), Stem(command.output) + extension, ignored);
   }
 }
 
@@ -162,7 +163,12 @@ int RunMkbin(const Arguments& arguments) {
     LogFailure({command.output, Summarise(result.output), command.output});
     return result.status;
   }
-  LinkIntermediates(command.output);
+  const std::string problem = CopyToFile(Made(command), command.output);
+  if (!problem.empty()) {
+    LogFailure({command.output, "cannot be written", command.output});
+    return Refuse(problem);
+  }
+  LinkIntermediates(command);
   Arguments parts = command.objects;
   parts.insert(parts.end(), command.libraries.begin(), command.libraries.end());
   LogImage({command.output, ocf.ocf->name, command.ocf, parts});
@@ -182,10 +188,9 @@ int RunImageInfo(const Arguments& arguments) {
   const OcfResult ocf = ParseOcf(arguments[0], *text);
   std::fputs(Render(ocf.diagnostics).c_str(), stderr);
   if (!ocf.ocf) return 1;
-  std::ofstream out(arguments[1], std::ios::trunc);
-  out << MakeImageSource(*text);
-  if (out.flush()) return 0;
-  std::fprintf(stderr, "%s: cannot be written\n", arguments[1].c_str());
+  const std::string problem = WriteFile(arguments[1], MakeImageSource(*text));
+  if (problem.empty()) return 0;
+  std::fprintf(stderr, "%s\n", problem.c_str());
   return 1;
 }
 

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <new>
 
 #include "openr/kit/process.h"
 #include "openr/kit/sdk_tools.h"
+#include "openr/output_file.h"
 
 namespace openr_host {
 namespace {
@@ -19,6 +21,32 @@ namespace fs = std::filesystem;
 int Fail(const char* tool, const std::string& file) {
   std::fprintf(stderr, "%s: %s: %s\n", tool, file.c_str(), std::strerror(errno));
   return 1;
+}
+
+// The exit code, after a complaint if there is a problem.
+int Check(const char* tool, const std::string& problem) {
+  if (problem.empty()) return 0;
+  std::fprintf(stderr, "%s: %s\n", tool, problem.c_str());
+  return 1;
+}
+
+// As gzip does it.
+std::string Gzipped(std::string bytes) {
+  constexpr int kGzipFormat = 16;
+  z_stream stream{};
+  if (deflateInit2(&stream, 6, Z_DEFLATED, kGzipFormat + MAX_WBITS, MAX_MEM_LEVEL - 1,
+                   Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::bad_alloc();
+  }
+  std::string packed(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
 }
 
 // Where FROM is to go when TO may be a folder.
@@ -43,12 +71,7 @@ int RunGzcp(const Arguments& arguments) {
   if (!in) return Fail("gzcp", files[0]);
   const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   const std::string to = Target(files[0], files[1]);
-  const gzFile out = gzopen(to.c_str(), "wb6");
-  if (out == nullptr) return Fail("gzcp", to);
-  const bool written =
-      bytes.empty() || gzwrite(out, bytes.data(), static_cast<unsigned>(bytes.size())) ==
-                           static_cast<int>(bytes.size());
-  return gzclose(out) == Z_OK && written ? 0 : Fail("gzcp", to);
+  return Check("gzcp", WriteFile(to, Gzipped(bytes)));
 }
 
 int RunStrip(const Arguments& arguments) {
@@ -72,12 +95,8 @@ int RunStrip(const Arguments& arguments) {
       return Fail("strip", file);
     }
   }
-  if (!output.empty() && files.size() == 1 &&
-      !fs::copy_file(files[0], output, fs::copy_options::overwrite_existing, error)) {
-    errno = error.value();
-    return Fail("strip", output);
-  }
-  return 0;
+  if (output.empty() || files.size() != 1) return 0;
+  return Check("strip", CopyToFile(files[0], output));
 }
 
 int RunHostTool(const std::string& tool, const Arguments& arguments) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,6 +46,17 @@ std::vector<char*> Pointers(const std::vector<std::string>& texts) {
   return pointers;
 }
 
+// A pipe that nobody reads ends other programs, as they expect; this one ignores such signals.
+void MakeAttributes(posix_spawnattr_t* attributes) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGPIPE);
+  sigaddset(&signals, SIGXFSZ);
+  posix_spawnattr_init(attributes);
+  posix_spawnattr_setsigdefault(attributes, &signals);
+  posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);
+}
+
 std::string ReadToEnd(int descriptor, bool echoes) {
   std::string text;
   char buffer[8192];
@@ -77,9 +89,12 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
   if (!options.folder.empty())
     posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
   const std::vector<std::string> environment = ChildEnvironment(options);
+  posix_spawnattr_t attributes;
+  MakeAttributes(&attributes);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments[0].c_str(), &actions, nullptr,
+  const int error = posix_spawnp(&child, arguments[0].c_str(), &actions, &attributes,
                                  Pointers(arguments).data(), Pointers(environment).data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (captures) close(pipe_ends[1]);
   if (error == 0) {

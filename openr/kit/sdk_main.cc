@@ -7,6 +7,7 @@
 #include <string>
 
 #include "openr/kit/sdk_tools.h"
+#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {
@@ -63,4 +64,7 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace openr_host
 
-int main(int argc, char** argv) { return openr_host::Main(argc, argv); }
+int main(int argc, char** argv) {
+  openr_host::PrepareStandardStreams();
+  return openr_host::FinishStandardOutput(openr_host::Main(argc, argv), "openr-sdk");
+}

@@ -1,14 +1,13 @@
 #include "openr/kit/text_files.h"
 
 #include <strings.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+
+#include "openr/output_file.h"
 
 namespace openr_host {
 namespace {
@@ -52,17 +51,7 @@ std::optional<std::string> ReadText(const fs::path& file) {
 std::string WriteText(const fs::path& file, const std::string& text) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  const fs::path temporary = file.string() + "." + std::to_string(getpid()) + ".tmp";
-  errno = 0;
-  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (!stream) return file.string() + ": cannot be written: " + std::strerror(errno);
-  fs::rename(temporary, file, error);
-  if (!error) return "";
-  const std::string problem = file.string() + ": cannot be written: " + error.message();
-  fs::remove(temporary, error);
-  return problem;
+  return WriteFile(file, text);
 }
 
 std::string LowerCase(std::string text) {

@@ -10,7 +10,7 @@ namespace openr_host {
 
 std::optional<std::string> ReadText(const std::filesystem::path& file);
 
-// Under another name first, so that nobody sees half a file.  Returns what went wrong, or "".
+// Makes the folders that are missing; else as WriteFile().
 std::string WriteText(const std::filesystem::path& file, const std::string& text);
 
 std::string LowerCase(std::string text);

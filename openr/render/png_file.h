@@ -6,9 +6,8 @@
 
 namespace openr_host::render {
 
-// Writes rows of red, green, blue, the top row first; `rgb` has 3 * width * height bytes.
-// Returns "" or what went wrong; then no file is left behind.
-std::string WritePng(const std::string& file, int width, int height,
-                     const std::vector<uint8_t>& rgb);
+// The bytes of a PNG file with these rows of red, green, blue, the top row first; `rgb` has
+// 3 * width * height bytes.  Throws std::runtime_error.
+std::string EncodePng(int width, int height, const std::vector<uint8_t>& rgb);
 
 }  // namespace openr_host::render

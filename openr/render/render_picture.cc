@@ -9,10 +9,11 @@ namespace openr_host::render {
 
 extern "C" __attribute__((visibility("default"))) void openr_render_picture(const Scene& scene,
                                                                             const Picture& picture,
+                                                                            std::string* png,
                                                                             std::string* error) {
   try {
-    *error = WritePng(picture.file, picture.width_px, picture.height_px,
-                      Draw(scene, picture.width_px, picture.height_px));
+    *png = EncodePng(picture.width_px, picture.height_px,
+                     Draw(scene, picture.width_px, picture.height_px));
   } catch (const std::exception& e) {
     *error = e.what();
   }

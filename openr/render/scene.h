@@ -39,12 +39,12 @@ struct Scene {
 struct Picture {
   int width_px = 1280;  // 16 to 4096
   int height_px = 720;  // 16 to 4096
-  std::string file;     // PNG
 };
 
-// What libopenr_render.so shows under the name openr_render_picture.  `error` is left empty or
-// says what went wrong; then there is no file.
-using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* error);
+// What libopenr_render.so shows under the name openr_render_picture.  `png` gets the bytes of a PNG
+// file; or `error` says what went wrong.
+using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* png,
+                           std::string* error);
 constexpr char kRenderPictureName[] = "openr_render_picture";
 
 }  // namespace openr_host::render

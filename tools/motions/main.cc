@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "openr/output_file.h"
 #include "postures.h"
 #include "walk.h"
 
@@ -23,10 +24,9 @@ using namespace openr_host::motions;
 void WriteIfChanged(const std::filesystem::path& path, const std::vector<uint8_t>& bytes) {
   std::ifstream old(path, std::ios::binary);
   if (old && std::vector<uint8_t>(std::istreambuf_iterator<char>(old), {}) == bytes) return;
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  if (!file.flush()) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+  const std::string problem =
+      openr_host::WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 void WriteAll(const std::filesystem::path& directory, const Dog& dog, const Gait& gait) {

@@ -22,6 +22,9 @@ class SoundSink {
   // What sounds during frame `frame` since boot.  Frames rise; those left out are silent.
   // Empty, or why it could not be written.
   virtual std::string Play(int64_t frame, const SoundFrame& samples) = 0;
+
+  // No more will sound.  Empty, or why not all could be written.
+  virtual std::string Close() { return ""; }
 };
 
 // Keeps everything, by frame.
@@ -39,7 +42,8 @@ class MemorySoundSink : public SoundSink {
 };
 
 // A WAV file, 16 kHz, 16 bits, mono, whose time is the virtual time since boot; its sizes
-// are right once the sink is gone.  Throws std::runtime_error "FILE: cannot be written: ...".
+// are right once the sink is closed, or gone.  Throws std::runtime_error "FILE: cannot be written:
+// ...".
 std::unique_ptr<SoundSink> OpenSpeakerFile(const std::string& file);
 
 }  // namespace openr_host

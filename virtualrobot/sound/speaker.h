@@ -42,6 +42,9 @@ class Speaker {
   // from the order of calls in Sony's SoundPlay).  What the sink could not do.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
+  // No more is put out; what the sink could not do.
+  std::string Close() { return sink_ == nullptr ? "" : sink_->Close(); }
+
   void HashState(Hasher* hasher) const;
 
  private:

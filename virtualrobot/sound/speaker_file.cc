@@ -27,10 +27,7 @@ class SpeakerFile : public SoundSink {
     WriteHeader();
   }
 
-  ~SpeakerFile() override {
-    WriteHeader();
-    std::fclose(stream_);
-  }
+  ~SpeakerFile() override { Close(); }
 
   // Silent frames are left out, as a hole of zeros.
   std::string Play(int64_t frame, const SoundFrame& samples) override {
@@ -47,18 +44,26 @@ class SpeakerFile : public SoundSink {
     return "";
   }
 
+  std::string Close() override {
+    if (stream_ == nullptr) return "";
+    const bool has_header = WriteHeader();
+    const std::string problem = has_header ? "" : Failed(file_);
+    const bool is_closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
+    return has_header && !is_closed ? Failed(file_) : problem;
+  }
+
  private:
   static constexpr int64_t kHeaderBytes = 44;
 
-  void WriteHeader() {
+  bool WriteHeader() {
     const std::string header = WavHeader(kSoundRate, static_cast<uint32_t>(end_));
-    if (std::fseek(stream_, 0, SEEK_SET) == 0)
-      std::fwrite(header.data(), 1, header.size(), stream_);
+    return std::fseek(stream_, 0, SEEK_SET) == 0 &&
+           std::fwrite(header.data(), 1, header.size(), stream_) == header.size();
   }
 
   const std::string file_;
-  std::FILE* const stream_;
-  int64_t end_ = 0;  // bytes of sound
+  std::FILE* stream_;  // null: closed
+  int64_t end_ = 0;    // bytes of sound
 };
 
 }  // namespace
