@@ -29,6 +29,11 @@ constexpr int kLastWordMs = 3'000;    // the same: it is not known otherwise
 constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
 constexpr int kKnockMs = 1'000;       // between knocks
 
+bool IsFolder(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error);
+}
+
 constexpr char kGivenUp[] = "the run could not reach it and goes on without";
 
 // Stands for an object of another process.
@@ -176,7 +181,6 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   system_->trace().set_hashing(false);  // the trace is the master's
   courier_ = std::make_unique<Courier>(system_.get(), true);
   stick_ = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
-  if (options_.begins) options_.begins(stick_);
   return "";
 }
 
@@ -185,6 +189,7 @@ std::string Worker::LoadMore(const openr_wire_Load& load) {
     const std::string problem = AddRobot(load.robots._buffer[i]);
     if (!problem.empty()) return problem;
   }
+  if (!std::exchange(uses_stick_, true) && options_.begins) options_.begins(stick_);
   for (uint32_t i = 0; i < load.designs._length; ++i) {
     const openr_wire_DesignEntry& entry = load.designs._buffer[i];
     CheckRobot(entry.robot);
@@ -196,10 +201,18 @@ std::string Worker::LoadMore(const openr_wire_Load& load) {
   return "";
 }
 
+// The run's, or one of this host with the same files.
+void Worker::FindStick(uint64_t hash) {
+  if (IsFolder(stick_) || !options_.own_stick) return;
+  const std::string own = options_.own_stick();
+  if (IsFolder(own) && FolderStick(own).ContentHash() == hash) stick_ = own;
+}
+
 std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   std::shared_ptr<FolderStick> stick;
   if (entry.has_stick) {
-    is_refused_ = !std::filesystem::is_directory(stick_);
+    FindStick(entry.stick_hash);
+    is_refused_ = !IsFolder(stick_);
     if (is_refused_)
       return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
                          stick_);

@@ -32,6 +32,9 @@ struct WorkerOptions {
   bool is_patient = false;                           // it waits until the one before it is gone
   std::function<bool()> is_ended;                    // somebody ends it; null: nobody does
   std::function<void(const std::string& line)> say;  // for people
+  // A folder to look at where that of the run is not on this host, "" for none; may be null.  It is
+  // used if its files are those of the run.
+  std::function<std::string()> own_stick;
   // Called before objects are loaded, with the folder of the stick.
   std::function<void(const std::string& stick)> begins;
 };
@@ -80,6 +83,7 @@ class Worker : public Uplink {
   std::string LoadMore(const openr_wire_Load& load);
   void CheckRobot(int robot) const;
   std::string AddRobot(const openr_wire_RobotEntry& entry);
+  void FindStick(uint64_t hash);
   void AddObject(const openr_wire_ObjectEntry& entry, std::vector<openr_wire_LoadedObject>* loaded);
   openr_wire_LoadedObject Describe(const Object& object);
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
@@ -116,6 +120,7 @@ class Worker : public Uplink {
   std::string session_;
   bool is_refused_ = false;
   std::string stick_;                // its folder
+  bool uses_stick_ = false;          // `begins` has been called
   std::set<std::string> own_names_;  // of its objects
   bool has_begun_ = false;
   bool is_free_ = false;                             // the run goes by the clock on the wall

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "openr/crash_stack.h"
 #include "openr/last_words.h"
@@ -32,12 +33,10 @@ namespace {
 constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 constexpr size_t kAlternateStackBytes = 256 << 10;  // a report is made on it
 
-constexpr char kFile[] = "/OPEN-R/EMON.LOG";
-
 // Paths of the files, by robot; fixed before the run.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;
-std::string* g_host = nullptr;  // to be named; empty: the run's own
+std::optional<std::string>* g_place = nullptr;  // see CrashLog; none: the file is not named
 char g_stack[kAlternateStackBytes];
 
 const char* NameOf(int signal) {
@@ -84,7 +83,7 @@ void WriteRecord(Ending* ending, const void* context, int robot) {
   if (descriptor < 0) return;
   SignalText note;
   note.Add("openr: wrote ").Add(*file).Add("\n").WriteTo(STDERR_FILENO);
-  if (!g_host->empty()) ending->finding.Add("; record: ").Add(*file).Add(" on ").Add(*g_host);
+  if (g_place->has_value()) ending->finding.Add("; record: ").Add(*file).Add(**g_place);
 }
 
 void Crashed(int signal, siginfo_t* info, void* context) {
@@ -128,11 +127,11 @@ void UseAlternateStack(bool on) {
 
 }  // namespace
 
-CrashLog::CrashLog(const std::vector<std::string>& sticks, bool adds, const std::string& host) {
+CrashLog::CrashLog(std::vector<std::string> files, bool adds,
+                   const std::optional<std::string>& place) {
   g_adds = adds;
-  g_host = new std::string(host);
-  g_files = new std::vector<std::string>;
-  for (const std::string& stick : sticks) g_files->push_back(stick.empty() ? "" : stick + kFile);
+  g_place = new std::optional<std::string>(place);
+  g_files = new std::vector<std::string>(std::move(files));
   if constexpr (OPENR_ASAN) return;
   UseAlternateStack(true);
   struct sigaction action {};
@@ -148,14 +147,14 @@ CrashLog::~CrashLog() {
     UseAlternateStack(false);
   }
   delete g_files;
-  delete g_host;
+  delete g_place;
   g_files = nullptr;
-  g_host = nullptr;
+  g_place = nullptr;
 }
 
-void CrashLog::BeginAfresh(const std::string& stick) {
+void CrashLog::BeginAfresh(const std::string& file) {
   std::error_code error;  // it is not there, or may not be written: then no record is added either
-  std::filesystem::remove(stick + kFile, error);
+  std::filesystem::remove(file, error);
 }
 
 }  // namespace openr_host

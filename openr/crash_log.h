@@ -1,11 +1,11 @@
-// What is left of a run that an object brought down: OPEN-R/EMON.LOG on its stick, as the
-// robot's emergency monitor leaves it, and the same on standard error.
+// What is left of a run that an object brought down: EMON.LOG, on a stick in OPEN-R/ as the robot's
+// emergency monitor leaves it, and the same on standard error.
 //
 // On the robot a crash of one object is a crash of the robot; here it ends the run with exit
 // status 1.
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,17 +16,17 @@ namespace openr_host {
 // done: its own report says more.
 class CrashLog {
  public:
-  // `sticks`: folders that hold OPEN-R/, by robot; empty ones get no file.  `adds`: records that
-  // are there already, of other processes of the run, stay.  `host`: of this process, whose stick
-  // others do not see; the finding says where the record is.
-  explicit CrashLog(const std::vector<std::string>& sticks, bool adds = false,
-                    const std::string& host = "");
+  // `files`: by robot (RunStick::crash_log()); an empty name is no file.  `adds`: records that are
+  // there already, of other processes of the run, stay.  `place`: where people would not look for
+  // the file; the finding names it, with these words behind it (" on HOST").
+  explicit CrashLog(std::vector<std::string> files, bool adds = false,
+                    const std::optional<std::string>& place = {});
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;
 
-  // Before the processes of a run that add theirs: the record on this stick is of another run.
-  static void BeginAfresh(const std::string& stick);
+  // Before the processes of a run that add theirs: the record in this file is of another run.
+  static void BeginAfresh(const std::string& file);
 };
 
 }  // namespace openr_host

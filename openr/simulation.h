@@ -21,7 +21,9 @@ class IpStack;
 class Network;
 
 struct SimulationOptions {
-  std::string stick;             // folder that holds OPEN-R/; "": the default stick
+  // Folder that holds OPEN-R/; "": the default stick.  That is never to be written: a run whose
+  // objects may write names the folder of its RunStick.
+  std::string stick;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
   std::string body = "ode";      // "ode" or "ideal"

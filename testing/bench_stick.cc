@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "runtime/config/spelling.h"
+#include "openr/run_stick.h"
 
 namespace openr::testing {
 namespace {
@@ -16,21 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using openr_host::FolderStick;
 using openr_host::TempFolder;
-
-// Debug information is large and only read by debuggers: a link does.
-void CopyTree(const fs::path& from, const fs::path& to) {
-  for (const auto& entry : fs::directory_iterator(from)) {
-    const fs::path copy = to / entry.path().filename();
-    if (entry.is_directory()) {
-      fs::create_directory(copy);
-      CopyTree(entry.path(), copy);
-    } else if (openr_host::EqualsIgnoringCase(entry.path().extension().string(), ".DBG")) {
-      fs::create_symlink(fs::canonical(entry.path()), copy);
-    } else {
-      fs::copy_file(entry.path(), copy);
-    }
-  }
-}
 
 std::unique_ptr<TempFolder> MakeFolder() {
   auto folder = std::make_unique<TempFolder>();
@@ -51,7 +36,7 @@ BenchStick::BenchStick(const std::string& model)
     throw std::runtime_error(fmt::format(
         "{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory Stick", model));
   }
-  CopyTree(model, folder_->path());
+  openr_host::CopyStick(model, folder_->path());
 }
 
 void BenchStick::Write(const std::string& name, std::string_view bytes) {
@@ -101,7 +86,7 @@ void BenchStick::ImportImage(const std::string& host_file, const std::string& na
 
 void BenchStick::MoveToCopy() {
   auto folder = MakeFolder();
-  CopyTree(folder_->path(), folder->path());
+  openr_host::CopyStick(folder_->path(), folder->path());
   files_ = std::make_unique<FolderStick>(folder->path());
   folder_ = std::move(folder);
 }

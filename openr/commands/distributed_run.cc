@@ -9,6 +9,7 @@
 #include "openr/crash_log.h"
 #include "openr/inspect/recorder.h"
 #include "openr/interrupt.h"
+#include "openr/run_stick.h"
 
 namespace openr_host {
 namespace {
@@ -34,7 +35,7 @@ nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
 }  // namespace
 
 DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2,
-                               const std::string& stick, int64_t handler_limit_us,
+                               const RunStick& stick, int64_t handler_limit_us,
                                const InterruptCounter* interrupts)
     : is_free_(placement.is_free),
       ros2_flags_(ros2),
@@ -46,7 +47,7 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
     own_bus_ = MakeBus(placement);
     bus_ = own_bus_.get();
   }
-  if (fleet_ != nullptr) CrashLog::BeginAfresh(stick);
+  if (fleet_ != nullptr) CrashLog::BeginAfresh(stick.crash_log());
   RefuseIdleFlags(placement, fleet_ != nullptr, bus_ != nullptr);
 }
 

@@ -16,13 +16,14 @@
 namespace openr_host {
 
 class InterruptCounter;
+class RunStick;
 
 // In the order of its functions.  Outlives the simulation.
 class DistributedRun {
  public:
-  // Starts the processes of this host.  `stick` is the folder of the run's, `interrupts` outlives
-  // this.  Throws CLI::ValidationError, or std::runtime_error of DDS.
-  DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const std::string& stick,
+  // Starts the processes of this host.  `interrupts` outlives this.  Throws CLI::ValidationError,
+  // or std::runtime_error of DDS.
+  DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
   bool has_processes() const { return fleet_ != nullptr; }

@@ -15,6 +15,7 @@
 #include "openr/input_file.h"
 #include "openr/install_paths.h"
 #include "openr/ros2/ros2_link.h"
+#include "openr/run_stick.h"
 
 namespace openr_host {
 
@@ -161,7 +162,7 @@ int WatchedLease(const PlacementFlags& flags) {
 
 }  // namespace
 
-std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
+std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const RunStick& stick,
                                  int64_t handler_limit_us, std::function<int()> interrupts) {
   FleetOptions options;
   options.placement = PlacementOf(flags);
@@ -178,7 +179,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
   const int watched_s = WatchedLease(flags);
   if (options.placement.host_of.empty()) options.bus.lease_s = watched_s;
   for (const auto& [process, host] : options.placement.host_of) options.bus.peers.push_back(host);
-  options.stick = std::filesystem::absolute(stick).lexically_normal();
+  options.stick = std::filesystem::absolute(stick.folder()).lexically_normal();
   options.wait_ms = flags.wait_us / 1000;
   options.restarts = flags.restarts;
   options.interrupts = std::move(interrupts);
@@ -191,6 +192,8 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string&
                      "--dds-address",   options.bus.address,
                      "--dds-lease",     std::to_string(watched_s),
                      "--handler-limit", fmt::format("{}us", handler_limit_us)};
+  if (!stick.crash_log().empty())
+    options.command.insert(options.command.end(), {"--crash-log", stick.crash_log()});
   if (!options.bus.config_file.empty()) {
     options.bus.config_file = std::filesystem::absolute(options.bus.config_file);
     options.command.insert(options.command.end(), {"--dds-config", options.bus.config_file});

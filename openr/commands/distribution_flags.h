@@ -12,6 +12,8 @@
 
 namespace openr_host {
 
+class RunStick;
+
 // --dds-domain, --dds-address, --dds-peer, --dds-config.
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
@@ -46,9 +48,8 @@ struct Ros2Flags {
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
-// What the flags of placement mean; null when all is in one process.  `stick` is the folder of the
-// run's.  Throws CLI::ValidationError.
-std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const std::string& stick,
+// What the flags of placement mean; null when all is in one process.  Throws CLI::ValidationError.
+std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const RunStick& stick,
                                  int64_t handler_limit_us, std::function<int()> interrupts);
 
 // Of a run that is all in this process and speaks DDS all the same.

@@ -16,6 +16,7 @@
 #include "openr/json_text.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
+#include "openr/run_stick.h"
 #include "openr/standard_streams.h"
 
 namespace openr_host {
@@ -51,6 +52,8 @@ int Graph(GraphFlags flags) {
   const Console console("");
   flags.simulation.console = [](std::string_view) {};  // only the wiring is asked for
   flags.simulation.host_network = false;
+  const RunStick stick(flags.simulation.stick, true);
+  flags.simulation.stick = stick.folder();
   Simulation simulation(flags.simulation);
   System& system = simulation.system();
   bool booted = false;

@@ -22,6 +22,7 @@
 #include "openr/crash_log.h"
 #include "openr/exit_code.h"
 #include "openr/last_words.h"
+#include "openr/run_stick.h"
 #include "openr/watchdog.h"
 
 namespace openr_host {
@@ -32,7 +33,8 @@ struct JoinFlags {
   bool restarts = false;
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
-  pid_t parent = 0;  // the run that started it; 0: none did
+  pid_t parent = 0;       // the run that started it; 0: none did
+  std::string crash_log;  // of a process with a parent; "": none
 };
 
 std::string WhyNoStick(const std::string& folder) {
@@ -127,6 +129,15 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
   return {problem, worker->is_refused()};
 }
 
+// The folder of a copy of the default stick; "" when there is none.
+std::string OwnStick(std::optional<RunStick>* stick) {
+  try {
+    return stick->emplace("", true).folder();
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
 int Join(JoinFlags flags, bool is_known = false) {
   if (flags.parent != 0) {
     BecomeChild(flags.parent);
@@ -141,9 +152,20 @@ int Join(JoinFlags flags, bool is_known = false) {
   flags.worker.say = [name](const std::string& line) {
     fmt::print(stderr, "openr: process '{}': {}\n", name, line);
   };
+  std::optional<RunStick> own_stick;
+  if (flags.parent == 0) flags.worker.own_stick = [&own_stick] { return OwnStick(&own_stick); };
   flags.worker.begins = [&](const std::string& stick) {
-    const std::string folder = std::filesystem::absolute(stick).lexically_normal();
-    crash_log.emplace(std::vector<std::string>{folder}, true, flags.parent == 0 ? HostName() : "");
+    const bool is_own = own_stick && own_stick->folder() == stick;
+    const std::string file = flags.parent != 0 ? flags.crash_log
+                             : is_own          ? own_stick->crash_log()
+                                               : CrashLogOn(stick);
+    std::optional<std::string> place;  // none on the stick of the run, where people look
+    if (flags.parent == 0) {
+      place = " on " + HostName();
+    } else if (file != CrashLogOn(stick)) {
+      place = "";
+    }
+    crash_log.emplace(std::vector<std::string>{file}, true, place);
     watchdog.emplace(flags.handler_limit_us);
   };
   const Outcome outcome = Work(flags.worker, is_known);
@@ -228,6 +250,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
                     "Come again, with objects as at the beginning, when it ends before the run is "
                     "over: by a crash, or because the run cannot be reached");
   command->add_option("--child-of", flags->parent)->group("");  // for openr run
+  command->add_option("--crash-log", flags->crash_log)->group("");
   command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);
   command->callback([flags, exit_code] {

@@ -27,6 +27,7 @@
 #include "openr/network_setup.h"
 #include "openr/output_file.h"
 #include "openr/report.h"
+#include "openr/run_stick.h"
 #include "openr/runner.h"
 #include "openr/simulation.h"
 #include "openr/standard_streams.h"
@@ -305,6 +306,7 @@ class CommandedRun {
 
   const RunFlags flags_;
   RunPlan plan_;
+  const RunStick stick_;
   Console console_;
   const InterruptCounter interrupts_;
   Recorder recorder_;
@@ -318,11 +320,11 @@ class CommandedRun {
 CommandedRun::CommandedRun(const RunFlags& flags)
     : flags_(flags),
       plan_(PlanOf(flags)),
+      stick_(flags.simulation.stick, flags.simulation.robots == 1),
       console_(flags.console_file),
       interrupts_(plan_.for_us || plan_.until_idle ? HangUp::kIgnored : HangUp::kCounts),
       recorder_(flags.record_file, !flags.no_payloads),
-      distribution_(flags.placement, flags.ros2, StickFolder(flags.simulation.stick),
-                    flags.handler_limit_us, &interrupts_),
+      distribution_(flags.placement, flags.ros2, stick_, flags.handler_limit_us, &interrupts_),
       options_(Options()),
       simulation_(options_) {
   facts_.seed = options_.seed;
@@ -331,6 +333,7 @@ CommandedRun::CommandedRun(const RunFlags& flags)
 // With everybody who listens or takes part.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
+  options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { console_.Print(text); };
   if (records()) recorder_.Listen(&options);
@@ -369,12 +372,14 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
 // False after a complaint.
 bool CommandedRun::RunToTheEnd() {
   const LastAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
+  std::optional<std::string> place;  // findings name a record that is on no stick
+  if (stick_.is_default()) place = "";
   const CrashLog crash_log(
-      std::vector<std::string>(static_cast<size_t>(options_.robots), simulation_.stick()),
-      distribution_.has_processes());
+      std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
+      distribution_.has_processes(), place);
   const Watchdog watchdog(flags_.handler_limit_us);
   if (records()) {
-    recorder_.Begin(&simulation_, options_, flags_.placement.is_free);
+    recorder_.Begin(&simulation_, options_, stick_.name(), flags_.placement.is_free);
     plan_.recorder = &recorder_;
   }
   distribution_.Begin(&simulation_, &plan_);

@@ -16,11 +16,12 @@ void Recorder::Listen(SimulationOptions* options) {
   };
 }
 
-void Recorder::Begin(Simulation* simulation, const SimulationOptions& options, bool is_free) {
+void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
+                     const std::string& stick, bool is_free) {
   System& system = simulation->system();
   TraceHeader header;
   header.program = OPENR_VERSION;
-  header.stick = simulation->stick();
+  header.stick = stick;
   header.stick_hash = system.robot(0).stick_hash;
   header.robot = options.robot;
   header.body = options.body;

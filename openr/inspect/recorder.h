@@ -12,15 +12,16 @@ namespace openr_host {
 
 class Recorder {
  public:
-  // Throws std::runtime_error when the file cannot be made.
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
   // Makes the networks of a simulation that is still to be made report here.
   void Listen(SimulationOptions* options);
 
-  // Begins the file.  REQUIRES: before Boot(); `options` are those of `simulation`; `is_free`: of a
-  // run that cannot be replayed.
-  void Begin(Simulation* simulation, const SimulationOptions& options, bool is_free = false);
+  // Begins the file; throws std::runtime_error when it cannot be made, or another run writes it.
+  // REQUIRES: before Boot(); `options` are those of `simulation`; `stick`: where a
+  // replay finds the files (RunStick::name()); `is_free`: of a run that cannot be replayed.
+  void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
+             bool is_free = false);
 
   void NotePause(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kPause, time_us); }
   void NoteShutdown(int64_t time_us) { writer_->AddAt(TraceEntry::Kind::kShutdown, time_us); }

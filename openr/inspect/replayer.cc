@@ -9,6 +9,7 @@
 
 #include "openr/inspect/recorded_network.h"
 #include "openr/output_file.h"
+#include "openr/run_stick.h"
 
 namespace openr_host {
 namespace {
@@ -45,7 +46,8 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
 std::string Replayer::StickOfThen(const std::string& now) {
   namespace fs = std::filesystem;
   const fs::path stick = fs::path(folder_.path()) / "stick";
-  fs::copy(now, stick, fs::copy_options::recursive);
+  fs::create_directory(stick);
+  CopyStick(now, stick);
   std::vector<TraceEntry> changes;
   for (TraceReader reader(file_); reader.Peek() != nullptr;) {
     if (reader.Peek()->kind == Kind::kStick) changes.push_back(*reader.Peek());

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "openr/cache_folder.h"
 #include "openr/exit_code.h"
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/convention_build.h"
@@ -39,15 +40,6 @@ namespace fs = std::filesystem;
 // In the folder of private copies: which kit and which folder it belongs to.
 constexpr char kIdentityFile[] = "kit.txt";
 constexpr char kOwnerFile[] = "folder.txt";
-
-// $XDG_CACHE_HOME/openr-host, ~/.cache/openr-host, or a temporary folder.
-fs::path CacheFolder() {
-  if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
-    return fs::path(cache) / "openr-host";
-  if (const char* const home = std::getenv("HOME"); home != nullptr && *home == '/')
-    return fs::path(home) / ".cache" / "openr-host";
-  return fs::temp_directory_path() / "openr-host-cache";
-}
 
 fs::path DefaultWorkFolder(const fs::path& folder) {
   Hasher hasher;

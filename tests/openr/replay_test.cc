@@ -39,7 +39,7 @@ class ReplayTest : public testing::Test {
     Recorder recorder(file_, payloads);
     recorder.Listen(&options);
     Simulation simulation(options);
-    recorder.Begin(&simulation, options);
+    recorder.Begin(&simulation, options, simulation.stick());
     System& system = simulation.system();
     system.Boot();
     system.RunUntil(1'000'000);

@@ -76,6 +76,10 @@ Trouble::DoStart(const OSystemEvent&)
     } else if (strcmp(word, "halfhang") == 0) {
         printf("half a line");
         for (;;) sink = 1 - sink;
+    } else if (strcmp(word, "write") == 0) {
+        FILE* left = fopen("/MS/OPEN-R/MW/DATA/P/LEFT.TXT", "w");
+        OSYSPRINT(("left behind: %d\n", left != 0 && fputs("left", left) >= 0));
+        if (left != 0) fclose(left);
     } else if (strcmp(word, "shutdown") == 0) {
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     } else if (strcmp(word, "fatal") == 0) {
