@@ -12,6 +12,7 @@
 #include "openr/interrupt.h"
 #include "openr/pacing.h"
 #include "openr/simulation.h"
+#include "runtime/core/stack_report.h"
 #include "runtime/core/stalls.h"
 
 namespace openr_host {
@@ -19,24 +20,6 @@ namespace {
 
 // After a shutdown that the program asks for itself: DoStop and DoDestroy of all objects.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
-
-}  // namespace
-
-namespace {
-
-// Frames of this machine are at most twice as large as the robot's: what takes twice the stack of
-// the .ocf file here overflows there.
-void ReportStacks(System* system) {
-  for (const auto& object : system->objects()) {
-    if (object == nullptr || !object->is_image || object->limits.stack_bytes == 0) continue;
-    if (object->stack_max < 2 * size_t{object->limits.stack_bytes}) continue;
-    system->AddFindingAbout(
-        object.get(), Severity::kWarning,
-        fmt::format("a handler used {} bytes of stack, the .ocf file gives {}: on the robot an "
-                    "overflow damages other memory without a word; give it more there",
-                    object->stack_max, object->limits.stack_bytes));
-  }
-}
 
 }  // namespace
 

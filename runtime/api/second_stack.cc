@@ -1,6 +1,6 @@
 #include "runtime/api/second_stack.h"
 
-#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,9 +8,12 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/current.h"
 #include "runtime/core/fiber.h"
+#include "runtime/core/fp_flags.h"
+#include "runtime/core/stack_report.h"
 #include "runtime/core/system.h"
 
 using openr_host::ApiScope;
+using openr_host::HandlerWatch;
 using openr_host::t_current;
 
 // No ApiScope around a switch: whether code of the image runs is the same on both sides.
@@ -20,6 +23,7 @@ struct OpenrSecondStack {
   openr_host::MainFiber home;  // the method that went there, on whichever stack
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
+  std::optional<HandlerWatch> watch;  // of this stack, which is no part of a handler's
   bool has_left = false;
 
   static char* Address() {
@@ -30,17 +34,32 @@ struct OpenrSecondStack {
   static void Main(void* self) { static_cast<OpenrSecondStack*>(self)->Run(); }
 
   void Run() {
+    if (watch) watch->Begin(__builtin_frame_address(0), Kinds());
     body(argument);
     GoHome();
     __builtin_unreachable();  // an ended body is not continued
   }
 
-  // It counts as stack of the object: on the robot there is only one.
-  void GoHome() {
-    size_t& most = t_current.object->stack_max;
-    if (t_current.system->options().measure_stacks)
-      most = std::max(most, fiber.stack()->Used(openr_host::StackMemory::kWideGapBytes));
-    home.SwitchFrom(&fiber);
+  void GoHome() { home.SwitchFrom(&fiber); }
+
+  // Runs what is there until it goes home.  It counts as stack of the object: on the robot there is
+  // only one.
+  void GoThere() {
+    HandlerWatch* const outer = t_current.watch;
+    if (watch) t_current.watch = &*watch;
+    fiber.SwitchFrom(&home);
+    t_current.watch = outer;
+    if (watch) openr_host::NoteStackUse(t_current.object, watch->Used());
+  }
+
+  static unsigned Kinds() { return HandlerWatch::CatchesNumbers() ? openr_host::kFpCaught : 0u; }
+
+  void MakeWatch() {
+    const openr_host::SystemOptions& options = t_current.system->options();
+    const bool measures = options.measure_stacks && HandlerWatch::CanMeasure();
+    watch.reset();
+    const size_t depth = HandlerWatch::DepthFor(t_current.object->limits.stack_bytes);
+    if (measures || Kinds() != 0) watch.emplace(measures ? depth : 0);
   }
 };
 
@@ -59,8 +78,9 @@ void openr_second_stack_run(OpenrSecondStack* stack, void (*body)(void*), void* 
   stack->argument = argument;
   stack->has_left = false;
   stack->fiber.stack()->Clear(openr_host::StackMemory::kWideGapBytes);
+  stack->MakeWatch();
   stack->fiber.Prepare(&OpenrSecondStack::Main, stack);
-  stack->fiber.SwitchFrom(&stack->home);
+  stack->GoThere();
 }
 
 void openr_second_stack_leave(OpenrSecondStack* stack) {
@@ -71,7 +91,7 @@ void openr_second_stack_leave(OpenrSecondStack* stack) {
 void openr_second_stack_continue(OpenrSecondStack* stack) {
   ASSERT(stack->has_left, "a second stack can only be continued where it was left");
   stack->has_left = false;
-  stack->fiber.SwitchFrom(&stack->home);
+  stack->GoThere();
 }
 
 void openr_finding_of_name(const char* text, const char* name, const char* const* known,

@@ -5,6 +5,8 @@
 // constructors of an image run.
 #pragma once
 
+#include "runtime/core/handler_watch.h"
+
 namespace openr_host {
 
 class Object;
@@ -16,6 +18,8 @@ struct Current {
   // Code of an image is running, not the runtime on its behalf: malloc() takes from
   // the object's heap, files are those of the Memory Stick.
   bool image_code = false;
+  // Of the handler that runs; null when nothing of it is watched.
+  HandlerWatch* watch = nullptr;
 };
 
 // Constant-initialised and trivially destroyed: safe before main() and in malloc().
@@ -25,13 +29,37 @@ extern thread_local constinit Current t_current;
 // runtime does on an object's behalf is not done by the object.
 class ApiScope {
  public:
-  ApiScope() : image_code_(t_current.image_code) { t_current.image_code = false; }
-  ~ApiScope() { t_current.image_code = image_code_; }
+  [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
+    t_current.image_code = false;
+    if (image_code_ && t_current.watch != nullptr)
+      t_current.watch->Enter(__builtin_frame_address(0));
+  }
+  [[gnu::always_inline]] ~ApiScope() {
+    t_current.image_code = image_code_;
+    if (image_code_ && t_current.watch != nullptr) t_current.watch->Leave();
+  }
   ApiScope(const ApiScope&) = delete;
   ApiScope& operator=(const ApiScope&) = delete;
 
  private:
   const bool image_code_;
+};
+
+// First statement of a function of the C library that this library defines: the object does it, but
+// its frames are not the object's.
+class LibraryScope {
+ public:
+  [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {
+    if (watch_ != nullptr) watch_->Enter(__builtin_frame_address(0));
+  }
+  [[gnu::always_inline]] ~LibraryScope() {
+    if (watch_ != nullptr) watch_->Leave();
+  }
+  LibraryScope(const LibraryScope&) = delete;
+  LibraryScope& operator=(const LibraryScope&) = delete;
+
+ private:
+  HandlerWatch* const watch_;
 };
 
 // Makes `object` of `system` the current one for a scope.

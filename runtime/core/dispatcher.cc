@@ -6,6 +6,7 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/image.h"
 #include "runtime/core/object_manager.h"
+#include "runtime/core/stack_report.h"
 #include "runtime/core/system.h"
 #include "runtime/core/upper_registers.h"
 
@@ -170,8 +171,14 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   object->running = message;
   object->time_calls = 0;
   ClearUpperRegisters();  // because the code of handlers is SSE code
-  t_current = {system_, object, object->is_image};
-  const auto clock = system_->options_.wall_clock_ns;
+  const SystemOptions& options = system_->options_;
+  const bool measures =
+      options.measure_stacks && object->is_image && HandlerWatch::CanMeasure() &&
+      (options.strict || object->message_count <= 64 || object->message_count % 16 == 0);
+  HandlerWatch watch(measures ? HandlerWatch::DepthFor(object->limits.stack_bytes) : 0);
+  const bool is_watched = measures || HandlerWatch::CatchesNumbers();
+  t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
+  const auto clock = options.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
   try {
     if (!object->Dispatch(message->selector, message->payload)) {
@@ -198,6 +205,11 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
 }
 
 void Dispatcher::FinishHandler(Object* object) {
+  if (t_current.watch != nullptr) {
+    HandlerWatch* const watch = std::exchange(t_current.watch, nullptr);
+    watch->End();
+    NoteStackUse(object, watch->Used());
+  }
   if (object->is_image) static_cast<ImageObject*>(object)->CheckNumbers(object->running->selector);
   t_current = {system_, nullptr, false};
   system_->queue_.Release(object->running);

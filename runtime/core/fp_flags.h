@@ -21,6 +21,25 @@ enum FpFlag : unsigned {
   kFpUnderflow = 0x10,  // a result was too small for a normal number
 };
 constexpr unsigned kFpAll = 0x1f;
+constexpr int kFpKinds = 5;  // bits of it
+// Those that say something about the robot, and can be caught where they happen.
+constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
+// In MXCSR the bit that keeps a kind from raising SIGFPE is this far left of its flag.
+constexpr int kFpMaskShift = 7;
+
+// The settings and flags of floating-point operations, to be put back later; and which kinds raise
+// SIGFPE.  Processors without SSE2 have neither here.
+#if defined(__SSE2__)
+inline unsigned FpState() { return _mm_getcsr(); }
+inline void SetFpState(unsigned state) { _mm_setcsr(state); }
+inline void CatchFp(unsigned kinds) {
+  _mm_setcsr((_mm_getcsr() | kFpAll << kFpMaskShift) & ~(kinds << kFpMaskShift | kinds));
+}
+#else
+inline unsigned FpState() { return 0; }
+inline void SetFpState(unsigned) {}
+inline void CatchFp(unsigned) {}
+#endif
 
 #if defined(__SSE2__)
 inline unsigned FpFlags() { return _mm_getcsr() & kFpAll; }

@@ -1,7 +1,5 @@
 #include "runtime/core/handler_stack.h"
 
-#include <algorithm>
-
 #if defined(__x86_64__)
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.  What unwinds the
@@ -56,9 +54,7 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
 void HandlerStack::Clear() {
   ++calls_;
   const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
-  const size_t used =
-      memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
-  used_max_ = std::max(used_max_, used);
+  memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
   is_dirty_ = false;
 }
 

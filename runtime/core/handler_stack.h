@@ -6,7 +6,6 @@
 // there.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "runtime/core/stack_memory.h"
@@ -26,14 +25,10 @@ class HandlerStack {
   // KiB, the others behind gaps of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
-  // Bytes that a call has written at most, its own and those of all that it called.
-  size_t used_max() const { return used_max_; }
-
  private:
   void Clear();
 
   StackMemory memory_;
-  size_t used_max_ = 0;
   uint64_t calls_ = 0;
   bool is_dirty_ = false;  // a handler runs, or ended without returning, as by exit()
 };

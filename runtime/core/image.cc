@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "runtime/config/ocf.h"
 #include "runtime/core/assert.h"
 #include "runtime/core/fp_flags.h"
+#include "runtime/core/handler_watch.h"
 #include "runtime/core/image_file.h"
 #include "runtime/core/image_rebase.h"
 #include "runtime/core/system.h"
@@ -135,16 +135,34 @@ bool ImageObject::HasEntry(uint32_t selector) const {
   return selector < entries_.size() && entries_[selector] != nullptr;
 }
 
+namespace {
+
+struct EntryCall {
+  void (*entry)(void*);
+  void* payload;
+  unsigned caught;  // kinds of FpFlags that are to raise SIGFPE
+};
+
+// Runs on the stack of the object's handlers, where the watch has to begin.
+void RunEntry(void* data) {
+  const EntryCall call = *static_cast<const EntryCall*>(data);
+  if (HandlerWatch* const watch = t_current.watch; watch != nullptr && !watch->has_begun())
+    watch->Begin(__builtin_frame_address(0), call.caught);
+  call.entry(call.payload);
+}
+
+}  // namespace
+
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
   if (FpFlags() != 0) ClearFpFlags();  // of whoever ran before
-  const auto entry = reinterpret_cast<void (*)(void*)>(entries_[selector]);
+  EntryCall call{reinterpret_cast<void (*)(void*)>(entries_[selector]), payload,
+                 HandlerWatch::CatchesNumbers() ? kFpCaught & ~fp_seen_ : 0u};
   if (stack_ == nullptr) {
-    entry(payload);
-    return true;
+    RunEntry(&call);
+  } else {
+    stack_->Call(&RunEntry, &call);
   }
-  stack_->Call(entry, payload);
-  if (system->options().measure_stacks) stack_max = std::max(stack_max, stack_->used_max());
   return true;
 }
 

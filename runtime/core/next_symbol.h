@@ -3,10 +3,14 @@
 
 #include <dlfcn.h>
 
+#include "runtime/core/current.h"
+
 namespace openr_host {
 
+// Looking it up takes more stack than an object may have.
 template <typename Function>
 Function* NextSymbol(const char* name) {
+  const LibraryScope scope;
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 

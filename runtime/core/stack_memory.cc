@@ -72,24 +72,15 @@ StackMemory::~StackMemory() {
   munmap(mapping_, kGuardBytes + kBytes);
 }
 
-size_t StackMemory::Used(size_t gap_bytes) const {
-  if (IsWatchedByTool()) return 0;
-  const char* lowest = top();
-  for (const char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
+void StackMemory::Clear(size_t gap_bytes) {
+  if (IsWatchedByTool()) return;
+  char* lowest = top();
+  for (char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
     step -= kStepBytes;
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  if (lowest == top()) return 0;
-  const auto* word = reinterpret_cast<const uint64_t*>(lowest);
-  while (*word == 0) ++word;
-  return static_cast<size_t>(top() - reinterpret_cast<const char*>(word));
-}
-
-size_t StackMemory::Clear(size_t gap_bytes) {
-  const size_t used = Used(gap_bytes);
-  std::memset(top() - used, 0, used);
-  return used;
+  std::memset(lowest, 0, static_cast<size_t>(top() - lowest));
 }
 
 bool StackMemory::AnyGuardContains(const void* address) {

@@ -19,14 +19,11 @@ class StackMemory {
   char* bottom() const { return mapping_ + kGuardBytes; }
   char* top() const { return bottom() + kBytes; }  // the stack grows down from here
 
-  // Bytes from the top down to the lowest one that is not zero, in steps of 8.  Looks no further
-  // than `gap_bytes` below the last such byte, so what lies below an array of that size that nobody
-  // wrote to is not seen.  0 with AddressSanitizer and under Valgrind, which watch these
-  // bytes themselves.
-  size_t Used(size_t gap_bytes) const;
-
-  // Makes these bytes zero and returns their number.  REQUIRES: the caller runs on another stack.
-  size_t Clear(size_t gap_bytes);
+  // Makes zero what calls that have returned wrote there.  Looks for bytes that are not zero from
+  // the top down, and no further than `gap_bytes` below the last one, so what lies below an array
+  // of that size that nobody wrote to may stay.  Does nothing with AddressSanitizer and under
+  // Valgrind, which watch these bytes themselves.  REQUIRES: the caller runs on another stack.
+  void Clear(size_t gap_bytes);
 
   static constexpr size_t kWideGapBytes = size_t{32} << 10;
   static constexpr size_t kSmallGapBytes = size_t{4} << 10;

@@ -12,6 +12,7 @@
 #include "runtime/core/system.h"
 
 using openr_host::ApiScope;
+using openr_host::LibraryScope;
 using openr_host::NextSymbol;
 using openr_host::Severity;
 using openr_host::t_current;
@@ -55,11 +56,13 @@ extern "C" {
 
 int getc(FILE* file) {
   static const auto next = OPENR_NEXT(getc);
+  const LibraryScope scope;
   return next(Resolve(file));
 }
 
 int fgetc(FILE* file) {
   static const auto next = OPENR_NEXT(fgetc);
+  const LibraryScope scope;
   return next(Resolve(file));
 }
 
@@ -71,11 +74,13 @@ int OpenrGetchar() { return getc(stdin); }
 
 int ungetc(int c, FILE* file) {
   static const auto next = OPENR_NEXT(ungetc);
+  const LibraryScope scope;
   return next(c, Resolve(file));
 }
 
 char* fgets(char* line, int size, FILE* file) {
   static const auto next = OPENR_NEXT(fgets);
+  const LibraryScope scope;
   return next(line, size, Resolve(file));
 }
 
@@ -91,6 +96,7 @@ char* gets(char* line) {
 
 size_t fread(void* data, size_t size, size_t count, FILE* file) {
   static const auto next = OPENR_NEXT(fread);
+  const LibraryScope scope;
   return next(data, size, count, Resolve(file));
 }
 
@@ -103,6 +109,7 @@ size_t fread(void* data, size_t size, size_t count, FILE* file) {
   int tag##scanf(const char* format, ...) __asm__(prefix "scanf");                               \
   int tag##vfscanf(FILE* file, const char* format, va_list arguments) {                          \
     static const auto next = NextSymbol<int(FILE*, const char*, va_list)>(prefix "vfscanf");     \
+    const LibraryScope scope;                                                                    \
     return next(Resolve(file), format, arguments);                                               \
   }                                                                                              \
   int tag##vscanf(const char* format, va_list arguments) {                                       \
@@ -127,6 +134,7 @@ OPENR_SCANF_FAMILY(openr_c99_, "__isoc99_")
 
 ssize_t getdelim(char** line, size_t* size, int delimiter, FILE* file) {
   static const auto next = OPENR_NEXT(getdelim);
+  const LibraryScope scope;
   return next(line, size, delimiter, Resolve(file));
 }
 

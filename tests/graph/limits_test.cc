@@ -99,12 +99,12 @@ class LimitsTest : public testing::Test {
   inline static std::vector<Mark> marks_;
 };
 
-// Frames of a 64-bit host with its C library and our runtime below the handler are larger than
-// the robot's; what suffices for them leaves room there.  check_mips.sh measures the robot's.
+// Frames of a 64-bit host are larger than the robot's; what suffices for them leaves room there for
+// the SDK's functions below, which do not count here.  check_mips.sh measures the robot's.
 TEST_F(LimitsTest, EvenTheHostsFramesFitTheStacksOfTheOcfFiles) {
   ASSERT_EQ(marks_.size(), 4u);
   for (const Mark& mark : marks_) {
-    EXPECT_GT(mark.stack, 500u) << mark.object << ": was it measured?";
+    EXPECT_GT(mark.stack, 100u) << mark.object << ": was it measured?";
     EXPECT_LE(mark.stack * 5 / 4, mark.stack_ocf) << mark.object;
   }
 }
