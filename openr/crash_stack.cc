@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-#include "openr/function_name.h"
+#include "openr/code_lookup.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -38,7 +38,8 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   return _URC_NO_REASON;
 }
 
-// Who called what is no code: it has no frame to be unwound, but where it was to return is there.
+// The caller of an address that is no code: that has no frame to be unwound, but the address where
+// it was to return is on the stack.
 uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
 #if defined(__x86_64__)
   const auto* const machine = &static_cast<const ucontext_t*>(context)->uc_mcontext;
@@ -55,7 +56,7 @@ CrashStack::CrashStack(const Object& object, const void* context) {
   Walk walk{static_cast<uintptr_t*>(addresses), kFramesMax};
   _Unwind_Backtrace(&Take, &walk);
   for (size_t i = 0; i < walk.count; ++i) Add(addresses[i], object);
-  if (count_ == 1 && frames_[0].file == nullptr) Add(CallerOfNothing(context), object);
+  if (count_ == 1) Add(CallerOfNothing(context), object);
   size_t last_own = count_;
   while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
   if (last_own > 0) count_ = last_own;
@@ -63,6 +64,7 @@ CrashStack::CrashStack(const Object& object, const void* context) {
 
 void CrashStack::Add(uintptr_t address, const Object& object) {
   Frame& frame = frames_[count_++];
+  frame.address = address;
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(address), &info) == 0 || info.dli_fname == nullptr)
     return;
@@ -77,8 +79,9 @@ void CrashStack::AddFrame(const Frame& frame, SignalText* text) {
     return;
   }
   text->Add(LastPart(frame.file)).Add("+0x").AddNumber(frame.offset, 16);
-  const std::string name = FunctionName(frame.file, frame.offset);
-  if (!name.empty()) text->Add(" ").Add(name.c_str());
+  const CodeLookup found = LookUpCode(frame.file, frame.offset);
+  if (!found.function.empty()) text->Add(" ").Add(found.function);
+  if (!found.line.empty()) text->Add(" (").Add(found.line).Add(")");
 }
 
 void CrashStack::AddTo(SignalText* text) const {
@@ -88,6 +91,13 @@ void CrashStack::AddTo(SignalText* text) const {
     AddFrame(frames_[i], text);
     text->Add("\n");
   }
+}
+
+const void* CrashStack::OwnAddress() const {
+  for (size_t i = 0; i < count_; ++i) {
+    if (frames_[i].is_own) return reinterpret_cast<const void*>(frames_[i].address);
+  }
+  return nullptr;
 }
 
 void CrashStack::AddPlace(SignalText* text) const {

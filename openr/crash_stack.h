@@ -18,17 +18,22 @@ class CrashStack {
   // `context`: the third argument of the signal handler.
   CrashStack(const Object& object, const void* context);
 
-  // "STACK" and a line per frame, the innermost first: "  #0 TROUBLE.BIN+0x1234 Trouble::Go()".
+  // "STACK" and a line per frame, the innermost first:
+  // "  #0 TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)".
   void AddTo(SignalText* text) const;
 
-  // ", at TROUBLE.BIN+0x1234 Trouble::Go()": where the object's own code was left; nothing if
-  // unknown.
+  // ", at TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)": where the object's own code was left;
+  // nothing if unknown.
   void AddPlace(SignalText* text) const;
+
+  // The address of that; null if unknown.
+  const void* OwnAddress() const;
 
  private:
   static constexpr size_t kFramesMax = 32;
 
   struct Frame {
+    uintptr_t address = 0;
     const char* file = nullptr;  // null: no code
     uintptr_t offset = 0;
     bool is_own = false;  // of the object's image

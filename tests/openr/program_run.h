@@ -183,8 +183,11 @@ class ScratchFolder {
     Write("OPEN-R/MW/CONF/CONNECT.CFG", "");
     Write("OPEN-R/MW/DATA/P/TROUBLE.TXT", word);
     Write("OPEN-R/MW/OBJS/README.TXT", "");
-    std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/TROUBLE.BIN",
-                               path_ / "OPEN-R/MW/OBJS/TROUBLE.BIN");
+    for (const char* const file : {"TROUBLE.BIN", "TROUBLE.DBG"}) {
+      const std::filesystem::path from = std::filesystem::path(OPENR_IMAGES) / file;
+      if (std::filesystem::exists(from))  // images with sanitizers keep their debug information
+        std::filesystem::copy_file(from, path_ / "OPEN-R/MW/OBJS" / file);
+    }
   }
 
  private:
