@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -19,7 +20,9 @@ char* PageOf(const char* copy) {
 }  // namespace
 
 GuardPages::~GuardPages() {
-  for (const auto& [copy, bytes] : copies_) munmap(PageOf(copy), bytes);
+  for (const auto& [area, next] : next_in_) {
+    if (area != nullptr) munmap(area, AddressPlace::kCopyBytes);
+  }
 }
 
 // Fresh pages; null when there are none.
@@ -40,16 +43,27 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
+// Writable pages: those that were given back last, if that is how they are used, or fresh ones.
+char* GuardPages::TakePages(char* area, size_t bytes) {
+  std::vector<char*>& unused = unused_[{area, bytes}];
+  if (unused.empty()) return MapPages(area, bytes);
+  char* const pages = unused.back();
+  unused.pop_back();
+  mprotect(pages, bytes, PROT_READ | PROT_WRITE);
+  return pages;
+}
+
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
   // The low bits of the address stay: what was aligned at the sender is aligned here.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
-  char* const page = MapPages((place == nullptr ? shared_place_ : *place).copies(), bytes);
+  char* const area = (place == nullptr ? shared_place_ : *place).copies();
+  char* const page = TakePages(area, bytes);
   if (page == nullptr) return nullptr;
   std::memcpy(page + shift, data, size);
   mprotect(page, bytes, PROT_READ);
-  copies_[page + shift] = bytes;
+  copies_[page + shift] = {area, bytes};
   return page + shift;
 }
 
@@ -57,14 +71,31 @@ void GuardPages::Retire(const char* copy) {
   const auto found = copies_.find(copy);
   if (found == copies_.end()) return;
   char* const page = PageOf(copy);
-  if (IsPlanned(page)) {
-    munmap(page, found->second);
+  const auto [area, bytes] = found->second;
+  copies_.erase(found);
+  if (given_back_ == GivenBack::kReused) {
+    unused_[{area, bytes}].push_back(page);
+  } else if (area != nullptr) {
+    munmap(page, bytes);
   } else {
     // The kernel would give these addresses to the next mapping, and the access would be missed.
-    madvise(page, found->second, MADV_DONTNEED);
-    mprotect(page, found->second, PROT_NONE);
+    madvise(page, bytes, MADV_DONTNEED);
+    mprotect(page, bytes, PROT_NONE);
   }
-  copies_.erase(found);
+}
+
+const char* GuardPages::WhyFault(const void* address) const {
+  const auto* const at = static_cast<const char*>(address);
+  const bool is_ours = std::any_of(next_in_.begin(), next_in_.end(), [at](const auto& area) {
+    return at >= area.first && at < area.first + AddressPlace::kCopyBytes;
+  });
+  if (!is_ours) return "";
+  for (const auto& [copy, pages] : copies_) {
+    if (at >= copy - kPage && at < copy + pages.bytes + kPage)
+      return "a write to received data, which are read-only";
+  }
+  return given_back_ == GivenBack::kGone ? "an access to data that were given back by AssertReady()"
+                                          : "a write to received data, which are read-only";
 }
 
 }  // namespace openr_host

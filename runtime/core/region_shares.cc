@@ -50,6 +50,10 @@ int32_t RegionShares::Check(ObjectId self, uint32_t region, MemoryProtectionInfo
                                                                  : sPERMISSIONDENIEDSHAREDMEM;
 }
 
+bool RegionShares::MayWrite(ObjectId self, uint32_t region) const {
+  return Check(self, region, MEMPROTINFO_RW) == sSUCCESS;
+}
+
 int32_t RegionShares::Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info,
                             ObjectId other, bool giving_ownership) {
   if (uplink_ != nullptr)

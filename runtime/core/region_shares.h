@@ -33,6 +33,10 @@ class RegionShares {
   int32_t Detach(ObjectId self, uint32_t region);
   int32_t ChangeProtection(ObjectId self, uint32_t region, MemoryProtectionInfo info);
 
+  // Whether `self` may write to `region` on a robot with memory protection: it is its own, or its
+  // owner has allowed it.  In another process than its owner's only what is its own counts.
+  bool MayWrite(ObjectId self, uint32_t region) const;
+
  private:
   struct Share {
     MemoryProtectionInfo allowed = MEMPROTINFO_INVALID;

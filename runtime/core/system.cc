@@ -64,7 +64,12 @@ System::System(SystemOptions options)
   AllocateStandardOutput();
   regions_.set_uplink(options_.uplink);
   region_shares_.set_uplink(options_.uplink);
-  if (options_.guard_regions) guard_pages_ = std::make_unique<GuardPages>();
+  using GivenBack = GuardPages::GivenBack;
+  if (options_.guard_regions) {
+    guard_pages_ = std::make_unique<GuardPages>(GivenBack::kGone);
+  } else if (options_.strict) {
+    guard_pages_ = std::make_unique<GuardPages>(GivenBack::kReused);
+  }
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;

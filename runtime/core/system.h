@@ -60,7 +60,8 @@ struct SystemOptions {
   // 1 is the canonical order; any other one draws an order the robot allows, and all
   // that is random.
   uint64_t seed = 1;
-  // Turns findings that stop a robot into the robot's behaviour.
+  // Turns findings that stop a robot into the robot's behaviour; what objects receive is a
+  // read-only copy.
   bool strict = false;
   // Receives what objects print; null: standard output.
   std::function<void(std::string_view text)> console = {};
@@ -284,7 +285,7 @@ class System {
 
   RegionTable& regions() { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
-  GuardPages* guard_pages() { return guard_pages_.get(); }  // null unless guard_regions
+  GuardPages* guard_pages() { return guard_pages_.get(); }  // null: received data are not copied
   // How long a frame of the devices lasts by this clock.
   int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }
   Trace& trace() { return trace_; }

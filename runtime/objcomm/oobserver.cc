@@ -260,7 +260,7 @@ void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
 OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event) {
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
-  if (state_->system->guard_pages() != nullptr) CheckUnchanged(state_, msg);
+  if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
   state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

@@ -137,7 +137,8 @@ RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t of
   region->source_ = source;
   t_current.system->regions().Pin(id);
   GuardPages* const guard = t_current.system->guard_pages();
-  if (guard != nullptr && !t_current.object->is_system) {
+  if (guard != nullptr && !t_current.object->is_system &&
+      !t_current.system->region_shares().MayWrite(t_current.object->id, id)) {
     const AddressPlace* const place = t_current.object->place.get();
     if (char* const copy = guard->NewCopy(place, source->Base(), size)) region->base_ = copy;
   }

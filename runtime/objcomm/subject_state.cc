@@ -122,7 +122,7 @@ void SubjectState::Flush(ObserverLink* link) {
   for (int i = 0; i < data_count; ++i) notify.Write(link->pending[static_cast<size_t>(i)]);
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
-  if (system->guard_pages() != nullptr) {
+  if (system->options().guard_regions) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
   }

@@ -48,6 +48,27 @@ TEST_F(MistakesConformance, WritingToReceivedDataCrashesInTheCheckingMode) {
   EXPECT_DEATH(Hear("poke"), "");
 }
 
+// 3.1: writing to what was received, as on a robot with memory protection
+TEST_F(MistakesConformance, StrictlyWritingToReceivedDataCrashes) {
+  Start({.strict = true});
+  Hear("remember");
+  Hear("assert");
+  Tell("send 7");
+  EXPECT_DEATH(Hear("poke"), "");
+}
+
+// 2.11: reading them later is a mistake that no robot stops
+TEST_F(MistakesConformance, StrictlyDataReadAfterAssertReadyAreNoFault) {
+  Start({.strict = true});
+  Hear("remember");
+  Hear("auto");
+  Hear("assert");
+  Tell("send 7");
+  Hear("peek");
+  EXPECT_NE(Said().find("H peeks 7\n"), std::string::npos);
+  EXPECT_EQ(Findings(), "");
+}
+
 // 3.3 and core.md 10.1, 6: a region in flight is written
 TEST_F(MistakesConformance, ARegionChangedInFlightIsReportedInTheCheckingMode) {
   Start({.guard_regions = true});

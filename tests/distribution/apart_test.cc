@@ -45,6 +45,7 @@ class TwoProcesses : public Elsewhere {
       // The crash is the other process's (faults_test.cc).
       "DataReadAfterAssertReadyCrashInTheCheckingMode",
       "WritingToReceivedDataCrashesInTheCheckingMode",
+      "StrictlyWritingToReceivedDataCrashes",
       // Sticks without the objects that are placed, or changed behind the run's back.
       "AnObjectThatIsNotInObjectCfgIsNotFound",
       "AWriteProtectedStickRefusesWritersAndSaysSo",
