@@ -19,21 +19,22 @@ constexpr char kReadyAdvice[] =
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {
   if (link.ready < 0) return;
+  const bool is_chosen = object.is_system || link.sent >= 2;
   if (link.waiting_since_us >= 0) {
     stalls->push_back({object.id, link.waiting_since_us,
                        fmt::format("{} waits for ready of {} on {} since t={:.3f} s", object.name,
                                    link.name, subject.service, Seconds(link.waiting_since_us)),
-                       kReadyAdvice});
+                       kReadyAdvice, false, is_chosen});
   } else if (link.ready == 0 && link.sent == 0 && now_us >= kStallUs) {
     stalls->push_back({object.id, 0,
                        fmt::format("{} has never asserted ready to {}", link.name, subject.service),
-                       kReadyAdvice, true});
+                       kReadyAdvice, true, is_chosen});
   } else if (link.ready == 0 && now_us - link.sent_us >= kStallUs) {
     stalls->push_back({object.id, link.sent_us,
                        fmt::format("{} has not asserted ready to {} since its notification of "
                                    "t={:.3f} s",
                                    link.name, subject.service, Seconds(link.sent_us)),
-                       kReadyAdvice, true});
+                       kReadyAdvice, true, is_chosen});
   }
 }
 
@@ -75,7 +76,8 @@ std::vector<Stall> FindStalls(const System& system, int64_t least_us) {
 void ReportStalls(System* system, bool is_silent) {
   for (const Stall& stall : FindStalls(*system, kStallUs)) {
     if (stall.may_be_done && !is_silent) continue;
-    system->AddFindingAbout(system->object(stall.object), Severity::kWarning,
+    system->AddFindingAbout(system->object(stall.object),
+                            stall.is_chosen ? Severity::kNote : Severity::kWarning,
                             fmt::format("{}; {}", stall.text, stall.advice));
   }
 }

@@ -22,6 +22,11 @@ struct Stall {
   // An observer took a notification and has asserted no ready since.  It may have forgotten, or
   // want no more; only a graph that has fallen silent makes it suspect.
   bool may_be_done = false;
+  // Nothing that a program which works does not do.  The observer has asserted ready again after a
+  // notification before, so it knows how to and has stopped on purpose; or the subject is the
+  // robot's, which goes on without it.  Who has taken one notification of another object at most,
+  // and leaves its data waiting, may have forgotten to.
+  bool is_chosen = false;
 };
 
 // Nobody waits for so long in a graph that works.
@@ -31,8 +36,8 @@ constexpr int64_t kStallUs = 1'000'000;
 // from kStallUs on, since most work on a notification before.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
-// Makes a warning of everybody who has waited for kStallUs or longer; of those who may be done if
-// the graph `is_silent`.  At the end of a run.
+// Makes a warning of everybody who has waited for kStallUs or longer, a note where that is chosen;
+// of those who may be done if the graph `is_silent`.  At the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

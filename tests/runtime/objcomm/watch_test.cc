@@ -145,6 +145,43 @@ TEST_F(WatchTest, DataThatWaitForReadyAreAStallAfterASecond) {
       testing::ElementsAre(HasSubstr("sender waits for ready of receiver on Sender.Out.Number.S")));
 }
 
+TEST_F(WatchTest, WhoTookOneNotificationAndLeavesTheNextMayHaveForgotten) {
+  Boot();
+  AssertReady();
+  Send(1);
+  Send(2);
+  system->RunFor(1'000'000);
+  ReportStalls(system.get(), false);
+  ASSERT_EQ(findings().size(), 1u);
+  EXPECT_EQ(findings()[0].severity, Severity::kWarning);
+}
+
+TEST_F(WatchTest, WhoHasAssertedAgainBeforeHasStoppedOnPurpose) {
+  Boot();
+  AssertReady();
+  Send(1);
+  AssertReady();
+  Send(2);
+  Send(3);
+  system->RunFor(1'000'000);
+  ReportStalls(system.get(), false);
+  ASSERT_EQ(findings().size(), 1u);
+  EXPECT_EQ(findings()[0].severity, Severity::kNote);
+  EXPECT_THAT(findings()[0].text, HasSubstr("sender waits for ready of receiver"));
+}
+
+TEST_F(WatchTest, TheRobotWaitsForNobody) {
+  sender->host().is_system = true;
+  Boot();
+  AssertReady();
+  Send(1);
+  Send(2);
+  system->RunFor(1'000'000);
+  ReportStalls(system.get(), false);
+  ASSERT_EQ(findings().size(), 1u);
+  EXPECT_EQ(findings()[0].severity, Severity::kNote);
+}
+
 TEST_F(WatchTest, ANotificationWithoutReadyIsAStallAfterASecond) {
   Boot();
   AssertReady();
