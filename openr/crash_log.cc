@@ -3,16 +3,23 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/syscall.h>
+#include <ucontext.h>
 #include <unistd.h>
 
+#include <bit>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "openr/code_lookup.h"
 #include "openr/crash_stack.h"
 #include "openr/last_words.h"
 #include "openr/signal_text.h"
+#include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
+#include "runtime/core/fp_flags.h"
+#include "runtime/core/guard_pages.h"
+#include "runtime/core/robot_fault.h"
 #include "runtime/core/stack_memory.h"
 #include "runtime/core/system.h"
 
@@ -39,17 +46,79 @@ bool g_adds = false;
 std::optional<std::string>* g_place = nullptr;  // see CrashLog; none: the file is not named
 char g_stack[kAlternateStackBytes];
 
-const char* NameOf(int signal) {
+// The FpFlag that SIGFPE is about; 0: a division of integers.
+unsigned KindOf(const siginfo_t& info) {
+  switch (info.si_code) {
+    case FPE_FLTINV:
+      return kFpInvalid;
+    case FPE_FLTDIV:
+      return kFpDivByZero;
+    case FPE_FLTOVF:
+      return kFpOverflow;
+    case FPE_FLTUND:  // said of a denormal operand, too; results are not caught
+      return kFpDenormal;
+    default:
+      return 0;
+  }
+}
+
+const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
+  const GuardPages* const guard = t_current.system->guard_pages();
+  const char* const why = guard == nullptr ? "" : guard->WhyFault(info.si_addr);
+  if (*why != 0) return why;
+#if defined(__x86_64__)
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+  constexpr uintptr_t kFirstPages = 0x10000;
+  const auto at = reinterpret_cast<uintptr_t>(info.si_addr);
+  if (at >= kFirstPages && at == static_cast<uintptr_t>(registers[REG_RIP]))
+    return "data were executed";
+#else
+  static_cast<void>(context);
+#endif
+  return "an address that is not the object's";
+}
+
+// "SIGSEGV (an address that is not the object's)".  REQUIRES: there is a handler.
+void AddName(int signal, const siginfo_t& info, const void* context, SignalText* text) {
   switch (signal) {
     case SIGSEGV:
-      return "SIGSEGV (an address that is not the object's)";
+      text->Add("SIGSEGV (").Add(MeaningOfAddress(info, context)).Add(")");
+      break;
     case SIGBUS:
-      return "SIGBUS (an address that cannot be)";
+      text->Add("SIGBUS (an address that cannot be)");
+      break;
     case SIGFPE:
-      return "SIGFPE (a division by zero)";
+      text->Add(KindOf(info) == 0 ? "SIGFPE (a division by zero)"
+                                  : "SIGFPE (a NaN was made, or a number does not fit its integer "
+                                    "type)");
+      break;
     default:
-      return "SIGILL (no instruction)";
+      if (*AnnouncedFault() != 0) {
+        text->Add(AnnouncedFault());
+      } else {
+        text->Add("SIGILL (no instruction)");
+      }
+      break;
   }
+}
+
+// Arithmetic that is only to be reported: notes where it is, for ImageObject, and lets the
+// instruction run again as usual.  False when the object has to stop.
+bool GoesOn(const siginfo_t& info, void* context) {
+#if defined(__x86_64__)
+  const unsigned kind = KindOf(info);
+  if (kind == 0 || t_current.object == nullptr) return false;
+  if (kind == kFpInvalid && t_current.system->options().strict) return false;
+  const CrashStack stack(*t_current.object, context);
+  t_current.object->number_faults[std::countr_zero(kind)] = stack.OwnAddress();
+  static_cast<ucontext_t*>(context)->uc_mcontext.fpregs->mxcsr |= kind << kFpMaskShift;
+  if (t_current.watch != nullptr) t_current.watch->GiveUpCatching(kind);
+  return true;
+#else
+  static_cast<void>(info);
+  static_cast<void>(context);
+  return false;
+#endif
 }
 
 // Null when the robot has no file.
@@ -87,9 +156,12 @@ void WriteRecord(Ending* ending, const void* context, int robot) {
 }
 
 void Crashed(int signal, siginfo_t* info, void* context) {
+  if (signal == SIGFPE && GoesOn(*info, context)) return;
   Ending ending;
   SignalText& text = ending.record;
-  text.Add("EXCEPTION ").Add(NameOf(signal));
+  SignalText name;
+  if (t_current.object != nullptr) AddName(signal, *info, context, &name);
+  text.Add("EXCEPTION ").Add(name.text());
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
   // That of an instruction, or in the guard, is another one in each run; the stack says where.
   if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
@@ -102,7 +174,7 @@ void Crashed(int signal, siginfo_t* info, void* context) {
     return;  // the instruction fails again, now as the system wants it
   }
   text.Add("\n");
-  ending.finding.Add("crash: ").Add(NameOf(signal)).Add(" in ");
+  ending.finding.Add("crash: ").Add(name.text()).Add(" in ");
   AddCurrentEntry(&ending.finding);
   if (is_overflow) {
     const uint64_t kib = StackMemory::kBytes >> 10;
@@ -139,10 +211,14 @@ CrashLog::CrashLog(std::vector<std::string> files, bool adds,
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (const int signal : kSignals) sigaction(signal, &action, nullptr);
+  HandlerWatch::SetCatchesNumbers(true);
+  SetPlaceNamer(&LineOfAddress);
 }
 
 CrashLog::~CrashLog() {
   if constexpr (!OPENR_ASAN) {
+    HandlerWatch::SetCatchesNumbers(false);
+    SetPlaceNamer(nullptr);
     for (const int signal : kSignals) ::signal(signal, SIG_DFL);
     UseAlternateStack(false);
   }

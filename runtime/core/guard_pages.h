@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "runtime/core/address_plan.h"
 

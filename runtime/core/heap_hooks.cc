@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "runtime/core/arena.h"
+#include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
 #include "runtime/core/system.h"
@@ -38,8 +39,8 @@ Arena* CurrentArena() {
 
 // Where an object would go on with a null pointer, the reader learns why.
 void ReportNoMemory(size_t size) {
-  openr_host::Current& current = t_current;
-  current.image_code = false;  // what follows is the host's
+  const openr_host::ApiScope scope;  // what follows is the host's
+  const openr_host::Current& current = t_current;
   const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;
   const size_t held = current.object->arena->bytes_in_use();
   const bool is_limited = memory.limit_bytes != SIZE_MAX;
@@ -47,14 +48,14 @@ void ReportNoMemory(size_t size) {
       openr_host::Severity::kError,
       is_limited
           ? fmt::format(
-                "no memory for {} bytes: this object holds {}, all objects {} of the {} the "
+                "no memory for {} bytes{}: this object holds {}, all objects {} of the {} the "
                 "robot has; free what is not needed, or run without --strict",
-                size, held, memory.used_bytes, memory.limit_bytes)
-          : fmt::format("no memory for {} bytes: this object holds {} of the {} MiB that an object "
-                        "may have here; the robot has {} MiB for all its objects",
-                        size, held, openr_host::AddressPlace::kHeapBytes >> 20,
+                size, openr_host::AtCaller(), held, memory.used_bytes, memory.limit_bytes)
+          : fmt::format("no memory for {} bytes{}: this object holds {} of the {} MiB that an "
+                        "object may have here; the robot has {} MiB for all its objects",
+                        size, openr_host::AtCaller(), held,
+                        openr_host::AddressPlace::kHeapBytes >> 20,
                         openr_host::kRobotMemoryBytes >> 20));
-  current.image_code = true;
 }
 
 void* FromArena(Arena* arena, size_t size, size_t alignment = 16) {

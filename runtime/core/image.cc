@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include "runtime/config/ocf.h"
 #include "runtime/core/assert.h"
+#include "runtime/core/code_place.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/handler_watch.h"
 #include "runtime/core/image_file.h"
@@ -131,6 +133,12 @@ std::string ImageObject::ReadTables() {
   return "";
 }
 
+bool ImageObject::HasCode(const void* address) const {
+  Dl_info own{}, other{};
+  return !entries_.empty() && dladdr(dlsym(handle_, "ObjectEntryTable"), &own) != 0 &&
+         dladdr(address, &other) != 0 && own.dli_fbase == other.dli_fbase;
+}
+
 bool ImageObject::HasEntry(uint32_t selector) const {
   return selector < entries_.size() && entries_[selector] != nullptr;
 }
@@ -156,6 +164,7 @@ void RunEntry(void* data) {
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
   if (FpFlags() != 0) ClearFpFlags();  // of whoever ran before
+  has_reported_cast = false;
   EntryCall call{reinterpret_cast<void (*)(void*)>(entries_[selector]), payload,
                  HandlerWatch::CatchesNumbers() ? kFpCaught & ~fp_seen_ : 0u};
   if (stack_ == nullptr) {
@@ -169,30 +178,35 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
 // What the robot's processor does not forgive (field-notes.md, 4.4), once per object and kind.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  const unsigned fresh = FpFlags() & ~fp_seen_;
+  // A conversion that was reported with its place raises this flag as well.
+  const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
+  const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
   fp_seen_ |= fresh;
-  const auto warn = [&](const char* what, const char* then) {
-    system->AddFindingAbout(this, Severity::kWarning,
-                            fmt::format("{}: {}; {}: exception 15, the robot powers off",
-                                        EntryName(selector), what, then));
+  const auto warn = [&](unsigned kind, const char* what, const char* then) {
+    const std::string place = NameOfPlace(number_faults[std::countr_zero(kind)]);
+    system->AddFindingAbout(
+        this, Severity::kWarning,
+        fmt::format("{}{}{}: {}; {}: exception 15, the robot powers off", EntryName(selector),
+                    place.empty() ? "" : ", at ", place, what, then));
   };
   if (fresh & kFpInvalid) {
-    warn(
-        "a floating-point operation made NaN (0/0, sqrt(-1), inf - inf) or converted a number "
-        "that its integer type does not hold",
-        "the robot stops when such a NaN is used, in isnan() and printf() too");
+    warn(kFpInvalid,
+         "a floating-point operation made NaN (0/0, sqrt(-1), inf - inf) or converted a number "
+         "that its integer type does not hold",
+         "the robot stops when such a NaN is used, in isnan() and printf() too");
   }
   if (fresh & (kFpDivByZero | kFpOverflow)) {
-    warn("a floating-point operation made an infinity (division by 0, log(0), a result too large)",
+    warn((fresh & kFpDivByZero) != 0 ? kFpDivByZero : kFpOverflow,
+         "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
   // Those of its own making are 0 on the robot, which flushes results.
   if ((fresh & kFpDenormal) && !makes_denormals) {
-    warn(
-        "a denormal number was used in a floating-point operation (an int taken for a float, "
-        "memory never set?)",
-        "the robot stops");
+    warn(kFpDenormal,
+         "a denormal number was used in a floating-point operation (an int taken for a float, "
+         "memory never set?)",
+         "the robot stops");
   }
 }
 

@@ -47,6 +47,7 @@ class ImageObject : public Object {
   // Returns what is wrong, or "".
   std::string Load(const std::string& file, RunFolder* folder);
 
+  bool HasCode(const void* address) const override;
   bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
 

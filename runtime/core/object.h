@@ -13,6 +13,7 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/arena.h"
 #include "runtime/core/fiber.h"
+#include "runtime/core/fp_flags.h"
 #include "runtime/core/message.h"
 
 class RCRegion;
@@ -76,6 +77,9 @@ class Object {
   // Its handler runs on another clock, so that virtual time does not say whether it takes long.
   virtual bool IsAtWorkElsewhere() const { return false; }
 
+  // Whether `address` is one of its instructions.
+  virtual bool HasCode(const void*) const { return false; }
+
   // Whether an entry `selector` can be called.
   virtual bool HasEntry(uint32_t selector) const = 0;
 
@@ -111,6 +115,12 @@ class Object {
   std::set<void*> private_regions;  // blocks of NewRegion(); looked up only
 
   uint32_t random_state = 1;  // of rand()
+
+  // The instructions that first raised each of the FpFlags, where the host says (CrashLog); null:
+  // none, or not known.
+  const void* number_faults[kFpKinds] = {};
+  // A conversion that does not fit was reported in the handler that runs (checked_code.cc).
+  bool has_reported_cast = false;
 
   // Files of the stick that code of an image has open; looked up only.
   struct OpenFile {

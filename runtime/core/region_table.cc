@@ -157,6 +157,29 @@ void RegionTable::FreeIfUnused(Slot* slot) {
   if (uplink_ == nullptr) free_.push_back(IndexOf(slot));
 }
 
+void RegionTable::NotePlace(uint32_t id, const void* address) {
+  if (Slot* const slot = Find(id)) slot->made_at = address;
+}
+
+std::pair<const void*, int> RegionTable::MostCommonPlace() const {
+  std::vector<std::pair<const void*, int>> counts;  // in order of slots: addresses have none
+  for (const Slot& slot : slots_) {
+    if (!slot.live || slot.made_at == nullptr) continue;
+    const auto known = std::find_if(counts.begin(), counts.end(), [&slot](const auto& count) {
+      return count.first == slot.made_at;
+    });
+    if (known == counts.end()) {
+      counts.emplace_back(slot.made_at, 1);
+    } else {
+      ++known->second;
+    }
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? std::pair<const void*, int>() : *most;
+}
+
 bool RegionTable::Delete(uint32_t id) {
   Slot* const slot = Find(id);
   if (slot == nullptr || !slot->live) return false;

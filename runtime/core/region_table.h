@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "runtime/core/message.h"
@@ -47,6 +48,11 @@ class RegionTable {
 
   // A block of `size` bytes owned by `owner`; kNoRegion when there is no memory.
   uint32_t New(size_t size, ObjectId owner);
+
+  // `address`: the instruction that made the block, for MostCommonPlace().
+  void NotePlace(uint32_t id, const void* address);
+  // The instruction that made most of the blocks there are, and how many; null when none was noted.
+  std::pair<const void*, int> MostCommonPlace() const;
 
   // False when `id` names nothing.  The memory stays while somebody has it pinned.
   bool Delete(uint32_t id);
@@ -93,6 +99,7 @@ class RegionTable {
     size_t size = 0;
     ObjectId owner = kNoObject;
     ObjectId maker = kNoObject;
+    const void* made_at = nullptr;  // see NotePlace()
     int pins = 0;
     uint16_t generation = 0;
     bool live = false;

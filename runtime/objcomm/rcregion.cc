@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <string>
 #include <vector>
 
 #include "runtime/core/assert.h"
+#include "runtime/core/code_place.h"
 #include "runtime/core/guard_pages.h"
 #include "runtime/core/system.h"
 #include "runtime/objcomm/state.h"
@@ -42,6 +44,13 @@ Pool& ThePool() {
   return *pool;
 }
 
+// ", 65000 of them made at Talker.cc:57", or "".
+std::string MadeWhere(const RegionTable& table) {
+  const auto [address, count] = table.MostCommonPlace();
+  const std::string place = openr_host::NameOfPlace(address);
+  return place.empty() ? "" : fmt::format(", {} of them made at {}", count, place);
+}
+
 RegionTable* Table() {
   return t_current.system == nullptr ? nullptr : &t_current.system->regions();
 }
@@ -76,17 +85,20 @@ RCRegion::RCRegion(size_t size)
       offset_(0),
       type_(SELF_ALLOCATED),
       source_(nullptr) {
+  const bool is_by_image = t_current.image_code;
   const ApiScope scope;
   RegionTable* const table = Table();
   ASSERT(table != nullptr, "new RCRegion outside of an object");
   id_ = table->New(size, t_current.object == nullptr ? kNoObject : t_current.object->id);
+  if (is_by_image) table->NotePlace(id_, static_cast<const char*>(__builtin_return_address(0)) - 1);
   base_ = table->BaseOf(id_);
   if (base_ == nullptr) {
     t_current.system->AddFinding(
         openr_host::Severity::kError,
-        fmt::format("no shared memory for {} bytes: {} regions are alive; a region made for every "
-                    "message has to be given up with RemoveReference()",
-                    size, table->live_count()));
+        fmt::format(
+            "no shared memory for {} bytes: {} regions are alive{}; a region made for every "
+            "message has to be given up with RemoveReference()",
+            size, table->live_count(), MadeWhere(*table)));
   }
 }
 
@@ -137,8 +149,9 @@ RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t of
   region->source_ = source;
   t_current.system->regions().Pin(id);
   GuardPages* const guard = t_current.system->guard_pages();
+  const ObjectId self = t_current.object->id;
   if (guard != nullptr && !t_current.object->is_system &&
-      !t_current.system->region_shares().MayWrite(t_current.object->id, id)) {
+      !t_current.system->region_shares().MayWrite(self, id)) {
     const AddressPlace* const place = t_current.object->place.get();
     if (char* const copy = guard->NewCopy(place, source->Base(), size)) region->base_ = copy;
   }

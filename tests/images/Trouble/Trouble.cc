@@ -4,7 +4,10 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "Faults.h"
 
 static volatile int sink;
 
@@ -26,6 +29,29 @@ TakeRoom()
     volatile char room[40000];
     for (unsigned i = 0; i < sizeof(room); i++) room[i] = (char)i;
     sink = room[sizeof(room) - 1];
+}
+
+// Takes more than the 8192 bytes of the .ocf file, and less than twice as much.
+static void
+TakeSomeRoom()
+{
+    volatile char room[10000];
+    for (unsigned i = 0; i < sizeof(room); i++) room[i] = (char)i;
+    sink = room[sizeof(room) - 1];
+}
+
+// Calls what goes deep on a host: functions of the SDK and of the C library.
+static void
+CallLibraries()
+{
+    char text[64];
+    sprintf(text, "%f %d", 0.5 + sink, sink);
+    sscanf(text, "%d", const_cast<int*>(&sink));
+    OSYSLOG1((osyslogINFO, "%s", text));
+    FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/TROUBLE.TXT", "r");
+    if (file != 0) fclose(file);
+    RCRegion* region = new RCRegion(16);
+    region->RemoveReference();
 }
 
 OStatus
@@ -63,6 +89,10 @@ Trouble::DoStart(const OSystemEvent&)
         sink = Recurse(0);
     } else if (strcmp(word, "deep") == 0) {
         TakeRoom();
+    } else if (strcmp(word, "some") == 0) {
+        TakeSomeRoom();
+    } else if (strcmp(word, "libraries") == 0) {
+        CallLibraries();
     } else if (strcmp(word, "print") == 0) {
         printf("printed by an object\n");
         fflush(stdout);
@@ -84,6 +114,8 @@ Trouble::DoStart(const OSystemEvent&)
         OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     } else if (strcmp(word, "fatal") == 0) {
         OPENR::Fatal(ofatalMEMORY_STICK);
+    } else {
+        MakeFault(word);
     }
     OSYSPRINT(("Trouble is running\n"));
     return oSUCCESS;

@@ -1,0 +1,153 @@
+// Checks that are compiled into images (cmake/compile-flags.txt): unaligned access, division by
+// zero, numbers too large for an integer.  Code of the host has none, or, in a build with
+// sanitizers, checks that call other functions (-fno-sanitize-recover).
+//
+// The robot's processor stops at them (core.md 8.2, field-notes.md 4); this one does not. Compilers
+// call these functions of UndefinedBehaviorSanitizer's runtime when a check fails.  The meaning of
+// arguments is fixed by that (lib/ubsan/ubsan_handlers.h of LLVM's compiler-rt).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "runtime/core/robot_fault.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+struct SourcePlace {
+  const char* file;
+  uint32_t line;
+  uint32_t column;  // kSaid once the place has been reported
+};
+constexpr uint32_t kSaid = UINT32_MAX;
+
+struct TypeText {
+  uint16_t kind;  // 0: an integer, 1: a floating-point number
+  uint16_t info;  // width and sign of an integer, width of a floating-point number
+  char name[1];   // "'int'", and longer
+
+  bool is_integer() const { return kind == 0; }
+  bool is_signed() const { return (info & 1) != 0; }
+  unsigned bits() const { return is_integer() ? 1u << (info >> 1) : info; }
+};
+
+struct AccessData {
+  SourcePlace place;
+  const TypeText* type;
+  unsigned char log_alignment;
+  unsigned char kind;
+};
+
+struct ArithmeticData {
+  SourcePlace place;
+  const TypeText* type;
+};
+
+struct CastData {
+  SourcePlace place;
+  const TypeText* from;
+  const TypeText* to;
+};
+
+std::string Render(const SourcePlace& place) {
+  const std::string_view file = place.file == nullptr ? "?" : place.file;
+  return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), place.line);
+}
+
+// A fault of the object that runs: it stops there with --strict, is reported once for each place
+// without.
+void Report(SourcePlace* place, const std::string& what, const char* exception) {
+  if (t_current.system == nullptr || t_current.object == nullptr) return;  // not in an object
+  if (t_current.system->options().strict)
+    StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));
+  if (std::exchange(place->column, kSaid) == kSaid) return;
+  const ApiScope scope;
+  t_current.system->AddFinding(Severity::kWarning, fmt::format("{} at {}: {}, the robot powers off",
+                                                               what, Render(*place), exception));
+}
+
+// What the robot asks for.  Pointers and long are as wide as int there, and so are structures that
+// have nothing wider in them; double and long long keep their 8 bytes.
+uintptr_t RobotAlignment(const AccessData& data) {
+  const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
+  if (alignment < 8) return alignment;
+  const bool is_wide =
+      data.type->kind == 1 ||
+      std::strstr(static_cast<const char*>(data.type->name), "long long") != nullptr;
+  return is_wide ? 8 : 4;
+}
+
+// A floating-point value as these functions get it: its bits where they fit.
+double ValueOf(const TypeText& type, uintptr_t value) {
+  if (type.bits() == 32) {
+    const auto bits = static_cast<uint32_t>(value);
+    float number = 0;
+    std::memcpy(&number, &bits, sizeof number);
+    return static_cast<double>(number);
+  }
+  double number = 0;
+  if (type.bits() == 64) {
+    std::memcpy(&number, &value, sizeof number);
+  } else {
+    number = static_cast<double>(*reinterpret_cast<const long double*>(value));
+  }
+  return number;
+}
+
+// The robot converts to 32 bits, also on the way to smaller types and for negative numbers that
+// become unsigned ones.  Conversions to 64 bits are done by a library function, which never traps.
+bool TrapsOnTheRobot(const CastData& data, double number) {
+  const TypeText& to = *data.to;
+  const bool is_long_long =
+      to.bits() > 32 && std::strstr(static_cast<const char*>(to.name), "long long") != nullptr;
+  if (std::isnan(number)) return true;
+  if (is_long_long) return false;
+  const double limit = to.bits() >= 32 && !to.is_signed() ? 4294967296.0 : 2147483648.0;
+  return !(number > -2147483649.0 && number < limit);
+}
+
+}  // namespace
+}  // namespace openr_host
+
+using namespace openr_host;
+
+extern "C" {
+
+void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
+  const uintptr_t alignment = RobotAlignment(*data);
+  if (address % alignment == 0) return;
+  Report(&data->place,
+         fmt::format("unaligned access to {}, whose address has to be a multiple of {},",
+                     static_cast<const char*>(data->type->name), alignment),
+         "exception 4 or 5");
+}
+
+// Stops in any case, as the processor does where the compiler leaves the division in.
+void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
+  const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
+  if (!is_zero || t_current.object == nullptr) return;
+  StopAsTheRobotDoes(fmt::format("division by zero at {} (exception 9)", Render(data->place)));
+}
+
+void __ubsan_handle_float_cast_overflow(CastData* data, uintptr_t value) {
+  const double number = ValueOf(*data->from, value);
+  if (!TrapsOnTheRobot(*data, number)) return;
+  if (t_current.object != nullptr) t_current.object->has_reported_cast = true;
+  Report(&data->place,
+         fmt::format("conversion of {} to {}, which does not hold it,", number,
+                     static_cast<const char*>(data->to->name)),
+         "exception 15");
+}
+
+void __ubsan_handle_builtin_unreachable(const SourcePlace* place) {
+  StopAsTheRobotDoes(fmt::format("code that cannot be reached was, at {}", Render(*place)));
+}
+
+}  // extern "C"

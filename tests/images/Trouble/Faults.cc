@@ -1,0 +1,128 @@
+#include "Faults.h"
+
+#include <OPENR/RCRegion.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static volatile double number;
+static volatile double zero = 0;
+static volatile int whole;
+
+class Victim {
+public:
+    virtual ~Victim() {}
+    void Set(int value) { value_ = value; }
+
+private:
+    int value_;
+};
+
+static Victim* volatile nobody = 0;
+
+static void
+ConvertConstant()
+{
+    whole = (int)1e10;  // compilers know the result, and leave no conversion in
+}
+
+static void
+ConvertToUnsigned()
+{
+    number = -1.0;
+    whole = (int)(unsigned int)number;  // no fault on the robot
+    number = 300.0;
+    whole = (unsigned char)number;      // nor is this
+}
+
+static void
+AccessUnaligned()
+{
+    static char buffer[16];
+    char* volatile odd = buffer + 1;
+    *(int*)odd = 5;
+    whole = *(int*)odd;
+}
+
+// Where the robot's pointers have 4 bytes, structures of them lie at multiples of 4.
+struct Node {
+    Node* next;
+    int value;
+};
+
+static void
+AccessByFour()
+{
+    static double room[4];
+    char* volatile four = (char*)room + 4;
+    ((Node*)four)->next = 0;
+    whole = ((Node*)four)->value;
+}
+
+static void
+ExecuteData()
+{
+    static int data[] = {0x0000000d, 0x0000000d};  // an instruction of the robot
+    void (*volatile function)() = (void (*)())data;
+    function();
+    whole = 1;  // not the last thing that is done: a call, not a jump
+}
+
+static void
+DivideByConstantZero()
+{
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+    const int nothing = 0;
+    const int result = 1 / nothing;  // compilers leave out what nobody uses; the robot's did not
+#pragma GCC diagnostic pop
+    (void)result;
+}
+
+static void
+LeakRegions()
+{
+    for (;;) {
+        RCRegion* region = new RCRegion(4);
+        if (region->Base() == 0) return;
+    }
+}
+
+static void
+LeakMemory()
+{
+    while (malloc(1 << 20) != 0) whole++;
+}
+
+void
+MakeFault(const char* word)
+{
+    if (strcmp(word, "nan") == 0) {
+        number = zero / zero;
+    } else if (strcmp(word, "nanlib") == 0) {
+        number = log(zero - 1);
+    } else if (strcmp(word, "infinity") == 0) {
+        number = 1 / zero;
+    } else if (strcmp(word, "convert") == 0) {
+        number = 1e10;
+        whole = (int)number;
+    } else if (strcmp(word, "constant") == 0) {
+        ConvertConstant();
+    } else if (strcmp(word, "unsigned") == 0) {
+        ConvertToUnsigned();
+    } else if (strcmp(word, "unaligned") == 0) {
+        AccessUnaligned();
+    } else if (strcmp(word, "four") == 0) {
+        AccessByFour();
+    } else if (strcmp(word, "execute") == 0) {
+        ExecuteData();
+    } else if (strcmp(word, "nullmethod") == 0) {
+        nobody->Set(1);
+    } else if (strcmp(word, "zero") == 0) {
+        DivideByConstantZero();
+    } else if (strcmp(word, "regions") == 0) {
+        LeakRegions();
+    } else if (strcmp(word, "memory") == 0) {
+        LeakMemory();
+    }
+}

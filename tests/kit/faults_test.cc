@@ -1,0 +1,74 @@
+// What programs that `openr build` has built say when they do what stops the robot: the line, in
+// the program's own files.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/kit/kit_folder.h"
+
+namespace openr_host {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+
+// The program Greeter with `statement` in its DoStart, on line 14 of Greeter.cc; built as its
+// makefile would, without a word about debug information.
+class FaultyProgram {
+ public:
+  explicit FaultyProgram(const std::string& statement) : folder_("handmade") {
+    std::string source = folder_.Read("Greeter/Greeter.cc");
+    const std::string last = "    OSYSPRINT((\"handmade: start\\n\"));\n";
+    source.replace(source.find(last), last.size(), statement + "\n");
+    folder_.Write("Greeter/Greeter.cc", source);
+    const ProgramResult built = folder_.Build();
+    EXPECT_EQ(built.status, 0) << built.err;
+  }
+
+  ProgramResult Run(std::vector<std::string> flags = {}) const {
+    flags.insert(flags.begin(), {"run", "--stick", folder_.File("MS"), "--for", "100ms", "--rate",
+                                 "max", "--no-panel", "--rc-port", "0"});
+    return RunProgram(flags);
+  }
+
+ private:
+  const KitFolder folder_;
+};
+
+TEST(BuiltFaultsTest, ACrashNamesTheLine) {
+  const ProgramResult result = FaultyProgram("    *(volatile int*)16 = 1;").Run();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("Greeter::DoStart(OSystemEvent const&) (Greeter.cc:14)"));
+}
+
+TEST(BuiltFaultsTest, ANaNNamesTheLine) {
+  const ProgramResult result =
+      FaultyProgram("    volatile double zero = 0; zero = zero / zero;").Run();
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.err, HasSubstr("DoStart, at Greeter.cc:14: a floating-point operation made"));
+}
+
+TEST(BuiltFaultsTest, AnUnalignedAccessIsCheckedInEveryImageAndStrictlyTheEnd) {
+  const FaultyProgram program(
+      "    static char room[8]; char* volatile odd = room + 1; *(int*)odd = 1;");
+  const ProgramResult result = program.Run();
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.err, ContainsRegex("warning: greeter .*unaligned access to 'int'.* at "
+                                        "Greeter.cc:14"));
+  const ProgramResult strict = program.Run({"--strict"});
+  EXPECT_EQ(strict.status, 1);
+  EXPECT_THAT(strict.err, HasSubstr("EXCEPTION unaligned access to 'int'"));
+}
+
+TEST(BuiltFaultsTest, MemoryThatLeaksAwayNamesTheLine) {
+  const ProgramResult result =
+      FaultyProgram("    while (new char[65536] != 0 && &event != 0) {}").Run({"--strict"});
+  EXPECT_THAT(result.err, ContainsRegex("no memory for 65536 bytes, at Greeter.cc:14"));
+}
+
+#endif
+
+}  // namespace
+}  // namespace openr_host

@@ -1,0 +1,176 @@
+// Faults that stop the robot's processor, as docs/limits.md lists them: what a run does by default
+// and with --strict.  tests/images/Trouble makes them.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/openr/program_run.h"
+
+namespace openr_host {
+namespace {
+
+using nlohmann::json;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+
+struct FaultRun {
+  ProgramResult result;
+  json report;
+  std::string record;  // EMON.LOG; "" if there is none
+
+  // The texts of the findings, one a line.
+  std::string Findings() const {
+    std::string texts;
+    for (const json& finding : report["findings"]) {
+      texts += finding["severity"].get<std::string>() + ": " + finding["text"].get<std::string>();
+      texts += "\n";
+    }
+    return texts;
+  }
+  int StackOfTrouble() const {
+    for (const json& object : report["objects"]) {
+      if (object["name"] == "Trouble") return object["stack_bytes_max"].get<int>();
+    }
+    return -1;
+  }
+};
+
+FaultRun RunFault(const std::string& word, bool is_strict = false) {
+  const ScratchFolder stick;
+  stick.MakeTrouble(word);
+  std::vector<std::string> arguments{"run",       "--for", "100ms",   "--rate",     "max",
+                                     "--rc-port", "0",     "--stick", stick.path(), "--json"};
+  if (is_strict) arguments.push_back("--strict");
+  FaultRun run;
+  run.result = RunProgram(arguments);
+  run.report = json::parse(run.result.out, nullptr, false);
+  run.record = stick.Read("OPEN-R/EMON.LOG");
+  return run;
+}
+
+// Both ways of running it stop there; the record and the finding name the line.
+void ExpectStop(const FaultRun& run, const std::string& name) {
+  EXPECT_EQ(run.result.status, 1) << run.result.err;
+  EXPECT_THAT(run.record, HasSubstr("EXCEPTION " + name));
+  EXPECT_THAT(run.record,
+              ContainsRegex("TROUBLE.BIN\\+0x[0-9a-f]+ .*\\((Faults|Trouble).cc:[0-9]+\\)"));
+  EXPECT_THAT(run.Findings(), HasSubstr("error: crash: " + name));
+}
+
+// It goes on, with a warning.
+void ExpectWarning(const FaultRun& run, const std::string& pattern) {
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_THAT(run.Findings(), ContainsRegex("^warning: " + pattern));
+  EXPECT_EQ(run.report["findings"].size(), 1u) << run.Findings();
+  EXPECT_EQ(run.record, "");
+}
+
+TEST(RobotFaultsTest, ANaNIsAWarningWithItsLineAndStrictlyTheEnd) {
+  ExpectWarning(RunFault("nan"),
+                "DoStart, at Faults.cc:[0-9]+: a floating-point operation made NaN");
+  ExpectStop(RunFault("nan", true), "SIGFPE (a NaN was made");
+}
+
+TEST(RobotFaultsTest, SoIsOneThatTheLibraryMadeAtTheLineOfItsCaller) {
+  ExpectWarning(RunFault("nanlib"),
+                "DoStart, at Faults.cc:[0-9]+: a floating-point operation made NaN");
+  ExpectStop(RunFault("nanlib", true), "SIGFPE (a NaN was made");
+}
+
+// Whether the robot stops when it is used is not proven.
+TEST(RobotFaultsTest, AnInfinityIsAWarningStrictlyToo) {
+  for (const bool is_strict : {false, true}) {
+    ExpectWarning(RunFault("infinity", is_strict),
+                  "DoStart, at Faults.cc:[0-9]+: .* made an infinity");
+  }
+}
+
+TEST(RobotFaultsTest, AConversionThatDoesNotFitIsAWarningOnceAndStrictlyTheEnd) {
+  for (const char* const word : {"convert", "constant"}) {
+    ExpectWarning(RunFault(word),
+                  "conversion of 10000000000 to 'int'.* at Faults.cc:[0-9]+: exception");
+    ExpectStop(RunFault(word, true), "conversion of 10000000000 to 'int'");
+  }
+}
+
+// The robot converts to 32 bits first.
+TEST(RobotFaultsTest, AConversionThatTheRobotDoesWithoutAFaultIsNone) {
+  for (const bool is_strict : {false, true})
+    EXPECT_THAT(RunFault("unsigned", is_strict).Findings(), IsEmpty());
+}
+
+TEST(RobotFaultsTest, AnUnalignedAccessIsAWarningForEachLineAndStrictlyTheEnd) {
+  const FaultRun run = RunFault("unaligned");
+  EXPECT_EQ(run.result.status, 0);
+  EXPECT_EQ(run.report["findings"].size(), 2u) << run.Findings();
+  EXPECT_THAT(run.Findings(), ContainsRegex("warning: unaligned access to 'int', whose address has "
+                                            "to be a multiple of 4, at Faults.cc:[0-9]+"));
+  ExpectStop(RunFault("unaligned", true), "unaligned access to 'int'");
+}
+
+TEST(RobotFaultsTest, AMultipleOfFourIsEnoughForWhatHasPointersOfFourBytesThere) {
+  for (const bool is_strict : {false, true})
+    EXPECT_THAT(RunFault("four", is_strict).Findings(), IsEmpty());
+}
+
+TEST(RobotFaultsTest, ADivisionByAConstantZeroStopsThoughNobodyUsesTheResult) {
+  for (const bool is_strict : {false, true})
+    ExpectStop(RunFault("zero", is_strict), "division by zero at Faults.cc:");
+}
+
+TEST(RobotFaultsTest, ExecutedDataAreCalledThat) {
+  for (const bool is_strict : {false, true})
+    ExpectStop(RunFault("execute", is_strict), "SIGSEGV (data were executed)");
+}
+
+TEST(RobotFaultsTest, AMethodThatWritesToANullObjectStops) {
+  for (const bool is_strict : {false, true})
+    ExpectStop(RunFault("nullmethod", is_strict), "SIGSEGV (an address that is not the object's)");
+}
+
+TEST(RobotFaultsTest, RegionsThatAreNeverGivenUpAreNamedWithTheLineThatMakesThem) {
+  EXPECT_THAT(RunFault("regions").Findings(),
+              ContainsRegex("65535 regions are alive, 65535 of them made at Faults.cc:[0-9]+"));
+}
+
+TEST(RobotFaultsTest, MemoryThatIsUsedUpIsNamedWithTheLineThatAsked) {
+  EXPECT_THAT(RunFault("memory", true).Findings(),
+              ContainsRegex("error: no memory for 1048576 bytes, at Faults.cc:[0-9]+: "));
+}
+
+// ---- The stack
+
+TEST(RobotFaultsTest, FramesOfTheSdkAndOfTheCLibraryAreNoStackOfTheHandler) {
+  const FaultRun run = RunFault("libraries");
+  EXPECT_THAT(run.Findings(), IsEmpty());
+  EXPECT_GT(run.StackOfTrouble(), 50);
+  EXPECT_LT(run.StackOfTrouble(), 800);
+}
+
+TEST(RobotFaultsTest, MoreStackThanTheOcfFileGivesIsAWarningStrictlyToo) {
+  for (const bool is_strict : {false, true}) {
+    const FaultRun run = RunFault("some", is_strict);
+    ExpectWarning(run,
+                  "a handler's own functions used 10[0-9]+ bytes of stack, the .ocf file gives "
+                  "8192: on the robot an overflow damages other memory");
+    EXPECT_GE(run.StackOfTrouble(), 10000);
+    EXPECT_LT(run.StackOfTrouble(), 10500);
+  }
+}
+
+TEST(RobotFaultsTest, StrictlyTwiceAsMuchStopsTheRobot) {
+  const FaultRun run = RunFault("deep", true);
+  EXPECT_EQ(run.result.status, 1);
+  EXPECT_THAT(run.Findings(), HasSubstr("error: a handler's own functions used at least 32768"));
+  EXPECT_THAT(run.Findings(), HasSubstr("(--strict: the robot stops)"));
+  EXPECT_LT(run.report["virtual_time_s"].get<double>(), 0.1);
+}
+
+#endif
+
+}  // namespace
+}  // namespace openr_host
