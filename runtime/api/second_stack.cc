@@ -24,6 +24,7 @@ struct OpenrSecondStack {
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
   std::optional<HandlerWatch> watch;  // of this stack, which is no part of a handler's
+  unsigned fp_flags = 0;              // raised there since it was entered last
   bool has_left = false;
 
   static char* Address() {
@@ -40,7 +41,12 @@ struct OpenrSecondStack {
     __builtin_unreachable();  // an ended body is not continued
   }
 
-  void GoHome() { home.SwitchFrom(&fiber); }
+  // A switch of stacks keeps the flags of either side to itself.
+  void GoHome() {
+    fp_flags = openr_host::FpFlags();
+    if (fp_flags != 0) openr_host::ClearFpFlags();
+    home.SwitchFrom(&fiber);
+  }
 
   // Runs what is there until it goes home.  It counts as stack of the object: on the robot there is
   // only one.
@@ -49,6 +55,7 @@ struct OpenrSecondStack {
     if (watch) t_current.watch = &*watch;
     fiber.SwitchFrom(&home);
     t_current.watch = outer;
+    if (fp_flags != 0) openr_host::SetFpState(openr_host::FpState() | fp_flags);
     if (watch) openr_host::NoteStackUse(t_current.object, watch->Used());
   }
 

@@ -344,6 +344,23 @@ int main(void) { robot_get_device("wheel"); robot_run(run); return 0; }
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+TEST(ControllerRunTest, ANaNInAnEndlessLoopIsFoundWithItsLine) {
+  const ControllerFolder folder;
+  folder.Write("main.c", R"(#include <device/robot.h>
+int main(void)
+{
+    volatile float zero = 0, number = 0;
+    for (;;) {
+        number = zero / zero;
+        robot_step(64);
+    }
+}
+)");
+  ASSERT_EQ(folder.BuildController().status, 0);
+  const std::string findings = folder.Run()["findings"].dump();
+  EXPECT_THAT(findings, HasSubstr("at main.c:6: a floating-point operation made NaN"));
+}
+
 // main() has a stack of its own here, the run function that of handlers.
 TEST(ControllerRunTest, AStackOverflowIsCalledByItsNameOnEitherStack) {
   for (const char* const main : {"return deep(0);", "robot_run(deep); return 0;"}) {
