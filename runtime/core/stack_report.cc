@@ -17,7 +17,9 @@ bool IsSurelyTooMuch(const Object& object) {
 }
 
 std::string Describe(const Object& object) {
-  const bool is_least = object.stack_max >= HandlerWatch::DepthFor(object.limits.stack_bytes);
+  constexpr size_t kGap = 256;  // that a function may leave unused at the end of what is watched
+  const bool is_least =
+      object.stack_max + kGap >= HandlerWatch::DepthFor(object.limits.stack_bytes);
   return fmt::format(
       "a handler's own functions used {}{} bytes of stack, the .ocf file gives {}: on the robot an "
       "overflow damages other memory without a word; give it more there",

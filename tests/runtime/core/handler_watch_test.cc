@@ -11,10 +11,10 @@ namespace {
 constexpr size_t kDepth = size_t{32} << 10;
 
 template <size_t kBytes>
-__attribute__((noinline)) void UseStack() {
+__attribute__((noinline)) char UseStack() {
   volatile char room[kBytes];
   for (size_t i = 0; i < kBytes; i += 64) room[i] = static_cast<char>(i);
-  room[kBytes - 1] = 1;
+  return room[kBytes - 1];
 }
 
 // A function of the runtime: its frame is none of the handler's.
@@ -40,6 +40,7 @@ class HandlerWatchTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!HandlerWatch::CanMeasure()) GTEST_SKIP() << "unused stack is somebody else's";
+    UsedBy([] { CallRuntime(); });  // the first call of a function looks it up, on this stack
   }
 };
 
@@ -86,7 +87,9 @@ TEST_F(HandlerWatchTest, ACallWithinACallIsPartOfIt) {
 }
 
 TEST_F(HandlerWatchTest, StopsAtTheDepthThatWasAskedFor) {
-  EXPECT_EQ(UsedBy([] { UseStack<60000>(); }), kDepth);
+  const size_t used = UsedBy([] { UseStack<60000>(); });
+  EXPECT_LE(used, kDepth);
+  EXPECT_GT(used, kDepth - 64);  // it leaves gaps of that size
 }
 
 TEST_F(HandlerWatchTest, TheDepthSufficesForTwiceTheSizeOfTheOcfFile) {
