@@ -1,5 +1,8 @@
 #include "runtime/core/handler_watch.h"
 
+#include <dlfcn.h>
+#include <link.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -50,6 +53,27 @@ uint64_t* FindUsed(uint64_t* word, uint64_t* end) {
   while (end - word >= kStride && !differs(word)) word += kStride;
   while (word < end && *word == kPaint) ++word;
   return std::min(word, end);
+}
+
+// Whether `word` is an address in one of the C and C++ libraries.
+bool IsOfLibrary(uint64_t word) {
+  constexpr uint64_t kFirst = 0x10000, kLast = (uint64_t{1} << 47) - 1;  // of a program
+  dl_find_object found{};
+  if (word < kFirst || word > kLast || _dl_find_object(reinterpret_cast<void*>(word), &found) != 0)
+    return false;
+  for (const char* name : {"/libstdc++.so", "/libc.so", "/libm.so", "/libgcc_s.so", "/ld-linux"}) {
+    if (std::strstr(found.dlfo_link_map->l_name, name) != nullptr) return true;
+  }
+  return false;
+}
+
+// Whether what was written from `begin` on are frames of such a library, of a function that is not
+// announced: streams, sorting, and the loader, which binds a function at its first call.  They have
+// left addresses of their own there.
+bool IsLeftByLibrary(const uint64_t* begin, const char* end) {
+  constexpr ptrdiff_t kWords = 512;  // 4 KiB: longer than their longest frame
+  const auto* const last = std::min(begin + kWords, reinterpret_cast<const uint64_t*>(end));
+  return std::any_of(begin, std::max(begin, last), &IsOfLibrary);
 }
 
 // Calls nothing, in no build: it writes where a callee's frame would be.
@@ -103,7 +127,8 @@ __attribute__((noinline)) void HandlerWatch::Enter(void* frame) {
     if (used <= base_ && static_cast<size_t>(base_ - used) < StackMemory::kBytes) {
       uint64_t* const scan_end = std::min(clean_end_, end);
       uint64_t* const found = FindUsed(AlignUp(bottom_), scan_end);
-      if (found < scan_end) low_ = std::min(low_, reinterpret_cast<char*>(found));
+      if (found < scan_end && !IsLeftByLibrary(found, low_))
+        low_ = std::min(low_, reinterpret_cast<char*>(found));
       low_ = std::max(std::min(low_, used), bottom_);
     }
   }
@@ -131,7 +156,8 @@ void HandlerWatch::End() { CatchFp(0); }
 size_t HandlerWatch::Used() {
   if (depth_ == 0 || base_ == nullptr) return 0;
   uint64_t* const found = FindUsed(AlignUp(bottom_), clean_end_);
-  if (found < clean_end_) low_ = std::min(low_, reinterpret_cast<char*>(found));
+  if (found < clean_end_ && !IsLeftByLibrary(found, low_))
+    low_ = std::min(low_, reinterpret_cast<char*>(found));
   return static_cast<size_t>(base_ - low_);
 }
 
