@@ -133,7 +133,7 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;
-  StopAsTheRobotDoes(fmt::format("division by zero at {} (exception 9)", Render(data->place)));
+  StopAsTheRobotDoes(fmt::format("a division by zero at {} (exception 9)", Render(data->place)));
 }
 
 void __ubsan_handle_float_cast_overflow(CastData* data, uintptr_t value) {

@@ -119,7 +119,7 @@ TEST(RobotFaultsTest, AMultipleOfFourIsEnoughForWhatHasPointersOfFourBytesThere)
 
 TEST(RobotFaultsTest, ADivisionByAConstantZeroStopsThoughNobodyUsesTheResult) {
   for (const bool is_strict : {false, true})
-    ExpectStop(RunFault("zero", is_strict), "division by zero at Faults.cc:");
+    ExpectStop(RunFault("zero", is_strict), "a division by zero at Faults.cc:");
 }
 
 TEST(RobotFaultsTest, ExecutedDataAreCalledThat) {
