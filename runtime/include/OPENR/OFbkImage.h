@@ -40,8 +40,8 @@ class OFbkImage {
   // REQUIRES: 0 <= x < Width(), 0 <= y < Height(); the origin is the top left corner.
   byte Pixel(int x, int y) const;
 
-  // From the tag of the layer, so the same in all its bands: its first four bytes, low byte first; the
-  // camera's count of fields, which is the low half of these; and the number of detected pixels
+  // From the tag of the layer, so the same in all its bands: its first four bytes, low byte first;
+  // the camera's count of fields, which is the low half of these; and the number of detected pixels
   // of one channel divided by 16.
   longword GetTagInfo() const;
   word FieldCounter() const;
