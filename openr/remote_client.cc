@@ -121,7 +121,8 @@ bool RemoteClient::RobotGoesOn() const {
 void RemoteClient::ThrowLost(int error) const {
   const char* const why =
       RobotGoesOn()
-          ? "but the robot goes on; it closes the connection of a client whose bytes are no packet, "
+          ? "but the robot goes on; it closes the connection of a client whose bytes are no "
+            "packet, "
             "and of one that was silent for 10 s when all 8 places are taken and another one "
             "connects: connect again"
           : "and the robot does not answer any more: it seems that the run has ended. The last "

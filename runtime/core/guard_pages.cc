@@ -95,7 +95,7 @@ const char* GuardPages::WhyFault(const void* address) const {
       return "a write to received data, which are read-only";
   }
   return given_back_ == GivenBack::kGone ? "an access to data that were given back by AssertReady()"
-                                          : "a write to received data, which are read-only";
+                                         : "a write to received data, which are read-only";
 }
 
 }  // namespace openr_host
