@@ -83,7 +83,7 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
   all.insert(all.end(), extra.begin(), extra.end());
   all.insert(all.end(), command_.arguments.begin(), command_.arguments.end());
   // What it says is read: in one language, please.
-  return RunProcess(all, {{{"LC_ALL", "C"}}, "", true, false});
+  return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
 // Flags of another age are left out once the compiler has named them.

@@ -58,7 +58,8 @@ ControllerMain FindControllerMain(const std::string& nm,
   if (objects.empty()) return {SourceFor(nullptr), ""};
   Arguments command = {nm, "-P", "--defined-only", "--extern-only"};
   command.insert(command.end(), objects.begin(), objects.end());
-  const ProcessResult listed = RunProcess(command, {{}, "", true, true, true});
+  const ProcessResult listed =
+      RunProcess(command, {.captures_error = true, .captures_out = true, .has_no_input = true});
   if (!listed.not_found.empty()) return {"", fmt::format("{}: {}", nm, listed.not_found)};
   if (!listed.good()) return {"", fmt::format("{} fails: {}", nm, listed.output)};
   const Form* form = nullptr;

@@ -62,7 +62,10 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
   const ProcessResult made =
       RunProcess({"make", "-s", "-f", makefile, "-C", folder,
                   "LIST=" + sources->list.filename().string(), "openr-nothing"},
-                 {{{"MAKEFLAGS", ""}, {"MAKELEVEL", ""}}, "", true, true, true});
+                 {.environment = {{"MAKEFLAGS", ""}, {"MAKELEVEL", ""}},
+                  .captures_error = true,
+                  .captures_out = true,
+                  .has_no_input = true});
   if (!made.good()) {
     sources->diagnostics.push_back(AtWord(sources->list, text, "", "make says: " + made.output));
     return;

@@ -156,7 +156,8 @@ int RunMkbin(const Arguments& arguments) {
   const Arguments link = LinkArguments(command, image_info);
   if (command.is_verbose)
     std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
-  const ProcessResult result = RunProcess(link, {{{"LC_ALL", "C"}}, "", true, false});
+  const ProcessResult result =
+      RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
   std::fputs(WithoutDangers(result.output).c_str(), stderr);
   if (!result.good()) {
     if (!result.not_found.empty()) Refuse(result.not_found);

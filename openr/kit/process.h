@@ -9,8 +9,8 @@ namespace openr_host {
 
 struct ProcessOptions {
   // Names and values set for the child; an empty value takes the name away.
-  std::vector<std::pair<std::string, std::string>> environment;
-  std::string folder;           // where it runs; "": here
+  std::vector<std::pair<std::string, std::string>> environment = {};
+  std::string folder = {};      // where it runs; "": here
   bool captures_error = false;  // its standard error becomes `output` instead of ours
   bool captures_out = false;    // its standard output too, in the order in which both were written
   bool echoes = false;          // what is captured is also shown on our standard error as it comes

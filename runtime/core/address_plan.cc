@@ -7,7 +7,6 @@
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 
 #include "runtime/core/assert.h"
 
@@ -69,9 +68,10 @@ bool IsEmpty(uintptr_t area) {
 // The area in use, which free() reads for every block: 0 until the first System is made.
 constinit uintptr_t g_area = 0;
 
+// Lives as long as the process, since Systems may be destroyed after all static objects.
 Plan& ThePlan() {
-  static const auto plan = [] {
-    auto made = std::make_unique<Plan>();
+  static Plan* const plan = [] {
+    auto* const made = new Plan;
     if (kIsPlanned && IsEmpty(kFirstArea)) g_area = made->area = kFirstArea;
     return made;
   }();

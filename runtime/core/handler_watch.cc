@@ -4,19 +4,11 @@
 #include <link.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 #include "runtime/core/fp_flags.h"
+#include "runtime/core/memory_tools.h"
 #include "runtime/core/stack_memory.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define OPENR_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define OPENR_ASAN 1
-#endif
-#endif
 
 namespace openr_host {
 namespace {
@@ -93,18 +85,7 @@ void HandlerWatch::SetCatchesNumbers(bool on) { g_catches_numbers = on; }
 // Valgrind's processor raises no SIGFPE and complains.
 bool HandlerWatch::CatchesNumbers() { return g_catches_numbers && CanMeasure(); }
 
-bool HandlerWatch::CanMeasure() {
-#ifdef OPENR_ASAN
-  return false;
-#else
-  // Valgrind loads a library of its own into the program that it runs.
-  static const bool can = [] {
-    const char* const preloaded = std::getenv("LD_PRELOAD");
-    return preloaded == nullptr || std::strstr(preloaded, "vgpreload") == nullptr;
-  }();
-  return can;
-#endif
-}
+bool HandlerWatch::CanMeasure() { return !IsStackWatched(); }
 
 __attribute__((noinline)) void HandlerWatch::Begin(void* base, unsigned kinds) {
   base_ = low_ = static_cast<char*>(base);

@@ -16,6 +16,7 @@
 #include "runtime/core/handler_watch.h"
 #include "runtime/core/image_file.h"
 #include "runtime/core/image_rebase.h"
+#include "runtime/core/memory_tools.h"
 #include "runtime/core/system.h"
 
 // Called by every image before its first and after its last constructor
@@ -60,6 +61,15 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
   return copy;
 }
 
+void RunFolder::Replace(const std::string& copy, const std::string& bytes) {
+  const std::string fresh = copy + ".new";
+  std::ofstream stream(fresh, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  std::error_code error;
+  if (stream) fs::rename(fresh, copy, error);
+}
+
 ImageObject::~ImageObject() {
   CloseFiles();
   const CurrentScope scope(system, this);
@@ -68,12 +78,12 @@ ImageObject::~ImageObject() {
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   is_image = true;
-  std::string copy;
+  std::string copy, original;
   {
-    ImageFile image = ReadImageFile(file);
+    const ImageFile image = ReadImageFile(file);
     if (!image.problem.empty()) return image.problem;
-    TakePlace(&image.bytes);
-    copy = folder->AddCopy(file, image.bytes);
+    original = image.bytes;
+    copy = folder->AddCopy(file, TakePlace(original));
   }
   if (copy.empty()) return "cannot be copied into the run folder (disk full?)";
   {
@@ -81,19 +91,24 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
     handle_ = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   if (handle_ == nullptr) return fmt::format("cannot be loaded: {}", dlerror());
+  folder->Replace(copy, original);
   return ReadTables();
 }
 
-// Addresses of its own for the image, whose file is in `bytes`, and for what it will allocate.  An
-// image that cannot be moved is loaded where the loader puts it; the rest of its memory is planned
-// all the same.
-void ImageObject::TakePlace(std::string* bytes) {
+// Takes addresses for the image and for what it will allocate.  Returns the file as it is to be
+// loaded. An image that cannot be moved is loaded where the loader puts it; the rest of its memory
+// is planned all the same.
+std::string ImageObject::TakePlace(const std::string& original) {
+  std::string bytes = original;
   auto taken = std::make_unique<AddressPlace>(id);
-  if (taken->heap() == nullptr) return;
+  if (taken->heap() == nullptr) return bytes;
   place = std::move(taken);
-  RebaseImage(bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
+  // Valgrind reads debug information as the file is mapped and does not see that it was moved.
+  if (!IsUnderValgrind())
+    RebaseImage(&bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
   arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
   stack_ = std::make_unique<HandlerStack>(place->stack(0));
+  return bytes;
 }
 
 std::string ImageObject::ReadTables() {

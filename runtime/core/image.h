@@ -34,6 +34,10 @@ class RunFolder {
   // `file` (NAME.DBG) is linked.  Empty when they cannot be written.
   std::string AddCopy(const std::string& file, const std::string& bytes);
 
+  // Puts `bytes` in place of a copy that has been loaded, without touching what was mapped: for
+  // those who look symbols up in the file of that name.  If that fails, they find wrong ones.
+  void Replace(const std::string& copy, const std::string& bytes);
+
  private:
   const TempFolder folder_;
 };
@@ -58,7 +62,7 @@ class ImageObject : public Object {
   }
 
  private:
-  void TakePlace(std::string* bytes);
+  std::string TakePlace(const std::string& original);
   std::string ReadTables();
   void ReportFpFlags(uint32_t selector);
 

@@ -54,7 +54,7 @@ class Rebase {
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
   void MoveSegments(const Elf64_Ehdr& header);
-  void MoveSections(const Elf64_Ehdr& header);
+  void MoveDynamicSymbols(const Elf64_Ehdr& header);
   void MoveSymbols(Elf64_Sym* symbols, uint64_t count);
   void MoveRelocations(int64_t table, int64_t size);
 
@@ -125,18 +125,15 @@ void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   }
 }
 
-// Sections matter to debuggers, and say how many symbols there are.
-void Rebase::MoveSections(const Elf64_Ehdr& header) {
-  auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
-  if (sections == nullptr) return;
+// The loader looks at dynamic symbols only; how many there are is said by their section.
+void Rebase::MoveDynamicSymbols(const Elf64_Ehdr& header) {
+  const auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool has_symbols = false;
-  for (int i = 0; i < header.e_shnum; ++i) {
-    Elf64_Shdr& section = sections[i];
-    if (section.sh_flags & SHF_ALLOC) section.sh_addr += by_;
-    if (section.sh_type != SHT_SYMTAB && section.sh_type != SHT_DYNSYM) continue;
-    const uint64_t count = section.sh_size / sizeof(Elf64_Sym);
-    MoveSymbols(At<Elf64_Sym>(section.sh_offset, count), count);
-    has_symbols = has_symbols || section.sh_type == SHT_DYNSYM;
+  for (int i = 0; sections != nullptr && i < header.e_shnum; ++i) {
+    if (sections[i].sh_type != SHT_DYNSYM) continue;
+    const uint64_t count = sections[i].sh_size / sizeof(Elf64_Sym);
+    MoveSymbols(At<Elf64_Sym>(sections[i].sh_offset, count), count);
+    has_symbols = true;
   }
   if (!has_symbols) is_bad_ = true;
 }
@@ -172,7 +169,7 @@ std::string Rebase::Run(uint64_t size_max) {
   if (is_bad_ || end > size_max || is_strange) return "";
   MoveRelocations(DT_RELA, DT_RELASZ);
   if (ValueOf(DT_PLTREL) == DT_RELA) MoveRelocations(DT_JMPREL, DT_PLTRELSZ);
-  MoveSections(*header);
+  MoveDynamicSymbols(*header);
   return is_bad_ ? "" : bytes_;
 }
 

@@ -13,6 +13,9 @@ namespace openr_host {
 // Moves a shared object that was linked for address 0 to `address`, a multiple of 64 KiB.  False,
 // and `bytes` are as they were, when the file is not of this kind or needs more than `size_max`
 // bytes of memory.
+//
+// Sections, the table of all symbols and debug information stay as they were linked: gdb sees by
+// the address of the dynamic section how far the image was moved.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 
 }  // namespace openr_host

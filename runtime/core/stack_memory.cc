@@ -3,12 +3,12 @@
 #include <sys/mman.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
 #include "runtime/core/address_plan.h"
 #include "runtime/core/assert.h"
+#include "runtime/core/memory_tools.h"
 
 #if __has_include(<valgrind/valgrind.h>)
 #include <valgrind/valgrind.h>
@@ -18,21 +18,6 @@ namespace openr_host {
 namespace {
 
 thread_local StackMemory* t_newest = nullptr;
-
-// AddressSanitizer and Valgrind take what lies below the stack pointer for memory of nobody.
-// Valgrind loads a library of its own into the program first; asking Valgrind itself needs headers
-// that this may have been built without.
-bool IsWatchedByTool() {
-#if defined(__SANITIZE_ADDRESS__)
-  return true;
-#else
-  static const bool is_under_valgrind = [] {
-    const char* const preloaded = std::getenv("LD_PRELOAD");
-    return preloaded != nullptr && std::strstr(preloaded, "vgpreload") != nullptr;
-  }();
-  return is_under_valgrind;
-#endif
-}
 
 constexpr size_t kWordsAtATime = 32;  // looked at without a branch
 constexpr size_t kStepBytes = kWordsAtATime * sizeof(uint64_t);
@@ -73,7 +58,7 @@ StackMemory::~StackMemory() {
 }
 
 void StackMemory::Clear(size_t gap_bytes) {
-  if (IsWatchedByTool()) return;
+  if (IsStackWatched()) return;
   char* lowest = top();
   for (char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
     step -= kStepBytes;

@@ -228,6 +228,9 @@ TEST(EndingTest, AClientWhoseRunEndsIsToldWhereItSaysWhy) {
 class TakenPort {
  public:
   explicit TakenPort(uint16_t port) : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    // As the program binds it, which connections of the last minute do not keep from that.
+    const int on = 1;
+    setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

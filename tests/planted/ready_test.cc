@@ -149,8 +149,9 @@ void BuildReadyFlood(System* system) {
 
 TEST(PlantedReadyTest, ReadyAssertedByTheClockIsAFinding) {
   const Broken broken = InDefaultOrder(PlanOf(SceneOf(&BuildReadyFlood), {"no-warnings"}));
-  EXPECT_THAT(broken.text, HasSubstr("receiver: asserts ready to Sender.Out.Number.S again and "
-                                     "again (8 times)"));
+  EXPECT_THAT(broken.text,
+              HasSubstr("receiver: Receiver.In.Number.O: asserts ready to sender again "
+                        "and again (9 times)"));
 }
 
 // Fault: takes what the observer will answer as said when NotifyObservers() returns.

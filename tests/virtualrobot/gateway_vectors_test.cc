@@ -41,11 +41,10 @@ class GatewayVectorsTest : public SoundTest {
       record.port = port;
       return record;
     };
-    system.AddObject<TcpGateway>(
-        dog, TcpGateway::kName,
-        std::vector<GatewayRecord>{
-            service("TCPGateway.Effector.OCommandVectorData.S", kEffectorPort),
-            service("TCPGateway.Speaker.OSoundVectorData.S", kSpeakerPort)});
+    GatewayConfig config;
+    config.services = {service("TCPGateway.Effector.OCommandVectorData.S", kEffectorPort),
+                       service("TCPGateway.Speaker.OSoundVectorData.S", kSpeakerPort)};
+    system.AddObject<TcpGateway>(dog, TcpGateway::kName, config);
     system.Connect({dog, "TCPGateway.Speaker.OSoundVectorData.S",
                     "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O", "test"});
   }
