@@ -134,7 +134,8 @@ class RemoteProcess {
   // The same, or what its last word says.
   std::string WhyItIsGone();
 
-  // It may end, and hears why: DescribeEnd(), or "".  Before the System does.
+  // Lets the process end and tells it why the run ended (DescribeEnd(), or "").  Called before the
+  // System is destroyed.
   void End(const std::string& why);
 
  private:

@@ -20,7 +20,7 @@ bool g_is_open_line = false;
 // Why the console cannot be written any more, as an errno; 0 while it can.
 int g_error = 0;
 
-// What objects print goes nowhere from now on, so that none of them sees an error of this host.
+// Sends the prints of objects nowhere from now on, so that no object sees an error of this host.
 void LoseConsole(int error) {
   if (std::exchange(g_error, error) != 0) return;
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -36,7 +36,7 @@ void WriteConsole(std::string_view text) {
   if (error != 0) LoseConsole(error);
 }
 
-// What objects print without the system waits in the C library's buffer until its line ends.
+// Writes out the C library's buffer, where prints of objects wait until their line ends.
 void FlushConsole() {
   errno = 0;
   const bool is_flushed = std::fflush(stdout) == 0;

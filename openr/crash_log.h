@@ -1,5 +1,5 @@
-// What is left of a run that an object brought down: EMON.LOG, on a stick in OPEN-R/ as the robot's
-// emergency monitor leaves it, and the same on standard error.
+// The record of a crash that ended a run: EMON.LOG, on a stick in OPEN-R/ as the robot's emergency
+// monitor leaves it, and the same on standard error.
 //
 // On the robot a crash of one object is a crash of the robot; here it ends the run with exit
 // status 1.

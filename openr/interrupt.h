@@ -3,7 +3,7 @@
 
 namespace openr_host {
 
-// What a terminal that closes (SIGHUP) means.
+// The meaning of a terminal that closes (SIGHUP).
 enum class HangUp {
   kEnds,     // the end of the process, as without us
   kCounts,   // the same as Ctrl-C

@@ -30,7 +30,7 @@ namespace {
 constexpr int kLinksMax = 40;            // as many as the kernel follows
 constexpr int kTemporaryNamesMax = 100;  // of one process in one folder
 
-// What a name leads to.
+// The stream or file that a name leads to.
 struct Target {
   int stream = -1;   // an open stream of this process; -1: a file
   std::string path;  // of the file, without links at its end
@@ -322,7 +322,7 @@ PreparedFile::PreparedFile(const std::string& file) {
   if (keeps_mode_) mode_ = target.status.st_mode & 0777;
 }
 
-// Not open() and rename(): those of this process may act for an object.
+// Uses system calls, because open() and rename() of this process may act for an object.
 int PreparedFile::Open() {
   if (stream_ >= 0) return stream_;
   if (target_[0] == 0) return -1;

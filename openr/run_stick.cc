@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr char kCrashLog[] = "EMON.LOG";
 
-// In the cache folder, which is made; "" where nothing can be written.
+// The path of the crash log in the cache folder, which is made; "" if nothing can be written there.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;

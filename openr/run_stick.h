@@ -20,7 +20,7 @@ class RunStick {
   // that is only read needs no copy.  Throws std::runtime_error.
   RunStick(const std::string& wanted, bool is_written);
 
-  // What is meant, for people and recordings: another run finds the same files there.
+  // The stick that people and recordings name: another run finds the same files there.
   const std::string& name() const { return name_; }
 
   // Where the files of this run are.

@@ -53,7 +53,8 @@ class Runner {
 
  private:
   void WatchActivity();
-  // None while it goes on, and when all robots are off: they say themselves why.
+  // The reason why the run is over.  None while it goes on, and none when all robots are off, since
+  // the robots have noted the reason then.
   std::optional<RunEnd> WhyOver() const;
   int64_t NextStop() const;
   void AfterFrame();

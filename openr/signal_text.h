@@ -34,9 +34,9 @@ bool AddCurrentHandler(SignalText* text);
 // "NotifyMover (selector 7)" of it; REQUIRES: there is one.
 void AddCurrentEntry(SignalText* text);
 
-// What is left of a report when nothing else can be had: {"error": record, "ended_by": ended_by,
-// "findings": [...]} with one error, about the handler that ran.  Nothing when `descriptor` is
-// negative.
+// Writes the shortest report, for a run whose state cannot be read any more: {"error": record,
+// "ended_by": ended_by, "findings": [...]} with one error, about the handler that ran.  Does
+// nothing when `descriptor` is negative.
 void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
                        const Current& current, int descriptor);
 

@@ -58,7 +58,7 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
   throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
 }
 
-// What only the first robot has is left out for the others.
+// The options of a robot's devices.  Files for sound and pictures are for the first robot only.
 VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   VirtualRobotOptions devices;
   const std::string problem = ParseBattery(options.battery, &devices.battery);
@@ -120,7 +120,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
 }
 
-// Those of the command line, then those of the stick.
+// The pairs of the command line, then those of the stick.
 std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& options,
                                                  MemoryStick* stick, int index) {
   const auto text = stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + kAddressFile);

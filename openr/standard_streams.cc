@@ -49,7 +49,7 @@ void MakeErrorStreamSure() {
   throw std::runtime_error(WhyNoStandardOutput(error));
 }
 
-// What programs print through streams goes out; false, with the reason kept, when it cannot.
+// Writes out what was printed through streams; false, with the reason kept, when it cannot.
 bool FlushStreams() {
   errno = 0;
   std::cout.flush();  // tells no reason, but leaves it in errno

@@ -25,7 +25,7 @@ void SetStandardOutput(int descriptor);
 // cannot be written: why": an answer without an end ends when nobody reads it.
 void PrintAnswer(std::string_view text);
 
-// What has been printed goes out at once; throws as PrintAnswer().
+// Writes out at once what has been printed; throws as PrintAnswer().
 void FlushAnswer();
 
 // Writing a part of it otherwise has failed; `error` is an errno, 0 for one that is not known.

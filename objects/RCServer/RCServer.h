@@ -51,8 +51,8 @@ private:
     // Served at once.
     static const int NUM_PLACES = 8;
 
-    // One more may connect while all places are taken: it gets the place of a client that has been
-    // silent for long, or an answer that says why not (PlaceWaiting).
+    // A ninth client may connect while all places are taken: it gets the place of a client that has
+    // been silent for long, or an answer that says why not (PlaceWaiting).
     static const int NUM_CLIENTS = NUM_PLACES + 1;
 
     enum ClientState {

@@ -91,7 +91,7 @@ RCServer::RetryListening(Uint32 frame)
     }
 }
 
-// With all places taken, an endpoint more listens for the client that would have to wait.
+// Listens with one more endpoint while all places are taken, for the client that would have to wait.
 void
 RCServer::ListenForMore()
 {

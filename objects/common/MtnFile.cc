@@ -290,7 +290,7 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
     return true;
 }
 
-// What a name that is neither a joint nor a plunger of `robot` is.
+// Says what `robot` has under the name of joint j, which is neither a joint nor a plunger.
 std::string
 MtnFile::WhyNoJoint(const RobotConstants* robot, int j) const
 {

@@ -48,7 +48,8 @@ struct Ros2Flags {
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
-// What the flags of placement mean; null when all is in one process.  Throws CLI::ValidationError.
+// Makes the processes that the flags of placement ask for; null when all is in one process.  Throws
+// CLI::ValidationError.
 std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const RunStick& stick,
                                  int64_t handler_limit_us, std::function<int()> interrupts);
 

@@ -46,8 +46,8 @@ std::string WhyNoStick(const std::string& folder) {
 constexpr int kRefused = 3;  // it would be the same the next time
 constexpr int kOffline = 4;  // it could not so much as look for the run
 
-// One that a run has started goes when the run goes, however that ends; Ctrl-C and a terminal that
-// closes are for the run.
+// Ties this process to the run that has started it: it ends when the run ends, in whatever way.
+// Ctrl-C and a terminal that closes are for the run.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (kill(parent, 0) != 0) _exit(kExitWrong);  // it has gone already

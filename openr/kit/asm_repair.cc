@@ -14,7 +14,7 @@ namespace {
 constexpr char kStopsNote[] =
     "assembly for the robot's processor left out; the object stops with a trap where it is reached";
 
-// One use of the word asm with its brackets.
+// A use of the word asm with its brackets.
 struct AsmUse {
   size_t begin = 0;             // of the word asm
   size_t end = 0;               // behind the closing bracket

@@ -350,8 +350,8 @@ bool FolderBuild::HasFailed() const {
          });
 }
 
-// What failed is a mistake if an image is missing for it, and else only worth a note: OBJECT.CFG
-// says what belongs to the program.  The cause comes last, where people look first.
+// Reports each failure: as an error if an image is missing for it, else as a note, because
+// OBJECT.CFG says what belongs to the program.  The cause comes last, where people look first.
 void FolderBuild::TellFailures() {
   const KitLog log = ReadKitLog(make_.log);
   for (const KitLog::Repair& repair : log.repairs)

@@ -82,7 +82,7 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
-// What the linker makes; the image is a copy, so that it is never half of one.
+// The file that the linker makes.  The image is a copy of it, so that no image is ever incomplete.
 std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {

@@ -126,7 +126,7 @@ std::vector<std::string> VariableArguments(const MakePlan& plan) {
   return arguments;
 }
 
-// What make complains of in `line`: "No rule to make target 'x'" of "make[1]: *** No rule to make
+// The complaint of make in `line`: "No rule to make target 'x'" of "make[1]: *** No rule to make
 // target 'x'.  Stop.".  "" for any other line.
 std::string ComplaintOfMake(const std::string& line) {
   static const std::regex kComplaint(
@@ -237,7 +237,7 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // What failed a moment ago fails again, and was shown then.
+  // A step that failed above fails again here; its messages were shown then.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

@@ -43,8 +43,8 @@ MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
 MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& plan,
                            const MakeOptions& options);
 
-// One run of make in `folder` with the kit's environment; `arguments` follow its own.  It goes on
-// with other targets when one fails.
+// Runs make in `folder` with the kit's environment; `arguments` follow those of the kit.  make goes
+// on with other targets when one fails.
 MakeOutcome RunMakeIn(const std::filesystem::path& folder,
                       const std::vector<std::string>& arguments, const MakeOptions& options);
 

@@ -30,7 +30,7 @@ int Check(const char* tool, const std::string& problem) {
   return 1;
 }
 
-// As gzip does it.
+// Compresses `bytes` to the file format of gzip.
 std::string Gzipped(std::string bytes) {
   constexpr int kGzipFormat = 16;
   z_stream stream{};

@@ -45,8 +45,8 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   return complaints;
 }
 
-// What the assembler says of the lines of a source: "a.cc:3: Error: no such instruction: ...".  Of
-// assembly outside of functions it knows no source; it is one of the compiler's `sources`.
+// The assembler's complaints about lines of a source: "a.cc:3: Error: no such instruction: ...". It
+// knows no source for assembly outside of functions; that is one of the compiler's `sources`.
 std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");

@@ -23,8 +23,8 @@ class RepairSession {
   // Whether there is anything that may be changed at all.
   bool may_repair() const { return !copies_.empty(); }
 
-  // One round.  `diagnostics`: what g++ said of `sources` with -fdiagnostics-format=json.  False
-  // when nothing can be done about any of it.
+  // Repairs what it can in one round.  `diagnostics`: the answer of g++ about `sources` with
+  // -fdiagnostics-format=json.  False when it can repair nothing.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
   // They helped: says in the log what was done, in terms of the originals.

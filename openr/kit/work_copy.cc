@@ -154,7 +154,7 @@ void WorkCopy::CopyFile(const fs::path& original) {
       left_out_.insert(*entry);
     return;
   }
-  // What a build for the robot left behind looks new to make.
+  // Files for another processor are left out, because make would take them for up to date.
   const std::string processor = ForeignProcessorOf(original);
   if (!processor.empty()) {
     left_out_[original] = processor;

@@ -41,8 +41,8 @@ struct Picture {
   int height_px = 720;  // 16 to 4096
 };
 
-// What libopenr_render.so shows under the name openr_render_picture.  `png` gets the bytes of a PNG
-// file; or `error` says what went wrong.
+// The function that libopenr_render.so has under the name openr_render_picture.  `png` gets the
+// bytes of a PNG file; or `error` says what went wrong.
 using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* png,
                            std::string* error);
 constexpr char kRenderPictureName[] = "openr_render_picture";

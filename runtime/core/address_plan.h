@@ -14,8 +14,8 @@
 //    10 TiB   read-only copies of received regions, 128 MiB for each place (guard_pages.h)
 //    14 TiB   the end
 //
-// Nothing is reserved: memory is mapped when it is needed, so a limit on address space
-// (ulimit -v) counts what is used only.
+// Memory is mapped when it is needed and not reserved before, so a limit on address space (ulimit
+// -v) counts only what is used.
 //
 // Addresses are not planned with AddressSanitizer or ThreadSanitizer, whose own tables lie there,
 // nor where something else was mapped there first (address_plan.cc).  Objects then share the

@@ -26,8 +26,8 @@ struct MemoryBudget {
 
 class Arena {
  public:
-  // In the heap area of `place`, which no other arena may use.  A null `budget` is without
-  // limit; otherwise it must outlive the arena.  REQUIRES: place.heap() is not null.
+  // Allocates in the heap area of `place`, which no other arena may use.  A null `budget` is
+  // without limit; otherwise it must outlive the arena.  REQUIRES: place.heap() is not null.
   explicit Arena(const AddressPlace& place, MemoryBudget* budget = nullptr);
   ~Arena();  // every block is gone afterwards
   Arena(const Arena&) = delete;

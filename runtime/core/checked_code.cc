@@ -73,8 +73,8 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
                                                                what, Render(*place), exception));
 }
 
-// What the robot asks for.  Pointers and long are as wide as int there, and so are structures that
-// have nothing wider in them; double and long long keep their 8 bytes.
+// The alignment that the robot's processor asks for.  Pointers and long are as wide as int there,
+// and structures are aligned like their widest member; double and long long keep their 8 bytes.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
   if (alignment < 8) return alignment;

@@ -18,7 +18,7 @@ struct Current {
   // Code of an image is running, not the runtime on its behalf: malloc() takes from
   // the object's heap, files are those of the Memory Stick.
   bool image_code = false;
-  // Of the handler that runs; null when nothing of it is watched.
+  // The watch of the handler that runs; null when the handler is not watched.
   HandlerWatch* watch = nullptr;
 };
 

@@ -22,9 +22,9 @@ enum FpFlag : unsigned {
 };
 constexpr unsigned kFpAll = 0x1f;
 constexpr int kFpKinds = 5;  // bits of it
-// Those that say something about the robot, and can be caught where they happen.
+// The flags that say something about the robot and can be caught where they are raised.
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// In MXCSR the bit that keeps a kind from raising SIGFPE is this far left of its flag.
+// The bit of MXCSR that keeps a kind from raising SIGFPE is this far left of the kind's flag.
 constexpr int kFpMaskShift = 7;
 
 // The settings and flags of floating-point operations, to be put back later; and which kinds raise

@@ -1,5 +1,5 @@
-// What is watched while a handler of an image runs: how much stack its own functions use, and
-// where its arithmetic goes wrong.
+// Watches a handler of an image while it runs: how much stack its own functions use, and where its
+// arithmetic goes wrong.
 //
 // Functions of the SDK and of the C library run on the same stack, but their frames are those of
 // this host and say nothing about the robot.  So every call of them is announced (ApiScope,

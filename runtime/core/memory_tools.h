@@ -1,4 +1,4 @@
-// Tools that run the program in their own way.
+// Tools that a program may run under: Valgrind and AddressSanitizer.
 #pragma once
 
 #include <cstdlib>

@@ -9,7 +9,8 @@ namespace openr_host {
 // of 4 bytes".  The process gets SIGILL, on top of the code that made the fault.
 [[noreturn]] void StopAsTheRobotDoes(const std::string& what);
 
-// What StopAsTheRobotDoes() was called with; "" when it was not.  For the signal handler.
+// The text that StopAsTheRobotDoes() was called with; "" when it was not called.  For the signal
+// handler.
 const char* AnnouncedFault();
 
 }  // namespace openr_host

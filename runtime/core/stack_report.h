@@ -1,4 +1,4 @@
-// What is said of the stack that handlers use, beside the size that the .ocf file gives.
+// Findings about the stack that handlers use, beside the size that the .ocf file gives.
 //
 // On the robot a stack that is too small overwrites other memory without a word (field-notes.md,
 // 3.7).  Frames of a 64-bit host are at most twice as large as the robot's, so only what takes

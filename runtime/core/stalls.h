@@ -22,10 +22,10 @@ struct Stall {
   // An observer took a notification and has asserted no ready since.  It may have forgotten, or
   // want no more; only a graph that has fallen silent makes it suspect.
   bool may_be_done = false;
-  // Nothing that a program which works does not do.  The observer has asserted ready again after a
+  // A program that works may do this too.  The observer has asserted ready again after a
   // notification before, so it knows how to and has stopped on purpose; or the subject is the
-  // robot's, which goes on without it.  Who has taken one notification of another object at most,
-  // and leaves its data waiting, may have forgotten to.
+  // robot's, which goes on without it.  An observer that has taken one notification of
+  // another object at most, and leaves its data waiting, may have forgotten to assert ready.
   bool is_chosen = false;
 };
 

@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-// Who can be called; the OID that a program gets is below those of objects.
+// The system objects that can be called.  The OIDs that a program gets for them are below those of
+// objects.
 constexpr const char* kNames[] = {kVirtualRobot, kPowerManager, kDesignedRobot};
 constexpr uint32_t kFirstSystemOid = 0x80000001;
 
@@ -25,7 +26,7 @@ uint32_t OidOfSystem(const std::string& name) {
              : kFirstSystemOid + static_cast<uint32_t>(found - std::begin(kNames));
 }
 
-// What comes from the network is shown on terminals.
+// Replaces control bytes, because text from the network is shown on terminals.
 std::string WithoutControls(std::string text) {
   for (char& c : text)
     if (c < ' ' || c > '~') c = '?';

@@ -1,8 +1,8 @@
 // The OPENR:: functions of a program on a PC: those about the robot's devices are carried to the
 // robot that !ROBOT_PROXY of HOSTGW.CFG names.
 //
-// Not carried, because no source gives their messages or Sony's runtime for PCs had none: a warning
-// says so where a program uses them (docs/network.md has the list).
+// Calls whose messages no source gives are not carried: a warning says so where a program uses them
+// (docs/network.md has the list).
 #pragma once
 
 #include <memory>

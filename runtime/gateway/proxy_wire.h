@@ -28,7 +28,7 @@ enum class ProxyCommand : uint32_t {
   kReply = 8,
 };
 
-// What no message of a system object exceeds (binary.md, 4), with room to spare.
+// More bytes than any message of a system object has (binary.md, 4).
 inline constexpr uint32_t kProxyBytesMax = 256;
 
 struct ProxyFrame {

@@ -62,8 +62,8 @@ uint32_t WordIn(const std::string& bytes, size_t offset);
 // A request of kControlSelector.  `param`: its parameter.
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
-// What the object `name` answers to a message.  "": there is no such object or entry here, or the
-// message is too short; `*why` says so.
+// The answer of the object `name` to a message.  "" when there is no such object or entry here, or
+// when the message is too short; `*why` says which.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

@@ -8,7 +8,7 @@
 struct TimeEventInfo {
   enum EventType { Periodic, NonPeriodic };
 
-  // What happens when the first time lies in the past already.
+  // The answer to a first time that lies in the past already: start at once, or an error.
   enum EventAttr { ExceedStartImmediate = 0, ExceedStartError = 0x10000 };
 
   RelativeTime relativeTime;  // from now to the first message

@@ -55,7 +55,7 @@ typedef byte* VirtualAddress;
 typedef void* PhysicalAddress;
 
 // Names and access rights of shared memory regions (NewSharedMemoryRegion and its kin).
-// As wide as a longword: programs cast a MemoryRegionID* to ODesignDataID*.
+// This type is as wide as a longword, because programs cast a MemoryRegionID* to ODesignDataID*.
 typedef unsigned int MemoryRegionID;
 typedef MemoryRegionID SharedMemoryRegionID;
 

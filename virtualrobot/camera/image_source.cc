@@ -11,8 +11,8 @@ using Colour = std::array<uint8_t, 3>;
 
 constexpr Colour kBars[] = {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 255, 0},
                             {255, 0, 255},   {255, 0, 0},   {0, 0, 255},   {0, 0, 0}};
-// As the camera sees it Cr is 216 and Cb 140: well inside the tables of ball programs, which
-// end at Cr 230.
+// The ball's colour.  The camera sees Cr 216 and Cb 140, well inside the tables of ball programs,
+// which end at Cr 230.
 constexpr Colour kPink = {250, 115, 174};
 constexpr int kCells = 16;
 constexpr int kRound = 100;  // images until the ball is back: 4 s
