@@ -11,6 +11,7 @@
 #include "openr/exit_code.h"
 #include "openr/output_file.h"
 #include "runtime/core/current.h"
+#include "runtime/core/object.h"
 
 namespace openr_host {
 namespace {
@@ -31,7 +32,8 @@ std::optional<PreparedFile> g_answer_file;  // nothing is allocated at the end o
 void AnswerWithTheEnding(const Ending& ending) {
   if (g_is_awaited) {
     SignalText last;
-    last.Add("ended by ").Add(EndName(ending.kind)).Add(": ").Add(ending.finding.text());
+    last.Add("ended by ").Add(EndName(ending.kind)).Add(": ");
+    last.Add(ending.object->name.c_str()).Add(": ").Add(ending.finding.text());
     last.Add("\n").WriteTo(STDERR_FILENO);
   }
   if (ending.answered) return;
@@ -52,7 +54,9 @@ void GiveUp(int) {
 
 }  // namespace
 
-RunEnd EndOf(const Ending& ending) { return {ending.kind, std::string(ending.finding.text())}; }
+RunEnd EndOf(const Ending& ending) {
+  return {ending.kind, ending.object->name + ": " + std::string(ending.finding.text())};
+}
 
 LastWords::LastWords(std::function<void(Ending*)> say)
     : say_(std::move(say)), outer_(std::exchange(g_newest, this)) {}

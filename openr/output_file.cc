@@ -206,6 +206,26 @@ std::string Explain(const fs::filesystem_error& error) {
   return fmt::format("{}: {}", path.string(), why);
 }
 
+namespace {
+
+std::string IsBeingWritten(const std::string& file, const struct stat& status) {
+  return fmt::format("{}: is being written by {}; name another file, or wait for its end", file,
+                     DescribeWriter(status));
+}
+
+// Why `target` must not be replaced although it can be: a run writes its recording or console
+// there, and would go on into a file without a name.  "" when nobody does.
+std::string WhyLocked(const std::string& file, const Target& target) {
+  if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
+  const int descriptor = open(target.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) return "";
+  const bool is_locked = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(descriptor);
+  return is_locked ? IsBeingWritten(file, target.status) : "";
+}
+
+}  // namespace
+
 PendingFile::PendingFile(PendingFile&& other) noexcept
     : file_(other.file_),
       bytes_(std::move(other.bytes_)),
@@ -223,6 +243,7 @@ std::string PendingFile::Write(std::string_view bytes) {
   if (target.stream >= 0) return "";
   if (target.exists && S_ISDIR(target.status.st_mode)) return WhyNotWritten(file_, EISDIR);
   if (target.exists && access(target_.c_str(), W_OK) != 0) return WhyNotWritten(file_, errno);
+  if (const std::string problem = WhyLocked(file_, target); !problem.empty()) return problem;
   if (!IsReplaced(target)) return "";
   const int error = WriteBeside(target, bytes, &temporary_);
   if (error == 0) return "";
@@ -282,8 +303,7 @@ int OpenGrowingFile(const std::string& file, std::string* problem) {
   if (target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
   // A file system without locks is no reason not to write.
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    *problem = fmt::format("{}: is being written by {}; name another file, or wait for its end",
-                           file, DescribeWriter(status));
+    *problem = IsBeingWritten(file, status);
   } else if (ftruncate(descriptor, 0) != 0) {
     *problem = WhyNotWritten(file, errno);
   } else {

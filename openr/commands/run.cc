@@ -403,7 +403,8 @@ bool CommandedRun::RunToTheEnd() {
 // False after a complaint.  The processes end when all is known that only they know.
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
-  if (!boots_) fmt::print(stderr, "openr: the robot does not boot\n");
+  const bool is_stopped = system().end() && system().end()->kind == EndKind::kStrict;
+  if (!boots_ && !is_stopped) fmt::print(stderr, "openr: the robot does not boot\n");
   EndConsoleLine();
   nlohmann::ordered_json report = MakeReport(&simulation_, facts_);
   distribution_.Describe(&report);

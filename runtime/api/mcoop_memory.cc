@@ -47,7 +47,7 @@ sError DeleteRegion(void* base) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
   if (t_current.object->private_regions.erase(base) == 0) return sINVALIDARG;
-  std::free(base);
+  Arena::FreeAny(base);
   return sSUCCESS;
 }
 

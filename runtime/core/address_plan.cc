@@ -43,7 +43,7 @@ struct Plan {
   std::array<bool, kRegionAreas> regions_taken = {};
 };
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__x86_64__)
 constexpr bool kIsPlanned = false;
 #else
 constexpr bool kIsPlanned = true;
@@ -65,6 +65,17 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
+// Whether this machine lets a program use these addresses: some have fewer bits.
+bool IsReachable(uintptr_t area) {
+  constexpr size_t kPage = 4096;
+  for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
+    char* const page = reinterpret_cast<char*>(address);
+    if (!MapAt(page, kPage)) return false;
+    munmap(page, kPage);
+  }
+  return true;
+}
+
 // The area in use, which free() reads for every block: 0 until the first System is made.
 constinit uintptr_t g_area = 0;
 
@@ -72,7 +83,8 @@ constinit uintptr_t g_area = 0;
 Plan& ThePlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;
-    if (kIsPlanned && IsEmpty(kFirstArea)) g_area = made->area = kFirstArea;
+    if (kIsPlanned && IsEmpty(kFirstArea) && IsReachable(kFirstArea))
+      g_area = made->area = kFirstArea;
     return made;
   }();
   return *plan;

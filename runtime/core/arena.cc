@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 
 #include "runtime/core/assert.h"
@@ -139,6 +140,14 @@ size_t Arena::SizeOf(const void* block) const {
 size_t Arena::UsableSize(const void* block) { return OwnerOf(block)->SizeOf(block); }
 
 void Arena::Free(void* block) { OwnerOf(block)->FreeFrom(block); }
+
+void Arena::FreeAny(void* block) {
+  if (OwnerOf(block) == nullptr) {
+    std::free(block);
+  } else {
+    Free(block);
+  }
+}
 
 void Arena::FreeFrom(void* block) {
   const size_t index = IndexOf(block);

@@ -44,6 +44,9 @@ class Arena {
   static Arena* OwnerOf(const void* block);
   // REQUIRES: OwnerOf(block) is not null.
   static void Free(void* block);
+  // Frees a block of an arena or of the host's heap.  For memory that was taken from an arena
+  // directly: under Valgrind free() is not ours.
+  static void FreeAny(void* block);
   static size_t UsableSize(const void* block);
 
  private:

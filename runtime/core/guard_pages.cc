@@ -20,8 +20,9 @@ char* PageOf(const char* copy) {
 }  // namespace
 
 GuardPages::~GuardPages() {
-  for (const auto& [area, next] : next_in_) {
-    if (area != nullptr) munmap(area, AddressPlace::kCopyBytes);
+  for (const auto& [copy, pages] : copies_) munmap(PageOf(copy), pages.bytes);
+  for (const auto& [kind, unused] : unused_) {
+    for (char* const page : unused) munmap(page, kind.second);
   }
 }
 

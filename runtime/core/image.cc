@@ -169,8 +169,17 @@ struct EntryCall {
 // Runs on the stack of the object's handlers, where the watch has to begin.
 void RunEntry(void* data) {
   const EntryCall call = *static_cast<const EntryCall*>(data);
-  if (HandlerWatch* const watch = t_current.watch; watch != nullptr && !watch->has_begun())
-    watch->Begin(__builtin_frame_address(0), call.caught);
+  HandlerWatch* const watch = t_current.watch;
+  if (watch == nullptr || watch->has_begun()) {
+    call.entry(call.payload);
+    return;
+  }
+  struct Measuring {  // also after a handler that ends by an exception
+    HandlerWatch* watch;
+    ~Measuring() { watch->Used(); }  // remembers what the stack shows before it is cleared
+  };
+  watch->Begin(__builtin_frame_address(0), call.caught);
+  const Measuring measuring{watch};
   call.entry(call.payload);
 }
 

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
-
 #include "runtime/core/system.h"
 #include "runtime/objcomm/state.h"
 
@@ -16,7 +14,7 @@ Object::Object(System* the_system, ObjectId the_id, int the_robot)
 
 Object::~Object() {
   CloseFiles();
-  for (void* const region : private_regions) std::free(region);
+  for (void* const region : private_regions) Arena::FreeAny(region);
 }
 
 void Object::CloseFiles() {

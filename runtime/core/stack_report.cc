@@ -39,7 +39,9 @@ void NoteStackUse(Object* object, size_t bytes) {
     return;
   system->AddFindingAbout(object, Severity::kError,
                           Describe(*object) + " (--strict: the robot stops)");
-  system->PowerOff(object->robot);
+  system->PowerOff(object->robot, {EndKind::kStrict,
+                                   object->name + " used more than twice the stack that its .ocf "
+                                                  "file gives"});
 }
 
 void ReportStacks(System* system) {

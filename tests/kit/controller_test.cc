@@ -30,7 +30,7 @@ class ControllerFolder : public KitFolder {
   nlohmann::json Run(const std::string& stick = "") const {
     const ProgramResult result =
         RunProgram({"run", "--stick", stick.empty() ? File("") : stick, "--for", "16s", "--rate",
-                    "max", "--body", "ideal", "--no-panel", "--json"});
+                    "max", "--body", "ideal", "--no-panel", "--rc-port", "0", "--json"});
     EXPECT_EQ(result.status, 0) << result.err;
     return nlohmann::json::parse(result.out);
   }
@@ -379,7 +379,7 @@ TEST(ControllerRunTest, AStackOverflowIsCalledByItsNameOnEitherStack) {
     ASSERT_EQ(folder.BuildController().status, 0);
     const ProgramResult result =
         RunProgram({"run", "--stick", folder.File(""), "--for", "16s", "--rate", "max", "--body",
-                    "ideal", "--no-panel", "--json"});
+                    "ideal", "--no-panel", "--rc-port", "0", "--json"});
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.err, HasSubstr("OBJECT Controller, Controller.MainExecution."));
     EXPECT_THAT(result.err, HasSubstr("STACK overflow: the handler used more than 256 KiB"));

@@ -123,8 +123,8 @@ class KitFolder {
     return SayOf(File(stick), std::move(flags));
   }
   static std::string SayOf(const std::string& stick, std::vector<std::string> flags = {}) {
-    flags.insert(flags.begin(),
-                 {"run", "--stick", stick, "--for", "1s", "--rate", "max", "--no-panel"});
+    flags.insert(flags.begin(), {"run", "--stick", stick, "--for", "1s", "--rate", "max",
+                                 "--no-panel", "--rc-port", "0"});
     const ProgramResult result = RunProgram(flags);
     if (result.status != 0) return "status " + std::to_string(result.status) + ": " + result.err;
     return WordsOfObjects(result.err);

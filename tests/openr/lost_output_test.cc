@@ -236,6 +236,10 @@ TEST(LostOutputTest, ASecondRunIntoARecordingIsRefused) {
   EXPECT_EQ(second.err.substr(second.err.rfind("openr: ")),
             "openr: " + file + ": is being written by process " + std::to_string(first.pid()) +
                 " (openr); name another file, or wait for its end\n");
+  const ProgramResult other = RunProgram(
+      {"run", "--for", "100ms", "--rc-port", "0", "--stick", stick.path(), "--report", file});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr(file + ": is being written by process "));
   first.Signal(SIGINT);
   EXPECT_EQ(first.Finish().status, 0);
   EXPECT_EQ(Script("$openr replay " + file).status, 0) << "the first one has all of its recording";

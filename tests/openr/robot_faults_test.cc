@@ -168,6 +168,8 @@ TEST(RobotFaultsTest, StrictlyTwiceAsMuchStopsTheRobot) {
   EXPECT_THAT(run.Findings(), HasSubstr("error: a handler's own functions used at least 32768"));
   EXPECT_THAT(run.Findings(), HasSubstr("(--strict: the robot stops)"));
   EXPECT_LT(run.report["virtual_time_s"].get<double>(), 0.1);
+  EXPECT_EQ(run.report["ended_by"], "strict");
+  EXPECT_THAT(run.result.err, Not(HasSubstr("does not boot")));
 }
 
 #endif
