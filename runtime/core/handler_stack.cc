@@ -1,5 +1,8 @@
 #include "runtime/core/handler_stack.h"
 
+#include "runtime/core/address_plan.h"
+#include "runtime/core/memory_tools.h"
+
 #if defined(__x86_64__)
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.  What unwinds the
@@ -29,11 +32,45 @@ openr_call_on_stack:
     .size openr_call_on_stack, .-openr_call_on_stack
 )");
 
+// Makes 2 KiB below the caller's frame zero, if the caller runs on a planned stack (address_plan.h:
+// the addresses below 17 TiB), and if so much is left above the guard page.  Has no frame of its
+// own, so nothing stays but the address that it returns to.
+extern "C" {
+__attribute__((visibility("hidden"))) bool openr_clears_stacks = !openr_host::IsStackWatched();
+}
+asm(R"(
+    .text
+    .globl openr_clear_stack
+    .type openr_clear_stack, @function
+openr_clear_stack:
+    .cfi_startproc
+    cmpb $0, openr_clears_stacks(%rip)
+    je 1f
+    movq %rsp, %rax
+    shrq $40, %rax
+    cmpq $17, %rax
+    jae 1f
+    movl %esp, %eax
+    andl $0x7ffff, %eax
+    cmpl $0x2000, %eax
+    jb 1f
+    leaq -2048(%rsp), %rdi
+    movl $256, %ecx
+    xorl %eax, %eax
+    rep stosq
+1:  ret
+    .cfi_endproc
+    .size openr_clear_stack, .-openr_clear_stack
+)");
+
 #endif
 
 namespace openr_host {
 
 #if defined(__x86_64__)
+
+// openr_clear_stack() finds the begin of a stack by its address.
+static_assert(AddressPlace::kStackBytes == 0x80000);
 
 void HandlerStack::Call(void (*function)(void*), void* argument) {
   const char* const here = static_cast<const char*>(__builtin_frame_address(0));

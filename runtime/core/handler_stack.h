@@ -12,6 +12,14 @@
 
 namespace openr_host {
 
+// Makes the part of a planned stack zero that the next function called will use; on other stacks it
+// does nothing.  Called in front of code of an image where the runtime has run before.
+#if defined(__x86_64__)
+extern "C" void openr_clear_stack(void);
+#else
+inline void openr_clear_stack() {}
+#endif
+
 class HandlerStack {
  public:
   // `address`: of the plan (address_plan.h).

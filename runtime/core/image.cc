@@ -180,6 +180,7 @@ void RunEntry(void* data) {
   };
   watch->Begin(__builtin_frame_address(0), call.caught);
   const Measuring measuring{watch};
+  openr_clear_stack();
   call.entry(call.payload);
 }
 
