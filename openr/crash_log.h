@@ -17,8 +17,9 @@ namespace openr_host {
 class CrashLog {
  public:
   // `files`: by robot (RunStick::crash_log()); an empty name is no file.  `adds`: records that are
-  // there already, of other processes of the run, stay.  `place`: where people would not look for
-  // the file; the finding names it, with these words behind it (" on HOST").
+  // there already, of other processes of the run, stay.  `place`: set when the file lies on no
+  // stick that the person has named.  The finding then names the file, with this text behind it
+  // (" on HOST").
   explicit CrashLog(std::vector<std::string> files, bool adds = false,
                     const std::optional<std::string>& place = {});
   ~CrashLog();

@@ -29,7 +29,8 @@ class RunStick {
   // The file for the record of a crash; "": there is no place for one.
   const std::string& crash_log() const { return crash_log_; }
 
-  // Whether the record is not where people look for it, so that findings name it.
+  // Whether the run uses the default stick: the crash record is in the cache folder then, and
+  // findings name the file.
   bool is_default() const { return is_default_; }
 
  private:

@@ -18,7 +18,7 @@ namespace {
 int g_standard_output = STDOUT_FILENO;
 int g_output_error = 0;  // the first of writing to it
 bool g_has_failed = false;
-bool g_is_told = false;  // to people
+bool g_is_told = false;  // the failure has been printed on standard error
 
 // The lowest closed descriptor is the one that open() gives.
 void OpenClosedDescriptors() {

@@ -33,8 +33,8 @@ public:
     // The answer to bytes that are no packet; the connection ends with it.
     void AnswerBroken(const std::string& error, RcWriter* out);
 
-    // The answer to a client for which there is no place; the connection ends with it.  `request`
-    // may be null: the client has sent none.
+    // Tells a client that all `places` are taken by clients that have spoken in the last `seconds`.
+    // The connection is closed afterwards.  `request` may be null: the client has sent none.
     void AnswerNoPlace(const RcFramer* request, int places, int seconds, RcWriter* out);
 
 private:

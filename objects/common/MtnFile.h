@@ -62,9 +62,9 @@ public:
     // Valid after MapTo().
     int RobotJoint(int j) const { return robotJoint_[j]; }
 
-    // Index in RobotConstants::plungers of the file's joint `j`; -1 when it is none.  A
-    // plunger has two positions: in a key frame it is on when its Angle() is not 0.  Valid
-    // after MapTo().
+    // Index in RobotConstants::plungers of the file's joint `j`; -1 when joint `j` is
+    // no plunger.  A plunger has two positions, as an ear has: in a key frame it is on when
+    // its Angle() is not 0.  Valid after MapTo().
     int RobotPlunger(int j) const { return robotPlunger_[j]; }
 
     int NumKeyFrames() const { return numKeyFrames_; }

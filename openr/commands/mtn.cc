@@ -64,7 +64,7 @@ bool HasTwoPositions(const std::string& locator) {
          locator.find("-Joint4:") != std::string::npos;
 }
 
-// Where the motion has the file's joint `j`.
+// The lowest and highest angle of the file's joint `j` in this motion, as text.
 std::string RangeOf(const MtnFile& motion, int j) {
   Sint32 low = motion.NumKeyFrames() > 0 ? motion.Angle(0, j) : 0, high = low;
   bool off = false, on = false;

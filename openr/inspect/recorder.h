@@ -17,9 +17,9 @@ class Recorder {
   // Makes the networks of a simulation that is still to be made report here.
   void Listen(SimulationOptions* options);
 
-  // Begins the file; throws std::runtime_error when it cannot be made, or another run writes it.
-  // REQUIRES: before Boot(); `options` are those of `simulation`; `stick`: where a
-  // replay finds the files (RunStick::name()); `is_free`: of a run that cannot be replayed.
+  // Begins the file; throws std::runtime_error when it cannot be made, or another run is writing
+  // it. REQUIRES: before Boot(); `options` are those of `simulation`; `stick`: where a replay finds
+  // the files (RunStick::name()); `is_free`: the run is free-running and cannot be replayed.
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false);
 

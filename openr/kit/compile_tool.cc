@@ -113,8 +113,8 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Another compiler may have repaired a header since this one failed: the complaints of before the
-  // lock was taken no longer count.
+  // Another compiler may have repaired a header while this one waited for the lock.  The old
+  // complaints no longer count then, so the file is compiled again.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);

@@ -52,7 +52,8 @@ void AppendKitLog(const std::string& file, const KitLog& log);
 // Writes `log` in the place of what the file holds.
 void WriteKitLog(const std::string& file, const KitLog& log);
 
-// Forgets failures, repairs and images that are gone: what a build begins with.
+// Removes failures, repairs, and images that no longer exist from the log.  Called when a build
+// begins.
 void CleanKitLog(const std::string& file);
 
 }  // namespace openr_host

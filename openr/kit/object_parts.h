@@ -1,5 +1,5 @@
-// Which files an object may be made of, where Makefiles take them from other folders than the
-// object's own.
+// Finds the files that an object may be made of when a Makefile takes them from other folders than
+// the object's own.
 #pragma once
 
 #include <filesystem>
@@ -43,7 +43,8 @@ class ObjectParts {
   // Whether some rule installs images under a name that only make can tell.
   bool HasUnreadableInstall() const;
 
-  // The file with this name, in any case, that lies on no stick; an empty path if there is none.
+  // Finds a file by its name, upper and lower case being equal, but not inside of a stick.  An
+  // empty path if there is none.
   std::filesystem::path FindFile(const std::string& name) const;
 
   // The text of a file; for a Makefile the text that make reads (referred_places.h).

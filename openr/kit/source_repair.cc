@@ -45,8 +45,9 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   return complaints;
 }
 
-// The assembler's complaints about lines of a source: "a.cc:3: Error: no such instruction: ...". It
-// knows no source for assembly outside of functions; that is one of the compiler's `sources`.
+// The assembler's complaints about lines of a source: "a.cc:3: Error: no such instruction: ...".
+// For assembly outside of functions the assembler names no source; the complaint then belongs to
+// one of the `sources` that the compiler was given.
 std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");

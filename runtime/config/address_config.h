@@ -37,7 +37,8 @@ std::string ParseAddressPair(std::string_view text, AddressPair* pair);
 // Appends `pair`; returns "" or why it cannot hold beside those that are there.
 std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pairs);
 
-// The text of a HOSTADDR.CFG: "ROBOT HOST" per line.  A bad line is reported and skipped.
+// Reads the text of a HOSTADDR.CFG, one "ROBOT HOST" per line.  `design`: the model whose sections
+// count ("ERS-210").  A bad line is reported and skipped.
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 

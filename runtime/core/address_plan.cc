@@ -153,7 +153,7 @@ bool MapAt(char* address, size_t bytes) {
       mmap(address, bytes, PROT_READ | PROT_WRITE,
            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
   if (mapped == address) return true;
-  // A kernel before Linux 4.17 takes the address for a wish.
+  // A kernel before Linux 4.17 takes the address for a hint and may map elsewhere.
   if (mapped != MAP_FAILED) munmap(mapped, bytes);
   return false;
 }

@@ -1,4 +1,4 @@
-// The PC's side of OPEN-R calls: what objects of a stick with !ROBOT_PROXY in HOSTGW.CFG ask of the
+// Sends OPEN-R calls of objects that run on a PC (a stick with !ROBOT_PROXY in HOSTGW.CFG) to the
 // robot.
 //
 // A call is a message to the gateway; its sender, and only it, waits for the answer.  Calls go out
@@ -26,7 +26,7 @@ struct ProxyRequest {
 
 class ProxyClient : public GatewayChannel {
  public:
-  // How long the robot has, as with the original's SelectProxyPort() (core.md, 5.4).
+  // How long the robot has to answer, as with the original's SelectProxyPort() (core.md, 5.4).
   static constexpr int64_t kPatienceUs = 10'000'000;
 
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)

@@ -15,7 +15,7 @@ namespace openr_host {
 
 class HostPorts {
  public:
-  // Numbers above its own that a port tries, before any free one will do.
+  // How many numbers above the wanted one are tried before any free port is taken.
   static constexpr int kNextPorts = 100;
 
   // `wished`: robot's port to host's port, which it gets or none; 0: any free one.  Ports that

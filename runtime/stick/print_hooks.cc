@@ -1,8 +1,9 @@
-// printf(), sscanf() and their kin: the C library's own, whose frames are not the object's.
+// Wraps printf(), sscanf() and the like, so that the C library's stack use is not counted as the
+// object's.
 //
 // These are the deepest functions that objects call all the time: up to 2 KiB of stack on this
 // host, where an object may have 3 KiB in its .ocf file.
-#if !defined(__SANITIZE_ADDRESS__)  // whose own versions of them look at the arguments
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer has versions of its own
 
 #include <stdarg.h>
 #include <stdio.h>

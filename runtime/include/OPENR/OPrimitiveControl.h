@@ -7,7 +7,7 @@
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
-// First requests of each kind of primitive.
+// The lowest request number of each kind of primitive.
 const OPrimitiveRequest oprmreqCOMMON_BASE = 0;
 const OPrimitiveRequest oprmreqSPEAKER_BASE = 128;
 const OPrimitiveRequest oprmreqMIC_BASE = 256;

@@ -103,7 +103,7 @@ struct ONotifyMessage {
     return sizeof *this - (MAX_NUM_DATA - numOfData) * sizeof(TransferedData);
   }
 
-  // Forgets the data; references are the caller's.
+  // Removes the data from the message.  Releases no references: the caller must do that.
   void Clear() {
     numOfData = 0;
     numOfNotify = 0;

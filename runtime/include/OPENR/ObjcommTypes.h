@@ -10,7 +10,7 @@
 // Most data elements one notification can carry.
 #define MAX_NUM_DATA 13
 
-// The most regions that a ready of version 1 can give back.
+// The largest number of memory regions that a ready message of version 1 can give back.
 const int objcommMAX_NUM_UNLOCK = 29;
 
 // A subject is known by its object and its Ready selector, an observer by its
