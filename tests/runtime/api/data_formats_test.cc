@@ -51,10 +51,14 @@ TEST(OSoundInfoTest, SetWritesTypePrimitiveAndSize) {
 }
 
 TEST(OFbkImageVectorDataTest, SetPrimitiveIDReachesEveryLayer) {
-  OFbkImageVectorData vector = {};
-  vector.SetPrimitiveID(9);
-  EXPECT_EQ(vector.GetInfo(ofbkimageLAYER_H)->primitiveID, 9u);
-  EXPECT_EQ(vector.GetInfo(ofbkimageLAYER_C)->primitiveID, 9u);
+  // The camera's vectors have room for all layers; the type has it for one.
+  struct {
+    OFbkImageVectorData vector;
+    OFbkImageInfo more[ofbkimageNUM_LAYERS - 1];
+  } room = {};
+  room.vector.SetPrimitiveID(9);
+  EXPECT_EQ(room.vector.GetInfo(ofbkimageLAYER_H)->primitiveID, 9u);
+  EXPECT_EQ(room.vector.GetInfo(ofbkimageLAYER_C)->primitiveID, 9u);
 }
 
 TEST(OJointCommandValueTest, SetTakesTheValueAndThreeGains) {
