@@ -33,7 +33,8 @@ void AnswerWithTheEnding(const Ending& ending) {
   if (g_is_awaited) {
     SignalText last;
     last.Add("ended by ").Add(EndName(ending.kind)).Add(": ");
-    last.Add(ending.object->name.c_str()).Add(": ").Add(ending.finding.text());
+    if (ending.object != nullptr) last.Add(ending.object->name.c_str()).Add(": ");
+    last.Add(ending.finding.text());
     last.Add("\n").WriteTo(STDERR_FILENO);
   }
   if (ending.answered) return;
@@ -55,7 +56,8 @@ void GiveUp(int) {
 }  // namespace
 
 RunEnd EndOf(const Ending& ending) {
-  return {ending.kind, ending.object->name + ": " + std::string(ending.finding.text())};
+  const std::string object = ending.object == nullptr ? "" : ending.object->name + ": ";
+  return {ending.kind, object + std::string(ending.finding.text())};
 }
 
 LastWords::LastWords(std::function<void(Ending*)> say)

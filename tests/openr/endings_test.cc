@@ -68,6 +68,9 @@ TEST(EndingTest, AnObjectThatCallsFatal) {
 }
 
 TEST(EndingTest, ACrashIsInTheReportAndInTheLastLine) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer reports crashes itself";
+#endif
   const ScratchFolder stick;
   stick.MakeTrouble("crash");
   const ProgramResult result = RunProgram(RunWords({"--stick", stick.path(), "--json"}));
@@ -191,6 +194,9 @@ TEST(EndingTest, AReplaySaysWhyTheRecordedRunEnded) {
 }
 
 TEST(EndingTest, ARecordingOfACrashHasTheReason) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer reports crashes itself";
+#endif
   const ScratchFolder folder;
   folder.MakeTrouble("crash");
   const std::string file = folder.File("run.rec");
