@@ -201,7 +201,8 @@ TEST(EndingTest, ARecordingOfACrashHasTheReason) {
   folder.MakeTrouble("crash");
   const std::string file = folder.File("run.rec");
   RunProgram(RunWords({"--stick", folder.path(), "--record", file}));
-  EXPECT_THAT(RunProgram({"trace", file}).out, HasSubstr("ended by crash: Trouble: crash: SIGSEGV"));
+  EXPECT_THAT(RunProgram({"trace", file}).out,
+              HasSubstr("ended by crash: Trouble: crash: SIGSEGV"));
 }
 
 TEST(EndingTest, AnExplorationCountsTheReasons) {
