@@ -116,7 +116,7 @@ Revealer::SendAddresses()
     delete[] large_heap;
 }
 
-// What the C library and the SDK leave on stack and heap must not be seen here.
+// Sends bytes that were never set.  They must not show what the C library and the SDK have left.
 void
 Revealer::SendUnset()
 {

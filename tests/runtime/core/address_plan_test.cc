@@ -65,7 +65,7 @@ TEST_F(AddressPlanTest, ARegionLiesWhereItsSlotAndSizePutIt) {
   for (std::vector<const void*>* blocks : {&first, &second}) {
     RegionMemory memory;
     for (const uint32_t slot : {3u, 500u, 65535u}) {
-      // What was there before does not count.
+      // Blocks that were there before and are freed do not count.
       if (blocks == &second) memory.Free(memory.New(slot, 5000));
       for (const size_t bytes : {1u, 65u, 5000u, 300'000u, 16u << 20})
         blocks->push_back(memory.New(slot, bytes));

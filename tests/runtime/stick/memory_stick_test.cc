@@ -66,7 +66,7 @@ TEST(MemoryStickTest, WhatIsNotThereIsToldFromWhatIsNoFile) {
   EXPECT_EQ(stick.WhyUnread("/MS/OPEN-R/MW"), EISDIR);
 }
 
-// As a user who may not read it: root may.
+// Runs the check as another user, because root may read every file.
 TEST(MemoryStickTest, WhatMayNotBeReadIsNotCalledMissing) {
   constexpr uid_t kNobody = 65534;
   const TempFolder folder;
