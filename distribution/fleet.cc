@@ -160,6 +160,10 @@ openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.last_box});
   }
+  std::vector<uint64_t> heap_elsewhere;
+  for (int i = 0; i < system_->robot_count(); ++i)
+    heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
+  load.heap_elsewhere = arena->Numbers(heap_elsewhere);
   load.robots = arena->Sequence<decltype(load.robots)>(robots);
   load.designs = arena->Sequence<decltype(load.designs)>(designs);
   load.objects = arena->Sequence<decltype(load.objects)>(objects);

@@ -55,6 +55,8 @@ void RemoteProcess::Lose() {
   }
   pins_.clear();
   dropped_.clear();
+  for (const auto& [robot, bytes] : std::exchange(heap_there_, {}))
+    system_->robot(robot).memory.used_bytes -= bytes;
   under_way_.clear();
   stops_.clear();
   is_silent_ = false;

@@ -203,6 +203,7 @@ bool RemoteProcess::TakeLoaded(const openr_wire_Up& up,
       Refuse("an object that is not its own, or sent it twice");
     if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
     TakeDescription(entry, found->second);
+    TakeHeap(found->second->robot, entry.heap_here);
   }
   if (!awaited_.empty()) Refuse("nothing of an object that it was to load");
   return true;
@@ -222,6 +223,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Down down = NewDown(openr_wire_DOWN_DELIVER);
     openr_wire_Deliver& deliver = down.body._u.deliver;
     deliver.now_us = system_->now_us();
+    deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -262,8 +264,20 @@ RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_Up& up) {
   object->stack_max = stopped.stack_max;
   RemoteObject* const remote = objects_.at(object->id);
   remote->heap_max = stopped.heap_max;
+  TakeHeap(object->robot, stopped.heap_here);
   remote->pending_there = stopped.pending;
   return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
+}
+
+uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
+  const auto there = heap_there_.find(robot);
+  return system->robot(robot).memory.used_bytes - (there == heap_there_.end() ? 0 : there->second);
+}
+
+void RemoteProcess::TakeHeap(int robot, uint64_t bytes) {
+  constexpr uint64_t kMost = uint64_t{1} << 40;  // more is not believed
+  if (bytes > kMost) Refuse("a heap that is too large");
+  system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_there_[robot], bytes);
 }
 
 // Nothing when the process was lost meanwhile.
@@ -365,6 +379,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   }
   WireArena arena;
   resume.now_us = system_->now_us();
+  resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
   courier_->Encode(*reply, nullptr, &arena, &resume.reply);
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
@@ -389,6 +404,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
   openr_wire_Down down = NewDown(openr_wire_DOWN_RESUME);
   openr_wire_Resume& resume = down.body._u.resume;
   resume.now_us = system_->now_us();
+  resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
   resume.reply.target = object->id;
   resume.reply.sender = kNoObject;
   resume.reply.is_reply = true;

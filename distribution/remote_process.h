@@ -60,6 +60,9 @@ class RemoteProcess {
   void WaitForHello(int64_t limit_ms, const std::string& advice,
                     const std::function<bool()>& is_ending);
 
+  // Bytes of heap that are in use on a robot, but for those of the objects there.
+  uint64_t HeapElsewhere(System* system, int robot) const;
+
   // What holds for the whole run.
   void Welcome(System* system, const openr_wire_Welcome& welcome);
 
@@ -159,6 +162,7 @@ class RemoteProcess {
   std::optional<Stop> WaitForStop(RemoteObject* object);
   std::optional<Stop> AwaitStop(RemoteObject* object);
   Stop TakeStop(const openr_wire_Up& up);
+  void TakeHeap(int robot, uint64_t bytes);
   void TakeFree(const openr_wire_Up& up);
   void TakeForgotten(const openr_wire_Up& up);
   bool TakeLoaded(const openr_wire_Up& up, const std::map<ObjectId, RemoteObject*>& objects);
@@ -196,6 +200,7 @@ class RemoteProcess {
   uint64_t session_ = 0;                  // counts on when it comes back
   std::map<uint32_t, int> pins_;          // that objects there have, by region
   std::map<ObjectId, uint64_t> dropped_;  // as it counts them
+  std::map<int, uint64_t> heap_there_;    // bytes in use by its objects, by robot
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;

@@ -5,20 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
 #include "distribution/latency.h"
 #include "distribution/pulse.h"
-#include "distribution/remote_services.h"
 #include "distribution/seat.h"
 #include "runtime/core/indivisible.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
-#include "runtime/ipstack/loopback_network.h"
 #include "runtime/objcomm/state.h"
-#include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
 namespace {
@@ -29,25 +25,7 @@ constexpr int kLastWordMs = 3'000;    // the same: it is not known otherwise
 constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
 constexpr int kKnockMs = 1'000;       // between knocks
 
-bool IsFolder(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error);
-}
-
 constexpr char kGivenUp[] = "the run could not reach it and goes on without";
-
-// Stands for an object of another process.
-class AbsentObject : public Object {
- public:
-  AbsentObject(System* system, ObjectId id, int robot, Courier* courier)
-      : Object(system, id, robot), courier_(courier) {}
-  bool HasEntry(uint32_t) const override { return true; }
-  bool Dispatch(uint32_t, void*) override { return false; }
-  void TakeBack(RCRegion* region) override { courier_->TakeBack(region); }
-
- private:
-  Courier* const courier_;
-};
 
 }  // namespace
 
@@ -184,116 +162,6 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   return "";
 }
 
-std::string Worker::LoadMore(const openr_wire_Load& load) {
-  for (uint32_t i = 0; i < load.robots._length; ++i) {
-    const std::string problem = AddRobot(load.robots._buffer[i]);
-    if (!problem.empty()) return problem;
-  }
-  if (!std::exchange(uses_stick_, true) && options_.begins) options_.begins(stick_);
-  for (uint32_t i = 0; i < load.designs._length; ++i) {
-    const openr_wire_DesignEntry& entry = load.designs._buffer[i];
-    CheckRobot(entry.robot);
-    system_->robot(entry.robot).design_data[StringOf(entry.keyword)] = StringOf(entry.path);
-  }
-  std::vector<openr_wire_LoadedObject> loaded;
-  for (uint32_t i = 0; i < load.objects._length; ++i) AddObject(load.objects._buffer[i], &loaded);
-  SendLoaded(std::move(loaded));
-  return "";
-}
-
-// The run's, or one of this host with the same files.
-void Worker::FindStick(uint64_t hash) {
-  if (IsFolder(stick_) || !options_.own_stick) return;
-  const std::string own = options_.own_stick();
-  if (IsFolder(own) && FolderStick(own).ContentHash() == hash) stick_ = own;
-}
-
-std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
-  std::shared_ptr<FolderStick> stick;
-  if (entry.has_stick) {
-    FindStick(entry.stick_hash);
-    is_refused_ = !IsFolder(stick_);
-    if (is_refused_)
-      return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
-                         stick_);
-    stick = std::make_shared<FolderStick>(stick_);
-    stick->set_writable(entry.writable);
-    is_refused_ = entry.stick_hash != 0 && stick->ContentHash() != entry.stick_hash;
-    if (is_refused_)
-      return fmt::format("{}: is not the stick of the run: its files differ from the master's",
-                         stick_);
-  }
-  Robot& robot = system_->robot(system_->AddRobot(StringOf(entry.design), std::move(stick)));
-  robot.services = std::make_unique<RemoteServices>(system_.get());
-  return "";
-}
-
-void Worker::CheckRobot(int robot) const {
-  if (robot < 0 || robot >= system_->robot_count())
-    throw std::runtime_error("something of a robot that is not there");
-}
-
-// In the order of ids, so that each object gets its own.
-void Worker::AddObject(const openr_wire_ObjectEntry& entry,
-                       std::vector<openr_wire_LoadedObject>* loaded) {
-  const auto next = static_cast<ObjectId>(system_->objects().size());
-  if (entry.id < next) return;  // the object manager, which every system has
-  if (entry.id > next) throw std::runtime_error("an object before those that come first");
-  CheckRobot(entry.robot);
-  if (entry.is_stack) {
-    AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
-    return;
-  }
-  if (entry.is_yours) {
-    Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
-    if (object != nullptr) {
-      object->last_box = entry.last_box;
-      own_names_.insert(object->name);
-      loaded->push_back(Describe(*object));
-      return;
-    }
-    openr_wire_LoadedObject bad{};
-    bad.id = entry.id;
-    bad.name = arena_.Text(StringOf(entry.name));
-    const auto& findings = system_->findings().all();
-    bad.problem = arena_.Text(findings.empty() ? "cannot be loaded" : findings.back().text);
-    loaded->push_back(bad);
-  }
-  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, courier_.get());
-  absent->name = StringOf(entry.name);
-  absent->is_system = entry.is_system;
-  system_->Adopt(std::move(absent));
-}
-
-openr_wire_LoadedObject Worker::Describe(const Object& object) {
-  openr_wire_LoadedObject out{};
-  out.id = object.id;
-  out.name = arena_.Text(object.name);
-  out.problem = arena_.Text("");
-  out.priority = object.limits.priority;
-  out.stack_bytes = object.limits.stack_bytes;
-  out.heap_bytes = object.limits.heap_bytes;
-  std::vector<uint64_t> selectors;
-  for (uint32_t i = 0; i < kSelectorMax; ++i) {
-    if (object.HasEntry(i)) selectors.push_back(i);
-  }
-  out.selectors = arena_.Numbers(selectors);
-  std::vector<openr_wire_EntryName> names;
-  for (const auto& [selector, name] : object.entry_names)
-    names.push_back({selector, arena_.Text(name)});
-  out.names = arena_.Sequence<decltype(out.names)>(names);
-  return out;
-}
-
-void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
-  openr_wire_Up up = NewUp(openr_wire_UP_LOADED);
-  auto& objects = up.body._u.loaded.objects;
-  objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
-  TakeEffects(&up);
-  Send(up);
-  arena_.Clear();
-}
-
 std::string Worker::Run() {
   std::string problem, goodbye;
   try {
@@ -347,10 +215,11 @@ std::string Worker::Serve() {
       }
       case openr_wire_DOWN_DELIVER:
         if (!std::exchange(has_begun_, true)) SayThatItJoined();
-        Deliver(down->body._u.deliver.now_us, down->body._u.deliver.message, false);
+        Deliver(down->body._u.deliver, false);
         break;
       case openr_wire_DOWN_RESUME:
-        Deliver(down->body._u.resume.now_us, down->body._u.resume.reply,
+        Deliver({down->body._u.resume.now_us, down->body._u.resume.heap_elsewhere,
+                 down->body._u.resume.reply},
                 down->body._u.resume.timed_out);
         break;
       case openr_wire_DOWN_ASK_STATE:
@@ -370,13 +239,17 @@ std::string Worker::Serve() {
   }
 }
 
-void Worker::Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out) {
+void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
+  const int64_t now_us = deliver.now_us;
+  const openr_wire_Message& in = deliver.message;
   Object* const object = system_->object(in.target);
   if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
   if (now_us > system_->now_us()) system_->RunUntil(now_us);
   Message* const message = system_->queue().Allocate();
   const std::string problem = courier_->Decode(in, message);
   if (!problem.empty()) throw std::runtime_error("a malformed message: " + problem);
+  CheckRobot(object->robot);
+  SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
   FollowBuffers(*object, *message);
   if (timed_out) {
     message->kind = PayloadKind::kHashed;
@@ -447,6 +320,7 @@ void Worker::SendStopped(Object* object) {
   stopped.dropped = object->dropped_count;
   stopped.stack_max = object->stack_max;
   if (object->arena != nullptr) stopped.heap_max = object->arena->bytes_in_use_max();
+  stopped.heap_here = HeapHere(object->robot);
   for (const auto& subject : object->subjects) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }

@@ -90,8 +90,10 @@ class Worker : public Uplink {
   std::string Serve();
   void SayThatItJoined();
   void SayThatItIsOver(const openr_wire_End& end);
-  void Deliver(int64_t now_us, const openr_wire_Message& in, bool timed_out);
+  void Deliver(const openr_wire_Deliver& deliver, bool timed_out);
   void RunTimed(ObjectId id);
+  void SetHeapElsewhere(int robot, uint64_t bytes);
+  uint64_t HeapHere(int robot) const;
   void SendStopped(Object* object);
   void SendState(ObjectId id);
   void Forget(ObjectId id);
@@ -123,6 +125,7 @@ class Worker : public Uplink {
   bool uses_stick_ = false;          // `begins` has been called
   std::set<std::string> own_names_;  // of its objects
   bool has_begun_ = false;
+  std::map<int, uint64_t> heap_elsewhere_;           // bytes in other processes, by robot
   bool is_free_ = false;                             // the run goes by the clock on the wall
   std::set<ObjectId> quick_;                         // whose last handler was
   bool is_over_ = false;                             // nobody listens: objects are being unloaded

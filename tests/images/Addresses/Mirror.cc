@@ -1,5 +1,6 @@
 #include "Mirror.h"
 
+#include <MCOOP.h>
 #include <OPENR/core_macro.h>
 #include <stdlib.h>
 
@@ -42,7 +43,9 @@ Mirror::NotifyIn(const ONotifyEvent& event)
 {
     int aLocal = 0;
     void* heap = malloc(50);
-    const void* addresses[] = {event.Data(0), heap, &aStatic, &aLocal, this};
+    size_t left = 0;  // of the memory of the robot, which Revealer uses as well
+    GetFreeMemorySize(&left);
+    const void* addresses[] = {event.Data(0), heap, &aStatic, &aLocal, this, (void*)left};
     free(heap);
     subject[sbjOut]->SetData(addresses, sizeof(addresses));
     subject[sbjOut]->NotifyObservers();

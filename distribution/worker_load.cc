@@ -1,0 +1,163 @@
+// What a worker loads and keeps of the run: robots, objects, and how much of their memory is used.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "distribution/remote_services.h"
+#include "distribution/worker.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/ipstack/loopback_network.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+bool IsFolder(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error);
+}
+
+// Stands for an object of another process.
+class AbsentObject : public Object {
+ public:
+  AbsentObject(System* system, ObjectId id, int robot, Courier* courier)
+      : Object(system, id, robot), courier_(courier) {}
+  bool HasEntry(uint32_t) const override { return true; }
+  bool Dispatch(uint32_t, void*) override { return false; }
+  void TakeBack(RCRegion* region) override { courier_->TakeBack(region); }
+
+ private:
+  Courier* const courier_;
+};
+
+}  // namespace
+
+std::string Worker::LoadMore(const openr_wire_Load& load) {
+  for (uint32_t i = 0; i < load.robots._length; ++i) {
+    const std::string problem = AddRobot(load.robots._buffer[i]);
+    if (!problem.empty()) return problem;
+  }
+  for (uint32_t i = 0; i < load.heap_elsewhere._length; ++i) {
+    CheckRobot(static_cast<int>(i));
+    SetHeapElsewhere(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
+  }
+  if (!std::exchange(uses_stick_, true) && options_.begins) options_.begins(stick_);
+  for (uint32_t i = 0; i < load.designs._length; ++i) {
+    const openr_wire_DesignEntry& entry = load.designs._buffer[i];
+    CheckRobot(entry.robot);
+    system_->robot(entry.robot).design_data[StringOf(entry.keyword)] = StringOf(entry.path);
+  }
+  std::vector<openr_wire_LoadedObject> loaded;
+  for (uint32_t i = 0; i < load.objects._length; ++i) AddObject(load.objects._buffer[i], &loaded);
+  SendLoaded(std::move(loaded));
+  return "";
+}
+
+// The run's, or one of this host with the same files.
+void Worker::FindStick(uint64_t hash) {
+  if (IsFolder(stick_) || !options_.own_stick) return;
+  const std::string own = options_.own_stick();
+  if (IsFolder(own) && FolderStick(own).ContentHash() == hash) stick_ = own;
+}
+
+std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
+  std::shared_ptr<FolderStick> stick;
+  if (entry.has_stick) {
+    FindStick(entry.stick_hash);
+    is_refused_ = !IsFolder(stick_);
+    if (is_refused_)
+      return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
+                         stick_);
+    stick = std::make_shared<FolderStick>(stick_);
+    stick->set_writable(entry.writable);
+    is_refused_ = entry.stick_hash != 0 && stick->ContentHash() != entry.stick_hash;
+    if (is_refused_)
+      return fmt::format("{}: is not the stick of the run: its files differ from the master's",
+                         stick_);
+  }
+  Robot& robot = system_->robot(system_->AddRobot(StringOf(entry.design), std::move(stick)));
+  robot.services = std::make_unique<RemoteServices>(system_.get());
+  return "";
+}
+
+void Worker::CheckRobot(int robot) const {
+  if (robot < 0 || robot >= system_->robot_count())
+    throw std::runtime_error("something of a robot that is not there");
+}
+
+// In the order of ids, so that each object gets its own.
+void Worker::AddObject(const openr_wire_ObjectEntry& entry,
+                       std::vector<openr_wire_LoadedObject>* loaded) {
+  const auto next = static_cast<ObjectId>(system_->objects().size());
+  if (entry.id < next) return;  // the object manager, which every system has
+  if (entry.id > next) throw std::runtime_error("an object before those that come first");
+  CheckRobot(entry.robot);
+  if (entry.is_stack) {
+    AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
+    return;
+  }
+  if (entry.is_yours) {
+    Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
+    if (object != nullptr) {
+      object->last_box = entry.last_box;
+      own_names_.insert(object->name);
+      loaded->push_back(Describe(*object));
+      return;
+    }
+    openr_wire_LoadedObject bad{};
+    bad.id = entry.id;
+    bad.name = arena_.Text(StringOf(entry.name));
+    const auto& findings = system_->findings().all();
+    bad.problem = arena_.Text(findings.empty() ? "cannot be loaded" : findings.back().text);
+    loaded->push_back(bad);
+  }
+  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, courier_.get());
+  absent->name = StringOf(entry.name);
+  absent->is_system = entry.is_system;
+  system_->Adopt(std::move(absent));
+}
+
+openr_wire_LoadedObject Worker::Describe(const Object& object) {
+  openr_wire_LoadedObject out{};
+  out.id = object.id;
+  out.name = arena_.Text(object.name);
+  out.problem = arena_.Text("");
+  out.priority = object.limits.priority;
+  out.stack_bytes = object.limits.stack_bytes;
+  out.heap_bytes = object.limits.heap_bytes;
+  out.heap_here = HeapHere(object.robot);
+  std::vector<uint64_t> selectors;
+  for (uint32_t i = 0; i < kSelectorMax; ++i) {
+    if (object.HasEntry(i)) selectors.push_back(i);
+  }
+  out.selectors = arena_.Numbers(selectors);
+  std::vector<openr_wire_EntryName> names;
+  for (const auto& [selector, name] : object.entry_names)
+    names.push_back({selector, arena_.Text(name)});
+  out.names = arena_.Sequence<decltype(out.names)>(names);
+  return out;
+}
+
+void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
+  openr_wire_Up up = NewUp(openr_wire_UP_LOADED);
+  auto& objects = up.body._u.loaded.objects;
+  objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
+  TakeEffects(&up);
+  Send(up);
+  arena_.Clear();
+}
+
+// Objects of a robot share its memory, in whichever process they run.
+void Worker::SetHeapElsewhere(int robot, uint64_t bytes) {
+  system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_elsewhere_[robot], bytes);
+}
+
+uint64_t Worker::HeapHere(int robot) const {
+  const auto elsewhere = heap_elsewhere_.find(robot);
+  return system_->robot(robot).memory.used_bytes -
+         (elsewhere == heap_elsewhere_.end() ? 0 : elsewhere->second);
+}
+
+}  // namespace openr_host
