@@ -17,7 +17,8 @@ namespace openr_host {
 class HostAddresses {
  public:
   // The offset in `data` of the first 8 aligned bytes that are the address of memory of this
-  // process which is not planned; -1: there is none.  REQUIRES: data is aligned to 8.
+  // process which is not planned; -1: there is none, or this is built
+  // with AddressSanitizer or ThreadSanitizer.  REQUIRES: data is aligned to 8.
   //
   // Numbers can look like addresses.  The search is given up for the rest of the run once 64 of
   // them turned out to be none: then the data are of that kind, and one that is mapped is an
