@@ -211,13 +211,13 @@ CrashLog::CrashLog(std::vector<std::string> files, bool adds,
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (const int signal : kSignals) sigaction(signal, &action, nullptr);
-  HandlerWatch::SetCatchesNumbers(true);
+  ArithmeticWatch::SetCatches(true);
   SetPlaceNamer(&LineOfAddress);
 }
 
 CrashLog::~CrashLog() {
   if constexpr (!OPENR_ASAN) {
-    HandlerWatch::SetCatchesNumbers(false);
+    ArithmeticWatch::SetCatches(false);
     SetPlaceNamer(nullptr);
     for (const int signal : kSignals) ::signal(signal, SIG_DFL);
     UseAlternateStack(false);

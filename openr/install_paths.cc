@@ -23,7 +23,7 @@ fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 // installed.
 fs::path RuntimePrefix() {
   Dl_info info{};
-  if (dladdr(dlsym(RTLD_DEFAULT, "openr_image_constructors"), &info) == 0) return Prefix();
+  if (dladdr(dlsym(RTLD_DEFAULT, "openr_second_stack_new"), &info) == 0) return Prefix();
   return fs::path(info.dli_fname).parent_path().parent_path();
 }
 

@@ -41,11 +41,6 @@ constexpr std::string_view kRest = R"(;
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;
 const struct ImageInfo openr_image_info = { 1, 0, openr_ocf_text };
 
-/* Linked last, so the constructor without a priority is the last of all. */
-void openr_image_constructors(int begin);
-__attribute__((constructor(101))) static void BeforeConstructors(void) { openr_image_constructors(1); }
-__attribute__((constructor)) static void AfterConstructors(void) { openr_image_constructors(0); }
-
 void openr_function_begins(void*, void*) __asm__("__cyg_profile_func_enter");
 long openr_function_ends(void*, void*) __asm__("__cyg_profile_func_exit");
 __attribute__((visibility("hidden"), no_instrument_function))

@@ -9,23 +9,14 @@
 
 using namespace openr_host;
 
-namespace {
+OObject::OObject() : myOID_(t_current.object == nullptr ? OID() : OidOf(t_current.object->id)) {}
+OObject::~OObject() = default;
 
-void ReplyStatus(OStatus status) {
+void OObject::ReplyStatus(OStatus status) {
   const ApiScope scope;
   OStatusMessage message(status);
   Reply(&message, sizeof message);
 }
-
-}  // namespace
-
-OObject::OObject() : myOID_(t_current.object == nullptr ? OID() : OidOf(t_current.object->id)) {}
-OObject::~OObject() = default;
-
-void OObject::Init(const OSystemEvent& event) { ReplyStatus(DoInit(event)); }
-void OObject::Start(const OSystemEvent& event) { ReplyStatus(DoStart(event)); }
-void OObject::Stop(const OSystemEvent& event) { ReplyStatus(DoStop(event)); }
-void OObject::Destroy(const OSystemEvent& event) { ReplyStatus(DoDestroy(event)); }
 
 OStatus OObject::DoInit(const OSystemEvent&) { return oSUCCESS; }
 OStatus OObject::DoStart(const OSystemEvent&) { return oSUCCESS; }

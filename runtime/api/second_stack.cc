@@ -9,22 +9,24 @@
 #include "runtime/core/current.h"
 #include "runtime/core/fiber.h"
 #include "runtime/core/fp_flags.h"
+#include "runtime/core/handler_stack.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/system.h"
 
 using openr_host::ApiScope;
-using openr_host::HandlerWatch;
+using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
 // No ApiScope around a switch: whether code of the image runs is the same on both sides.
 struct OpenrSecondStack {
   // At the addresses of its object's place, like the stack of handlers, and as clean.
-  openr_host::Fiber fiber{Address()};
+  openr_host::HandlerStack stack{Address()};
+  openr_host::Fiber fiber;     // calls the body on that stack
   openr_host::MainFiber home;  // the method that went there, on whichever stack
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
-  std::optional<HandlerWatch> watch;  // of this stack, which is no part of a handler's
-  unsigned fp_flags = 0;              // raised there since it was entered last
+  std::optional<ArithmeticWatch> watch;  // of this stack, which is no part of a handler's
+  unsigned fp_flags = 0;                 // raised there since it was entered last
   bool has_left = false;
 
   static char* Address() {
@@ -35,8 +37,8 @@ struct OpenrSecondStack {
   static void Main(void* self) { static_cast<OpenrSecondStack*>(self)->Run(); }
 
   void Run() {
-    if (watch) watch->Begin(__builtin_frame_address(0), Kinds());
-    body(argument);
+    if (watch) watch->Begin(openr_host::kFpCaught);
+    stack.Call(body, argument);
     GoHome();
     __builtin_unreachable();  // an ended body is not continued
   }
@@ -51,22 +53,18 @@ struct OpenrSecondStack {
   // Runs what is there until it goes home.  It counts as stack of the object: on the robot there is
   // only one.
   void GoThere() {
-    HandlerWatch* const outer = t_current.watch;
+    ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;
     fiber.SwitchFrom(&home);
     t_current.watch = outer;
     if (fp_flags != 0) openr_host::SetFpState(openr_host::FpState() | fp_flags);
-    if (watch) openr_host::NoteStackUse(t_current.object, watch->Used());
+    if (t_current.system->options().measure_stacks)
+      openr_host::NoteStackUse(t_current.object, stack.UsedBytes());
   }
 
-  static unsigned Kinds() { return HandlerWatch::CatchesNumbers() ? openr_host::kFpCaught : 0u; }
-
   void MakeWatch() {
-    const openr_host::SystemOptions& options = t_current.system->options();
-    const bool measures = options.measure_stacks && HandlerWatch::CanMeasure();
     watch.reset();
-    const size_t depth = HandlerWatch::DepthFor(t_current.object->limits.stack_bytes);
-    if (measures || Kinds() != 0) watch.emplace(measures ? depth : 0);
+    if (ArithmeticWatch::Catches()) watch.emplace();
   }
 };
 
@@ -84,7 +82,6 @@ void openr_second_stack_run(OpenrSecondStack* stack, void (*body)(void*), void* 
   stack->body = body;
   stack->argument = argument;
   stack->has_left = false;
-  stack->fiber.stack()->Clear(openr_host::StackMemory::kWideGapBytes);
   stack->MakeWatch();
   stack->fiber.Prepare(&OpenrSecondStack::Main, stack);
   stack->GoThere();

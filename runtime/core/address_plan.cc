@@ -29,9 +29,10 @@ constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
 constexpr uintptr_t kRegions = 5 * kTiB;
 constexpr uintptr_t kCopies = 8 * kTiB;
 constexpr size_t kRegionAreas = 2;
+constexpr size_t kImageStride = AddressPlace::kImageBytes + AddressPlace::kThunkBytes;
 
 static_assert(kHeaps + AddressPlace::kPlaces * AddressPlace::kHeapBytes <= kImages);
-static_assert(kImages + AddressPlace::kPlaces * AddressPlace::kImageBytes <= kStacks);
+static_assert(kImages + AddressPlace::kPlaces * kImageStride <= kStacks);
 static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <= kRegions);
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
 static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
@@ -116,7 +117,8 @@ AddressPlace::~AddressPlace() {
 }
 
 char* AddressPlace::heap() const { return AreaOf(index_, kHeaps, kHeapBytes); }
-char* AddressPlace::image() const { return AreaOf(index_, kImages, kImageBytes); }
+char* AddressPlace::image() const { return AreaOf(index_, kImages, kImageStride); }
+char* AddressPlace::thunks() const { return index_ < 0 ? nullptr : image() + kImageBytes; }
 char* AddressPlace::copies() const { return AreaOf(index_, kCopies, kCopyBytes); }
 char* AddressPlace::stack(int number) const {
   ASSERT(number == 0 || number == 1);

@@ -9,7 +9,7 @@
 //
 //     2 TiB   heaps, 128 MiB for each place
 //     6 TiB   images, 16 MiB for each place
-//     6.5     stacks, 1 MiB for each place
+//     6.5     stacks, 2 MiB for each place
 //     7 TiB   regions
 //    10 TiB   read-only copies of received regions, 128 MiB for each place (guard_pages.h)
 //    14 TiB   the end
@@ -33,13 +33,14 @@ class AddressPlace {
  public:
   static constexpr int kPlaces = 1 << 15;
   static constexpr size_t kHeapBytes = size_t{128} << 20;
-  static constexpr size_t kImageBytes = size_t{16} << 20;
-  static constexpr size_t kStackBytes = size_t{512} << 10;
+  static constexpr size_t kThunkBytes = size_t{256} << 10;  // imported_calls.h
+  static constexpr size_t kImageBytes = (size_t{16} << 20) - kThunkBytes;
+  static constexpr size_t kStackBytes = size_t{1} << 20;  // stack_memory.h
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
   // Takes the place of object `id`.  An object that comes in the place of another one takes a
-  // second place while the first is in use.  An object of another System in this process takes the
-  // last place that is free.
+  // second place while the first is in use, and so does an object of another System in this
+  // process; from the third one on, they take the last place that is free.
   explicit AddressPlace(ObjectId id);
   ~AddressPlace();  // REQUIRES: nothing is mapped there any more
   AddressPlace(const AddressPlace&) = delete;
@@ -48,6 +49,7 @@ class AddressPlace {
   // The begin of each area; null when addresses are not planned.
   char* heap() const;
   char* image() const;
+  char* thunks() const;
   char* stack(int number) const;  // 0: of handlers; 1: of a controller's endless loop
   char* copies() const;
 

@@ -5,7 +5,7 @@
 // constructors of an image run.
 #pragma once
 
-#include "runtime/core/handler_watch.h"
+#include "runtime/core/arithmetic_watch.h"
 
 namespace openr_host {
 
@@ -19,7 +19,7 @@ struct Current {
   // the object's heap, files are those of the Memory Stick.
   bool image_code = false;
   // The watch of the handler that runs; null when the handler is not watched.
-  HandlerWatch* watch = nullptr;
+  ArithmeticWatch* watch = nullptr;
 };
 
 // Constant-initialised and trivially destroyed: safe before main() and in malloc().
@@ -31,8 +31,7 @@ class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
     t_current.image_code = false;
-    if (image_code_ && t_current.watch != nullptr)
-      t_current.watch->Enter(__builtin_frame_address(0));
+    if (image_code_ && t_current.watch != nullptr) t_current.watch->Enter();
   }
   [[gnu::always_inline]] ~ApiScope() {
     t_current.image_code = image_code_;
@@ -46,11 +45,11 @@ class ApiScope {
 };
 
 // First statement of a function of the C library that this library defines: the object does it, but
-// its frames are not the object's.
+// its arithmetic is not the object's.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {
-    if (watch_ != nullptr) watch_->Enter(__builtin_frame_address(0));
+    if (watch_ != nullptr) watch_->Enter();
   }
   [[gnu::always_inline]] ~LibraryScope() {
     if (watch_ != nullptr) watch_->Leave();
@@ -59,7 +58,7 @@ class LibraryScope {
   LibraryScope& operator=(const LibraryScope&) = delete;
 
  private:
-  HandlerWatch* const watch_;
+  ArithmeticWatch* const watch_;
 };
 
 // Makes `object` of `system` the current one for a scope.

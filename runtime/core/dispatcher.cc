@@ -171,14 +171,10 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   object->running = message;
   object->time_calls = 0;
   ClearUpperRegisters();  // because the code of handlers is SSE code
-  const SystemOptions& options = system_->options_;
-  const bool measures =
-      options.measure_stacks && object->is_image && HandlerWatch::CanMeasure() &&
-      (options.strict || object->message_count <= 64 || object->message_count % 16 == 0);
-  HandlerWatch watch(measures ? HandlerWatch::DepthFor(object->limits.stack_bytes) : 0);
-  const bool is_watched = measures || HandlerWatch::CatchesNumbers();
+  ArithmeticWatch watch;
+  const bool is_watched = object->is_image && ArithmeticWatch::Catches();
   t_current = {system_, object, object->is_image, is_watched ? &watch : nullptr};
-  const auto clock = options.wall_clock_ns;
+  const auto clock = system_->options_.wall_clock_ns;
   const int64_t begin_ns = clock == nullptr ? 0 : clock();
   try {
     if (!object->Dispatch(message->selector, message->payload)) {
@@ -205,12 +201,12 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
 }
 
 void Dispatcher::FinishHandler(Object* object) {
-  if (t_current.watch != nullptr) {
-    HandlerWatch* const watch = std::exchange(t_current.watch, nullptr);
-    watch->End();
-    NoteStackUse(object, watch->Used());
+  if (t_current.watch != nullptr) std::exchange(t_current.watch, nullptr)->End();
+  if (object->is_image) {
+    auto* const image = static_cast<ImageObject*>(object);
+    if (system_->options_.measure_stacks) NoteStackUse(object, image->StackUsed());
+    image->CheckNumbers(object->running->selector);
   }
-  if (object->is_image) static_cast<ImageObject*>(object)->CheckNumbers(object->running->selector);
   t_current = {system_, nullptr, false};
   system_->queue_.Release(object->running);
   object->running = nullptr;

@@ -40,7 +40,7 @@ void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t b
 
 Fiber::Fiber(NoStack) {}
 
-Fiber::Fiber(char* address) : stack_(std::make_unique<StackMemory>(address)) {
+Fiber::Fiber() : stack_(std::make_unique<StackMemory>()) {
   stack_bottom_ = stack_->bottom();
   stack_bytes_ = StackMemory::kBytes;
 }

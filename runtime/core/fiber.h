@@ -17,8 +17,7 @@ class Fiber {
  public:
   using Main = void (*)(void* argument);  // never returns
 
-  // `address`: where its stack shall be; null: where the kernel puts it.
-  explicit Fiber(char* address = nullptr);
+  Fiber();
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
@@ -31,9 +30,6 @@ class Fiber {
   // to `from`.  A null `from` is a stack that is never returned to.
   // Exceptions being handled belong to the stack and are kept with it.
   void SwitchFrom(Fiber* from);
-
-  // Null for the thread's own stack.
-  StackMemory* stack() { return stack_.get(); }
 
  private:
   friend class MainFiber;

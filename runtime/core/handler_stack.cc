@@ -1,12 +1,13 @@
 #include "runtime/core/handler_stack.h"
 
-#include "runtime/core/address_plan.h"
-#include "runtime/core/memory_tools.h"
-
 #if defined(__x86_64__)
 
-// Calls function(argument) with the stack pointer at `top`, a multiple of 16.  What unwinds the
-// stack, exceptions and debuggers, finds the way back by the frame pointer.
+// Calls function(argument) with the stack pointer at `top`, a multiple of 16.
+//
+// The registers that a function saves on its stack before it uses them are 0, because they hold
+// addresses of the host.  What unwinds the stack, exceptions and debuggers, finds the way back by
+// the one address that is kept at the top of the new stack: the last line before the call says
+// that the canonical frame address is *(rsp + 8) + 16.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text
@@ -20,47 +21,42 @@ openr_call_on_stack:
     .cfi_offset %rbp, -16
     movq %rsp, %rbp
     .cfi_def_cfa_register %rbp
-    movq %rdx, %rsp
+    pushq %rbx
+    .cfi_offset %rbx, -24
+    pushq %r12
+    .cfi_offset %r12, -32
+    pushq %r13
+    .cfi_offset %r13, -40
+    pushq %r14
+    .cfi_offset %r14, -48
+    pushq %r15
+    .cfi_offset %r15, -56
+    movq %rbp, -8(%rdx)
+    leaq -16(%rdx), %rsp
+    .cfi_remember_state
+    .cfi_escape 0x0f, 0x05, 0x77, 0x08, 0x06, 0x23, 0x10
     movq %rdi, %rax
     movq %rsi, %rdi
+    xorl %ebx, %ebx
+    xorl %ebp, %ebp
+    xorl %r12d, %r12d
+    xorl %r13d, %r13d
+    xorl %r14d, %r14d
+    xorl %r15d, %r15d
     callq *%rax
-    movq %rbp, %rsp
+    movq 8(%rsp), %rbp
+    .cfi_restore_state
+    leaq -40(%rbp), %rsp
+    popq %r15
+    popq %r14
+    popq %r13
+    popq %r12
+    popq %rbx
     popq %rbp
     .cfi_def_cfa %rsp, 8
     ret
     .cfi_endproc
     .size openr_call_on_stack, .-openr_call_on_stack
-)");
-
-// Makes 2 KiB below the caller's frame zero, if the caller runs on a planned stack (address_plan.h:
-// the addresses below 17 TiB), and if so much is left above the guard page.  Has no frame of its
-// own, so nothing stays but the address that it returns to.
-extern "C" {
-__attribute__((visibility("hidden"))) bool openr_clears_stacks = !openr_host::IsStackWatched();
-}
-asm(R"(
-    .text
-    .globl openr_clear_stack
-    .type openr_clear_stack, @function
-openr_clear_stack:
-    .cfi_startproc
-    cmpb $0, openr_clears_stacks(%rip)
-    je 1f
-    movq %rsp, %rax
-    shrq $40, %rax
-    cmpq $17, %rax
-    jae 1f
-    movl %esp, %eax
-    andl $0x7ffff, %eax
-    cmpl $0x2000, %eax
-    jb 1f
-    leaq -2048(%rsp), %rdi
-    movl $256, %ecx
-    xorl %eax, %eax
-    rep stosq
-1:  ret
-    .cfi_endproc
-    .size openr_clear_stack, .-openr_clear_stack
 )");
 
 #endif
@@ -69,12 +65,8 @@ namespace openr_host {
 
 #if defined(__x86_64__)
 
-// openr_clear_stack() finds the begin of a stack by its address.
-static_assert(AddressPlace::kStackBytes == 0x80000);
-
 void HandlerStack::Call(void (*function)(void*), void* argument) {
-  const char* const here = static_cast<const char*>(__builtin_frame_address(0));
-  if (here >= memory_.bottom() && here < memory_.top()) {
+  if (memory_.Contains(__builtin_frame_address(0))) {
     function(argument);
     return;
   }
@@ -88,17 +80,21 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
   openr_call_on_stack(function, argument, memory_.top());
 }
 
-void HandlerStack::Clear() {
-  ++calls_;
-  const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
-  memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
-  is_dirty_ = false;
-}
-
 #else
 
 void HandlerStack::Call(void (*function)(void*), void* argument) { function(argument); }
 
 #endif
+
+void HandlerStack::Clear() {
+  ++calls_;
+  const bool looks_far = calls_ <= 64 || calls_ % 16 == 0;
+  used_bytes_ = memory_.Clear(looks_far ? StackMemory::kWideGapBytes : StackMemory::kSmallGapBytes);
+  is_dirty_ = false;
+}
+
+size_t HandlerStack::UsedBytes() const {
+  return is_dirty_ ? memory_.UsedBytes(StackMemory::kSmallGapBytes) : used_bytes_;
+}
 
 }  // namespace openr_host

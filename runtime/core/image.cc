@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <bit>
 #include <cstdlib>
@@ -13,19 +14,11 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/fp_flags.h"
-#include "runtime/core/handler_watch.h"
 #include "runtime/core/image_file.h"
 #include "runtime/core/image_rebase.h"
+#include "runtime/core/imported_calls.h"
 #include "runtime/core/memory_tools.h"
 #include "runtime/core/system.h"
-
-// Called by every image before its first and after its last constructor
-// (openr/kit/image_source.cc): they are code of the object, while the loader around them
-// is not.
-extern "C" void openr_image_constructors(int begin) {
-  openr_host::Current& current = openr_host::t_current;
-  current.image_code = begin != 0 && current.object != nullptr && current.object->is_image;
-}
 
 #if defined(__SANITIZE_ADDRESS__)
 // An object's heap is freed with it, and objects rely on that; only here, where they
@@ -74,6 +67,7 @@ ImageObject::~ImageObject() {
   CloseFiles();
   const CurrentScope scope(system, this);
   if (handle_ != nullptr) dlclose(handle_);
+  if (has_thunks_) munmap(place->thunks(), AddressPlace::kThunkBytes);
 }
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
@@ -90,9 +84,15 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
     const CurrentScope scope(system, this);
     handle_ = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
-  if (handle_ == nullptr) return fmt::format("cannot be loaded: {}", dlerror());
+  if (handle_ == nullptr) {
+    return fmt::format(
+        "cannot be loaded: {}; an image of another version of openr-host has to be built again",
+        dlerror());
+  }
   folder->Replace(copy, original);
-  return ReadTables();
+  std::string problem = TakeImports();
+  if (problem.empty()) problem = RunConstructors();
+  return problem.empty() ? ReadTables() : problem;
 }
 
 // Takes addresses for the image and for what it will allocate.  Returns the file as it is to be
@@ -100,6 +100,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 // is planned all the same.
 std::string ImageObject::TakePlace(const std::string& original) {
   std::string bytes = original;
+  HoldConstructors(&bytes);
   auto taken = std::make_unique<AddressPlace>(id);
   if (taken->heap() == nullptr) return bytes;
   place = std::move(taken);
@@ -109,6 +110,39 @@ std::string ImageObject::TakePlace(const std::string& original) {
   arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
   stack_ = std::make_unique<HandlerStack>(place->stack(0));
   return bytes;
+}
+
+// Only an image that lies at its place gets the stack to itself.
+std::string ImageObject::TakeImports() {
+  const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
+  if (place == nullptr || IsStackWatched() || info < place->image() ||
+      info >= place->image() + AddressPlace::kImageBytes)
+    return "";
+  has_thunks_ = true;
+  return RedirectImports(place->image(), place->thunks(), AddressPlace::kThunkBytes);
+}
+
+std::string ImageObject::RunConstructors() {
+  for (void (*const constructor)() : HeldConstructors(handle_)) {
+    const CurrentScope scope(system, this, true);
+    try {
+      Run(reinterpret_cast<void (*)(void*)>(constructor), nullptr);
+    } catch (const std::exception& e) {
+      return fmt::format("has a global object whose constructor throws an exception: {}", e.what());
+    } catch (...) {
+      return "has a global object whose constructor throws an exception";
+    }
+  }
+  return "";
+}
+
+// Code of the image, on the stack that is kept for it.
+void ImageObject::Run(void (*function)(void*), void* argument) {
+  if (stack_ == nullptr) {
+    function(argument);
+  } else {
+    stack_->Call(function, argument);
+  }
 }
 
 std::string ImageObject::ReadTables() {
@@ -158,45 +192,13 @@ bool ImageObject::HasEntry(uint32_t selector) const {
   return selector < entries_.size() && entries_[selector] != nullptr;
 }
 
-namespace {
-
-struct EntryCall {
-  void (*entry)(void*);
-  void* payload;
-  unsigned caught;  // kinds of FpFlags that are to raise SIGFPE
-};
-
-// Runs on the stack of the object's handlers, where the watch has to begin.
-void RunEntry(void* data) {
-  const EntryCall call = *static_cast<const EntryCall*>(data);
-  HandlerWatch* const watch = t_current.watch;
-  if (watch == nullptr || watch->has_begun()) {
-    call.entry(call.payload);
-    return;
-  }
-  struct Measuring {  // also after a handler that ends by an exception
-    HandlerWatch* watch;
-    ~Measuring() { watch->Used(); }  // remembers what the stack shows before it is cleared
-  };
-  watch->Begin(__builtin_frame_address(0), call.caught);
-  const Measuring measuring{watch};
-  openr_clear_stack();
-  call.entry(call.payload);
-}
-
-}  // namespace
-
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
   if (FpFlags() != 0) ClearFpFlags();  // of whoever ran before
   has_reported_cast = false;
-  EntryCall call{reinterpret_cast<void (*)(void*)>(entries_[selector]), payload,
-                 HandlerWatch::CatchesNumbers() ? kFpCaught & ~fp_seen_ : 0u};
-  if (stack_ == nullptr) {
-    RunEntry(&call);
-  } else {
-    stack_->Call(&RunEntry, &call);
-  }
+  ArithmeticWatch* const watch = t_current.watch;
+  if (watch != nullptr && !watch->has_begun()) watch->Begin(kFpCaught & ~fp_seen_);
+  Run(reinterpret_cast<void (*)(void*)>(entries_[selector]), payload);
   return true;
 }
 

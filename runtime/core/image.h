@@ -47,13 +47,18 @@ class ImageObject : public Object {
   using Object::Object;
   ~ImageObject() override;  // unloads
 
-  // Loads a copy of `file`; constructors of its globals run as code of this object.
+  // Loads a copy of `file`; constructors of its globals run as code of this object, on the stack
+  // of its handlers.
   // Returns what is wrong, or "".
   std::string Load(const std::string& file, RunFolder* folder);
 
   bool HasCode(const void* address) const override;
   bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
+
+  // How many bytes of stack its own functions used in the handler that runs or that ran last; 0
+  // where it is not known.
+  size_t StackUsed() const { return stack_ == nullptr ? 0 : stack_->UsedBytes(); }
 
   // After its handler has ended, in whatever way: what it did that the robot's floating-point unit
   // does not forgive becomes a finding.
@@ -63,11 +68,15 @@ class ImageObject : public Object {
 
  private:
   std::string TakePlace(const std::string& original);
+  std::string TakeImports();
+  std::string RunConstructors();
+  void Run(void (*function)(void*), void* argument);
   std::string ReadTables();
   void ReportFpFlags(uint32_t selector);
 
   std::unique_ptr<HandlerStack> stack_;  // null where addresses are not planned
   void* handle_ = nullptr;
+  bool has_thunks_ = false;
   std::vector<Entry> entries_;  // by selector; null: none
   unsigned fp_seen_ = 0;        // FpFlags() of its handlers so far
 };

@@ -1,6 +1,8 @@
 #include "runtime/core/image_rebase.h"
 
+#include <dlfcn.h>
 #include <elf.h>
+#include <link.h>
 
 #include <algorithm>
 #include <cstring>
@@ -16,6 +18,9 @@ constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATI
 constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE;
 #endif
 
+// In place of DT_INIT_ARRAY and DT_INIT_ARRAYSZ; no loader knows them.
+constexpr int64_t kHeldArray = 0x60006f70, kHeldArraySize = 0x60006f71;
+
 // Whether the value of a dynamic tag is an address of the image.
 bool IsAddress(int64_t tag) {
   switch (tag) {
@@ -28,6 +33,7 @@ bool IsAddress(int64_t tag) {
     case DT_FINI:
     case DT_JMPREL:
     case DT_INIT_ARRAY:
+    case kHeldArray:
     case DT_FINI_ARRAY:
     case DT_PREINIT_ARRAY:
     case DT_VERSYM:
@@ -180,6 +186,39 @@ bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max) {
   if (moved.empty()) return false;
   *bytes = std::move(moved);
   return true;
+}
+
+void HoldConstructors(std::string* bytes) {
+  const auto has = [bytes](uint64_t offset, uint64_t size) {
+    return offset <= bytes->size() && size <= bytes->size() - offset && offset % 8 == 0;
+  };
+  if (!has(0, sizeof(Elf64_Ehdr)) || std::memcmp(bytes->data(), ELFMAG, SELFMAG) != 0) return;
+  const auto* const header = reinterpret_cast<const Elf64_Ehdr*>(bytes->data());
+  if (header->e_ident[EI_CLASS] != ELFCLASS64 ||
+      !has(header->e_phoff, header->e_phnum * sizeof(Elf64_Phdr)))
+    return;
+  const auto* const segments = reinterpret_cast<const Elf64_Phdr*>(bytes->data() + header->e_phoff);
+  for (int i = 0; i < header->e_phnum; ++i) {
+    const Elf64_Phdr& segment = segments[i];
+    if (segment.p_type != PT_DYNAMIC || !has(segment.p_offset, segment.p_filesz)) continue;
+    auto* const entries = reinterpret_cast<Elf64_Dyn*>(bytes->data() + segment.p_offset);
+    for (uint64_t e = 0; e < segment.p_filesz / sizeof(Elf64_Dyn); ++e) {
+      if (entries[e].d_tag == DT_INIT_ARRAY) entries[e].d_tag = kHeldArray;
+      if (entries[e].d_tag == DT_INIT_ARRAYSZ) entries[e].d_tag = kHeldArraySize;
+    }
+  }
+}
+
+std::vector<void (*)()> HeldConstructors(void* handle) {
+  link_map* map = nullptr;
+  if (dlinfo(handle, RTLD_DI_LINKMAP, &map) != 0) return {};
+  uint64_t address = 0, bytes = 0;
+  for (const ElfW(Dyn)* entry = map->l_ld; entry->d_tag != DT_NULL; ++entry) {
+    if (entry->d_tag == kHeldArray) address = map->l_addr + entry->d_un.d_ptr;
+    if (entry->d_tag == kHeldArraySize) bytes = entry->d_un.d_val;
+  }
+  const auto* const array = reinterpret_cast<void (*const*)()>(address);
+  return {array, array + bytes / sizeof *array};
 }
 
 }  // namespace openr_host

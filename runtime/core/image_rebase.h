@@ -1,4 +1,5 @@
-// Giving an image the address that it is to be loaded at.
+// What is changed in the copy of an image that is loaded: its address, and who runs its
+// constructors.
 //
 // The loader maps a shared object where the kernel likes, unless the file was linked for an
 // address: glibc from 2.36 on asks for that one.  An image is linked once and loaded many times, so
@@ -7,6 +8,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace openr_host {
 
@@ -17,5 +19,13 @@ namespace openr_host {
 // Sections, the table of all symbols and debug information stay as they were linked: gdb sees by
 // the address of the dynamic section how far the image was moved.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
+
+// Keeps the loader from running the constructors of global objects of the shared object `bytes`;
+// HeldConstructors() has them.  Does nothing to what is no shared object of this processor.
+void HoldConstructors(std::string* bytes);
+
+// The constructors that HoldConstructors() kept from running in the shared object that was loaded
+// as `handle` (dlopen), in the order in which they are to be called.
+std::vector<void (*)()> HeldConstructors(void* handle);
 
 }  // namespace openr_host

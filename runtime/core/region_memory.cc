@@ -62,10 +62,11 @@ char* RegionMemory::New(uint32_t slot, size_t bytes) {
     std::vector<bool>& in_use = cells_[static_cast<size_t>(size_class)].in_use;
     if (!IsSet(in_use, slot)) {
       char* const block = MappedCell(size_class, slot);
-      if (block == nullptr) return nullptr;
-      Set(&in_use, slot, true);
-      std::memset(block, 0, bytes);
-      return block;
+      if (block != nullptr) {
+        Set(&in_use, slot, true);
+        std::memset(block, 0, bytes);
+        return block;
+      }
     }
   }
   return static_cast<char*>(std::calloc(1, std::max<size_t>(bytes, 1)));

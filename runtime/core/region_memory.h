@@ -20,7 +20,7 @@ class RegionMemory {
 
   // `bytes` zeros; null when there is no memory.  They come from the host's heap when they are more
   // than 16 MiB, half of the robot's memory, when the slot's memory of this size is in use
-  // still, or when addresses are not planned.  REQUIRES: slot < kSlots.
+  // still or cannot be had, or when addresses are not planned.  REQUIRES: slot < kSlots.
   char* New(uint32_t slot, size_t bytes);
 
   // A null `block` is no block.

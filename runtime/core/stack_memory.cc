@@ -6,7 +6,6 @@
 #include <cstring>
 #include <utility>
 
-#include "runtime/core/address_plan.h"
 #include "runtime/core/assert.h"
 #include "runtime/core/memory_tools.h"
 
@@ -32,13 +31,16 @@ bool IsZero(const char* bytes) {
 }  // namespace
 
 StackMemory::StackMemory(char* address) : mapping_(address) {
-  constexpr size_t kAllBytes = kGuardBytes + kBytes;
-  static_assert(kAllBytes <= AddressPlace::kStackBytes);
-  if (address == nullptr || !MapAt(address, kAllBytes)) {
-    void* const mapping = mmap(nullptr, kAllBytes, PROT_READ | PROT_WRITE,
+  if (address != nullptr && MapAt(address, AddressPlace::kStackBytes)) {
+    mapped_bytes_ = AddressPlace::kStackBytes;
+    bottom_ = mapping_ + kBottomOffset;
+    mprotect(bottom_ - kGuardBytes, kGuardBytes, PROT_NONE);
+  } else {
+    void* const mapping = mmap(nullptr, mapped_bytes_, PROT_READ | PROT_WRITE,
                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
     ASSERT(mapping != MAP_FAILED, "no memory for a stack of {} bytes", kBytes);
     mapping_ = static_cast<char*>(mapping);
+    bottom_ = mapping_ + kGuardBytes;
   }
   mprotect(mapping_, kGuardBytes, PROT_NONE);
 #ifdef VALGRIND_STACK_REGISTER
@@ -54,24 +56,32 @@ StackMemory::~StackMemory() {
 #ifdef VALGRIND_STACK_DEREGISTER
   VALGRIND_STACK_DEREGISTER(valgrind_id_);
 #endif
-  munmap(mapping_, kGuardBytes + kBytes);
+  munmap(mapping_, mapped_bytes_);
 }
 
-void StackMemory::Clear(size_t gap_bytes) {
-  if (IsStackWatched()) return;
-  char* lowest = top();
-  for (char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
+size_t StackMemory::UsedBytes(size_t gap_bytes) const {
+  if (IsStackWatched()) return 0;
+  const char* lowest = top();
+  for (const char* step = top(); step - bottom() >= static_cast<ptrdiff_t>(kStepBytes);) {
     step -= kStepBytes;
     if (!IsZero(step)) lowest = step;
     if (static_cast<size_t>(lowest - step) >= gap_bytes) break;
   }
-  std::memset(lowest, 0, static_cast<size_t>(top() - lowest));
+  while (lowest < top() && *lowest == 0) ++lowest;
+  return static_cast<size_t>(top() - lowest);
+}
+
+size_t StackMemory::Clear(size_t gap_bytes) {
+  const size_t used = UsedBytes(gap_bytes);
+  std::memset(top() - used, 0, used);
+  return used;
 }
 
 bool StackMemory::AnyGuardContains(const void* address) {
   const char* const p = static_cast<const char*>(address);
   for (const StackMemory* each = t_newest; each != nullptr; each = each->older_) {
-    if (p >= each->mapping_ && p < each->bottom()) return true;
+    if (p >= each->bottom_ - kGuardBytes && p < each->bottom_) return true;
+    if (p >= each->mapping_ && p < each->mapping_ + kGuardBytes) return true;
   }
   return false;
 }

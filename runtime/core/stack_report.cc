@@ -6,7 +6,6 @@
 #include <string>
 
 #include "runtime/core/current.h"
-#include "runtime/core/handler_watch.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -17,13 +16,10 @@ bool IsSurelyTooMuch(const Object& object) {
 }
 
 std::string Describe(const Object& object) {
-  constexpr size_t kGap = 256;  // that a function may leave unused at the end of what is watched
-  const bool is_least =
-      object.stack_max + kGap >= HandlerWatch::DepthFor(object.limits.stack_bytes);
   return fmt::format(
-      "a handler's own functions used {}{} bytes of stack, the .ocf file gives {}: on the robot an "
+      "a handler's own functions used {} bytes of stack, the .ocf file gives {}: on the robot an "
       "overflow damages other memory without a word; give it more there",
-      is_least ? "at least " : "", object.stack_max, object.limits.stack_bytes);
+      object.stack_max, object.limits.stack_bytes);
 }
 
 }  // namespace

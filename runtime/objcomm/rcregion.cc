@@ -8,6 +8,7 @@
 #include "runtime/core/assert.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/guard_pages.h"
+#include "runtime/core/imported_calls.h"
 #include "runtime/core/system.h"
 #include "runtime/objcomm/state.h"
 
@@ -90,7 +91,10 @@ RCRegion::RCRegion(size_t size)
   RegionTable* const table = Table();
   ASSERT(table != nullptr, "new RCRegion outside of an object");
   id_ = table->New(size, t_current.object == nullptr ? kNoObject : t_current.object->id);
-  if (is_by_image) table->NotePlace(id_, static_cast<const char*>(__builtin_return_address(0)) - 1);
+  if (is_by_image) {
+    const void* const caller = openr_host::ReturnAddressInImage(__builtin_return_address(0));
+    table->NotePlace(id_, static_cast<const char*>(caller) - 1);
+  }
   base_ = table->BaseOf(id_);
   if (base_ == nullptr) {
     t_current.system->AddFinding(

@@ -15,11 +15,12 @@ class OObject {
   virtual ~OObject();
 
   // Called by the stub for selectors 0 to 3; each calls its DoXxx and reports
-  // the status to the object manager.
-  void Init(const OSystemEvent& event);
-  void Start(const OSystemEvent& event);
-  void Stop(const OSystemEvent& event);
-  void Destroy(const OSystemEvent& event);
+  // the status to the object manager.  They are compiled into the image, so that DoXxx is called
+  // on the image's stack.
+  void Init(const OSystemEvent& event) { ReplyStatus(DoInit(event)); }
+  void Start(const OSystemEvent& event) { ReplyStatus(DoStart(event)); }
+  void Stop(const OSystemEvent& event) { ReplyStatus(DoStop(event)); }
+  void Destroy(const OSystemEvent& event) { ReplyStatus(DoDestroy(event)); }
 
   virtual OStatus DoInit(const OSystemEvent& event);
   virtual OStatus DoStart(const OSystemEvent& event);
@@ -33,6 +34,8 @@ class OObject {
   OID myOID_;
 
  private:
+  static void ReplyStatus(OStatus status);
+
   OObject(const OObject&);
   OObject& operator=(const OObject&);
 };

@@ -25,15 +25,6 @@ typedef void (*_Notify)(ONotifyMessage*);
 #define _Connect(n) _Connect##n
 #define _Notify(n) _Notify##n
 
-// Makes the part of the stack zero that the next function called will use.  On a PC the functions
-// of the SDK that run before a method leave addresses of the host there.
-#if defined(__x86_64__)
-extern "C" void openr_clear_stack(void);
-#define OPENR_CLEAR_STACK() openr_clear_stack()
-#else
-#define OPENR_CLEAR_STACK()
-#endif
-
 #define StubFuncDeclare_Basic(n) void _Hook(n)(OReasonMessage * msg);
 #define StubFuncDeclare_Subject(i)         \
   void _Control(i)(OControlMessage * msg); \
@@ -60,7 +51,6 @@ extern "C" void openr_clear_stack(void);
 #define StubFuncDefine_Ready(i, f)                         \
   extern "C" void _Ready(i)(OReadyMessage * msg) {         \
     Self.subject[i]->ReadyHandler(*msg);                   \
-    OPENR_CLEAR_STACK();                                   \
     Self.f(OReadyEvent(i, msg->observerID, msg->command)); \
   }
 #define StubFuncDefine_Ready_nofunc(i) \
@@ -79,7 +69,6 @@ extern "C" void openr_clear_stack(void);
     ONotifyEvent event;                              \
     event.SetIndex(i);                               \
     Self.observer[i]->NotifyHandler(*msg, &event);   \
-    OPENR_CLEAR_STACK();                             \
     Self.f(event);                                   \
   }
 #define StubFuncDefine_Notify_nofunc(i)              \

@@ -1,0 +1,35 @@
+#include "runtime/core/arithmetic_watch.h"
+
+#include "runtime/core/fp_flags.h"
+#include "runtime/core/memory_tools.h"
+
+namespace openr_host {
+namespace {
+
+bool g_catches = false;
+
+}  // namespace
+
+void ArithmeticWatch::SetCatches(bool on) { g_catches = on; }
+
+bool ArithmeticWatch::Catches() { return g_catches && !IsStackWatched(); }
+
+void ArithmeticWatch::Begin(unsigned kinds) {
+  has_begun_ = true;
+  kinds_ = kinds;
+  CatchFp(kinds_);
+}
+
+void ArithmeticWatch::Enter() {
+  if (++calls_ > 1 || kinds_ == 0) return;
+  saved_fp_ = FpState();
+  CatchFp(0);
+}
+
+void ArithmeticWatch::Leave() {
+  if (--calls_ == 0 && kinds_ != 0) SetFpState(saved_fp_);
+}
+
+void ArithmeticWatch::End() { CatchFp(0); }
+
+}  // namespace openr_host
