@@ -58,8 +58,8 @@ Revealer::DoStart(const OSystemEvent&)
     region_ = new RCRegion(100000);
     FILE* file = fopen("/MS/OPEN-R/MW/DATA/P/HOST.TXT", "r");
     if (file != 0) {
-        // An address that no plan can hold: that of a function of the C library.
-        const void* words[] = {0, (void*)&puts};
+        // An address that no plan can hold: that of an object of the C library.
+        const void* words[] = {0, stdout};
         Send(words, sizeof(words));
         fclose(file);
     } else {
@@ -80,6 +80,7 @@ OStatus
 Revealer::DoDestroy(const OSystemEvent&)
 {
     region_->RemoveReference();
+    free(kept_);
     DELETE_ALL_SUBJECT_AND_OBSERVER;
     return oSUCCESS;
 }
@@ -107,7 +108,8 @@ Revealer::SendAddresses()
 
     const void* addresses[] = {
         region_->Base(), small->Base(), small_heap, large_heap, own,     this,
-        &aStatic,        &aLocal,       vtable,     "a literal", subject, (void*)&ROUNDS};
+        &aStatic,        &aLocal,       vtable,     "a literal", subject, (void*)&ROUNDS,
+        (void*)&puts};
     Send(addresses, sizeof(addresses));
 
     DeleteRegion(own);
@@ -140,16 +142,33 @@ Revealer::SendUnset()
     free(more);
 }
 
+__attribute__((noinline)) void
+Revealer::SendMostly(const Mostly& mostly)
+{
+    Send(&mostly, sizeof(mostly));
+}
+
+// Is called after a function of the C library, which left its own addresses on a stack that they
+// share.  The compiler does not clear an object that exists for a call only.
+__attribute__((noinline)) void
+Revealer::SendForOneCall()
+{
+    SendMostly(Mostly(count_));
+}
+
 void
 Revealer::NotifyBack(const ONotifyEvent& event)
 {
     const void* received = event.Data(0);
+    if (count_ % 8 == 0) kept_ = realloc(kept_, (size_t)(1 + count_) * 1000);
     char line[80];
     sprintf(line, "%d of %f", count_, 0.5);
     const Mostly& nameless = Mostly(count_);
     const Mostly made = MakeMostly();
     if (++count_ < ROUNDS && count_ % 8 == 3) {
         Send(&nameless, sizeof(nameless));
+    } else if (count_ < ROUNDS && count_ % 8 == 6) {
+        SendForOneCall();
     } else if (count_ < ROUNDS && count_ % 8 == 7) {
         Send(&made, sizeof(made));
     } else if (count_ < ROUNDS) {

@@ -9,9 +9,11 @@
 
 #include "def.h"
 
+struct Mostly;
+
 class Revealer : public OObject {
 public:
-    Revealer() : count_(0), region_(0) {}
+    Revealer() : count_(0), region_(0), kept_(0) {}
     virtual ~Revealer() {}
 
     OSubject* subject[numOfSubject];
@@ -27,10 +29,13 @@ public:
 private:
     void SendAddresses();
     void SendUnset();
+    void SendMostly(const Mostly& mostly);
+    void SendForOneCall();
     void Send(const void* data, size_t size);
 
     int count_;
     RCRegion* region_;
+    void* kept_;  // grows during the run
 };
 
 #endif  // Revealer_h_DEFINED

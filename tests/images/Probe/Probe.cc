@@ -1,5 +1,7 @@
 #include "Probe.h"
 
+#include "Imports.h"
+
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
@@ -118,6 +120,7 @@ std::string
 Probe::Answer(const std::string& command)
 {
     std::ostringstream out;
+    out << AnswerImports(command);
     if (command == "count") out << ++callCount;
     if (command == "oid") out << (oidWasKnown ? "known" : "unknown");
     if (command == "stream") out << 3.25 << " " << true << " " << std::hex << 255;

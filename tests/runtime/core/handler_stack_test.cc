@@ -1,0 +1,102 @@
+// The stack of an image's code: zero at the begin of each call, and measured.
+#include "runtime/core/handler_stack.h"
+
+#include <alloca.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "runtime/core/address_plan.h"
+#include "runtime/core/memory_tools.h"
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kRoomBytes = 8000;
+
+// Writes to 8,000 bytes of stack.
+__attribute__((noinline)) void Scribble(void*) {
+  char room[kRoomBytes];
+  std::fill_n(static_cast<volatile char*>(room), kRoomBytes, 'x');
+}
+
+// How many of the bytes that Scribble() wrote to are not zero for a later call.
+__attribute__((noinline)) void CountLeftovers(void* result) {
+  const char* room = static_cast<char*>(alloca(kRoomBytes));
+  asm volatile("" : "+r"(room) : : "memory");  // the compiler does not know what lies there
+  *static_cast<size_t*>(result) =
+      static_cast<size_t>(std::count_if(room, room + kRoomBytes, [](char c) { return c == 'x'; }));
+}
+
+class HandlerStackTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (place_.image() == nullptr || IsStackWatched())
+      GTEST_SKIP() << "code of images runs on the caller's stack, or on one that is watched";
+  }
+
+  const AddressPlace place_{0};
+};
+
+TEST_F(HandlerStackTest, WhatACallLeftIsGoneBeforeTheNextOne) {
+  HandlerStack stack(place_.stack(0));
+  for (int i = 0; i < 100; ++i) {  // the first calls are cleared in another way than later ones
+    stack.Call(&Scribble, nullptr);
+    size_t leftovers = kRoomBytes;
+    stack.Call(&CountLeftovers, &leftovers);
+    EXPECT_EQ(leftovers, 0u) << i;
+  }
+}
+
+TEST_F(HandlerStackTest, TellsHowMuchTheLastCallUsed) {
+  HandlerStack stack(place_.stack(0));
+  stack.Call(&Scribble, nullptr);
+  EXPECT_GE(stack.UsedBytes(), kRoomBytes);
+  EXPECT_LT(stack.UsedBytes(), kRoomBytes + 500);
+  stack.Call([](void*) {}, nullptr);
+  EXPECT_LT(stack.UsedBytes(), 100u);
+}
+
+TEST_F(HandlerStackTest, ACallWithinACallGoesOnOnTheSameStack) {
+  HandlerStack stack(place_.stack(0));
+  struct Calls {
+    HandlerStack* stack;
+    char* inner;
+  } calls{&stack, nullptr};
+  stack.Call(
+      [](void* argument) {
+        static_cast<Calls*>(argument)->stack->Call(
+            [](void* again) {
+              static_cast<Calls*>(again)->inner = static_cast<char*>(__builtin_frame_address(0));
+            },
+            argument);
+      },
+      &calls);
+  EXPECT_GT(calls.inner, place_.stack(0));
+  EXPECT_LT(calls.inner, place_.stack(0) + AddressPlace::kStackBytes);
+}
+
+TEST_F(HandlerStackTest, AnExceptionLeavesACleanStack) {
+  HandlerStack stack(place_.stack(0));
+  const std::string here = "a variable of the caller";  // in a register that is put back
+  try {
+    stack.Call(
+        [](void*) {
+          Scribble(nullptr);
+          throw std::runtime_error("thrown on the other stack");
+        },
+        nullptr);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "thrown on the other stack");
+  }
+  EXPECT_EQ(here, "a variable of the caller");
+  size_t leftovers = kRoomBytes;
+  stack.Call(&CountLeftovers, &leftovers);
+  EXPECT_EQ(leftovers, 0u);
+}
+
+}  // namespace
+}  // namespace openr_host
