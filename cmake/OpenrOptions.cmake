@@ -4,6 +4,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# A changed function of a shared library needs no new program.
+set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 if(NOT CMAKE_BUILD_TYPE)
@@ -44,6 +46,7 @@ set(OPENR_OBJECT_FLAGS -g -Wall -Wextra -Werror -fno-strict-aliasing -ftrivial-a
 
 # Most of a compiler's work is what the sources include: for these targets it reads several
 # sources at a time.
+option(OPENR_BATCHES "Compile several sources at a time" ON)
 function(openr_in_batches)
-  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${OPENR_BATCHES} UNITY_BUILD_BATCH_SIZE 6)
 endfunction()

@@ -1,8 +1,8 @@
 #include "openr/stubgen.h"
 
 #include <fmt/format.h>
+#include <getopt.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -22,6 +22,15 @@ namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr char kHelp[] =
+    R"(Generates def.h, entry.h and the stub of an OPEN-R object from its stub.cfg.
+
+{name} [FILE] [-o DIR]
+
+  FILE              stub.cfg to read; without it, and for '-', standard input
+  -o, --output DIR  folder to write to; the current one when it is not given
+)";
 
 constexpr int kGood = 0;
 constexpr int kInputWrong = 1;
@@ -125,18 +134,31 @@ int RunStubgen(const StubgenOptions& options, std::istream& in, std::ostream& ou
 }
 
 int StubgenMain(int argc, char** argv) {
+  constexpr option kFlags[] = {
+      {"output", required_argument, nullptr, 'o'}, {"help", no_argument, nullptr, 'h'}, {}};
+  const auto refuse = [argv](const std::string& why) {
+    std::cerr << fmt::format("{}: {}; '{} --help' tells more\n", argv[0], why, argv[0]);
+    return kCommandLineWrong;
+  };
   StubgenOptions options;
-  CLI::App app{"Generates def.h, entry.h and the stub of an OPEN-R object from its stub.cfg."};
-  app.add_option("FILE", options.file, "stub.cfg to read (default, and for '-': standard input)");
-  app.add_option("-o,--output", options.folder, "folder to write to")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostringstream text;  // written at once: std::endl would hide why it cannot be
-    const bool is_help = app.exit(error, text, std::cerr) == 0;
-    std::fputs(text.str().c_str(), stdout);
-    return is_help ? kGood : kCommandLineWrong;
+  optind = 0;  // begins anew, also after an earlier command line
+  opterr = 0;
+  for (;;) {
+    const int flag = getopt_long(argc, argv, "o:h", kFlags, nullptr);
+    if (flag == -1) break;
+    if (flag == 'o') {
+      options.folder = optarg;
+    } else if (flag == 'h') {
+      std::fputs(fmt::format(kHelp, fmt::arg("name", argv[0])).c_str(), stdout);
+      return kGood;
+    } else {
+      const bool is_bare = optopt == 'o';
+      return refuse(is_bare ? "-o needs a folder"
+                            : fmt::format("there is no flag {}", argv[optind - 1]));
+    }
   }
+  if (argc - optind > 1) return refuse("one stub.cfg is read at a time");
+  if (optind < argc) options.file = argv[optind];
   return RunStubgen(options, std::cin, std::cout, std::cerr);
 }
 

@@ -2,9 +2,14 @@
 // function runs and leaves the exit code (exit_code.h) in `*exit_code`.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace openr_host {
+
+// The program: reads the command line and runs the command that it names.  Returns the exit code.
+int RunProgram(int argc, char** argv);
 
 void AddRunCommand(CLI::App* app, int* exit_code);
 void AddJoinCommand(CLI::App* app, int* exit_code);

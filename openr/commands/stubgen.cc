@@ -1,5 +1,6 @@
 #include "openr/stubgen.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

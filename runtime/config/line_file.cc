@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "runtime/config/characters.h"
 #include "runtime/config/spelling.h"
 
 namespace openr_host {
@@ -17,8 +18,6 @@ constexpr size_t kQuotedBytesMax = 60;  // of a line too long to be shown
 // The designs that OPENR::GetRobotDesign can answer.  Others are legal (a stick's DESIGN.CFG may
 // name its own), so they only serve to find slips of the pen.
 const std::vector<std::string> kKnownDesigns = {"ERS-210", "ERS-220", "ERS-7"};
-
-bool IsBlank(char c) { return c == ' ' || c == '\t'; }
 
 std::string_view Trim(std::string_view text) {
   while (!text.empty() && IsBlank(text.front())) text.remove_prefix(1);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstddef>
 
+#include "runtime/config/characters.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/spelling.h"
 
@@ -29,11 +30,7 @@ constexpr KeywordName kKeywords[] = {
     {"Extra", StubKeyword::kExtra},
 };
 
-bool IsBlank(char c) { return c == ' ' || c == '\t'; }
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-bool IsNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || IsDigit(c) || c == '_';
-}
+bool IsNameCharacter(char c) { return IsLetter(c) || IsDigit(c) || c == '_'; }
 
 // A piece of a line that remembers its column.
 struct Piece {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "runtime/config/characters.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/spelling.h"
 
@@ -13,10 +14,6 @@ namespace {
 
 constexpr size_t kHostNameMax = 8;  // Installation Guide 3.2.2, as all limits here
 constexpr size_t kEssidMax = 32;
-
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool IsHexDigit(char c) { return IsDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
 // A number of digits only, without sign; -1 when `text` is none or above `max`.
 int ParseSmallNumber(std::string_view text, int max) {

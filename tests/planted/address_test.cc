@@ -6,7 +6,7 @@
 
 #include "tests/planted/planted.h"
 
-namespace openr_host {
+namespace openr_host::address_test {
 namespace {
 
 constexpr char kOut[] = "Sender.Out.Number.S";
@@ -52,4 +52,4 @@ TEST(PlantedAddressTest, WhatDependsOnAnAddressIsFoundByAProcessWithItsMemoryEls
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::address_test

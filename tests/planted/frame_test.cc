@@ -5,7 +5,7 @@
 #include "tests/planted/planted.h"
 #include "virtualrobot/virtual_robot.h"
 
-namespace openr_host {
+namespace openr_host::frame_test {
 namespace {
 
 // Fault: a vector is old unless its number is greater than that of the last one.
@@ -65,4 +65,4 @@ TEST(PlantedFrameTest, TheWrapOfTheFrameCounterIsMissedByDefaultAndFoundByExplor
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::frame_test

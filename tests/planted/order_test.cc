@@ -4,7 +4,7 @@
 
 #include "tests/planted/planted.h"
 
-namespace openr_host {
+namespace openr_host::order_test {
 namespace {
 
 using testing::HasSubstr;
@@ -231,4 +231,4 @@ TEST(PlantedOrderTest, AnAnswerThatIsExpectedTooSoonIsFoundWithASlowObject) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::order_test

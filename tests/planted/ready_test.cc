@@ -4,7 +4,7 @@
 
 #include "tests/planted/planted.h"
 
-namespace openr_host {
+namespace openr_host::ready_test {
 namespace {
 
 using testing::HasSubstr;
@@ -207,4 +207,4 @@ TEST(PlantedReadyTest, AHandlerIsNotReenteredWhileItNotifies) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::ready_test

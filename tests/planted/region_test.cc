@@ -4,7 +4,7 @@
 
 #include "tests/planted/planted.h"
 
-namespace openr_host {
+namespace openr_host::region_test {
 namespace {
 
 using testing::HasSubstr;
@@ -129,4 +129,4 @@ TEST(PlantedRegionTest, ADecentPairIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::region_test

@@ -6,7 +6,7 @@
 #include "tests/openr/program_run.h"
 #include "tests/planted/planted.h"
 
-namespace openr_host {
+namespace openr_host::statics_test {
 namespace {
 
 TEST(PlantedStaticsTest, AStaticThatTwoObjectsShareIsNoneOnTheRobot) {
@@ -31,4 +31,4 @@ TEST(PlantedStaticsTest, AStaticThatTwoObjectsShareIsNoneOnTheRobot) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::statics_test

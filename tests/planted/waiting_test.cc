@@ -5,7 +5,7 @@
 #include "openr/explore/explore_cost.h"
 #include "tests/planted/planted.h"
 
-namespace openr_host {
+namespace openr_host::waiting_test {
 namespace {
 
 using testing::HasSubstr;
@@ -202,4 +202,4 @@ TEST(PlantedWaitingTest, MessagesThatStopTheClockAreAFinding) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::waiting_test

@@ -1,16 +1,17 @@
 // openr_genmodel: writes objects' robot constants from the robot models.
 //
-//   openr_genmodel -o DIR MODEL.json...
+//   openr_genmodel DIR MODEL.json...
 //
 // writes DIR/RobotConstants.h and DIR/RobotConstants.cc, all models in one table, in the
 // order given.  Files whose content would not change are left untouched, so that nothing
 // is rebuilt for nothing.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "emit.h"
 #include "model_file.h"
@@ -29,20 +30,18 @@ void WriteIfChanged(const std::filesystem::path& path, const std::string& text) 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes RobotConstants.h and RobotConstants.cc from robot models.");
-  std::string directory;
-  std::vector<std::string> paths;
-  app.add_option("-o,--output", directory, "folder for the two files")->required();
-  app.add_option("models", paths, "robot models (JSON)")->required();
-  CLI11_PARSE(app, argc, argv);
+  if (argc < 3) {
+    fmt::print(stderr, "usage: openr_genmodel DIR MODEL.json...\n");
+    return 2;
+  }
+  const std::filesystem::path directory = argv[1];
+  const std::vector<std::string> paths(argv + 2, argv + argc);
   try {
     std::vector<openr_host::genmodel::Model> models;
     for (const std::string& path : paths) models.push_back(openr_host::genmodel::ReadModel(path));
     std::filesystem::create_directories(directory);
-    WriteIfChanged(std::filesystem::path(directory) / "RobotConstants.h",
-                   openr_host::genmodel::HeaderText(models));
-    WriteIfChanged(std::filesystem::path(directory) / "RobotConstants.cc",
-                   openr_host::genmodel::SourceText(models));
+    WriteIfChanged(directory / "RobotConstants.h", openr_host::genmodel::HeaderText(models));
+    WriteIfChanged(directory / "RobotConstants.cc", openr_host::genmodel::SourceText(models));
   } catch (const std::exception& error) {
     fmt::print(stderr, "openr_genmodel: {}\n", error.what());
     return 1;

@@ -1,16 +1,18 @@
 // openr_motions: writes the project's own motions as MTN files.
 //
-//   openr_motions -o DIR MODEL.json [--step-mm ...]
+//   openr_motions DIR MODEL.json
 //
 // SIT stand to sit, STAND sit to stand, LIE stand to lying, BOW; WALKSTA, WALK and WALKEND are a
 // walk: start once, cycle as often as wanted, end.  All are computed here from the model's geometry
 // and postures.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "openr/output_file.h"
 #include "postures.h"
@@ -56,20 +58,12 @@ void WriteAll(const std::filesystem::path& directory, const Dog& dog, const Gait
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes the project's own motions as MTN files.");
-  std::string directory, model;
-  Gait gait;
-  app.add_option("-o,--output", directory, "folder for the files")->required();
-  app.add_option("model", model, "robot model (JSON)")->required();
-  app.add_option("--period-frames", gait.period_frames, "walk: frames of 16 ms in a cycle");
-  app.add_option("--step-mm", gait.step_mm, "walk: way of a cycle");
-  app.add_option("--lift-mm", gait.lift_mm, "walk: lift of a paw");
-  app.add_option("--duty", gait.duty, "walk: share of the cycle a paw stands");
-  app.add_option("--height-mm", gait.height_mm, "walk: height of the body");
-  app.add_option("--shift-mm", gait.shift_mm, "walk: paws ahead of their place when standing");
-  CLI11_PARSE(app, argc, argv);
+  if (argc != 3) {
+    fmt::print(stderr, "usage: openr_motions DIR MODEL.json\n");
+    return 2;
+  }
   try {
-    WriteAll(directory, Dog(model), gait);
+    WriteAll(argv[1], Dog(argv[2]), Gait());
   } catch (const std::exception& error) {
     fmt::print(stderr, "openr_motions: {}\n", error.what());
     return 1;

@@ -4,7 +4,7 @@
 
 #include "runtime/config/line_file.h"
 
-namespace openr_host {
+namespace openr_host::address_config_test {
 namespace {
 
 std::string Problem(std::string_view text) {
@@ -70,4 +70,4 @@ TEST(AddressConfigTest, ABadLineIsNamedAndLeftOut) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::address_config_test

@@ -4,7 +4,7 @@
 
 #include "runtime/config/line_file.h"
 
-namespace openr_host {
+namespace openr_host::connect_config_test {
 namespace {
 
 ConnectConfig Parse(std::string_view text, std::string_view design = "ERS-210") {
@@ -152,4 +152,4 @@ TEST(ConnectConfigTest, SamePairForTwoRobotsIsNoRepetition) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::connect_config_test

@@ -7,7 +7,7 @@
 
 #include "tests/runtime/core/recorder.h"
 
-namespace openr_host {
+namespace openr_host::cost_config_test {
 namespace {
 
 std::string ErrorIn(const std::string& text) {
@@ -109,4 +109,4 @@ TEST_F(ConfiguredCostTest, JitterStaysWithinItsShareAndRepeatsWithTheSeed) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::cost_config_test

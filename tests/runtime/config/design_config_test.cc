@@ -4,7 +4,7 @@
 
 #include "runtime/config/line_file.h"
 
-namespace openr_host {
+namespace openr_host::design_config_test {
 namespace {
 
 DesignConfig Parse(std::string_view text, std::string_view design = "ERS-210") {
@@ -81,4 +81,4 @@ TEST(DesignConfigTest, OverlongKeywordIsRefused) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::design_config_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::diagnostic_test {
 namespace {
 
 TEST(DiagnosticTest, ErrorShowsFileLineMessageTextAndCaret) {
@@ -69,4 +69,4 @@ TEST(DiagnosticTest, OneErrorAmongWarningsIsFound) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::diagnostic_test

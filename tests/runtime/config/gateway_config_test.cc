@@ -4,7 +4,7 @@
 
 #include "runtime/config/line_file.h"
 
-namespace openr_host {
+namespace openr_host::gateway_config_test {
 namespace {
 
 GatewayConfig Robot(std::string_view text, std::string_view design = "ERS-210") {
@@ -184,4 +184,4 @@ TEST(GatewayWiresTest, ServiceThatTheGatewayDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::gateway_config_test

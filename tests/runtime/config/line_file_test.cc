@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::line_file_test {
 namespace {
 
 // First words of the records that hold for an ERS-210.
@@ -166,4 +166,4 @@ TEST(LineFileTest, CommentsMayHoldAnyByteButNul) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::line_file_test

@@ -4,7 +4,7 @@
 
 #include "runtime/config/line_file.h"
 
-namespace openr_host {
+namespace openr_host::object_config_test {
 namespace {
 
 std::vector<std::string> Paths(std::string_view text, std::string_view design = "ERS-210") {
@@ -121,4 +121,4 @@ TEST(ObjectConfigTest, LinesAroundABadOneHold) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::object_config_test

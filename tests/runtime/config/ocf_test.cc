@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::ocf_test {
 namespace {
 
 OcfResult Parse(std::string_view text) { return ParseOcf("mover.ocf", text); }
@@ -146,4 +146,4 @@ TEST(OcfTest, UserModeWithoutVirtualMemoryIsAWarning) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::ocf_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::service_name_test {
 namespace {
 
 std::string FaultIn(std::string_view text) {
@@ -71,4 +71,4 @@ TEST(ServiceNameTest, GatewayProxyLetterIsNoDirection) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::service_name_test

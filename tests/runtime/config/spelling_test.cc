@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::spelling_test {
 namespace {
 
 TEST(SpellingTest, DistanceCountsInsertionsDeletionsAndReplacements) {
@@ -48,4 +48,4 @@ TEST(SpellingTest, WrongCaseIsOffered) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::spelling_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::stub_config_test {
 namespace {
 
 StubConfigResult Parse(const std::string& text) { return ParseStubConfig("stub.cfg", text); }
@@ -448,4 +448,4 @@ TEST(StubConfigTest, AllMistakesAreReportedNotOnlyTheFirst) {
 TEST(StubConfigTest, EmptyFileLacksThreeLines) { EXPECT_EQ(Parse("").diagnostics.size(), 3u); }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::stub_config_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::stub_generator_test {
 namespace {
 
 // Two services on each side, one name on both, declared crosswise; two extras.
@@ -235,4 +235,4 @@ TEST(StubGeneratorTest, OutputDependsOnNothingButTheInput) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::stub_generator_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace openr_host {
+namespace openr_host::wlan_config_test {
 namespace {
 
 WlanResult Parse(std::string_view text) { return ParseWlanConfig("WLANCONF.TXT", text); }
@@ -125,4 +125,4 @@ TEST(WlanConfigTest, KeyGivenTwiceKeepsTheLastValue) {
 }
 
 }  // namespace
-}  // namespace openr_host
+}  // namespace openr_host::wlan_config_test
