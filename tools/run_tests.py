@@ -4,18 +4,24 @@
 Every program prints "N passed, N failed" (", N skipped") as its last line; the last line here
 is the sum.  A program that crashes or hangs counts as one failure more.  Programs whose tests
 mostly wait are run in parts, all at a time and beside the others.
+
+The names of failed tests stand above the last line.  What a program with failures printed is kept
+in the build folder, failed/NAME.log, with the command that runs it again at its begin.
 """
 import argparse
 import concurrent.futures
 import os
 import pathlib
 import re
+import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+FAILED = re.compile(r"^\[  FAILED  \] ([\w/]+\.[\w/]+)", re.MULTILINE)
 TOTALS = re.compile(r"^(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$")
 LIMIT_S = 1800  # for one program; with sanitizers, on two busy cores
 SHARDS = {"distribution_tests": 4}  # for processes and leases; ros2_run.h has domains for four
@@ -61,10 +67,17 @@ def parts(name):
              {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(i)}) for i in range(count)]
 
 
-def jobs(build, pattern):
+def quick_programs(build):
+    """The test programs that run in one process, as CMake has written them down."""
+    return [build / "bin" / name for name in (build / "quick_tests.txt").read_text().split()]
+
+
+def jobs(build, pattern, quick):
     """Name, command and environment of everything to run: what waits, and the others."""
     waiting, found = [], []
     gtest = [f"--gtest_filter=*{pattern}*"] if pattern else []
+    if quick:
+        return [], [(program.name, [str(program)] + gtest, {}) for program in quick_programs(build)]
     for program in sorted((build / "bin").glob("*_tests")):
         command = [str(program)] + gtest
         if program.name in SHARDS:
@@ -85,24 +98,42 @@ def jobs(build, pattern):
     return waiting, found
 
 
+def keep(folder, name, command, shard, output):
+    """Writes what a failed program printed; returns the file and the names of failed tests."""
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / (re.sub(r"[^\w.]+", "-", name) + ".log")
+    again = " ".join([f"{key}={value}" for key, value in shard.items()] +
+                     [shlex.quote(word) for word in command])
+    file.write_text(f"to run it again, in an empty folder:\n{again}\n\n{output}")
+    return file, sorted(set(FAILED.findall(output)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", required=True, type=pathlib.Path)
     parser.add_argument("--filter", default="")
+    parser.add_argument("--quick", action="store_true", help="only tests that run in one process")
     arguments = parser.parse_args()
     sums = [0, 0, 0]
-    waiting, others = jobs(arguments.build.resolve(), arguments.filter)
+    build = arguments.build.resolve()
+    shutil.rmtree(build / "failed", ignore_errors=True)
+    waiting, others = jobs(build, arguments.filter, arguments.quick)
+    failures = []
     with concurrent.futures.ThreadPoolExecutor(max(1, len(waiting))) as waiters, \
             concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        todo = [waiters.submit(run, *job) for job in waiting]
-        todo += [pool.submit(run, *job) for job in others]
+        todo = {waiters.submit(run, *job): job for job in waiting}
+        todo.update({pool.submit(run, *job): job for job in others})
         for future in concurrent.futures.as_completed(todo):
             name, passed, failed, skipped, output, seconds = future.result()
             if failed:
                 print(output)
+                failures.append((name, *keep(build / "failed", *todo[future], output)))
             extra = f", {skipped} skipped" if skipped else ""
             print(f"{name}: {passed} passed, {failed} failed{extra} ({seconds:.1f} s)", flush=True)
             sums = [a + b for a, b in zip(sums, (passed, failed, skipped))]
+    for name, file, tests in failures:
+        print(f"FAILED in {name}, kept in {file}:")
+        print("\n".join(f"  {test}" for test in tests or ["(it names no test)"]))
     if sum(sums) == 0:
         print(f"no test matches '{arguments.filter}'")
         sums[1] = 1
