@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <bit>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "openr/code_lookup.h"
 #include "openr/crash_stack.h"
 #include "openr/last_words.h"
+#include "openr/output_file.h"
 #include "openr/signal_text.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/current.h"
@@ -129,18 +132,52 @@ const std::string* FileOf(int robot) {
   return file.empty() ? nullptr : &file;
 }
 
-// What happened first, since the stack, which is added, may be too damaged to be walked.
+// The file that the record goes to, opened and written with what a signal handler may call.
+class RecordFile {
+ public:
+  // `name`: null for no file.
+  explicit RecordFile(const std::string* name) : name_(name) {
+    if (name == nullptr) return;
+    // Not open(), which may act for an object in this process.
+    descriptor_ =
+        static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
+                                 O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
+    if (descriptor_ < 0) error_ = errno;
+  }
+
+  void Write(const SignalText& text) {
+    if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
+  }
+
+  // Says on standard error that the file was written, or why it was not.  Returns whether it was.
+  bool Tell() const {
+    if (name_ == nullptr) return false;
+    SignalText note;
+    if (error_ == 0) {
+      note.Add("openr: wrote ").Add(*name_);
+    } else {
+      // strerror() may allocate; this one is fit for signal handlers (GNU C library).
+      const char* const why = strerrordesc_np(error_);
+      note.Add("openr: ").Add(*name_).Add(": the record of the crash cannot be written: ");
+      note.Add(why == nullptr ? "unknown error" : why);
+    }
+    note.Add("\n").WriteTo(STDERR_FILENO);
+    return error_ == 0;
+  }
+
+ private:
+  const std::string* const name_;
+  int descriptor_ = -1;
+  int error_ = 0;  // errno of the first failure
+};
+
+// Writes what happened first, because the stack, which follows, may be too damaged to be walked.
 void WriteRecord(Ending* ending, const void* context, int robot) {
-  const std::string* const file = FileOf(robot);
-  // Not open(): that of this process may act for an object.
-  const auto descriptor =
-      file == nullptr
-          ? -1
-          : static_cast<int>(syscall(SYS_openat, AT_FDCWD, file->c_str(),
-                                     O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
-  const auto write = [descriptor](const SignalText& text) {
+  const std::string* const name = FileOf(robot);
+  RecordFile file(name);
+  const auto write = [&file](const SignalText& text) {
     text.WriteTo(STDERR_FILENO);
-    if (descriptor >= 0) text.WriteTo(descriptor);
+    file.Write(text);
   };
   write(ending->record);
   const CrashStack stack(*ending->object, context);
@@ -149,10 +186,8 @@ void WriteRecord(Ending* ending, const void* context, int robot) {
   write(frames);
   ending->record.Add(frames.text());
   stack.AddPlace(&ending->finding);
-  if (descriptor < 0) return;
-  SignalText note;
-  note.Add("openr: wrote ").Add(*file).Add("\n").WriteTo(STDERR_FILENO);
-  if (g_place->has_value()) ending->finding.Add("; record: ").Add(*file).Add(**g_place);
+  if (file.Tell() && g_place->has_value())
+    ending->finding.Add("; record: ").Add(*name).Add(**g_place);
 }
 
 void Crashed(int signal, siginfo_t* info, void* context) {

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "openr/cache_folder.h"
-#include "openr/output_file.h"
 #include "openr/simulation.h"
 #include "runtime/config/spelling.h"
 
@@ -14,12 +13,13 @@ namespace fs = std::filesystem;
 
 constexpr char kCrashLog[] = "EMON.LOG";
 
-// The path of the crash log in the cache folder, which is made; "" if nothing can be written there.
+// The path of the crash log in the cache folder, which is made.  When that fails, the crash handler
+// says why the file cannot be written.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;
   fs::create_directories(folder, error);
-  return WhyNoFolder(folder).empty() ? (folder / kCrashLog).string() : "";
+  return folder / kCrashLog;
 }
 
 }  // namespace

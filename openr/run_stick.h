@@ -26,7 +26,7 @@ class RunStick {
   // Where the files of this run are.
   const std::string& folder() const { return folder_; }
 
-  // The file for the record of a crash; "": there is no place for one.
+  // The file for the record of a crash; it is possible that it cannot be written.
   const std::string& crash_log() const { return crash_log_; }
 
   // Whether the run uses the default stick: the crash record is in the cache folder then, and

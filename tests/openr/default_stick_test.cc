@@ -147,6 +147,15 @@ TEST(DefaultStickTest, TheRecordOfACrashIsInTheCacheFolder) {
     EXPECT_THAT(json::parse(result.out)["findings"].dump(), HasSubstr("; record: " + file + "; "));
   }
 }
+
+TEST(DefaultStickTest, ACacheFolderThatCannotBeMadeIsNamedAfterACrash) {
+  const Installed installed("crash");
+  std::ofstream(installed.File("cache")) << "a file, where the cache folder has to be";
+  const ProgramResult result = installed.RunFor1s({});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("openr: " + installed.File("cache/openr-host/EMON.LOG") +
+                                    ": the record of the crash cannot be written: "));
+}
 #endif
 
 }  // namespace

@@ -12,6 +12,7 @@ using nlohmann::json;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 
 std::vector<std::string> With(std::vector<std::string> arguments,
                               const std::vector<std::string>& more) {
@@ -222,6 +223,22 @@ TEST(CrashTest, ACrashLeavesARecordOnTheStick) {
   EXPECT_NE(record.find("OBJECT Trouble, DoStart (selector 1), message "), std::string::npos)
       << record;
   EXPECT_EQ(record.find("STACK overflow"), std::string::npos) << record;
+}
+
+TEST(CrashTest, ARecordThatCannotBeWrittenIsNamedWithTheReason) {
+  const ScratchFolder stick;
+  stick.MakeTrouble("crash");
+  const std::string file = stick.File("OPEN-R/EMON.LOG");
+  std::filesystem::create_directory(file);
+  ProgramResult result = RunFor("1s", {"--stick", stick.path()});
+  EXPECT_EQ(result.status, 1);
+  const std::string complaint = "openr: " + file + ": the record of the crash cannot be written: ";
+  EXPECT_THAT(result.err, HasSubstr(complaint + "Is a directory\n"));
+  std::filesystem::remove(file);
+  std::filesystem::create_symlink("/dev/full", file);
+  result = RunFor("1s", {"--stick", stick.path()});
+  EXPECT_THAT(result.err, HasSubstr(complaint + "No space left on device\n"));
+  EXPECT_THAT(result.err, Not(HasSubstr("openr: wrote")));
 }
 
 TEST(CrashTest, TheRecordHasTheStackOfTheObjectAndEndsThere) {
