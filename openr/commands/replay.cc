@@ -39,6 +39,8 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
   std::vector<std::string> problems = replayer->problems();
   if (!replayer->loss().empty()) problems.push_back(replayer->loss());
   for (const std::string& problem : problems) fmt::print(stderr, "openr: {}\n", problem);
+  const std::string& note = replayer->reader().note();
+  if (!note.empty()) fmt::print(stderr, "openr: note: {}\n", note);
   const bool equal = replayer->difference().empty();
   const double time_s = static_cast<double>(replayer->system().now_us()) / 1e6;
   if (!equal) fmt::print(stderr, "openr: difference: {}\n", replayer->difference());

@@ -38,6 +38,7 @@ int ShowTrace(const TraceFlags& flags) {
   if (flags.format == "csv") WriteTraceCsv(&reader, flags.filter, out);
   if (flags.format == "perfetto") WriteTracePerfetto(&reader, flags.filter, out);
   for (const std::string& problem : reader.problems()) fmt::print(stderr, "openr: {}\n", problem);
+  if (!reader.note().empty()) fmt::print(stderr, "openr: note: {}\n", reader.note());
   return reader.problems().empty() ? kExitGood : kExitWrong;
 }
 

@@ -247,8 +247,12 @@ void TraceReader::Damaged(const std::string& what) {
 
 bool TraceReader::NextBlock() {
   if (at_ == bytes_.size()) {
-    if (!ended_)
-      problems_.push_back(fmt::format("{}: ends without an end: the run was cut off", file_));
+    if (why_ended_.first.empty()) {
+      note_ = fmt::format(
+          "{}: the recording does not say how the run ended: its process was killed, or it still "
+          "runs",
+          file_);
+    }
     return false;
   }
   const auto where = [&] {

@@ -144,6 +144,10 @@ class TraceReader {
   // "FILE: block 3 at offset 4711: ..." of what is damaged or missing, as far as it was met.
   const std::vector<std::string>& problems() const { return problems_; }
 
+  // "FILE: the recording does not say how the run ended: ..." when it has a whole last block but no
+  // end; "" otherwise, and as long as the end of the file was not met.
+  const std::string& note() const { return note_; }
+
   // Names seen so far.
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
@@ -172,6 +176,7 @@ class TraceReader {
   TraceRecord last_{};  // the message before
   std::pair<std::string, std::string> why_ended_;
   std::vector<std::string> problems_;
+  std::string note_;
   std::map<int32_t, std::pair<int, std::string>> objects_;  // robot, name
   std::map<std::pair<int32_t, uint32_t>, std::string> entries_;
 };

@@ -193,16 +193,30 @@ TEST(EndingTest, AReplaySaysWhyTheRecordedRunEnded) {
   EXPECT_THAT(RunProgram({"trace", file}).out, HasSubstr("\nended by battery: PowerMonitor"));
 }
 
+// Records a run on a stick whose object does `word`, and returns what openr trace shows of it.
+ProgramResult TraceOfTrouble(const std::string& word) {
+  const ScratchFolder folder;
+  folder.MakeTrouble(word);
+  const std::string file = folder.File("run.rec");
+  RunProgram(RunWords({"--stick", folder.path(), "--record", file, "--handler-limit", "200ms"}));
+  return RunProgram({"trace", file});
+}
+
 TEST(EndingTest, ARecordingOfACrashHasTheReason) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer reports crashes itself";
 #endif
-  const ScratchFolder folder;
-  folder.MakeTrouble("crash");
-  const std::string file = folder.File("run.rec");
-  RunProgram(RunWords({"--stick", folder.path(), "--record", file}));
-  EXPECT_THAT(RunProgram({"trace", file}).out,
-              HasSubstr("ended by crash: Trouble: crash: SIGSEGV"));
+  const ProgramResult result = TraceOfTrouble("crash");
+  EXPECT_THAT(result.out, HasSubstr("ended by crash: Trouble: crash: SIGSEGV"));
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.status, 0);
+}
+
+TEST(EndingTest, ARecordingOfAHandlerThatDoesNotReturnHasTheReason) {
+  const ProgramResult result = TraceOfTrouble("hang");
+  EXPECT_THAT(result.out, HasSubstr("ended by handler-limit: Trouble: a handler does not return"));
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.status, 0);
 }
 
 TEST(EndingTest, AnExplorationCountsTheReasons) {

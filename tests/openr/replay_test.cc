@@ -30,7 +30,7 @@ class ReplayTest : public testing::Test {
   ~ReplayTest() override { fs::remove_all(folder_); }
 
   // A run of the stick, the pause button after a second.
-  void Record(bool payloads = true, int64_t until_us = 2'000'000) {
+  void Record(bool payloads = true, int64_t until_us = 2'000'000, bool has_end = true) {
     SimulationOptions options;
     options.stick = stick_;
     options.body = "ideal";
@@ -46,7 +46,9 @@ class ReplayTest : public testing::Test {
     simulation.robots()[0]->PressPause();
     recorder.NotePause(system.now_us());
     system.RunUntil(until_us);
-    EXPECT_EQ(recorder.Finish(&system), "");
+    if (has_end) {
+      EXPECT_EQ(recorder.Finish(&system), "");
+    }
     messages_ = system.message_count();
     trace_hash_ = system.trace_hash();
   }
@@ -172,6 +174,22 @@ TEST_F(ReplayTest, ACutFileIsUsedUpToItsLastBlock) {
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_NE(problems_[0].find("is cut off"), std::string::npos);
   EXPECT_LT(count_, messages_);
+}
+
+TEST_F(ReplayTest, AFileWithoutAnEndIsUsedAndItsNoteSaysThatTheEndIsNotKnown) {
+  Record(true, 2'000'000, false);
+  EXPECT_EQ(Replay(), "");
+  EXPECT_TRUE(problems_.empty());
+  EXPECT_EQ(count_, messages_);
+  const std::string note = "openr: note: " + file_.string() +
+                           ": the recording does not say how the run ended: its process was "
+                           "killed, or it still runs\n";
+  const ProgramResult trace = RunProgram({"trace", file_});
+  EXPECT_EQ(trace.status, 0);
+  EXPECT_EQ(trace.err, note);
+  const ProgramResult replay = RunProgram({"replay", file_});
+  EXPECT_EQ(replay.status, 0);
+  EXPECT_EQ(replay.err.find(note), 0u) << replay.err;
 }
 
 TEST_F(ReplayTest, OtherFilesAreRefused) {
