@@ -17,6 +17,7 @@
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
+#include "virtualrobot/battery.h"
 #include "virtualrobot/body.h"
 
 namespace openr_host {
@@ -107,6 +108,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   robots_.push_back(AddVirtualRobot(system_.get(), robot, model_,
                                     MakeBody(options.body, model_, world_),
                                     DevicesOf(options, index == 0)));
+  if (index == 0) NoteALowBattery(options.battery);
   auto network = options.host_network
                      ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
                      : MakeLonelyNetwork();
@@ -118,6 +120,19 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   const System::StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
   if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
+}
+
+// Says that the battery will not end the run, which nobody expects of one that is nearly empty.
+void Simulation::NoteALowBattery(const std::string& text) {
+  Battery battery;
+  ParseBattery(text, &battery);
+  if (!battery.is_low_at_boot()) return;
+  system_->AddFindingAbout(
+      nullptr, Severity::kNote,
+      fmt::format("--battery {}: objects shut a robot down before its battery is below {} %; this "
+                  "one boots with the bit for low capacity set, which is no change that an object "
+                  "hears of, so the battery does not end the run; give {}% or more if it should",
+                  text, kLowCapacityPercent, kLowCapacityPercent));
 }
 
 // The pairs of the command line, then those of the stick.

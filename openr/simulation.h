@@ -87,6 +87,7 @@ class Simulation {
 
  private:
   void AddRobot(const SimulationOptions& options, int index);
+  void NoteALowBattery(const std::string& text);
   std::vector<AddressPair> AddressesOf(const SimulationOptions& options, MemoryStick* stick,
                                        int index);
 

@@ -22,11 +22,13 @@ std::string ParseBattery(std::string_view text, Battery* battery) {
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, percent);
   const bool is_percent = error == std::errc() && end - at == 1 && *at == '%';
-  if (!is_percent || percent < 1 || percent > 100) {
+  const bool is_in_range = percent >= 1 && percent <= 100;
+  if (!is_percent || !is_in_range) {
+    const bool lacks_sign = error == std::errc() && at == end && is_in_range;
     return fmt::format(
         "'{}' is none of 100% (stays full), drain (full at boot) and 1% to 99% (so "
-        "much at boot, and drains)",
-        text);
+        "much at boot, and drains){}",
+        text, lacks_sign ? fmt::format("; did you mean '{}%'?", percent) : "");
   }
   *battery = {percent, percent < 100};
   return "";

@@ -13,11 +13,10 @@
 namespace openr_host {
 namespace {
 
-constexpr word kLowCapacityPercent = 10;  // chosen
-constexpr word kTemperature = 3031;       // 30 degrees Celsius in 0.1 K; chosen
-constexpr word kFullCapacityMah = 2000;   // chosen
-constexpr word kVoltageMv = 7400;         // two lithium cells; chosen
-constexpr sword kCurrentMa = -1300;       // discharging is negative (inferred); chosen
+constexpr word kTemperature = 3031;      // 30 degrees Celsius in 0.1 K; chosen
+constexpr word kFullCapacityMah = 2000;  // chosen
+constexpr word kVoltageMv = 7400;        // two lithium cells; chosen
+constexpr sword kCurrentMa = -1300;      // discharging is negative (inferred); chosen
 
 // Whether a change from `before` to `now` is one the filter asks for.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {

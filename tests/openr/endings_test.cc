@@ -111,6 +111,20 @@ TEST(EndingTest, ABatteryThatStaysFullEndsNothing) {
   ExpectEndOf({"--battery", "100%", "--for", "1min"}, 0, "time", "--for 1min is over");
 }
 
+TEST(EndingTest, ABatteryThatIsLowFromTheBootOnEndsNothingAndANoteSaysSo) {
+  for (const bool is_low : {true, false}) {
+    const ProgramResult result = RunProgram(
+        RunWords({"--battery", is_low ? "9%" : "10%", "--for", "1s", "--robots", "2", "--json"}));
+    EXPECT_EQ(result.status, 0) << result.err;
+    const json report = json::parse(result.out);
+    ASSERT_EQ(report["findings"].size(), is_low ? 1u : 0u);
+    if (!is_low) continue;
+    EXPECT_EQ(report["findings"][0]["severity"], "note");
+    EXPECT_THAT(result.err, HasSubstr("note: --battery 9%: "));
+    EXPECT_THAT(result.err, HasSubstr("so the battery does not end the run; give 10% or more"));
+  }
+}
+
 TEST(EndingTest, ABatteryThatMakesNoSenseIsAWrongCommandLine) {
   for (const char* wrong : {"0%", "101%", "50", "full", ""}) {
     const ProgramResult result = RunProgram(RunWords({"--battery", wrong, "--for", "1s"}));

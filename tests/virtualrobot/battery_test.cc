@@ -1,6 +1,6 @@
 #include "virtualrobot/battery.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "tests/virtualrobot/comm_fixture.h"
 
@@ -38,7 +38,7 @@ TEST(BatteryTest, BeginsWhereItIsToldAndDrainsAsFast) {
 }
 
 TEST(BatteryTest, OtherWordsAreRefusedWithThoseThereAre) {
-  for (const char* wrong : {"", "0%", "101%", "50", "%", "-1%", "5.5%", "50%x", "full"}) {
+  for (const char* wrong : {"", "0%", "101%", "101", "%", "-1%", "5.5%", "50%x", "full"}) {
     Battery battery;
     EXPECT_EQ(ParseBattery(wrong, &battery),
               std::string("'") + wrong +
@@ -46,6 +46,17 @@ TEST(BatteryTest, OtherWordsAreRefusedWithThoseThereAre) {
                   "boot, and drains)");
     EXPECT_TRUE(battery.drains);
   }
+}
+
+TEST(BatteryTest, ANumberWithoutItsPercentSignIsRefusedWithASuggestion) {
+  Battery battery;
+  EXPECT_THAT(ParseBattery("50", &battery), ::testing::EndsWith("; did you mean '50%'?"));
+}
+
+TEST(BatteryTest, IsLowAtBootBelowTenPercent) {
+  EXPECT_TRUE(BatteryOf("9%").is_low_at_boot());
+  EXPECT_FALSE(BatteryOf("10%").is_low_at_boot());
+  EXPECT_FALSE(BatteryOf("drain").is_low_at_boot());
 }
 
 class LowBatteryTest : public VirtualRobotCommTest {
