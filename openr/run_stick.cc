@@ -1,7 +1,5 @@
 #include "openr/run_stick.h"
 
-#include <stdexcept>
-
 #include "openr/cache_folder.h"
 #include "openr/simulation.h"
 #include "runtime/config/spelling.h"
@@ -48,8 +46,6 @@ RunStick::RunStick(const std::string& wanted, bool is_written)
   crash_log_ = is_default_ ? CrashLogInCache() : CrashLogOn(name_);
   if (!is_default_ || !is_written) return;
   copy_ = std::make_unique<TempFolder>();
-  if (copy_->path().empty())
-    throw std::runtime_error("cannot make a temporary folder for the run's copy of the stick");
   CopyStick(name_, copy_->path());
   folder_ = copy_->path();
 }

@@ -17,17 +17,11 @@ namespace fs = std::filesystem;
 using openr_host::FolderStick;
 using openr_host::TempFolder;
 
-std::unique_ptr<TempFolder> MakeFolder() {
-  auto folder = std::make_unique<TempFolder>();
-  if (folder->path().empty())
-    throw std::runtime_error("cannot make a temporary folder for the stick of a bench");
-  return folder;
-}
-
 }  // namespace
 
 BenchStick::BenchStick(const std::string& model)
-    : folder_(MakeFolder()), files_(std::make_unique<FolderStick>(folder_->path())) {
+    : folder_(std::make_unique<TempFolder>()),
+      files_(std::make_unique<FolderStick>(folder_->path())) {
   for (const char* name : {"OPEN-R/MW/CONF", "OPEN-R/MW/OBJS", "OPEN-R/MW/DATA/P"}) {
     if (model.empty()) fs::create_directories(fs::path(folder_->path()) / name);
   }
@@ -85,7 +79,7 @@ void BenchStick::ImportImage(const std::string& host_file, const std::string& na
 }
 
 void BenchStick::MoveToCopy() {
-  auto folder = MakeFolder();
+  auto folder = std::make_unique<TempFolder>();
   openr_host::CopyStick(folder_->path(), folder->path());
   files_ = std::make_unique<FolderStick>(folder->path());
   folder_ = std::move(folder);

@@ -46,7 +46,6 @@ class ControllerBuild {
                       "new' makes a controller to begin with",
                       folder_.string()));
     }
-    if (scratch_.path().empty()) throw std::runtime_error("no room for temporary files");
     if (!Compile(sources.files) || !CompileCallOfMain()) return kExitWrong;
     if (!HasGoodFiles() || !Link()) return kExitWrong;
     Deliver();

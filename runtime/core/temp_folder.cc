@@ -7,7 +7,9 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace openr_host {
@@ -43,12 +45,19 @@ TempFolder::TempFolder() : process_(getpid()) {
   const std::string prefix = Prefix();
   RemoveStaleFolders(parent, prefix);
   std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, process_)).string();
-  if (mkdtemp(name.data()) != nullptr) path_ = name;
+  if (mkdtemp(name.data()) == nullptr) {
+    const std::string why = std::strerror(errno);
+    throw std::runtime_error(fmt::format(
+        "{}: no temporary folder can be made there: {}; the environment variable TMPDIR names "
+        "another place for them",
+        fs::absolute(parent, error).string(), why));
+  }
+  path_ = name;
 }
 
 TempFolder::~TempFolder() {
   std::error_code error;
-  if (!path_.empty() && process_ == getpid()) fs::remove_all(path_, error);
+  if (process_ == getpid()) fs::remove_all(path_, error);
 }
 
 }  // namespace openr_host

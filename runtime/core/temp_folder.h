@@ -9,12 +9,12 @@ namespace openr_host {
 // behind are removed when the next one is made.
 class TempFolder {
  public:
+  // Throws std::runtime_error, with the place and the system's reason, when it cannot be made.
   TempFolder();
   ~TempFolder();
   TempFolder(const TempFolder&) = delete;
   TempFolder& operator=(const TempFolder&) = delete;
 
-  // Empty when it could not be made.
   const std::string& path() const { return path_; }
 
  private:

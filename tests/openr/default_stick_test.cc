@@ -132,6 +132,21 @@ TEST(DefaultStickTest, OfAProcessOfItsOwnAsWell) {
   EXPECT_TRUE(installed.IsAsBefore());
 }
 
+// The default stick needs a folder for its copy, and any stick one for the images of the run.
+TEST(DefaultStickTest, APlaceForTemporaryFoldersThatCannotBeUsedIsNamed) {
+  const Installed installed("nothing");
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("TMPDIR", "/proc", 1);  // where not even root makes a folder
+  const ProgramResult copied = installed.RunFor1s({});
+  const ProgramResult named = installed.RunFor1s({"--stick", installed.stick()});
+  before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
+  for (const ProgramResult& result : {copied, named}) {
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.err, HasSubstr("openr: /proc: no temporary folder can be made there: "));
+  }
+}
+
 #if !defined(__SANITIZE_ADDRESS__)  // it reports crashes itself
 TEST(DefaultStickTest, TheRecordOfACrashIsInTheCacheFolder) {
   const Installed installed("crash");

@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace openr_host {
@@ -33,6 +35,22 @@ TEST(TempFolderTest, FoldersOfDeadProcessesAreRemovedButForThoseOfOtherContainer
   EXPECT_FALSE(fs::exists(dead));
   EXPECT_TRUE(fs::exists(elsewhere));
   fs::remove(elsewhere);
+}
+
+TEST(TempFolderTest, AFolderThatCannotBeMadeIsNamedWithTheReasonAndTheRemedy) {
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("TMPDIR", "/proc", 1);  // where not even root makes a folder
+  std::string problem;
+  try {
+    const TempFolder folder;
+  } catch (const std::runtime_error& error) {
+    problem = error.what();
+  }
+  before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
+  EXPECT_EQ(problem,
+            "/proc: no temporary folder can be made there: No such file or directory; the "
+            "environment variable TMPDIR names another place for them");
 }
 
 }  // namespace
