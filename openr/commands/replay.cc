@@ -21,14 +21,13 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kHandlerLimitUs = 10'000'000;  // as in openr run
-
 struct ReplayFlags {
   ReplayOptions replay;
   std::optional<int64_t> until_us;
   bool step = false;
   bool json = false;
   bool console = false;
+  int64_t handler_limit_us = 10'000'000;  // as in openr run
 };
 
 nlohmann::ordered_json TextOrNull(const std::string& text) {
@@ -76,7 +75,7 @@ int Replay(ReplayFlags flags) {
   }
   const LastAnswer answer(flags.json ? STDOUT_FILENO : -1);
   const CrashLog crash_log({});
-  const Watchdog watchdog(flags.step ? 0 : kHandlerLimitUs);
+  const Watchdog watchdog(flags.step ? 0 : flags.handler_limit_us);
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
   Replayer replayer(flags.replay);
   const LastWords last_words([&replayer](Ending*) {
@@ -103,6 +102,9 @@ void AddReplayCommand(CLI::App* app, int* exit_code) {
   CLI::Option* const step = command->add_flag(
       "--step", flags->step, "A prompt that steps forward and back, breaks and shows queues");
   command->add_flag("--console", flags->console, "Print what objects print");
+  AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
+                  "End the replay when a handler uses more processor time; 0s: never")
+      ->excludes(step);
   command->add_flag("--json", flags->json, "Print the result, and nothing else, as JSON")
       ->excludes(step);
   command->callback([flags, exit_code] { *exit_code = Replay(*flags); });

@@ -233,6 +233,17 @@ TEST(EndingTest, ARecordingOfAHandlerThatDoesNotReturnHasTheReason) {
   EXPECT_EQ(result.status, 0);
 }
 
+TEST(EndingTest, AReplayHasAHandlerLimitOfItsOwn) {
+  const ScratchFolder stick, files;
+  stick.MakeTrouble("hang");
+  const std::string file = files.File("run.rec");
+  RunProgram(RunWords({"--stick", stick.path(), "--record", file, "--handler-limit", "200ms"}));
+  const ProgramResult result = RunProgram({"replay", file, "--handler-limit", "300ms"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, HasSubstr("has used more than 0.3 s of processor time"));
+  EXPECT_EQ(RunProgram({"replay", file, "--step", "--handler-limit", "1s"}).status, 2);
+}
+
 TEST(EndingTest, AnExplorationCountsTheReasons) {
   const ScratchFolder stick;
   stick.MakeTrouble("shutdown");
