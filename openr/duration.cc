@@ -44,6 +44,7 @@ std::string ParseDuration(std::string_view text, int64_t* duration_us) {
 
 std::string FormatDuration(int64_t duration_us) {
   for (const Unit& unit : kUnits) {
+    if (unit.us > 1'000'000) continue;
     if (duration_us != 0 && duration_us % unit.us == 0) {
       return fmt::format("{}{}", duration_us / unit.us, unit.name);
     }

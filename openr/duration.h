@@ -12,7 +12,8 @@ namespace openr_host {
 // than 1000 h) are refused.
 std::string ParseDuration(std::string_view text, int64_t* duration_us);
 
-// The shortest of those forms that says the same: 250000 is "250ms".
+// The shortest of those forms in seconds or less that says the same: 250000 is "250ms", and two
+// minutes are "120s".
 std::string FormatDuration(int64_t duration_us);
 
 }  // namespace openr_host

@@ -51,7 +51,7 @@ std::optional<RunEnd> Runner::WhyOver() const {
     return RunEnd{EndKind::kPause, "the shutdown after the pause button took more than 60 s"};
   }
   if (plan_.for_us && now_us >= *plan_.for_us)
-    return RunEnd{EndKind::kTime, fmt::format("--for {} is over", FormatDuration(*plan_.for_us))};
+    return RunEnd{EndKind::kTime, fmt::format("--for {} is over", plan_.for_text)};
   if (plan_.until_idle && system.booted() && now_us - last_activity_us_ >= kIdleUs)
     return RunEnd{EndKind::kIdle, "no object has sent anything for 1 s (--until-idle)"};
   return {};

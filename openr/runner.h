@@ -20,6 +20,7 @@ class Simulation;
 
 struct RunPlan {
   std::optional<int64_t> for_us;  // virtual; none: until the robot powers off
+  std::string for_text;           // the same, as the person wrote it
   bool until_idle = false;        // or until objects have been quiet for kIdleUs
   double rate = 1;                // virtual seconds per second; 0: as fast as possible
   std::vector<SnapshotPlan> snapshots;

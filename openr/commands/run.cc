@@ -41,6 +41,7 @@ struct RunFlags {
   PlacementFlags placement;
   Ros2Flags ros2;
   std::optional<int64_t> for_us;
+  const CLI::Option* for_flag = nullptr;
   bool until_idle = false;
   std::string rate = "1";
   std::string report_file;
@@ -60,7 +61,7 @@ struct RunFlags {
 
 void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddCommonFlags(command, &flags->simulation);
-  AddDurationFlag(
+  flags->for_flag = AddDurationFlag(
       command, "--for", [flags](int64_t us) { flags->for_us = us; },
       "How long to run, in virtual time: 20s, 250ms");
   command->add_flag("--until-idle", flags->until_idle,
@@ -158,7 +159,7 @@ std::string Misfit(const SnapshotPlan& plan, const RunFlags& flags) {
   if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
   if (flags.for_us && plan.time_us > *flags.for_us) {
     return fmt::format("t={} is after the end of the run (--for {}); t=end is its end",
-                       FormatDuration(plan.time_us), FormatDuration(*flags.for_us));
+                       FormatDuration(plan.time_us), flags.for_flag->as<std::string>());
   }
   return "";
 }
@@ -221,6 +222,7 @@ RunPlan PlanOf(const RunFlags& flags) {
     throw CLI::ValidationError("--rc-port", problem);
   RunPlan plan;
   plan.for_us = flags.for_us;
+  if (flags.for_us) plan.for_text = flags.for_flag->as<std::string>();
   plan.until_idle = flags.until_idle;
   plan.rate = RateOf(flags.rate);
   plan.snapshots = SnapshotPlans(flags);

@@ -54,7 +54,8 @@ TEST(DurationTest, NegativeAndEndlessOnesAreRefused) {
 
 TEST(DurationTest, FormattingUsesTheBiggestUnitThatFits) {
   EXPECT_EQ(FormatDuration(250'000), "250ms");
-  EXPECT_EQ(FormatDuration(120'000'000), "2min");
+  EXPECT_EQ(FormatDuration(120'000'000), "120s");
+  EXPECT_EQ(FormatDuration(6'000'000'000), "6000s");
   EXPECT_EQ(FormatDuration(1'500'000), "1500ms");
   EXPECT_EQ(FormatDuration(0), "0s");
 }

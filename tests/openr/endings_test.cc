@@ -55,6 +55,11 @@ TEST(EndingTest, TheTimeThatWasAskedFor) {
   ExpectEndOfTrouble("nothing", {"--for", "100ms"}, 0, "time", "--for 100ms is over");
 }
 
+TEST(EndingTest, TheTimeThatWasAskedForAsThePersonWroteIt) {
+  ExpectEndOfTrouble("nothing", {"--for", "6000s"}, 0, "time", "--for 6000s is over");
+  ExpectEndOfTrouble("nothing", {"--for", "0.5min"}, 0, "time", "--for 0.5min is over");
+}
+
 TEST(EndingTest, Silence) {
   ExpectEndOfTrouble("nothing", {"--until-idle"}, 0, "idle", "for 1 s (--until-idle)");
 }
