@@ -20,7 +20,7 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream) throw std::runtime_error(fmt::format("--stdin: {} cannot be read", file));
+  if (!stream) throw std::runtime_error(fmt::format("--stdin {}: cannot be read", file));
   text_ = text.str();
 }
 

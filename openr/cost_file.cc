@@ -14,8 +14,7 @@ namespace openr_host {
 std::optional<CostConfig> LoadCostFile(const std::string& name) {
   if (name.empty() || name == "zero") return {};
   const std::string path = DataFile(name);
-  const std::string problem = WhyNoFile(path, "cost file (docs/exploring.md)", ".cost");
-  if (!problem.empty()) throw std::runtime_error(fmt::format("{}: {}", path, problem));
+  RequireReadable(path, kCostFile);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

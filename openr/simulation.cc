@@ -25,10 +25,7 @@ namespace {
 
 World WorldOf(const std::string& file) {
   if (file.empty()) return {};
-  const std::string problem = WhyNoFile(file, "world file (docs/worlds.md)", ".json");
-  if (!problem.empty()) {
-    throw std::runtime_error(fmt::format("{}: {}", file, problem));
-  }
+  RequireReadable(file, kWorldFile);
   return LoadWorld(file);
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "openr/duration.h"
+#include "openr/install_paths.h"
 #include "openr/output_file.h"
 
 namespace openr_host {
@@ -15,10 +16,24 @@ void AddCommonFlags(CLI::App* command, SimulationOptions* options) {
   command->add_option("--robot", options->robot, "Model of the robot")
       ->check(CLI::IsMember({"ers210", "ers220", "ers7"}))
       ->capture_default_str();
-  command->add_option("--world", options->world, "World file (default: a flat floor)");
+  command->add_option("--world", options->world, "World file (default: a flat floor)")
+      ->check(IsReadable("--world", kWorldFile));
   command->add_option("--seed", options->seed, "Of everything random")
       ->check(IsCount())
       ->capture_default_str();
+}
+
+void AddCostFlag(CLI::App* command, SimulationOptions* options) {
+  const auto check = [](const std::string& name) -> std::string {
+    if (name == "zero") return "";
+    const std::string file = DataFile(name);
+    RefuseInput("--cost", file, WhyNotReadable(file, kCostFile.kind, kCostFile.extension));
+    return "";
+  };
+  command
+      ->add_option("--cost", options->cost_file,
+                   "zero, or a file that says how long handlers take (ers210.cost)")
+      ->check(CLI::Validator(check, ""));
 }
 
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options) {
@@ -65,6 +80,26 @@ CLI::Validator IsCount() {
 }
 
 CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
+
+void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
+  if (problem.empty()) return;
+  // Not a ValidationError, which CLI11 would put the name of the flag in front of once more.
+  throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
+                        CLI::ExitCodes::ValidationError);
+}
+
+CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
+                          const std::string& extension) {
+  const auto check = [flag, kind, extension](const std::string& file) -> std::string {
+    RefuseInput(flag, file, WhyNotReadable(file, kind, extension));
+    return "";
+  };
+  return CLI::Validator(check, "FILE");
+}
+
+CLI::Validator IsReadable(const std::string& flag, const InputKind& kind) {
+  return IsReadable(flag, kind.kind, kind.extension);
+}
 
 CLI::Validator IsFolder() { return CLI::Validator(&WhyNoFolder, "FOLDER"); }
 

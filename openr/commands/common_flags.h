@@ -6,15 +6,17 @@
 #include <functional>
 #include <string>
 
+#include "openr/input_file.h"
 #include "openr/simulation.h"
 
 namespace openr_host {
 
 // --stick, --robot, --world, --seed.
-// --battery of commands that run robots.
-void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
-
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
+
+// --battery and --cost of commands that run robots.
+void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
+void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
 // A flag that takes a duration as people write it.  `take` gets microseconds, and only when the
 // flag is given.
@@ -31,6 +33,14 @@ CLI::Validator IsCount();
 
 // Refuses files that cannot be written, before the command begins.
 CLI::Validator IsWritable();
+
+// Refuses files that cannot be read, before the command begins, as "FLAG FILE: reason".
+CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
+                          const std::string& extension);
+CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);
+
+// Throws what IsReadable() does for a file with this problem; "": there is none.
+void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem);
 
 // Refuses folders that can be neither made nor written into.
 CLI::Validator IsFolder();

@@ -19,16 +19,7 @@
 
 namespace openr_host {
 
-namespace {
-
-// Cyclone DDS takes a folder for a file that says nothing: the run would not be protected.
-std::string WhyNoSettings(const std::string& file) {
-  std::string problem = WhyNoFile(file, "file with settings of Cyclone DDS", ".xml");
-  if (problem.empty() && !std::ifstream(file)) problem = strerror(errno);
-  return problem.empty() ? "" : fmt::format("{}: {}", file, problem);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command->add_option("--dds-domain", bus->domain, "DDS domain")
@@ -46,13 +37,14 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
-      ->check(CLI::Validator(WhyNoSettings, ""));
+      // Cyclone DDS takes a folder for a file that says nothing: the run would not be protected.
+      ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
   // Both flags are known then.
   command->parse_complete_callback([bus] {
     if (bus->config_file.empty()) return;
     const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);
     if (problem.empty()) return;
-    throw CLI::ValidationError("--dds-config", fmt::format("{}: {}", bus->config_file, problem));
+    RefuseInput("--dds-config", bus->config_file, problem);
   });
 }
 
@@ -63,7 +55,8 @@ CLI::Validator IsNameOf(const std::string& what) {
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags) {
   command->add_option("--place", flags->places,
                       "OBJECT=PROCESS: run an object in a process of this name; repeatable");
-  command->add_option("--placement", flags->file, "File that says where objects run");
+  command->add_option("--placement", flags->file, "File that says where objects run")
+      ->check(IsReadable("--placement", "placement file (docs/distribution.md)", ".cfg"));
   command->add_option("--isolate", flags->isolated,
                       "Run this object in a process of its own; repeatable");
   command->add_option("--wrap", flags->wrapper,
@@ -121,12 +114,8 @@ void AddRos2Flags(CLI::App* command, Ros2Flags* flags) {
 namespace {
 
 Placement ReadPlacement(const std::string& file) {
-  const std::string problem = WhyNoFile(file, "placement file (docs/distribution.md)", "");
-  if (!problem.empty())
-    throw CLI::ValidationError("--placement", fmt::format("{}: {}", file, problem));
   std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw CLI::ValidationError("--placement", fmt::format("{}: {}", file, strerror(errno)));
+  if (!stream) RefuseInput("--placement", file, strerror(errno));
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   std::vector<Diagnostic> diagnostics;
   Placement placement = ParsePlacement(file, text, &diagnostics);

@@ -50,6 +50,15 @@ struct ExploreFlags {
   bool json = false;
 };
 
+// Refuses what is meant as a file and cannot be read: no built-in name has a dot or a slash.
+std::string CheckProperty(const std::string& name) {
+  const bool is_line = name.find(' ') != std::string::npos;
+  if (is_line || name.find_first_of("./") == std::string::npos) return "";
+  RefuseInput("--property", name,
+              WhyNotReadable(name, "file of properties (docs/exploring.md)", ".txt"));
+  return "";
+}
+
 void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
   SimulationOptions& simulation = flags->stick.simulation;
   AddCommonFlags(command, &simulation);
@@ -63,13 +72,13 @@ void DescribeWhat(CLI::App* command, ExploreFlags* flags) {
       ->capture_default_str();
   AddBatteryFlag(command, &simulation);
   command->add_flag("--strict", simulation.strict, "Enforce the limits of the robot");
-  command->add_option("--cost", simulation.cost_file,
-                      "zero, or a file that says how long handlers take (ers210.cost)");
+  AddCostFlag(command, &simulation);
   command
       ->add_option("--property", flags->stick.properties,
                    "What must hold: 'default', a built-in name or a file of properties; may be "
                    "repeated")
-      ->take_all();
+      ->take_all()
+      ->check(CLI::Validator(&CheckProperty, ""));
 }
 
 void DescribeHow(CLI::App* command, ExploreFlags* flags) {
@@ -102,7 +111,7 @@ void DescribeHow(CLI::App* command, ExploreFlags* flags) {
                   "Processor time of one handler");
   CLI::Option* const replay =
       command->add_option("--replay", flags->replay_file, "Run a failure again that -o wrote")
-          ->check(CLI::ExistingFile);
+          ->check(IsReadable("--replay", "failing order that openr explore -o wrote", ".json"));
   for (const char* other : {"--runs", "--vary", "--exhaustive", "--verify", "--keep-going",
                             "--guard", "--seed", "--for", "--property"}) {
     replay->excludes(command->get_option(other));

@@ -31,7 +31,7 @@ struct MtnFlags {
 
 // False after a complaint in `problem`.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
-  *problem = WhyNoFile(name, "motion file", ".MTN");
+  *problem = WhyNotReadable(name, "motion file", ".MTN");
   if (!problem->empty()) return false;
   std::ifstream stream(name, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

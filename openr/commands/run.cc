@@ -82,17 +82,24 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddBatteryFlag(command, &flags->simulation);
   command->add_flag("--strict", flags->simulation.strict,
                     "Enforce the limits of the robot; refuse wrong wiring");
-  command->add_option("--cost", flags->simulation.cost_file,
-                      "zero, or a file that says how long handlers take (ers210.cost)");
+  AddCostFlag(command, &flags->simulation);
   command
       ->add_option("--speaker", flags->simulation.speaker,
                    "WAV file for what the first robot's speaker plays")
       ->check(IsWritable());
-  command->add_option("--mic", flags->simulation.microphone,
-                      "WAV file the first robot's microphone hears (default: silence)");
-  command->add_option("--images", flags->simulation.images,
-                      "Folder of pictures the first robot's camera sees, in order of their names "
-                      "(default: a test pattern)");
+  command
+      ->add_option("--mic", flags->simulation.microphone,
+                   "WAV file the first robot's microphone hears (default: silence)")
+      ->check(IsReadable("--mic", "WAV file", ".wav"));
+  const auto has_pictures = [](const std::string& folder) -> std::string {
+    RefuseInput("--images", folder, WhyNoReadableFolder(folder, "folder of pictures"));
+    return "";
+  };
+  command
+      ->add_option("--images", flags->simulation.images,
+                   "Folder of pictures the first robot's camera sees, in order of their names "
+                   "(default: a test pattern)")
+      ->check(CLI::Validator(has_pictures, ""));
   AddDurationFlag(command, "--handler-limit", &flags->handler_limit_us,
                   "End the run when a handler uses more processor time; 0s: never");
   AddPlacementFlags(command, &flags->placement);
@@ -118,9 +125,15 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
       ->add_option("--console", flags->console_file,
                    "File for what objects print (default: standard error)")
       ->check(IsWritable());
-  command->add_option("--stdin", flags->stdin_file,
-                      "What is typed on the robots' console: a file, from the start; -: lines of "
-                      "standard input as they come (default if it is a terminal)");
+  const auto is_typed = [](const std::string& file) -> std::string {
+    if (file != "-") RefuseInput("--stdin", file, WhyNotReadable(file, "file of lines", ".txt"));
+    return "";
+  };
+  command
+      ->add_option("--stdin", flags->stdin_file,
+                   "What is typed on the robots' console: a file, from the start; -: lines of "
+                   "standard input as they come (default if it is a terminal)")
+      ->check(CLI::Validator(is_typed, ""));
   command
       ->add_option("--snapshot", flags->snapshots,
                    "Take a picture: t=5s,view=side (front, top, iso, follow),size=1280x720")

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "openr/input_file.h"
 #include "openr/json_text.h"
 #include "openr/output_file.h"
 #include "runtime/config/spelling.h"
@@ -207,12 +208,13 @@ std::string TraceWriter::Finish(System* system) {
 }
 
 TraceReader::TraceReader(const std::string& file) : file_(file) {
+  RequireReadable(file, kRecordingFile);
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
   text << in.rdbuf();
   bytes_ = text.str();
-  if (bytes_.empty()) throw std::runtime_error(fmt::format("{}: is empty, or a folder", file));
+  if (bytes_.empty()) throw std::runtime_error(fmt::format("{}: is empty", file));
   if (!bytes_.starts_with(kMagic))
     throw std::runtime_error(fmt::format("{}: is no trace (openr run --record makes them)", file));
   ByteReader reader(std::string_view(bytes_).substr(kMagic.size()));

@@ -107,7 +107,7 @@ TEST(SettingsTest, AreAFileThatIsThere) {
     const ProgramResult result =
         RunProgram({"run", "--for", "1s", "--isolate", "JointMover", "--dds-config", file});
     EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("--dds-config: " + file + ": "));
+    EXPECT_THAT(result.err, HasSubstr("--dds-config " + file + ": "));
   }
 }
 
@@ -161,7 +161,7 @@ TEST_F(SettingsForADomainTest, AreRefusedByAllWhoTakeThem) {
                                Words{"join", "--process", "vision"}, Words{"top", "--once"}}) {
     const ProgramResult result = RunProgram(command + flags);
     EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("--dds-config: " + folder.File("s.xml") +
+    EXPECT_THAT(result.err, HasSubstr("--dds-config " + folder.File("s.xml") +
                                       ": its settings are for domain 7, this is domain 3"));
   }
 }

@@ -68,9 +68,9 @@ TEST(CommandLineTest, WrongFlagsGetASuggestion) {
 TEST(CommandLineTest, WhoAsksForJsonGetsErrorsAsJson) {
   ExpectJsonRefusal({"rnu"}, 2, "'rnu' is no command");
   ExpectJsonRefusal({"run", "--for", "20"}, 2, "'20' has no unit");
-  ExpectJsonRefusal({"run", "--world", "nowhere.json"}, 1, "nowhere.json");
-  ExpectJsonRefusal({"mtn", "info", "nowhere.mtn"}, 1, "cannot be read");
-  ExpectJsonRefusal({"mtn", "check", "nowhere.mtn"}, 1, "cannot be read");
+  ExpectJsonRefusal({"run", "--world", "nowhere.json"}, 2, "--world nowhere.json: No such file");
+  ExpectJsonRefusal({"mtn", "info", "nowhere.mtn"}, 1, "No such file or directory");
+  ExpectJsonRefusal({"mtn", "check", "nowhere.mtn"}, 1, "No such file or directory");
   ExpectJsonRefusal({"rc", "127.0.0.1:1", "info"}, 1, "127.0.0.1:1: nobody listens there");
 }
 
@@ -78,10 +78,40 @@ TEST(CommandLineTest, AFolderIsNoWorldAndNoMotion) {
   const ScratchFolder folder;
   folder.Write("KICK.MTN", "");
   const std::string text = folder.path() + ": is a folder; give a ";
-  ExpectRefusal({"run", "--world", folder.path()}, 1, text + "world file (docs/worlds.md)");
+  ExpectRefusal({"run", "--world", folder.path()}, 2,
+                "--world " + text + "world file (docs/worlds.md)");
   for (const char* command : {"info", "check", "dump"}) {
     ExpectRefusal({"mtn", command, folder.path()}, 1,
                   text + "motion file, such as " + folder.File("KICK.MTN"));
+  }
+}
+
+TEST(CommandLineTest, AnInputThatCannotBeReadIsNamedWithItsFlagAndTheReason) {
+  const ScratchFolder folder;
+  const std::vector<std::vector<std::string>> flags = {
+      {"run", "--world"},     {"run", "--cost"},        {"run", "--mic"},
+      {"run", "--stdin"},     {"run", "--placement"},   {"run", "--dds-config"},
+      {"explore", "--world"}, {"explore", "--cost"},    {"explore", "--replay"},
+      {"graph", "--world"},   {"explore", "--property"}};
+  for (std::vector<std::string> words : flags) {
+    const std::string flag = words[1];
+    words.push_back("./nothing");
+    ExpectRefusal(words, 2, "openr: " + flag + " ./nothing: No such file or directory\n");
+    words.back() = folder.path();
+    ExpectRefusal(words, 2, "openr: " + flag + " " + folder.path() + ": is a folder; give a ");
+  }
+  ExpectRefusal({"run", "--images", "./nothing"}, 2, "--images ./nothing: No such file");
+  folder.Write("a.txt", "");
+  ExpectRefusal({"run", "--images", folder.File("a.txt")}, 2,
+                "--images " + folder.File("a.txt") + ": is a file; give a folder of pictures");
+}
+
+TEST(CommandLineTest, ARecordingThatCannotBeReadIsNamedWithTheReason) {
+  const ScratchFolder folder;
+  for (const char* command : {"trace", "replay"}) {
+    ExpectRefusal({command, "nowhere.rec"}, 1, "nowhere.rec: No such file or directory\n");
+    ExpectRefusal({command, folder.path()}, 1,
+                  folder.path() + ": is a folder; give a recording of openr run --record");
   }
 }
 
@@ -150,7 +180,8 @@ TEST(CommandLineTest, AStickWithoutObjectsIsRefused) {
 }
 
 TEST(CommandLineTest, AWorldThatCannotBeReadIsRefused) {
-  ExpectRefusal({"run", "--world", "nowhere.json"}, 1, "nowhere.json");
+  ExpectRefusal({"run", "--world", "nowhere.json"}, 2,
+                "--world nowhere.json: No such file or directory\n");
 }
 
 TEST(CommandLineTest, UnknownRobotsAreRefused) {
@@ -158,7 +189,7 @@ TEST(CommandLineTest, UnknownRobotsAreRefused) {
 }
 
 TEST(CommandLineTest, AMotionThatCannotBeReadIsNamed) {
-  ExpectRefusal({"mtn", "info", "nowhere.mtn"}, 1, "nowhere.mtn: cannot be read");
+  ExpectRefusal({"mtn", "info", "nowhere.mtn"}, 1, "nowhere.mtn: No such file or directory\n");
 }
 
 TEST(CommandLineTest, AFileThatIsNoMotionIsRefusedWithSectionAndOffset) {
