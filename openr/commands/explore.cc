@@ -10,8 +10,10 @@
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "openr/commands/commands.h"
@@ -20,6 +22,7 @@
 #include "openr/duration.h"
 #include "openr/exit_code.h"
 #include "openr/explore/explorer.h"
+#include "openr/explore/progress_line.h"
 #include "openr/explore/schedule_file.h"
 #include "openr/json_text.h"
 #include "openr/kit/shell_words.h"
@@ -31,7 +34,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int64_t kProgressNs = 5'000'000'000;
 constexpr uint64_t kRunsMax = 1'000'000'000;
 
 struct ExploreFlags {
@@ -195,14 +197,6 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
   plan->make_scene = [simulation] { return MakeSimulationScene(simulation); };
 }
 
-std::function<void(uint64_t)> ProgressOf(uint64_t runs) {
-  return [runs, last_ns = WallClockNs()](uint64_t done) mutable {
-    if (WallClockNs() - last_ns < kProgressNs) return;
-    last_ns = WallClockNs();
-    fmt::print(stderr, "openr explore: {} of {} runs\n", done, runs);
-  };
-}
-
 // "ended before their time: 2 by battery\n", or "".
 std::string EndsBeforeTime(const Json& result) {
   std::string text;
@@ -316,11 +310,14 @@ int Explore(ExploreFlags flags) {
   plan.run.vary = VaryOf(flags.vary);
   plan.stop_at_first = !flags.keep_going;
   plan.reduce = !flags.no_reduction;
-  plan.progress = ProgressOf(plan.runs);
+  std::optional<ProgressLine> line(std::in_place, STDERR_FILENO, plan.runs,
+                                   flags.exhaustive ? "runs at most" : "seeds");
+  plan.progress = [&line](uint64_t done) { line->Show(done); };
   const int64_t begin_ns = WallClockNs();
   Json result = flags.exhaustive ? SearchOrders(plan)
                 : flags.verify   ? VerifySeeds(plan)
                                  : ExploreSeeds(plan);
+  line.reset();
   const double wall_time_s = static_cast<double>(WallClockNs() - begin_ns) / 1e9;
   result["for_s"] = static_cast<double>(flags.stick.for_us) / 1e6;
   result["first_seed"] = plan.first_seed;

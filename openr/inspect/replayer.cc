@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "openr/inspect/recorded_network.h"
+#include "openr/inspect/trace_text.h"
 #include "openr/output_file.h"
 #include "openr/run_stick.h"
 
@@ -15,8 +16,6 @@ namespace openr_host {
 namespace {
 
 using Kind = TraceEntry::Kind;
-
-double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
 }  // namespace
 

@@ -13,8 +13,6 @@ namespace {
 
 using Kind = TraceEntry::Kind;
 
-double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
-
 bool Shows(const TraceFilter& filter, const TraceReader& reader, const TraceRecord& record) {
   if (record.time_us < filter.from_us || record.time_us > filter.until_us) return false;
   if (!filter.object.empty() && reader.ObjectName(record.sender) != filter.object &&

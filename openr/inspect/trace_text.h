@@ -10,6 +10,9 @@
 
 namespace openr_host {
 
+// Virtual time in seconds, for texts.
+inline double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
+
 // Which messages are shown; empty texts match all.
 struct TraceFilter {
   std::string object;   // sender or receiver, by name

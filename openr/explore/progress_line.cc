@@ -1,0 +1,57 @@
+#include "openr/explore/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <utility>
+
+#include "openr/output_file.h"
+#include "openr/pacing.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int64_t kPauseNs = 200'000'000;  // from one drawing to the next
+constexpr char kToStart[] = "\r\x1b[K";    // to the start of the line, which is wiped
+
+std::string TimeLeft(double left_s) {
+  constexpr double kInMinutes_s = 180;
+  const double rounded_s = std::ceil(left_s);
+  return rounded_s < kInMinutes_s ? fmt::format("{:.0f} s", rounded_s)
+                                  : fmt::format("{:.0f} min", std::ceil(left_s / 60));
+}
+
+}  // namespace
+
+std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s) {
+  std::string text = fmt::format("openr explore: {} of {} {}", done, total, what);
+  if (done == 0 || done > total) return text;
+  const double left_s = elapsed_s / static_cast<double>(done) * static_cast<double>(total - done);
+  return text + fmt::format(", about {} left", TimeLeft(left_s));
+}
+
+ProgressLine::ProgressLine(int descriptor, uint64_t total, std::string what)
+    : descriptor_(isatty(descriptor) != 0 ? descriptor : -1),
+      total_(total),
+      what_(std::move(what)),
+      begin_ns_(WallClockNs()) {
+  Draw(0);
+}
+
+ProgressLine::~ProgressLine() {
+  if (descriptor_ >= 0) WriteAll(descriptor_, kToStart);
+}
+
+void ProgressLine::Show(uint64_t done) {
+  if (descriptor_ >= 0 && WallClockNs() - drawn_ns_ >= kPauseNs) Draw(done);
+}
+
+void ProgressLine::Draw(uint64_t done) {
+  if (descriptor_ < 0) return;
+  drawn_ns_ = WallClockNs();
+  const double elapsed_s = static_cast<double>(drawn_ns_ - begin_ns_) / 1e9;
+  WriteAll(descriptor_, kToStart + ProgressText(done, total_, what_, elapsed_s));
+}
+
+}  // namespace openr_host

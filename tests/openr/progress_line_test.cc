@@ -1,0 +1,54 @@
+#include "openr/explore/progress_line.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <unistd.h>
+
+namespace openr_host {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::StartsWith;
+
+TEST(ProgressLineTest, TellsHowManyAreDoneAndHowLongTheOthersTake) {
+  EXPECT_EQ(ProgressText(0, 100, "seeds", 4), "openr explore: 0 of 100 seeds");
+  EXPECT_EQ(ProgressText(40, 100, "seeds", 60), "openr explore: 40 of 100 seeds, about 90 s left");
+  EXPECT_EQ(ProgressText(1, 100, "seeds", 10), "openr explore: 1 of 100 seeds, about 17 min left");
+  EXPECT_EQ(ProgressText(100, 100, "seeds", 60), "openr explore: 100 of 100 seeds, about 0 s left");
+}
+
+// What ProgressLine writes while it lives, to a terminal or to a pipe.
+std::string Written(bool is_terminal) {
+  int reader = -1, writer = -1;
+  int ends[2] = {-1, -1};
+  if (is_terminal) {
+    EXPECT_EQ(openpty(&reader, &writer, nullptr, nullptr, nullptr), 0);
+  } else {
+    EXPECT_EQ(pipe(ends), 0);
+    reader = ends[0];
+    writer = ends[1];
+  }
+  fcntl(reader, F_SETFL, O_NONBLOCK);
+  {
+    ProgressLine line(writer, 100, "seeds");
+    line.Show(1);
+  }
+  char buffer[4096];
+  const ssize_t n = read(reader, buffer, sizeof buffer);
+  close(reader);
+  close(writer);
+  return n > 0 ? std::string(buffer, static_cast<size_t>(n)) : "";
+}
+
+TEST(ProgressLineTest, IsDrawnInOnePlaceOfATerminalAndWipedAtTheEnd) {
+  const std::string text = Written(true);
+  EXPECT_THAT(text, StartsWith("\r\x1b[Kopenr explore: 0 of 100 seeds"));
+  EXPECT_THAT(text, EndsWith("\r\x1b[K"));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(ProgressLineTest, SaysNothingWhereThereIsNoTerminal) { EXPECT_EQ(Written(false), ""); }
+
+}  // namespace
+}  // namespace openr_host
