@@ -169,8 +169,16 @@ std::string WhyNoFolder(const std::string& folder) {
                : fmt::format("{}: {} is a file, so nothing can be in it; name another folder",
                              folder, there.string());
   }
-  if (access(there.c_str(), W_OK | X_OK) == 0) return "";
-  return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
+  if (access(there.c_str(), W_OK | X_OK) != 0)
+    return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
+  // Only making something there tells for sure: /proc lets root write, and has no folders made.
+  const std::string probe = TemporaryName(there / "", 0);
+  if (mkdir(probe.c_str(), 0700) != 0 && errno != EEXIST) {
+    return fmt::format("{}: nothing can be made in {}: {}; name another folder", folder,
+                       there.string(), std::strerror(errno));
+  }
+  rmdir(probe.c_str());
+  return "";
 }
 
 std::string Explain(const fs::filesystem_error& error) {

@@ -247,5 +247,29 @@ TEST(OutputFileTest, AFullDiskIsReportedWithTheFile) {
             "/dev/full: cannot be written: No space left on device");
 }
 
+// Not even root makes a folder in /proc, although access() lets it.
+TEST(OutputFolderTest, AFolderThatCannotBeMadeIsFoundOutBeforehand) {
+  for (const char* folder : {"/proc/x", "/proc/x/y", "/proc"}) {
+    EXPECT_EQ(WhyNoFolder(folder), std::string(folder) + ": " +
+                                       (geteuid() == 0 ? "nothing can be made in /proc: No such "
+                                                         "file or directory; name another folder"
+                                                       : "you may not write in /proc; name "
+                                                         "another folder"));
+  }
+}
+
+TEST(OutputFolderTest, AFolderThatCanBeMadeIsNotLeftBehind) {
+  const ScratchFolder folder;
+  EXPECT_EQ(WhyNoFolder(folder.File("a/b")), "");
+  EXPECT_EQ(WhyNoFolder(folder.path()), "");
+  EXPECT_FALSE(std::filesystem::exists(folder.File("a")));
+}
+
+TEST(OutputFolderTest, ABuildIsRefusedBeforeAnythingIsCompiled) {
+  const ProgramResult result = RunProgram({"build", "/nowhere", "-o", "/proc/x"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("openr: --output: /proc/x: "), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace openr_host
