@@ -9,11 +9,16 @@
 #include "openr/kit/new_object_text.h"
 #include "openr/kit/text_files.h"
 #include "runtime/config/ocf.h"
+#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Objects that are there without being on a stick; tcpGateway runs where a HOSTGW.CFG asks for it.
+constexpr const char* kSystemObjects[] = {"oobjectManager", "OVirtualRobotComm",
+                                          "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
 
 std::string Replaced(std::string text, const std::string& mark, const std::string& value) {
   for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
@@ -32,6 +37,13 @@ std::string WhyNoObjectName(const std::string& name) {
         "'{}' cannot be the name of an object, which is a C++ class: letters and "
         "digits, a letter first, such as HelloWorld",
         name);
+  }
+  for (const char* const system_name : kSystemObjects) {
+    if (!EqualsIgnoringCase(name, system_name)) continue;
+    return fmt::format(
+        "{} is an object of the robot itself, and two objects of one name cannot run; choose "
+        "another name",
+        system_name);
   }
   if (name.size() <= static_cast<size_t>(kObjectNameBytesMax)) return "";
   return fmt::format("the name has {} characters, {} are allowed", name.size(),

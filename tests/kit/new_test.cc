@@ -24,6 +24,17 @@ TEST(NewTest, ANewObjectBuildsAndRuns) {
   EXPECT_EQ(folder.Say(), "Wag has started\nWag hears 31 sensors\n");
 }
 
+TEST(NewTest, ANameOfAnObjectOfTheRobotIsRefused) {
+  const KitFolder folder("");
+  for (const char* name : {"OVirtualRobotComm", "OVirtualRobotAudioComm", "IPStack", "ipstack",
+                           "TCPGateway", "OobjectManager"}) {
+    const ProgramResult result = RunProgram({"new", name, folder.File("")});
+    EXPECT_EQ(result.status, 2) << name;
+    EXPECT_THAT(result.err, HasSubstr(" is an object of the robot itself, and two objects of one "
+                                      "name cannot run; choose another name"));
+  }
+}
+
 // Runs what `openr new` of `program` prints, line by line, where a person stands.
 void RunPrintedCommands(const std::string& program, const std::string& path) {
   const ScratchFolder scratch;
