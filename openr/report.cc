@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "openr/counted.h"
 #include "openr/simulation.h"
 #include "runtime/core/api.h"
 #include "virtualrobot/kinematics.h"
@@ -72,7 +73,10 @@ Json FindingReport(const Finding& finding) {
                  {"time_s", static_cast<double>(finding.time_us) / 1e6},
                  {"count", finding.count},
                  {"text", finding.text}};
-  if (!finding.also_at.empty()) report["also_at"] = finding.also_at;
+  if (!finding.also_at.empty()) {
+    report["also_at"] = finding.also_at;
+    report["also_at_left_out"] = finding.count - 1 - finding.also_at.size();
+  }
   return report;
 }
 
@@ -136,7 +140,7 @@ std::string DescribeFindings(Simulation* simulation) {
     text += fmt::format("{}: {}{}{}\n", SeverityName(finding.severity), about, finding.text,
                         HowOften(finding));
   }
-  if (findings.not_kept() > 0) text += fmt::format("and {} more findings\n", findings.not_kept());
+  if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "openr/commands/commands.h"
+#include "openr/counted.h"
 #include "openr/exit_code.h"
 #include "openr/install_paths.h"
 #include "virtualrobot/model/robot_model.h"
@@ -39,9 +40,10 @@ int Check(const CheckFlags& flags) {
   if (flags.json) {
     fmt::print("{}", RemarksToJson(remarks, flags.folder));
   } else {
-    fmt::print("{}{} errors, {} warnings, {} notes\n", RenderRemarks(remarks),
-               remarks.CountOf(Remark::Kind::kError), remarks.CountOf(Remark::Kind::kWarning),
-               remarks.CountOf(Remark::Kind::kNote));
+    fmt::print("{}{}, {}, {}\n", RenderRemarks(remarks),
+               Counted(remarks.CountOf(Remark::Kind::kError), "error"),
+               Counted(remarks.CountOf(Remark::Kind::kWarning), "warning"),
+               Counted(remarks.CountOf(Remark::Kind::kNote), "note"));
   }
   return remarks.CountOf(Remark::Kind::kError) > 0 ? kExitWrong : kExitGood;
 }

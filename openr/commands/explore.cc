@@ -19,6 +19,7 @@
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/cost_file.h"
+#include "openr/counted.h"
 #include "openr/duration.h"
 #include "openr/exit_code.h"
 #include "openr/explore/explorer.h"
@@ -211,12 +212,14 @@ std::string EndsBeforeTime(const Json& result) {
 std::string Summary(const Json& result, const ExploreFlags& flags) {
   const uint64_t runs = result["runs"].get<uint64_t>();
   std::string text =
-      fmt::format("{} {} of {}, {:.1f} a second: ", runs, flags.verify ? "seeds twice" : "runs",
-                  FormatDuration(flags.stick.for_us), result["runs_per_s"].get<double>());
-  if (flags.verify) text += fmt::format("{} differences, ", result["differences"].get<uint64_t>());
+      fmt::format("{}{} of {}, {:.1f} a second: ", Counted(runs, flags.verify ? "seed" : "run"),
+                  flags.verify ? " twice" : "", FormatDuration(flags.stick.for_us),
+                  result["runs_per_s"].get<double>());
+  if (flags.verify) text += Counted(result["differences"].get<uint64_t>(), "difference") + ", ";
   if (flags.exhaustive) {
-    text += fmt::format("{} orders, {} runs cut as equal to others, {:.4g} % covered",
-                        result["orders"].get<uint64_t>(), result["cut"].get<uint64_t>(),
+    text += fmt::format("{}, {} cut as equal to others, {:.4g} % covered",
+                        Counted(result["orders"].get<uint64_t>(), "order"),
+                        Counted(result["cut"].get<uint64_t>(), "run"),
                         result["covered"].get<double>() * 100);
     text += result["complete"]
                 ? ", complete; "
@@ -286,8 +289,8 @@ int Replay(ExploreFlags flags) {
   }
   const size_t applied = answer["deviations"].size();
   if (applied < deviations.size()) {
-    text += fmt::format("{} of {} deviations did not come up\n", deviations.size() - applied,
-                        deviations.size());
+    text += fmt::format("{} of {} did not come up\n", deviations.size() - applied,
+                        Counted(deviations.size(), "deviation"));
   }
   Json result = answer;
   result["same"] = same;

@@ -12,6 +12,7 @@
 #include "MtnFile.h"
 #include "RobotDescription.h"
 #include "openr/commands/commands.h"
+#include "openr/counted.h"
 #include "openr/exit_code.h"
 #include "openr/input_file.h"
 
@@ -58,6 +59,10 @@ Json Facts(const std::string& name, const MtnFile& motion) {
           {"warnings", motion.Warnings()}};
 }
 
+std::string CountedFrames(const MtnFile& motion) {
+  return Counted(static_cast<uint64_t>(motion.NumKeyFrames()), "key frame");
+}
+
 // Joints of these types, the ears, have two positions and no angle: 0, anything else.
 bool HasTwoPositions(const std::string& locator) {
   return locator.find("-Joint3:") != std::string::npos ||
@@ -81,7 +86,8 @@ std::string RangeOf(const MtnFile& motion, int j) {
 void PrintFacts(const std::string& name, const MtnFile& motion) {
   fmt::print("{}: \"{}\" by \"{}\" for \"{}\", version {}.{}\n", name, motion.Name(),
              motion.Creator(), motion.DesignLabel(), motion.MajorVersion(), motion.MinorVersion());
-  fmt::print("  {} key frames of {} joints, {:.3f} s\n", motion.NumKeyFrames(), motion.NumJoints(),
+  fmt::print("  {} of {}, {:.3f} s\n", CountedFrames(motion),
+             Counted(static_cast<uint64_t>(motion.NumJoints()), "joint"),
              motion.DurationMs() / 1000.0);
   for (int j = 0; j < motion.NumJoints(); ++j)
     fmt::print("  {:<32} {}\n", motion.Locator(j), RangeOf(motion, j));
@@ -126,8 +132,8 @@ bool Check(const std::string& name, MtnFlags* flags) {
     json["warnings"] = motion.Warnings();
     flags->answers.push_back(json);
   } else if (good) {
-    fmt::print("{}: plays on the {}: {} key frames, {:.3f} s\n", name, robot->design,
-               motion.NumKeyFrames(), motion.DurationMs() / 1000.0);
+    fmt::print("{}: plays on the {}: {}, {:.3f} s\n", name, robot->design, CountedFrames(motion),
+               motion.DurationMs() / 1000.0);
   }
   if (!good) fmt::print(stderr, "{}: {}\n", name, problem);
   if (!flags->json) PrintWarnings(name, motion);

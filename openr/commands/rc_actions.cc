@@ -9,6 +9,7 @@
 #include "MoverState.h"
 #include "MtnPlayer.h"
 #include "openr/commands/rc_format.h"
+#include "openr/counted.h"
 #include "openr/remote_client.h"
 #include "openr/standard_streams.h"
 
@@ -67,9 +68,10 @@ void RcInfoAction(RemoteClient* client, const RcFlags& flags) {
        {"ears", info.numEars},
        {"binary_sensors", info.numBinary},
        {"other_sensors", info.numOther}},
-      fmt::format("{} with {}, {}: {} joints, {} LEDs, {} ears, {} switches, {} other sensors",
-                  info.design, info.software, state, info.numJoints, info.numLeds, info.numEars,
-                  info.numBinary, info.numOther));
+      fmt::format("{} with {}, {}: {}, {}, {}, {} switch{}, {}", info.design, info.software, state,
+                  Counted(info.numJoints, "joint"), Counted(info.numLeds, "LED"),
+                  Counted(info.numEars, "ear"), info.numBinary, info.numBinary == 1 ? "" : "es",
+                  Counted(info.numOther, "other sensor")));
 }
 
 void RcGetAction(RemoteClient* client, const RcFlags& flags) {

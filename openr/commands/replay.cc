@@ -10,6 +10,7 @@
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/counted.h"
 #include "openr/crash_log.h"
 #include "openr/exit_code.h"
 #include "openr/inspect/replayer.h"
@@ -47,8 +48,8 @@ int Finish(Replayer* replayer, const ReplayFlags& flags) {
                               : !problems.empty()       ? ", as far as the recording can be read"
                               : equal && replayer->at_end() ? ", to the end of the recording"
                                                             : "";
-  fmt::print(stderr, "openr: {} messages equal, {:.3f} s of virtual time{}\n", replayer->count(),
-             time_s, how_far);
+  fmt::print(stderr, "openr: {} equal, {:.3f} s of virtual time{}\n",
+             Counted(replayer->count(), "message"), time_s, how_far);
   const auto& [ended_by, why] = replayer->reader().ended();
   if (!ended_by.empty() && replayer->at_end())
     fmt::print(stderr, "openr: the recorded run was ended by {}: {}\n", ended_by, why);
@@ -79,7 +80,8 @@ int Replay(ReplayFlags flags) {
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
   Replayer replayer(flags.replay);
   const LastWords last_words([&replayer](Ending*) {
-    fmt::print(stderr, "openr: {} messages were equal up to here\n", replayer.count());
+    fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
+               replayer.count() == 1 ? "was" : "were");
   });
   replayer.RunUntil(flags.until_us.value_or(INT64_MAX));
   return Finish(&replayer, flags);

@@ -17,6 +17,7 @@
 #include "openr/commands/distributed_run.h"
 #include "openr/commands/distribution_flags.h"
 #include "openr/console.h"
+#include "openr/counted.h"
 #include "openr/crash_log.h"
 #include "openr/duration.h"
 #include "openr/exit_code.h"
@@ -179,9 +180,9 @@ std::string Misfit(const SnapshotPlan& plan, const RunFlags& flags) {
 
 std::vector<SnapshotPlan> SnapshotPlans(const RunFlags& flags) {
   if (flags.snapshots.size() != flags.snapshot_files.size()) {
-    throw CLI::ValidationError(
-        "--snapshot", fmt::format("{} given, with {} files (-o FILE)", flags.snapshots.size(),
-                                  flags.snapshot_files.size()));
+    throw CLI::ValidationError("--snapshot",
+                               fmt::format("{} given, with {} (-o FILE)", flags.snapshots.size(),
+                                           Counted(flags.snapshot_files.size(), "file")));
   }
   std::vector<SnapshotPlan> plans;
   for (size_t i = 0; i < flags.snapshots.size(); ++i) {
@@ -270,9 +271,9 @@ bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags) {
 
 std::string Summary(const nlohmann::ordered_json& report, const std::optional<RunEnd>& end) {
   std::string text = fmt::format(
-      "{:.3f} s of virtual time in {:.3f} s, {:.1f} x real time; {} messages; state {}\n",
+      "{:.3f} s of virtual time in {:.3f} s, {:.1f} x real time; {}; state {}\n",
       report["virtual_time_s"].get<double>(), report["wall_time_s"].get<double>(),
-      report["x_real_time"].get<double>(), report["messages"].get<uint64_t>(),
+      report["x_real_time"].get<double>(), Counted(report["messages"].get<uint64_t>(), "message"),
       report["state_hash"].get<std::string>());
   for (const auto& robot : report["robots"]) {
     text += fmt::format("{}: {}\n", robot["model"].get<std::string>(),

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "openr/counted.h"
+
 namespace openr_host {
 namespace {
 
@@ -200,8 +202,8 @@ std::string TopText(const std::vector<Run>& runs, double now_s, size_t columns) 
       rows.push_back(RowOf(status, object, has_robots));
     text += Fold(Headline(run, now_s), columns) + Table(rows, columns);
     if (status.objects_left_out > 0)
-      text += fmt::format("  ... {} more objects: a run tells of {}\n", status.objects_left_out,
-                          status.objects.size());
+      text += fmt::format("  ... {}: a run tells of {}\n",
+                          Counted(status.objects_left_out, "more object"), status.objects.size());
     for (const RunStatus::Process& process : status.processes) {
       if (!process.lost.empty()) text += Fold("  lost: " + process.lost, columns);
     }
@@ -247,7 +249,7 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
   if (lines.size() > rows && rows > 0) {
     const size_t left_out = lines.size() - (rows - 1);
     lines.resize(rows - 1);
-    lines.push_back(fmt::format("... {} more lines", left_out).substr(0, columns));
+    lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
   std::string screen;  // each line to its end; the last one without a new one; the rest is wiped
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";

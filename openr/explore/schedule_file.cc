@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "openr/counted.h"
+
 namespace openr_host {
 namespace {
 
@@ -101,11 +103,10 @@ std::string DescribeFailure(const Json& failure) {
   if (deviations.empty()) {
     text += "  it does so in the canonical order, too\n";
   } else {
-    text += fmt::format(
-        "  it takes {} of {} deviations from the canonical order ({} runs to find "
-        "that):\n",
-        deviations.size(), failure["deviations_found"].get<size_t>(),
-        failure["shorten_runs"].get<int>());
+    text += fmt::format("  it takes {} of {} from the canonical order ({} to find that):\n",
+                        deviations.size(),
+                        Counted(failure["deviations_found"].get<size_t>(), "deviation"),
+                        Counted(failure["shorten_runs"].get<uint64_t>(), "run"));
   }
   for (size_t i = 0; i < deviations.size() && i < kDeviationsShown; ++i) {
     text += fmt::format("    {}\n", DescribeDeviation(deviations[i]));

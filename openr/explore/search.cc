@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "openr/counted.h"
 #include "openr/explore/exact_schedule.h"
 #include "openr/explore/explorer.h"
 
@@ -31,7 +32,7 @@ class Search {
   Json Run() {
     do {
       if (runs_ == plan_.runs) {
-        stopped_ = fmt::format("at the bound of {} runs", plan_.runs);
+        stopped_ = "at the bound of " + Counted(plan_.runs, "run");
         break;
       }
       Take(pool_.RunOne(NextPlan()));

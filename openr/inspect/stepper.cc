@@ -14,6 +14,7 @@
 #include <optional>
 #include <sstream>
 
+#include "openr/counted.h"
 #include "openr/duration.h"
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/trace_text.h"
@@ -309,9 +310,9 @@ void Stepper::Print(const std::string& what) {
   } else if (what == "objects") {
     for (const auto& object : system.objects()) {
       if (object != nullptr)
-        fmt::print("{:<20} {} messages, {} waiting, {} dropped{}\n", object->name,
-                   object->message_count, object->waiting, object->dropped_count,
-                   object->state.empty() ? "" : ", state: " + object->state);
+        fmt::print("{:<20} {}, {} waiting, {} dropped{}\n", object->name,
+                   Counted(object->message_count, "message"), object->waiting,
+                   object->dropped_count, object->state.empty() ? "" : ", state: " + object->state);
     }
   } else if (what == "joints") {
     for (const VirtualRobot* const robot : replayer_->simulation().robots()) {

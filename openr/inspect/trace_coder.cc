@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "openr/counted.h"
 #include "openr/inspect/trace_file.h"
 
 namespace openr_host {
@@ -68,7 +69,7 @@ void TraceCoder::WritePayload(const TraceEntry& entry, ByteWriter* out) {
 
 void TraceCoder::ReadPayload(ByteReader* in, TraceEntry* entry) {
   const uint64_t size = in->Varint();
-  if (size > kPayloadMax) throw std::runtime_error(fmt::format("a message of {} bytes", size));
+  if (size > kPayloadMax) throw std::runtime_error("a message of " + Counted(size, "byte"));
   std::string& last = last_[{entry->record.sender, size}];
   last.resize(size);
   for (size_t at = 0; at < size;) {

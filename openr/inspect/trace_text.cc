@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "openr/counted.h"
 #include "openr/json_text.h"
 
 namespace openr_host {
@@ -34,7 +35,7 @@ std::string DescribeInput(const TraceEntry& entry) {
       std::string text = fmt::format("    input: network of robot {}:", entry.robot);
       for (const NetworkEvent& event : entry.events) {
         text += fmt::format(" {} {}", EventName(event.kind), event.handle);
-        if (!event.bytes.empty()) text += fmt::format(" ({} bytes)", event.bytes.size());
+        if (!event.bytes.empty()) text += fmt::format(" ({})", Counted(event.bytes.size(), "byte"));
       }
       return text;
     }
@@ -158,11 +159,11 @@ class PerfettoWriter {
 std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record) {
   const std::string robot =
       reader.header().robots == 1 ? "" : fmt::format("robot {} ", reader.RobotOf(record.target));
-  return fmt::format("{:>7} t={:.6f} {}{} -> {} \"{}\" {} bytes, cause {}, hash {:016x}",
-                     record.number, Seconds(record.time_us), robot,
-                     reader.ObjectName(record.sender), reader.ObjectName(record.target),
-                     reader.EntryName(record.target, record.selector), record.size, record.cause,
-                     record.payload_hash);
+  return fmt::format("{:>7} t={:.6f} {}{} -> {} \"{}\" {}, cause {}, hash {:016x}", record.number,
+                     Seconds(record.time_us), robot, reader.ObjectName(record.sender),
+                     reader.ObjectName(record.target),
+                     reader.EntryName(record.target, record.selector), Counted(record.size, "byte"),
+                     record.cause, record.payload_hash);
 }
 
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out) {

@@ -145,7 +145,8 @@ std::string RemarksToJson(const Remarks& remarks, const std::string& folder) {
                     {"column", remark.column},
                     {"text", remark.text},
                     {"count", remark.count},
-                    {"also_at", remark.also_at}});
+                    {"also_at", remark.also_at},
+                    {"also_at_left_out", remark.count - 1 - remark.also_at.size()}});
   }
   const nlohmann::ordered_json all = {{"path", folder},
                                       {"errors", remarks.CountOf(Remark::Kind::kError)},

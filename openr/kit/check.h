@@ -65,7 +65,7 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
 std::string RenderRemarks(const Remarks& remarks);
 
 // {"path", "errors", "warnings", "notes", "remarks": [{"severity", "file", "line", "column",
-// "text", "count", "also_at"}]}
+// "text", "count", "also_at", "also_at_left_out"}]}
 std::string RemarksToJson(const Remarks& remarks, const std::string& folder);
 
 }  // namespace openr_host

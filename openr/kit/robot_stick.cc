@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "openr/counted.h"
 #include "openr/kit/controller_main.h"
 #include "openr/kit/controller_sources.h"
 #include "openr/kit/robot_sdk.h"
@@ -256,8 +257,9 @@ class RobotStick {
     }
     const fs::path output = options_.output;
     for (const RobotObject& object : kObjects) {
-      fmt::print("{}  {} bytes\n", object.image,
-                 fs::file_size(FindBelow(output, std::string("OPEN-R/MW/OBJS/") + object.image)));
+      const uint64_t size =
+          fs::file_size(FindBelow(output, std::string("OPEN-R/MW/OBJS/") + object.image));
+      fmt::print("{}  {}\n", object.image, Counted(size, "byte"));
     }
     fmt::print("base: {}\n", base_.string());
     fmt::print("copy {}/OPEN-R to a Programming Memory Stick\n", output.string());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "openr/counted.h"
 #include "openr/ros2/joint_command.h"
 
 namespace openr_host {
@@ -121,7 +122,9 @@ void Ros2Complaints::Add(const std::string& what) {
 
 void Ros2Complaints::SayHowManyMore() const {
   if (unsaid_count_ == 0) return;
-  say_(fmt::format("ROS 2: /{}: {} more complaints were not said", robot_, unsaid_count_));
+  say_(fmt::format("ROS 2: /{}: {} not said", robot_,
+                   Counted(static_cast<uint64_t>(unsaid_count_), "more complaint") +
+                       (unsaid_count_ == 1 ? " was" : " were")));
 }
 
 }  // namespace openr_host

@@ -120,6 +120,7 @@ TEST(StickFaultsTest, EqualConsequencesOfOneMissingObjectAreOneFinding) {
   ASSERT_GE(findings.size(), 2u) << findings;
   EXPECT_EQ(findings[0]["count"], 40);
   EXPECT_EQ(findings[0]["also_at"].size(), 5u);
+  EXPECT_EQ(findings[0]["also_at_left_out"], 34);
   // A service that an object lacks is a mistake of its own.
   EXPECT_EQ(findings[1]["text"].get<std::string>().rfind("CONNECT.CFG:41:", 0), 0u) << findings[1];
 }
