@@ -158,6 +158,8 @@ std::string WhyNotWritable(const std::string& file) {
   return "";
 }
 
+bool IsStandardOutput(const std::string& file) { return TargetOf(file).stream == StandardOutput(); }
+
 std::string WhyNoFolder(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;

@@ -20,7 +20,10 @@ namespace openr_host {
 // its content, one that does not is not left behind.
 std::string WhyNotWritable(const std::string& file);
 
-// Why `folder` can be neither made nor written into, or "".  Makes nothing.
+// Whether `file` is a name of the standard output that the program was started with: /dev/stdout.
+bool IsStandardOutput(const std::string& file);
+
+// Why `folder` can be neither made nor written into, or "".  Leaves everything as it was.
 std::string WhyNoFolder(const std::string& folder);
 
 // "FILE: why", for people.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -107,6 +108,15 @@ void DescribeRun(CLI::App* command, RunFlags* flags) {
   AddRos2Flags(command, &flags->ros2);
 }
 
+std::string WhyNoPortNumber(const std::string& text) {
+  int port = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, port);
+  if (error == std::errc() && stop == end && port >= 0 && port <= 65535) return "";
+  return fmt::format("'{}' is no port; give a number from 1 to 65535, or 0 for any free port",
+                     text);
+}
+
 void DescribeOutput(CLI::App* command, RunFlags* flags) {
   command->add_option("--report", flags->report_file, "Write the report to this file")
       ->check(IsWritable());
@@ -145,7 +155,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
   command
       ->add_option("--rc-port", flags->simulation.rc_port,
                    "Port of the remote control; 0: any free one")
-      ->check(CLI::Range(0, 65535));
+      ->check(CLI::Validator(&WhyNoPortNumber, "UINT"));
   command
       ->add_option_function<std::vector<std::string>>(
           "--ip",
@@ -225,9 +235,25 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
+// With --json standard output is one JSON object, and nothing else may be written there.
+void CheckStandardOutput(const RunFlags& flags) {
+  if (!flags.json) return;
+  const std::pair<const char*, const std::string&> named[] = {
+      {"--report", flags.report_file},
+      {"--record", flags.record_file},
+      {"--console", flags.console_file},
+      {"--speaker", flags.simulation.speaker}};
+  for (const auto& [flag, file] : named) {
+    if (!IsStandardOutput(file)) continue;
+    throw CLI::ValidationError(
+        flag, fmt::format("{} is where --json writes the report; leave out one of the two", file));
+  }
+}
+
 // Throws CLI::ValidationError when the flags make no sense.
 RunPlan PlanOf(const RunFlags& flags) {
   CheckThatFilesDiffer(flags);
+  CheckStandardOutput(flags);
   if (flags.panel->count() > 0) {
     throw CLI::ValidationError("--panel", "there is no web panel in this version");
   }

@@ -8,6 +8,7 @@
 
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
+#include "openr/duration.h"
 #include "openr/exit_code.h"
 #include "openr/inspect/trace_text.h"
 #include "openr/standard_streams.h"
@@ -31,6 +32,12 @@ void CheckFilter(const TraceFlags& flags) {
 }
 
 int ShowTrace(const TraceFlags& flags) {
+  if (flags.filter.from_us > flags.filter.until_us) {
+    throw CLI::ValidationError(
+        "--from",
+        fmt::format("{} is after --until {}, so there is nothing to show",
+                    FormatDuration(flags.filter.from_us), FormatDuration(flags.filter.until_us)));
+  }
   CheckFilter(flags);
   TraceReader reader(flags.file);
   const TextSink out = [](std::string_view text) { PrintAnswer(text); };

@@ -155,6 +155,29 @@ TEST(CommandLineTest, DurationsNeedAUnit) {
   ExpectRefusal({"run", "--for", "20"}, 2, "'20' has no unit; write 20s or 20ms");
 }
 
+TEST(CommandLineTest, APortIsANumber) {
+  for (const std::string port : {"abc", "-1", "65536", "1x"})
+    ExpectRefusal({"run", "--rc-port", port}, 2,
+                  "--rc-port: '" + port +
+                      "' is no port; give a number from 1 to 65535, or 0 for "
+                      "any free port");
+}
+
+TEST(CommandLineTest, ATraceFromATimeAfterItsEndIsRefused) {
+  ExpectRefusal({"trace", "a.rec", "--from", "2s", "--until", "1s"}, 2,
+                "--from: 2s is after --until 1s, so there is nothing to show");
+}
+
+TEST(CommandLineTest, NothingButTheAnswerGoesToTheStandardOutputOfJson) {
+  for (const std::string flag : {"--report", "--record", "--console", "--speaker"})
+    ExpectJsonRefusal({"run", flag, "/dev/stdout"}, 2,
+                      flag + ": /dev/stdout is where --json writes the report");
+  const ProgramResult result = RunProgram(
+      {"run", "--for", "100ms", "--rate", "max", "--rc-port", "0", "--report", "/dev/stdout"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(nlohmann::json::accept(result.out)) << result.out;
+}
+
 TEST(CommandLineTest, RatesAreNumbersOrMax) {
   ExpectRefusal({"run", "--rate", "fast"}, 2, "'fast' is neither 'max' nor a number");
   ExpectRefusal({"run", "--rate", "0"}, 2, "'0' is neither 'max' nor a number");
