@@ -19,8 +19,6 @@
 
 namespace openr_host {
 
-namespace {}  // namespace
-
 void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command->add_option("--dds-domain", bus->domain, "DDS domain")
       ->check(CLI::Range(0, 230))

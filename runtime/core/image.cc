@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 
 #include <bit>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -29,25 +30,27 @@ extern "C" const char* __lsan_default_suppressions() {
 #endif
 
 namespace openr_host {
-namespace {
 
 namespace fs = std::filesystem;
 
-}  // namespace
-
-std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes) {
-  if (folder_.path().empty()) return "";
+std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes,
+                               std::string* problem) {
+  const auto fail = [problem](const std::string& path) {
+    *problem = fmt::format("cannot be copied to {}: {} (TMPDIR chooses another folder)", path,
+                           std::strerror(errno));
+    return "";
+  };
   const fs::path source(file);
   // Copies of this process (fork) load into the same folder.
   std::string folder_name = folder_.path() + "/XXXXXX";
-  if (mkdtemp(folder_name.data()) == nullptr) return "";
+  if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
   std::error_code error;
   const fs::path copy = folder / source.filename();
   std::ofstream stream(copy, std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
-  if (!stream) return "";
+  if (!stream) return fail(copy);
   const fs::path debug = fs::path(source).replace_extension(".DBG");
   if (fs::exists(debug, error))
     fs::create_symlink(fs::absolute(debug), folder / debug.filename(), error);
@@ -72,14 +75,14 @@ ImageObject::~ImageObject() {
 
 std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   is_image = true;
-  std::string copy, original;
+  std::string copy, original, problem;
   {
     const ImageFile image = ReadImageFile(file);
     if (!image.problem.empty()) return image.problem;
     original = image.bytes;
-    copy = folder->AddCopy(file, TakePlace(original));
+    copy = folder->AddCopy(file, TakePlace(original), &problem);
   }
-  if (copy.empty()) return "cannot be copied into the run folder (disk full?)";
+  if (copy.empty()) return problem;
   {
     const CurrentScope scope(system, this);
     handle_ = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -90,7 +93,7 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
         dlerror());
   }
   folder->Replace(copy, original);
-  std::string problem = TakeImports();
+  problem = TakeImports();
   if (problem.empty()) problem = RunConstructors();
   return problem.empty() ? ReadTables() : problem;
 }

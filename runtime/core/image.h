@@ -31,8 +31,8 @@ constexpr uint32_t kImageVersion = 1;
 class RunFolder {
  public:
   // Writes `bytes`, which are those of `file`, under a new name; the debug file beside
-  // `file` (NAME.DBG) is linked.  Empty when they cannot be written.
-  std::string AddCopy(const std::string& file, const std::string& bytes);
+  // `file` (NAME.DBG) is linked.  Empty, and `*problem` says why, when they cannot be written.
+  std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
   // Puts `bytes` in place of a copy that has been loaded, without touching what was mapped: for
   // those who look symbols up in the file of that name.  If that fails, they find wrong ones.
