@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "runtime/core/current.h"
-#include "runtime/core/next_symbol.h"
+#include "runtime/hooks/hook.h"
 #include "runtime/core/object.h"
 
 namespace openr::testing {

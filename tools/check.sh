@@ -67,7 +67,7 @@ files 'cc|h|c' openr runtime virtualrobot distribution objects testing tools | g
 # process_hooks.cc and file_hooks.cc define these calls for objects; host_*.cc and ipstack are
 # the outside, which enters at frame boundaries.
 grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std::(thread|mutex|async)|pthread_create)' \
-  runtime virtualrobot | grep -vE '^runtime/(core/process_hooks|ipstack/host_)' |
+  runtime virtualrobot | grep -vE '^runtime/(hooks/process_hooks|ipstack/host_)' |
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot distribution |
   rule 'no hash order in runtime/, virtualrobot/ and distribution/'

@@ -17,24 +17,20 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
+#include "runtime/hooks/stick_call.h"
 #include "runtime/stick/memory_stick.h"
-#include "runtime/stick/stick_call.h"
 
 using openr_host::ApiScope;
 using openr_host::HostPath;
+using openr_host::InObject;
 using openr_host::MemoryStick;
-using openr_host::NextSymbol;
 using openr_host::Severity;
 using openr_host::StickUse;
 using openr_host::t_current;
 
 namespace {
-
-#define OPENR_NEXT(name) (static_cast<decltype(&name)>(NextSymbol<decltype(name)>(#name)))
-
-bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
 // Whether every part of `path` is a name the robot's file system can hold.
 bool HasShortNames(std::string_view path) {

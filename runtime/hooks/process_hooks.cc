@@ -10,17 +10,17 @@
 
 #include <cstdlib>
 
-#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
 
 using openr_host::ApiScope;
+using openr_host::InObject;
 using openr_host::NextSymbol;
 using openr_host::Severity;
 using openr_host::t_current;
 
 namespace {
 
-bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 bool InHandler() { return InObject() && t_current.object->running != nullptr; }
 
 // Seconds from 1970 to 2000, where the robot's calendar begins.

@@ -10,19 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
+#include "runtime/hooks/stick_call.h"
 #include "runtime/stick/memory_stick.h"
-#include "runtime/stick/stick_call.h"
 
 using openr_host::ApiScope;
-using openr_host::NextSymbol;
+using openr_host::InObject;
 using openr_host::Severity;
 using openr_host::t_current;
 
 namespace {
-
-#define OPENR_NEXT(name) (static_cast<decltype(&name)>(NextSymbol<decltype(name)>(#name)))
 
 constexpr size_t kEntriesMax = 682;
 
@@ -36,8 +34,6 @@ struct Folder {
     unsigned char type;
   } names[kEntriesMax];
 };
-
-bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
 std::string UpperCase(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -15,8 +15,8 @@
 
 #include <cerrno>
 
-#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
 
 namespace {
 
@@ -24,7 +24,7 @@ using openr_host::t_current;
 
 // Whether code of an object makes the call; says so.
 bool Refuses(const char* name) {
-  if (!t_current.image_code || t_current.object == nullptr) return false;
+  if (!openr_host::InObject()) return false;
   const openr_host::ApiScope scope;
   t_current.system->AddFinding(
       openr_host::Severity::kError,
@@ -38,11 +38,10 @@ bool Refuses(const char* name) {
 }  // namespace
 
 // Defines `name`, which answers `failure` to objects.
-#define OPENR_REFUSE(type, name, failure, parameters, arguments)                     \
-  extern "C" type name parameters {                                                  \
-    static const auto next =                                                         \
-        static_cast<decltype(&name)>(openr_host::NextSymbol<decltype(name)>(#name)); \
-    return Refuses(#name) ? failure : next arguments;                                \
+#define OPENR_REFUSE(type, name, failure, parameters, arguments) \
+  extern "C" type name parameters {                              \
+    static const auto next = OPENR_NEXT(name);                   \
+    return Refuses(#name) ? failure : next arguments;            \
   }
 
 OPENR_REFUSE(int, system, -1, (const char* command), (command))
@@ -88,8 +87,7 @@ OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
 
 // Its third argument, whatever it is, passes as a pointer does.
 extern "C" int fcntl(int descriptor, int command, ...) {
-  static const auto next =
-      static_cast<decltype(&fcntl)>(openr_host::NextSymbol<decltype(fcntl)>("fcntl"));
+  static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;
   va_start(arguments, command);
   void* const argument = va_arg(arguments, void*);

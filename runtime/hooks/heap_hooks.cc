@@ -18,6 +18,7 @@
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
 #include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
 
 using openr_host::Arena;
 using openr_host::t_current;
@@ -32,10 +33,7 @@ void __libc_free(void*);
 
 namespace {
 
-Arena* CurrentArena() {
-  return t_current.image_code && t_current.object != nullptr ? t_current.object->arena.get()
-                                                             : nullptr;
-}
+Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.get() : nullptr; }
 
 // Where an object would go on with a null pointer, the reader learns why.
 void ReportNoMemory(size_t size) {

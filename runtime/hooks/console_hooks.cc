@@ -8,20 +8,17 @@
 
 #include <cerrno>
 
-#include "runtime/core/next_symbol.h"
 #include "runtime/core/system.h"
+#include "runtime/hooks/hook.h"
 
 using openr_host::ApiScope;
+using openr_host::InObject;
 using openr_host::LibraryScope;
 using openr_host::NextSymbol;
 using openr_host::Severity;
 using openr_host::t_current;
 
 namespace {
-
-#define OPENR_NEXT(name) (static_cast<decltype(&name)>(NextSymbol<decltype(name)>(#name)))
-
-bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
 ssize_t ReadConsole(char* buffer, size_t size) {
   const ApiScope scope;

@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 #include "runtime/core/current.h"
-#include "runtime/core/next_symbol.h"
+#include "runtime/hooks/hook.h"
 
 using openr_host::LibraryScope;
 using openr_host::NextSymbol;
