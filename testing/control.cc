@@ -11,8 +11,8 @@
 #include <filesystem>
 
 #include "runtime/core/current.h"
-#include "runtime/hooks/hook.h"
 #include "runtime/core/object.h"
+#include "runtime/hooks/hook.h"
 
 namespace openr::testing {
 namespace {
