@@ -51,7 +51,7 @@ struct PlungerConstants {
     Sint32 kind;  // PlungerKind
 };
 
-// Groups of Hohl 2004, table 3.8, as model/ers210.md section 7 reads it.
+// Groups of Hohl 2004, table 3.8, as docs/openr/ers210.md 7 reads it.
 enum SensorGroup { sensorBINARY = 1, sensorOTHER = 2 };
 
 enum SensorKind {

@@ -11,7 +11,7 @@
 // the acceleration limit, so no plan is stored and none can go stale.  Fixed point
 // (2^-16 micro-radian) instead of floating point: the same frames on every compiler,
 // word size and CPU.  A duration is never computed, hence nothing is truncated to zero
-// frames (model/ers210.md, section 5, "Arithmetic trap").
+// frames (ers210.md 5, "Arithmetic trap").
 //
 
 #ifndef Trajectory_h_DEFINED

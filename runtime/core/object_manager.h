@@ -32,7 +32,7 @@ class ObjectManager : public CodeObject {
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
   // Whether its receiver does not hear `message` yet: the first of all is DoInit, as on the robot,
-  // where it lies in the mailbox before anybody else knows of the object (core.md, 1.4); a ready
+  // where it lies in the mailbox before anybody else knows of the object (core.md, 1.5); a ready
   // waits until the connections are made, or its observer would be unknown.
   bool IsTooEarly(const Message& message) const {
     if (young_.empty() || message.sender == host().id) return false;

@@ -53,7 +53,7 @@ class RunFolder;
 // 8 ms: the unit of everything the robot does.
 constexpr int64_t kFrameUs = 8000;
 
-// RAM of the robot, for the system and all objects (field-notes.md, section on memory).
+// RAM of the robot, for the system and all objects (field-notes.md 3.10).
 constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {

@@ -6,7 +6,7 @@ namespace {
 
 class LifeConformance : public ConformTest {};
 
-// measured.md:11, core.md 1.5
+// measured.md 1.1, core.md 1.5
 TEST_F(LifeConformance, InitOfAllThenConnectionsThenStartOfAllInFileOrder) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Loop.Number.S Teller.Loop.Number.O\n");
@@ -22,7 +22,7 @@ TEST_F(LifeConformance, InitOfAllThenConnectionsThenStartOfAllInFileOrder) {
             "H start\n");
 }
 
-// measured.md:12
+// measured.md 1.2
 TEST_F(LifeConformance, MessagesFlowBeforeALaterObjectsDoStart) {
   Config("OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/TELLER.BIN\n/MS/OPEN-R/MW/OBJS/HEARER.BIN\n");
   Config("CONNECT.CFG", "Teller.Loop.Number.S Teller.Loop.Number.O\n");
@@ -33,7 +33,7 @@ TEST_F(LifeConformance, MessagesFlowBeforeALaterObjectsDoStart) {
   EXPECT_LT(said.find("T heard itself: 5"), said.find("H start")) << said;
 }
 
-// measured.md:14
+// measured.md 1.3
 TEST_F(LifeConformance, AnUnknownServiceIsNotFoundAndTheOtherLinesHold) {
   Config("CONNECT.CFG",
          "Teller.Aut.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Hearer.In.Number.O\n");
@@ -45,7 +45,7 @@ TEST_F(LifeConformance, AnUnknownServiceIsNotFoundAndTheOtherLinesHold) {
   EXPECT_NE(Said().find("H in 3"), std::string::npos);
 }
 
-// measured.md:14
+// measured.md 1.4
 TEST_F(LifeConformance, ALineWhoseDataTypesDifferIsSkippedWithItsNumber) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Text.O\nTeller.Out.Number.S Hearer.In.Number.O\n");
@@ -57,7 +57,7 @@ TEST_F(LifeConformance, ALineWhoseDataTypesDifferIsSkippedWithItsNumber) {
   EXPECT_NE(Said().find("H in 3"), std::string::npos);
 }
 
-// measured.md:14: "or whose data type is not the registered one"
+// measured.md 1.4: "or whose data type is not the registered one"
 TEST_F(LifeConformance, ALineWithDataThatWereNotRegisteredIsASyntaxError) {
   Config("CONNECT.CFG",
          "Teller.Out.Text.S Hearer.In.Text.O\nTeller.Out.Number.S Hearer.In.Number.O\n");

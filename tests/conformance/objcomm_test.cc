@@ -7,7 +7,7 @@ namespace {
 
 class ObjcommConformance : public ConformTest {};
 
-// measured.md:19
+// measured.md 1.6
 TEST_F(ObjcommConformance, ReadyIsAFlagAndTwoAssertsGiveTwoCallbacks) {
   Start();
   Hear("assert");
@@ -18,7 +18,7 @@ TEST_F(ObjcommConformance, ReadyIsAFlagAndTwoAssertsGiveTwoCallbacks) {
   EXPECT_EQ(Said(), "H in 1 (notifies 1 refs 1)\n");
 }
 
-// measured.md:20
+// measured.md 1.7
 TEST_F(ObjcommConformance, NotifySendsEverythingSetAsOneEventAndClearsTheFlag) {
   Start();
   Hear("assert");
@@ -27,7 +27,7 @@ TEST_F(ObjcommConformance, NotifySendsEverythingSetAsOneEventAndClearsTheFlag) {
   EXPECT_EQ(Said(), "T notify 0\nH in 1 2 3 (notifies 1 refs 1)\nT any 0 ready 0 all 0\n");
 }
 
-// measured.md:22
+// measured.md 1.8
 TEST_F(ObjcommConformance, OfFiveNotifiesTheObserverGetsTheFirstAndTheLast) {
   Start();
   Hear("assert");
@@ -38,7 +38,7 @@ TEST_F(ObjcommConformance, OfFiveNotifiesTheObserverGetsTheFirstAndTheLast) {
             "H in 5 (notifies 1 refs 1)\n");
 }
 
-// measured.md:24
+// measured.md 1.9
 TEST_F(ObjcommConformance, PendingDataGoOutBeforeTheReadyCallback) {
   Start();
   Tell("send 9");
@@ -46,7 +46,7 @@ TEST_F(ObjcommConformance, PendingDataGoOutBeforeTheReadyCallback) {
   EXPECT_EQ(Said(), "T ready 0 refs 0\nH in 9 (notifies 1 refs 1)\n");
 }
 
-// measured.md:26
+// measured.md 1.10
 TEST_F(ObjcommConformance, TwoObserversCanSeeDifferentSequences) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Hearer.Late.Number.O\n");
@@ -62,7 +62,7 @@ TEST_F(ObjcommConformance, TwoObserversCanSeeDifferentSequences) {
   EXPECT_EQ(said.find("H late 1 "), std::string::npos) << said;
 }
 
-// measured.md:28
+// measured.md 1.11
 TEST_F(ObjcommConformance, DataNotifiedInDoStartSurviveAsTheLatestSet) {
   Data("TSTART.TXT", "send 1\nsend 2\n");
   Start();
@@ -70,7 +70,7 @@ TEST_F(ObjcommConformance, DataNotifiedInDoStartSurviveAsTheLatestSet) {
   EXPECT_EQ(Said(), "T ready 0 refs 0\nH in 2 (notifies 1 refs 1)\n");
 }
 
-// measured.md:29
+// measured.md 1.12
 TEST_F(ObjcommConformance, NotifyWithNothingSetSendsNothingAndKeepsTheFlag) {
   Start();
   Hear("assert");
@@ -80,7 +80,7 @@ TEST_F(ObjcommConformance, NotifyWithNothingSetSendsNothingAndKeepsTheFlag) {
   EXPECT_EQ(Said(), "T notify 0\nT any 1 ready 1 all 1\n");
 }
 
-// measured.md:30
+// measured.md 1.13
 TEST_F(ObjcommConformance, TheFourteenthDatumDropsTheOldestWithStatus28) {
   Start();
   Hear("assert");
@@ -92,7 +92,7 @@ TEST_F(ObjcommConformance, TheFourteenthDatumDropsTheOldestWithStatus28) {
   EXPECT_TRUE(Found("more than 13 data set before a notify"));
 }
 
-// measured.md:32
+// measured.md 1.14
 TEST_F(ObjcommConformance, ASubjectWithoutConnectionAcceptsEverything) {
   Config("CONNECT.CFG", "# nothing\n");
   Start();
@@ -100,7 +100,7 @@ TEST_F(ObjcommConformance, ASubjectWithoutConnectionAcceptsEverything) {
   EXPECT_EQ(Answer("notify"), "T notify 0\n");
 }
 
-// measured.md:33; field-notes.md, 2.4
+// measured.md 1.15; field-notes.md, 2.4
 TEST_F(ObjcommConformance, ANotifyAfterDeassertStaysPendingAndIsReported) {
   Start();
   Hear("deassert");
@@ -112,7 +112,7 @@ TEST_F(ObjcommConformance, ANotifyAfterDeassertStaysPendingAndIsReported) {
   EXPECT_EQ(Said(), "T ready 0 refs 0\nH in 6 (notifies 1 refs 1)\n");
 }
 
-// measured.md:34
+// measured.md 1.16
 TEST_F(ObjcommConformance, IsReadyReturnsTheCount) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Hearer.Late.Number.O\n");
@@ -123,7 +123,7 @@ TEST_F(ObjcommConformance, IsReadyReturnsTheCount) {
   EXPECT_EQ(Answer("ready?"), "T any 2 ready 2 all 2\n");
 }
 
-// measured.md:36
+// measured.md 1.17
 TEST_F(ObjcommConformance, WithMaxFourPendingNotifiesAreOneEvent) {
   Data("HINIT.TXT", "0 1 4");
   Start();
@@ -132,7 +132,7 @@ TEST_F(ObjcommConformance, WithMaxFourPendingNotifiesAreOneEvent) {
   EXPECT_EQ(Said(), "T ready 0 refs 0\nH in 1 2 3 4 (notifies 4 refs 1)\n");
 }
 
-// measured.md:37
+// measured.md 1.18
 TEST_F(ObjcommConformance, WithMinThreeARemainderStaysUnsent) {
   Data("HINIT.TXT", "0 3 6");
   Start();
@@ -145,7 +145,7 @@ TEST_F(ObjcommConformance, WithMinThreeARemainderStaysUnsent) {
   EXPECT_EQ(Said(), "H in 1 2 3 (notifies 3 refs 1)\nT ready 1 refs 0\n");
 }
 
-// measured.md:38
+// measured.md 1.19
 TEST_F(ObjcommConformance, WithSkipOneEverySecondNotifyIsDropped) {
   Data("HINIT.TXT", "1 1 1");
   Start();
@@ -158,7 +158,7 @@ TEST_F(ObjcommConformance, WithSkipOneEverySecondNotifyIsDropped) {
             "H in 4 (notifies 1 refs 1)\nT ready 1 refs 0\n");
 }
 
-// measured.md:39
+// measured.md 1.20
 TEST_F(ObjcommConformance, BufferAndUnitSizesAreAcceptedInDoInitOnly) {
   Data("TINIT.TXT", "buffer 30\nunit 3\n");
   ASSERT_TRUE(Load());
@@ -173,7 +173,7 @@ TEST_F(ObjcommConformance, BufferAndUnitSizesAreAcceptedInDoInitOnly) {
   EXPECT_EQ(Said(), "T notify 0\nH in 1 2 3 4 5 6 7 (notifies 1 refs 1)\n");
 }
 
-// measured.md:43
+// measured.md 1.21
 TEST_F(ObjcommConformance, SetDataAddsAReferencePerObserverAndNotifyNone) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Hearer.Late.Number.O\n");
@@ -184,7 +184,7 @@ TEST_F(ObjcommConformance, SetDataAddsAReferencePerObserverAndNotifyNone) {
   EXPECT_EQ(Answer("refs"), "T refs 3\n");
 }
 
-// measured.md:44
+// measured.md 1.22
 TEST_F(ObjcommConformance, AReplacedPendingRegionIsReleasedAtOnce) {
   Start();
   for (const char* command : {"region", "setregion 5", "notify"}) Tell(command);
@@ -193,7 +193,7 @@ TEST_F(ObjcommConformance, AReplacedPendingRegionIsReleasedAtOnce) {
   EXPECT_EQ(Answer("refs"), "T refs 1\n");
 }
 
-// measured.md:45
+// measured.md 1.23
 TEST_F(ObjcommConformance, ADeliveredRegionIsReleasedByTheNextReadyBeforeTheCallback) {
   Start();
   Hear("assert");
@@ -203,7 +203,7 @@ TEST_F(ObjcommConformance, ADeliveredRegionIsReleasedByTheNextReadyBeforeTheCall
   EXPECT_EQ(Said(), "T ready 1 refs 1\n");
 }
 
-// measured.md:47; core.md 2.7
+// measured.md 1.24; core.md 2.7
 TEST_F(ObjcommConformance, AnObserverKeepsARegionWithAReferenceOfItsOwn) {
   Start();
   Hear("keep");

@@ -102,7 +102,7 @@ TEST(LegTest, APlaceOutOfReachIsRefusedByName) {
   }
 }
 
-// model/ers210.md, section 11: pitch -2.6 and height 137.2 standing, 28.0 and 86.2 sitting.
+// docs/openr/ers210.md, section 11: pitch -2.6 and height 137.2 standing, 28.0 and 86.2 sitting.
 TEST(DogTest, StancesOfPosturesAreThoseOfTheModelsTable) {
   EXPECT_NEAR(TheDog().StanceOf("stand").pitch_rad * 180 / M_PI, -2.6, 0.05);
   EXPECT_NEAR(TheDog().StanceOf("stand").height_mm, 137.2, 0.05);

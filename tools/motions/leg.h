@@ -2,7 +2,7 @@
 //
 // Coordinates are those of the leg, seen from the J1 axis: `out` away from the middle of the
 // body (forward for a fore leg, rearward for a hind leg) and `up`; millimetres.  Positive angles
-// of both joints move the paw outward, on all four legs (model/ers210.md, section 2).
+// of both joints move the paw outward, on all four legs (docs/openr/ers210.md, section 2).
 #pragma once
 
 #include <string>

@@ -128,7 +128,7 @@ OdeBody::Impl::~Impl() {
 void OdeBody::Impl::MakeBodies(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
   for (size_t i = 0; i < model_.bodies.size(); ++i) {
     const BodyPart& part = model_.bodies[i];
-    // Uniform density inside the bounding box (SEED section 3.1.3).
+    // Uniform density inside the bounding box (Hohl 2004, section 3.1.3).
     dMass mass;
     dMassSetBoxTotal(&mass, part.mass_kg, part.size_m.x(), part.size_m.y(), part.size_m.z());
     const dBodyID body = dBodyCreate(world_);

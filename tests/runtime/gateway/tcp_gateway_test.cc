@@ -1,5 +1,5 @@
 // The gateway between objects and a peer on the loopback wire: ready rules and wire of
-// measured.md, lines 49 to 55, files of core.md, 5.4.
+// measured.md 1.25 to 1.29, files of core.md, 5.4.
 #include "runtime/gateway/tcp_gateway.h"
 
 #include <gtest/gtest.h>

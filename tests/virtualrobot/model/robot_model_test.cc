@@ -26,7 +26,7 @@ std::string ErrorWith(const std::string& before, const std::string& after) {
 }
 
 TEST(RobotModelTest, Ers210WeighsWhatItsBlocksWeigh) {
-  EXPECT_NEAR(Ers210().TotalMassKg(), 1.612, 1e-12);  // SEED table 3.1
+  EXPECT_NEAR(Ers210().TotalMassKg(), 1.612, 1e-12);  // Hohl 2004, table 3.1
 }
 
 TEST(RobotModelTest, Ers210Has18Joints31Sensors9LightsAnd2Ears) {
