@@ -6,10 +6,10 @@
     tools/sdk_surface.py FOLDER...          checks other folders
     tools/sdk_surface.py --list [FOLDER]    lists what is used: name, how often, where it is from
     tools/sdk_surface.py --symbols FILE     checks what compiled objects leave undefined (nm -C -u)
-    tools/sdk_surface.py --write REFERENCES makes tools/surface/sdk_surface.tsv of runtime/include
-                                            and the reference texts (*.md) of that folder
+    tools/sdk_surface.py --write            makes tools/surface/sdk_surface.tsv of runtime/include
+                                            and the books of docs/openr
 
-The SDK's surface: names that our headers have *and* a reference names.  What only our headers
+The SDK's surface: names that our headers have *and* a book of docs/openr names.  What only our headers
 have (the table says "-") would be missing on the robot, so objects must not use it.
 
 Names that the original headers define as macros (tools/surface/macro_names.txt) may not be declared
@@ -27,12 +27,14 @@ import original_names  # noqa: E402
 from source_names import KEYWORDS, Source  # noqa: E402
 
 HEADERS = ROOT / "runtime/include"
-REFERENCES = ROOT.parent / "shared/openr"  # not part of the project; used where it is there
+# Books that name nothing of ours; the others there also describe this project.
+REFERENCES = [ROOT / "docs/openr" / f"{book}.md"
+              for book in ("binary", "core", "field-notes", "measured", "network", "robot")]
 TABLE = ROOT / "tools/surface/sdk_surface.tsv"
 LIBRARY = ROOT / "tools/surface/robot_c_library.txt"
 MACROS = ROOT / "tools/surface/macro_names.txt"
 SOURCES = (".cc", ".cpp", ".c", ".h")
-# Made by the stub generator of a stub.cfg (core reference, 4.2 and 4.3), and by tools/genmodel.
+# Made by the stub generator of a stub.cfg (core.md 4.2 and 4.3), and by tools/genmodel.
 GENERATED_HEADERS = {"def.h", "entry.h", "RobotConstants.h"}
 GENERATED_NAMES = re.compile(r"^(NUM_)?ROBOTS$|^(sbj|obs|entry)[A-Z]\w*$|^Entry_\w+$|^Extra_Entry$|^numOf(Subject|Observer)$")
 
@@ -57,9 +59,9 @@ def macro_names():
 class References:
     """Which names the reference texts know; `prefix{A 0, B 1}` and tables with a prefix count."""
 
-    def __init__(self, folder):
+    def __init__(self):
         self.words = {}
-        for text in sorted(Path(folder).glob("*.md")):
+        for text in REFERENCES:
             content = text.read_text()
             for word in re.findall(r"[A-Za-z_]\w*", content):
                 self.words.setdefault(word, text.stem)
@@ -92,10 +94,8 @@ class References:
         return "-"
 
 
-def write_table(folder):
-    references = References(folder)
-    if not references.words:
-        sys.exit(f"sdk_surface.py: no *.md in {folder}")
+def write_table():
+    references = References()
     lines = ["# Made by tools/sdk_surface.py --write of runtime/include and the references; do not edit.",
              "# name, header of ours, reference that names it (-: none, so the robot may not have it)"]
     for name, header in sorted(names_of_headers().items()):
@@ -270,12 +270,11 @@ def symbol_offences(file, surface):
 def stale_table():
     """Names that came or went since the table was made, in our headers or in the references."""
     now, then = names_of_headers(), read_table()
-    if REFERENCES.is_dir():
-        references = References(REFERENCES)
-        for name in sorted(set(now) & set(then)):
-            if references.source_of(name) != then[name][1]:
-                yield (f"{TABLE.name}: {name} is said to be of '{then[name][1]}', the references say "
-                       f"'{references.source_of(name)}'; make it again with --write")
+    references = References()
+    for name in sorted(set(now) & set(then)):
+        if references.source_of(name) != then[name][1]:
+            yield (f"{TABLE.name}: {name} is said to be of '{then[name][1]}', the references say "
+                   f"'{references.source_of(name)}'; make it again with --write")
     for name in sorted(set(now) ^ set(then)):
         which = "is not in" if name in now else "is still in"
         yield f"{now.get(name, then.get(name, ('?',))[0])}: {name} {which} {TABLE.name}; make it again with --write"
@@ -284,12 +283,12 @@ def stale_table():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--write", metavar="REFERENCES")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("--symbols", metavar="FILE")
     parser.add_argument("folders", nargs="*", type=Path)
     arguments = parser.parse_args()
     if arguments.write:
-        write_table(arguments.write)
+        write_table()
         return 0
     surface = Surface()
     if arguments.symbols:
