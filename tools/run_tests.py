@@ -88,9 +88,9 @@ def jobs(build, pattern, quick):
     if pattern in header_check.name:
         found.append((header_check.name, ["sh", str(header_check), str(ROOT / "runtime/include"),
                                           "headers"], {}))
-    for surface in sorted((ROOT / "tests/surface").glob("*_test.py")):
-        if pattern in surface.name:
-            found.append((surface.name, [sys.executable, str(surface)], {}))
+    for script in sorted(ROOT.glob("tests/surface/*_test.py")) + sorted(ROOT.glob("tests/tools/*_test.py")):
+        if pattern in script.name:
+            found.append((script.name, [sys.executable, str(script)], {}))
     examples = ROOT / "tests/examples/run_examples.py"
     if pattern in examples.name:
         found.append((examples.name, [sys.executable, str(examples), "--build", str(build)],

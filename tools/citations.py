@@ -1,0 +1,253 @@
+#!/usr/bin/env python3
+"""Checks that every citation of a book of docs/openr and of the report leads to a place that exists.
+
+    tools/citations.py [FOLDER]     prints file:line and what is wrong; nothing is good
+
+FOLDER is the root of a checkout, this one without it.  Read are code, tests, docs and tools, with
+comments that go on in the next line.  What counts as a citation:
+
+    core.md 2.5         section 2.5, or item 5 of section 2
+    core.md 11 5        item 5 of section 11: of a list, or a row of a table with that number
+    core.md, 2.8 and 11.17; robot.md 9.3 2, 16 3; measured.md 1.25 to 1.29
+    measured.md section 1, "Notify and ready"                      words of the book, such as a heading
+    Hohl 2004, section 5.3.7; Hohl 2004, table 3.8; appendix A     a place in docs/report.md
+    BBS 1735            a message that some book cites
+    docs/body.md        a file; in *.md also links, with their #anchors
+
+docs/openr/README.md has to name every book and every section of each.
+"""
+import re
+import sys
+from pathlib import Path
+
+FOLDERS = ("bench", "cmake", "distribution", "docs", "examples", "objects", "openr", "runtime",
+           "stub.cfg", "testing", "tests", "tools", "virtualrobot")
+SUFFIXES = {".c", ".cc", ".cfg", ".cmake", ".cost", ".cpp", ".h", ".json", ".md", ".ocf", ".py", ".sh",
+            ".tsv", ".txt"}
+NUMBER = r"\d+(?:\.\d+)*"
+PLACE = rf"{NUMBER}(?: +\d+(?![\w.]))?"
+MORE = rf"(?:,|;| +and| +to| +or|-) *(?:section +)?(?={NUMBER}(?!\w))"
+
+
+def anchor(heading):
+    """What a link to the heading has behind its #, as common viewers of Markdown make it."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def lines_outside_fences(text):
+    inside = False
+    for line in text.splitlines():
+        if line.startswith("```"):
+            inside = not inside
+        elif not inside:
+            yield line
+
+
+class Book:
+    """Sections, numbered items and headings of one Markdown file."""
+
+    def __init__(self, text):
+        self.sections = {}  # number -> {number of an item}
+        self.headings = {}  # text without its number -> anchor
+        self.titles = []    # headings of the second level, whole
+        self.words = re.sub(r"\s+", " ", text)
+        section = None
+        for line in lines_outside_fences(text):
+            head = re.match(r"(#+) +(.*)", line)
+            item = re.match(rf"(?:(\d+)\. |\| ({NUMBER}) \|)", line)
+            if head:
+                title = head[2].strip()
+                if head[1] == "##":
+                    self.titles.append(title)
+                number = re.match(rf"({NUMBER})\.? +(.*)", title)
+                if number:
+                    section = number[1]
+                    self.sections[section] = set()
+                self.headings[number[2] if number else title] = anchor(title)
+            elif item and section:
+                self.sections[section].add(item[1] or item[2])
+
+    def has(self, place):
+        """place: '2.5', '11 5' or '9.3 2'."""
+        section, _, item = place.partition(" ")
+        if item:
+            return item in self.sections.get(section, ())
+        if section in self.sections:
+            return True
+        above, _, last = section.rpartition(".")
+        items = self.sections.get(above, ())
+        return last in items or section in items
+
+    def says(self, words):
+        return words in self.words
+
+    def anchor_of(self, place):
+        """The anchor of the section that the place is in."""
+        section = place.partition(" ")[0]
+        while section not in self.sections and "." in section:
+            section = section.rpartition(".")[0]
+        for title, name in self.headings.items():
+            if name == anchor(f"{section} {title}") or name == anchor(f"{section}. {title}"):
+                return name
+        return ""
+
+
+class Report(Book):
+    """docs/report.md: also tables and figures, which are rows that begin with their names."""
+
+    def __init__(self, text):
+        super().__init__(text)
+        self.places = {("section", number) for number in self.sections}
+        for line in lines_outside_fences(text):
+            first = re.match(r"\| (?:Table|Figure) [^|]*|#+ (?:Chapter|Appendix) \S+", line)
+            for kind, number in re.findall(rf"(\w+) ({NUMBER}|[A-Z]\b)", first[0] if first else ""):
+                self.places.add((kind.lower(), number))
+
+
+def joined(text):
+    """The same text, same length, with a comment's line ends and marks as blanks."""
+    return re.sub(r"\n[ \t]*(?://+|\*(?!/)|#)?[ \t]*",
+                  lambda found: " " * len(found[0]), text)
+
+
+class Checker:
+    def __init__(self, root):
+        self.root = root
+        self.problems = []
+        folder = root / "docs/openr"
+        self.books = {file.stem: Book(file.read_text()) for file in sorted(folder.glob("*.md"))
+                      if file.stem != "README"}
+        report = root / "docs/report.md"
+        self.report = Report(report.read_text()) if report.exists() else Report("")
+        self.messages = set()  # of the board, that a book has
+        for file in folder.glob("*.md"):
+            for number in self.board_numbers(joined(file.read_text())):
+                self.messages.add(number[1])
+        self.book_names = "|".join(map(re.escape, self.books)) or "(?!)"
+        self.pages = {}
+
+    def page(self, file):
+        if file not in self.pages:
+            self.pages[file] = Book(file.read_text())
+        return self.pages[file]
+
+    @staticmethod
+    def board_numbers(text):
+        """(offset, number) of every message that is cited, those in ranges too."""
+        for found in re.finditer(r"\bBBS((?:,|/|-|–| and|\s)+\d+)+", text):
+            for part in re.finditer(r"(\d+)(?:-(\d+))?", found[0]):
+                first, last = int(part[1]), int(part[2] or part[1])
+                for number in range(first, last + 1):
+                    yield found.start() + part.start(), number
+
+    def say(self, file, text, offset, what):
+        line = text.count("\n", 0, offset) + 1
+        self.problems.append(f"{file.relative_to(self.root)}:{line}: {what}")
+
+    def check_books(self, file, text, flat):
+        start = rf"(?:(?<![\w/.#-])|(?<=openr/))({self.book_names})\.md\b(?!#)"
+        for found in re.finditer(start, flat):
+            if flat[:found.start()].endswith("](") and flat[found.end():found.end() + 1] == ")":
+                continue  # where a link leads to, not what it says
+            name, book, at = found[1], self.books[found[1]], found.end()
+            if re.match(r":\d|,? lines? \d", flat[at:]):
+                self.say(file, text, at, f"{name}.md by line: cite a section or statement")
+            lead = re.match(rf",? +(?:sections? +)?(?={NUMBER}(?!\w))", flat[at:])
+            while lead:
+                at += lead.end()
+                place = re.match(PLACE, flat[at:])[0]
+                if not book.has(" ".join(place.split())):
+                    self.say(file, text, at, f"{name}.md has no {' '.join(place.split())}")
+                at += len(place)
+                lead = re.match(MORE, flat[at:])
+            step = re.match(r", +(?:step|row|item|question) +(\d+)", flat[at:])
+            if step and place and not book.has(f"{place.partition(' ')[0]} {step[1]}"):
+                self.say(file, text, at, f"{name}.md {place} has no {step[0][1:].strip()}")
+            heading = re.match(r',? +"([^"]+)"', flat[at:])
+            while heading:
+                words = re.sub(r"\s+", " ", heading[1])
+                if flat[found.end():at].strip() or heading[0].startswith(","):
+                    if not book.says(words):
+                        self.say(file, text, at, f'{name}.md does not say "{words}"')
+                at += heading.end()
+                heading = re.match(r'(?:,| and) +"([^"]+)"', flat[at:])
+
+    def check_report(self, file, text, flat):
+        kinds = "sections?|chapters?|tables?|figures?|appendix"
+        for found in re.finditer(r"\bHohl\s+2004", flat):
+            at, kind = found.end(), "section"
+            while True:
+                part = re.match(rf"(?:'s)?(?:,|\s|and\b|to\b)*\s({kinds})?\s*({NUMBER}|A)(?![\w.]*\w)",
+                                flat[at:])
+                if not part:
+                    break
+                kind = (part[1] or kind).rstrip("s")
+                if (kind, part[2]) not in self.report.places:
+                    self.say(file, text, at + part.start(2),
+                             f"docs/report.md has no {kind} {part[2]}")
+                at += part.end()
+
+    def check_messages(self, file, text, flat):
+        for offset, number in self.board_numbers(flat):
+            if number not in self.messages:
+                self.say(file, text, offset, f"no book has BBS {number}")
+
+    def check_paths(self, file, text):
+        for found in re.finditer(r"(?<![\w/.(-])((?:\.\./)*(?:[\w-]+/)+[\w-]+\.md)\b", text):
+            if not (self.root / found[1]).is_file() and not (file.parent / found[1]).is_file():
+                self.say(file, text, found.start(), f"there is no {found[1]}")
+
+    def check_links(self, file, text):
+        for found in re.finditer(r"\[[^\[\]]+\]\(([^()\s#]*)(#[^()\s]*)?\)", text):
+            if re.match(r"\w+:", found[1]):
+                continue
+            target = (file.parent / found[1]).resolve() if found[1] else file
+            if not target.exists():
+                self.say(file, text, found.start(), f"there is no {found[1]}")
+            elif found[2] and target.suffix == ".md":
+                if found[2][1:] not in self.page(target).headings.values():
+                    self.say(file, text, found.start(), f"{found[1]} has no {found[2]}")
+
+    def check_contents(self):
+        """The table of contents has every book, and every section as a link."""
+        file = self.root / "docs/openr/README.md"
+        if not file.exists():
+            self.problems.append("docs/openr/README.md: missing")
+            return
+        text = file.read_text()
+        for name, book in self.books.items():
+            for title in book.titles:
+                if f"]({name}.md#{anchor(title)})" not in text:
+                    self.problems.append(f"docs/openr/README.md: no link to {name}.md, '{title}'")
+
+    def files(self):
+        for folder in FOLDERS:
+            for file in sorted((self.root / folder).rglob("*")):
+                if file.suffix in SUFFIXES and file.is_file() and not file.is_symlink():
+                    yield file
+        yield from sorted(self.root.glob("*.md"))
+
+    def run(self):
+        for file in self.files():
+            text = file.read_text(errors="replace")
+            flat = joined(text)
+            self.check_books(file, text, flat)
+            self.check_report(file, text, flat)
+            self.check_messages(file, text, flat)
+            self.check_paths(file, text)
+            if file.suffix == ".md":
+                self.check_links(file, text)
+        self.check_contents()
+        return self.problems
+
+
+def main():
+    root = Path(sys.argv[1]).resolve() if sys.argv[1:] else Path(__file__).resolve().parent.parent
+    problems = Checker(root).run()
+    for problem in problems:
+        print(problem)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
