@@ -11,6 +11,8 @@ import re
 import sys
 from pathlib import Path
 
+from citations import PLACE, Book
+
 ROOT = Path(__file__).resolve().parent.parent
 STATEMENTS = sorted((ROOT / "tests/conformance").glob("statements*.tsv"))
 TABLE = ROOT / "docs/conformance.md"
@@ -18,7 +20,7 @@ STATUSES = ("ok", "chosen", "open")
 
 HEAD = """# Conformance
 
-What the references on OPEN-R say, and the test that holds it. Made by `tools/conformance_table.py` of
+What the [reference on OPEN-R](openr/README.md) says, and the test that holds it. Made by `tools/conformance_table.py` of
 `tests/conformance/statements*.tsv`; do not edit.
 
 *ok*: the test proves the statement. *chosen*: no source settles it, the test holds our choice. *open*: not done.
@@ -58,14 +60,24 @@ def read_statements(problems):
     return sections
 
 
+def with_links(source, books):
+    """The source of a statement with a link for the first place in each book."""
+    def link(found):
+        name, place = found[1], found[2]
+        target = books[name].anchor_of(place) if name in books and place else ""
+        return f"[{found[0]}](openr/{name}.md{'#' if target else ''}{target})" if name in books else found[0]
+    return re.sub(rf"\b([\w-]+)\.md(?: ({PLACE}))?", link, source)
+
+
 def render(sections):
+    books = {file.stem: Book(file.read_text()) for file in (ROOT / "docs/openr").glob("*.md")}
     rows = [row for _, rows in sections for row in rows]
     counts = ", ".join(f"{sum(row[3] == status for row in rows)} {status}" for status in STATUSES)
     text = f"{HEAD}\n{len(rows)} statements: {counts}.\n"
     for title, rows in sections:
         text += f"\n## {title}\n\n| statement | source | test | status |\n|---|---|---|---|\n"
         for statement, source, tests, status in rows:
-            text += f"| {statement} | {source} | {'<br>'.join(tests)} | {status} |\n"
+            text += f"| {statement} | {with_links(source, books)} | {'<br>'.join(tests)} | {status} |\n"
     return text
 
 
