@@ -83,6 +83,8 @@ files 'cc|h|c|idl|py|sh' openr runtime virtualrobot distribution objects example
 python3 tools/sdk_surface.py | rule 'objects/ and examples/ use what the robot has (tools/sdk_surface.py)'
 python3 tools/conformance_table.py --check |
   rule 'docs/conformance.md is made of tests/conformance/statements.tsv'
+python3 tools/citations.py |
+  rule 'citations of docs/openr and docs/report.md lead to a place that exists (tools/citations.py)'
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
