@@ -97,8 +97,8 @@ TEST_F(EndingTest, TheReportOfACrashKnowsTheProcesses) {
 
 // It would have the state of its objects.
 TEST_F(EndingTest, AStoppedProcessDoesNotCostTheReport) {
-  ProgramRun run(RunThat("halfhang") + Words{"--handler-limit", "2s"});
-  ASSERT_TRUE(run.WaitFor("half a line")) << run.heard();
+  ProgramRun run(RunThat("sayhang") + Words{"--handler-limit", "2s"});
+  ASSERT_TRUE(run.WaitFor("it hangs now")) << run.heard();
   const pid_t child = ChildrenOf(run.pid()).at(0);
   kill(child, SIGSTOP);
   const ProgramResult& result = run.Finish();

@@ -74,6 +74,9 @@ Trouble::DoStart(const OSystemEvent&)
     }
     if (strcmp(word, "hang") == 0) {
         for (;;) sink = 1 - sink;
+    } else if (strcmp(word, "sayhang") == 0) {
+        OSYSPRINT(("it hangs now\n"));
+        for (;;) sink = 1 - sink;
     } else if (strcmp(word, "flood") == 0) {
         for (;;) OSYSPRINT(("x"));
     } else if (strcmp(word, "crash") == 0) {
