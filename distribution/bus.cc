@@ -19,13 +19,13 @@ namespace {
 
 // Samples in a packet, and taken at once.  With more, the end that gets them has nothing to do
 // while the other one makes them.
-constexpr int kTogetherMax = 4;
-constexpr int kSpareBytes = 64 << 20;
-constexpr int kBlockMax = 4 << 20;
+constexpr int kSamplesPerPacketMax = 4;
+constexpr int kTrimThresholdBytes = 64 << 20;
+constexpr int kMmapThresholdBytes = 4 << 20;
 
 // There is one message under way for each object.  With so much room Cyclone DDS asks for
 // acknowledgements at this interval only.
-constexpr char kRoom[] =
+constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
     "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>";
@@ -49,8 +49,8 @@ class SignalsBlocked {
 // Samples of images come and go: the pages of one are for the next, not for the kernel to take back
 // and fill with zeros again.
 void KeepMemory() {
-  mallopt(M_TRIM_THRESHOLD, kSpareBytes);
-  mallopt(M_MMAP_THRESHOLD, kBlockMax);
+  mallopt(M_TRIM_THRESHOLD, kTrimThresholdBytes);
+  mallopt(M_MMAP_THRESHOLD, kMmapThresholdBytes);
 }
 
 // An address that cannot be reached is news once, not with each packet to it.
@@ -64,7 +64,7 @@ void Log(void*, const dds_log_data_t* data) {
 
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
-std::string Settings(const BusOptions& options) {
+std::string SettingsXml(const BusOptions& options) {
   std::string peers = fmt::format("<Peer address=\"{}\"/>", options.address);
   for (const std::string& peer : options.peers)
     peers += fmt::format("<Peer address=\"{}\"/>", peer);
@@ -80,13 +80,13 @@ std::string Settings(const BusOptions& options) {
       "</Internal>"
       "</Domain></CycloneDDS>",
       options.address, LeaseOf(options), options.participants_max, peers, kSampleMax_MB,
-      options.has_room ? kRoom : "");
+      options.has_room ? kLargeHistory : "");
   if (!options.config_file.empty()) text += ",file://" + options.config_file;
   return text;
 }
 
 // Reliable, in order, nothing thrown away; in the partition of run and process.
-dds_qos_t* QosOf(const std::string& partition) {
+dds_qos_t* ChannelQos(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(10));
   dds_qset_history(qos, DDS_HISTORY_KEEP_ALL, 0);
@@ -102,7 +102,7 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   KeepMemory();
   dds_set_log_sink(&Log, nullptr);
   const auto domain = static_cast<dds_domainid_t>(options.domain);
-  domain_ = Check(dds_create_domain(domain, Settings(options).c_str()), "domain");
+  domain_ = Check(dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
   participant_ = dds_create_participant(domain, nullptr, nullptr);
   if (participant_ < 0) dds_delete(domain_);
   Check(participant_, "participant");
@@ -141,7 +141,7 @@ LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTo
   };
   const dds_entity_t down = topic(topics.down, topics.down_name);
   const dds_entity_t up = topic(topics.up, topics.up_name);
-  dds_qos_t* const qos = QosOf(bus->run() + "/" + place);
+  dds_qos_t* const qos = ChannelQos(bus->run() + "/" + place);
   const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
@@ -178,7 +178,7 @@ void LineBase::Flush(int timeout_ms) { dds_wait_for_acks(writer_, DDS_MSECS(time
 
 void LineBase::WriteSoon(const void* sample) {
   Check(dds_write(writer_, sample), "write");
-  if (++unsent_count_ == kTogetherMax) SendOff();
+  if (++unsent_count_ == kSamplesPerPacketMax) SendOff();
 }
 
 void LineBase::Write(const void* sample) {
@@ -207,15 +207,15 @@ void* LineBase::Take(int timeout_ms) {
 }
 
 void LineBase::TakeMore() {
-  while (blank_.size() < kTogetherMax) {
+  while (blank_.size() < kSamplesPerPacketMax) {
     blank_.push_back(dds_alloc(type_->m_size));
     std::memset(blank_.back(), 0, type_->m_size);
   }
-  void* samples[kTogetherMax];
-  dds_sample_info_t infos[kTogetherMax];
-  std::copy_n(blank_.rbegin(), kTogetherMax, samples);
-  const uint32_t wanted = last_bulk_ < kBulk ? kTogetherMax : 1;
-  const int count = Check(dds_take(reader_, samples, infos, kTogetherMax, wanted), "take");
+  void* samples[kSamplesPerPacketMax];
+  dds_sample_info_t infos[kSamplesPerPacketMax];
+  std::copy_n(blank_.rbegin(), kSamplesPerPacketMax, samples);
+  const uint32_t wanted = last_bulk_ < kBulk ? kSamplesPerPacketMax : 1;
+  const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   blank_.resize(blank_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
     if (infos[i].valid_data) {

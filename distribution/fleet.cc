@@ -16,9 +16,9 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kLookNs = 10'000'000;  // between looks at processes in a free run
-constexpr int64_t kEndMs = 5'000;        // for a process to end when it is told
-constexpr int64_t kInterruptedMs = 500;
+constexpr int64_t kHealthIntervalNs = 10'000'000;  // between looks at processes in a free run
+constexpr int64_t kExitWaitMs = 5'000;             // for a process to end when it is told
+constexpr int64_t kInterruptedExitWaitMs = 500;
 
 // In lockstep the run waits for a process that is stopped.
 BusOptions BusOf(const FleetOptions& options) {
@@ -275,8 +275,8 @@ void Fleet::Pump(int64_t timeout_us) {
     TakeWhatCame();
   }
   const int64_t now_ns = Latency::NowNs();
-  const bool is_time = now_ns >= next_look_ns_;
-  if (is_time) next_look_ns_ = now_ns + kLookNs;
+  const bool is_time = now_ns >= next_check_ns_;
+  if (is_time) next_check_ns_ = now_ns + kHealthIntervalNs;
   for (auto& [name, member] : members_) {
     RemoteProcess& process = *member.process;
     Tend(&member);
@@ -352,7 +352,7 @@ void Fleet::End() {
   for (auto& [name, member] : members_) {
     // One that has not come yet has not heard it.
     const bool has_come = member.process->facts().pid != 0;
-    const int64_t limit_ms = IsInterrupted() ? kInterruptedMs : kEndMs;
+    const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);
   }
 }

@@ -168,8 +168,8 @@ class Fleet {
   std::unique_ptr<NameClaim> claim_;  // if somebody else starts processes
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  int64_t next_look_ns_ = 0;  // after processes, in a free run
-  std::string problem_;       // the first, before Boot()
+  int64_t next_check_ns_ = 0;  // after processes, in a free run
+  std::string problem_;        // the first, before Boot()
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;

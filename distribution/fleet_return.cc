@@ -12,12 +12,10 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kRecordMs = 5'000;   // for a process that crashed to write its record
-constexpr int64_t kPauseMs = 1'000;    // after an attempt that failed
-constexpr int64_t kSilenceMs = 2'000;  // before people are told
-constexpr int kLookUs = 1'000;
-
-int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
+constexpr int64_t kCrashRecordMs = 5'000;   // for a process that crashed to write its record
+constexpr int64_t kRetryPauseMs = 1'000;    // after an attempt that failed
+constexpr int64_t kReturnNoticeMs = 2'000;  // before people are told
+constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
 
@@ -28,7 +26,7 @@ bool Fleet::MayComeBack(const Member& member) const {
 
 void Fleet::Enter(Member* member, Stage stage) {
   member->stage = stage;
-  member->since_ms = NowMs();
+  member->since_ms = Latency::NowMs();
   member->is_told = false;
 }
 
@@ -79,16 +77,16 @@ void Fleet::CheckArrival(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
   if (member->stage == Stage::kComing && member->has_door && options_.is_free) return;
-  const int64_t waited_ms = NowMs() - member->since_ms;
+  const int64_t waited_ms = Latency::NowMs() - member->since_ms;
   if (waited_ms > options_.wait_ms)
     throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
                                   options_.wait_ms / 1000));
-  if (member->is_told || waited_ms < kSilenceMs) return;
+  if (member->is_told || waited_ms < kReturnNoticeMs) return;
   member->is_told = true;
   options_.say(
       fmt::format("process '{}' has not come back for {} s: not started, stopped, or busy; it has "
                   "{} s (--join-wait)",
-                  member->name, kSilenceMs / 1000, options_.wait_ms / 1000));
+                  member->name, kReturnNoticeMs / 1000, options_.wait_ms / 1000));
 }
 
 // It did not make it this time.
@@ -103,9 +101,9 @@ void Fleet::GiveUp(Member* member, const std::string& why) {
 
 void Fleet::StartAgain(Member* member) {
   if (!member->is_put_away || !system_->booted()) return;
-  if (member->has_failed && NowMs() - member->since_ms < kPauseMs) return;
+  if (member->has_failed && Latency::NowMs() - member->since_ms < kRetryPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
-    if (member->crashed && NowMs() - member->since_ms < kRecordMs) return;
+    if (member->crashed && Latency::NowMs() - member->since_ms < kCrashRecordMs) return;
     member->child.reset();  // cut off, or stopped
   }
   if (!MayComeBack(*member)) {
@@ -198,7 +196,7 @@ bool Fleet::TendAll() {
 
 // In lockstep.  Not for news: those of the others are not read here.
 void Fleet::WaitForReturns() {
-  while (system_->booted() && !IsEnding() && TendAll()) usleep(kLookUs);
+  while (system_->booted() && !IsEnding() && TendAll()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {
     if (member.stage != Stage::kGone || member.crashed || system_->powered_off()) continue;
     system_->AddFindingAbout(member.objects.begin()->second, Severity::kError,

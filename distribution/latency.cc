@@ -8,18 +8,18 @@
 namespace openr_host {
 namespace {
 
-constexpr int kPerOctave = 16;
+constexpr int kBucketsPerOctave = 16;
 
 size_t BucketOf(int64_t ns) {
-  const auto value = static_cast<uint64_t>(std::max<int64_t>(ns, kPerOctave));
+  const auto value = static_cast<uint64_t>(std::max<int64_t>(ns, kBucketsPerOctave));
   const int octave = std::bit_width(value) - 1;
-  const uint64_t step = (value >> (octave - 4)) & (kPerOctave - 1);
-  return static_cast<size_t>(octave) * kPerOctave + step;
+  const uint64_t step = (value >> (octave - 4)) & (kBucketsPerOctave - 1);
+  return static_cast<size_t>(octave) * kBucketsPerOctave + step;
 }
 
 double UpperNs(size_t bucket) {
-  const double octave = std::ldexp(1.0, static_cast<int>(bucket / kPerOctave));
-  return octave * (1 + static_cast<double>(bucket % kPerOctave + 1) / kPerOctave);
+  const double octave = std::ldexp(1.0, static_cast<int>(bucket / kBucketsPerOctave));
+  return octave * (1 + static_cast<double>(bucket % kBucketsPerOctave + 1) / kBucketsPerOctave);
 }
 
 }  // namespace

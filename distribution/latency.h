@@ -8,8 +8,9 @@ namespace openr_host {
 
 class Latency {
  public:
-  // Of a clock that only goes forward.
+  // The time of a clock that only goes forward, with an arbitrary origin.
   static int64_t NowNs();
+  static int64_t NowMs() { return NowNs() / 1'000'000; }
 
   // From its making to its end.
   class Timer {

@@ -15,7 +15,7 @@ namespace openr_host {
 namespace {
 
 constexpr auto kInterval = std::chrono::seconds(1);
-constexpr double kShortest_s = 1e-3;  // time that rates are made of
+constexpr double kIntervalMin_s = 1e-3;  // time that rates are made of
 
 // Of the moment between the last word but one and the end rates say nothing.
 void KeepRates(const RunStatus& before, RunStatus* status) {
@@ -43,7 +43,7 @@ void Monitor::Speak(Clock::time_point now, bool has_ended) {
   const auto seconds = [](Clock::duration time) {
     return std::chrono::duration<double>(time).count();
   };
-  const double passed_s = std::max(seconds(now - std::exchange(spoke_, now)), kShortest_s);
+  const double passed_s = std::max(seconds(now - std::exchange(spoke_, now)), kIntervalMin_s);
   // A process that came back has objects that count anew.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);

@@ -13,9 +13,9 @@
 namespace openr_host {
 namespace {
 
-constexpr char kTopic[] = "openr_run";  // nothing is ever sent
+constexpr char kClaimTopic[] = "openr_run";  // nothing is ever sent
 constexpr size_t kSinceDigits = 20;
-constexpr size_t kRunsMax = 64;  // that are looked at
+constexpr size_t kClaimsMax = 64;  // that are looked at
 
 // "since pid on host"; as long as both wait, hosts whose clocks differ agree who gives up.
 std::string NewClaim() {
@@ -25,7 +25,7 @@ std::string NewClaim() {
 }
 
 // In the partition of the run.
-dds_qos_t* QosOf(const Bus& bus) {
+dds_qos_t* ClaimQos(const Bus& bus) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
   const char* names[] = {bus.run().c_str()};
@@ -49,24 +49,25 @@ std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
 }  // namespace
 
 NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
-  topic_ = dds_create_topic(bus->participant(), &openr_wire_Knock_desc, kTopic, nullptr, nullptr);
-  Check(topic_, kTopic);
-  dds_qos_t* const qos = QosOf(*bus);
+  topic_ =
+      dds_create_topic(bus->participant(), &openr_wire_Knock_desc, kClaimTopic, nullptr, nullptr);
+  Check(topic_, kClaimTopic);
+  dds_qos_t* const qos = ClaimQos(*bus);
   const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);
   reader_ = dds_create_reader(subscriber, topic_, qos, nullptr);
   dds_delete_qos(qos);
-  Check(reader_, kTopic);
+  Check(reader_, kClaimTopic);
   Announce(own_);
 }
 
 // A writer whose user data is the claim; claims that were announced before stay.
 void NameClaim::Announce(const std::string& claim) {
-  dds_qos_t* const qos = QosOf(*bus_);
+  dds_qos_t* const qos = ClaimQos(*bus_);
   dds_qset_userdata(qos, claim.data(), claim.size());
   const dds_entity_t publisher = dds_create_publisher(bus_->participant(), qos, nullptr);
   const dds_entity_t writer = dds_create_writer(publisher, topic_, qos, nullptr);
   dds_delete_qos(qos);
-  Check(writer, kTopic);
+  Check(writer, kClaimTopic);
 }
 
 void NameClaim::Settle() {
@@ -76,7 +77,7 @@ void NameClaim::Settle() {
 
 std::string NameClaim::Elder() const {
   if (is_settled_) return "";
-  std::vector<dds_instance_handle_t> writers(kRunsMax);
+  std::vector<dds_instance_handle_t> writers(kClaimsMax);
   const dds_return_t count = dds_get_matched_publications(reader_, writers.data(), writers.size());
   for (size_t i = 0; i < writers.size() && static_cast<dds_return_t>(i) < count; ++i) {
     const std::string claim = ClaimOf(reader_, writers[i]);

@@ -16,16 +16,14 @@
 namespace openr_host {
 namespace {
 
-constexpr int kSliceMs = 10;           // between looks at the process
-constexpr int64_t kKnockMs = 300;      // for one that is there to be heard
-constexpr int kLastWordMs = 50;        // for what it said before its end to come
-constexpr int64_t kHasteMs = 500;      // for an answer when the run is being brought down
-constexpr int kEndMs = 1'000;          // for a process to hear that the run is over
-constexpr int64_t kSilenceMs = 2'000;  // before people are told
+constexpr int kWorkerPollMs = 10;         // between looks at the process
+constexpr int64_t kJoinNoticeMs = 300;    // for one that is there to be heard
+constexpr int kGoodbyeWaitMs = 50;        // for what it said before its end to come
+constexpr int64_t kShortTimeoutMs = 500;  // for an answer when the run is being brought down
+constexpr int kEndFlushMs = 1'000;        // for a process to hear that the run is over
+constexpr int64_t kSilenceMs = 2'000;     // before people are told
 // Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
-constexpr uint64_t kFirstFreeBox = uint64_t{1} << 40;
-
-int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
+constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
 
@@ -74,8 +72,8 @@ bool RemoteProcess::MoreGoesOut() const {
 
 RemoteProcess::Loan RemoteProcess::Next() {
   bool told = false;
-  for (int64_t silent_ms = 0;; silent_ms += kSliceMs) {
-    Loan up = seat_.line()->Receive(kSliceMs);
+  for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
+    Loan up = seat_.line()->Receive(kWorkerPollMs);
     if (up) {
       HearOfEnd(*up);
       if (told) say_(fmt::format("process '{}' answers again", name_));
@@ -83,14 +81,14 @@ RemoteProcess::Loan RemoteProcess::Next() {
     }
     const std::string problem = WhatIsWrong();
     if (!problem.empty()) {  // its last word may be on the way still
-      Loan last = seat_.line()->Receive(kLastWordMs);
+      Loan last = seat_.line()->Receive(kGoodbyeWaitMs);
       if (last) {
         HearOfEnd(*last);
         return last;
       }
       throw ProcessLost(problem);
     }
-    if (is_in_haste_ && silent_ms >= kHasteMs)
+    if (is_in_haste_ && silent_ms >= kShortTimeoutMs)
       throw ProcessLost(
           fmt::format("process '{}' (pid {}) did not answer when the run was brought "
                       "down",
@@ -118,7 +116,7 @@ std::string RemoteProcess::WhatIsWrong() const {
 std::string RemoteProcess::WhyItIsGone() {
   std::string problem = WhatIsWrong();
   try {
-    if (const Loan last = seat_.line()->Receive(problem.empty() ? 0 : kLastWordMs))
+    if (const Loan last = seat_.line()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
       HearOfEnd(*last);
   } catch (const ProcessLost& lost) {
     return lost.what();
@@ -139,7 +137,7 @@ void RemoteProcess::HearOfEnd(const openr_wire_Up& up) const {
 void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
                                  const std::function<bool()>& is_ending) {
   const std::string then = advice.empty() ? "" : "; " + advice;
-  for (int64_t waited_ms = 0; !seat_.Arrive(kSliceMs); waited_ms += kSliceMs) {
+  for (int64_t waited_ms = 0; !seat_.Arrive(kWorkerPollMs); waited_ms += kWorkerPollMs) {
     if (is_ending())
       throw ProcessLost(
           fmt::format("process '{}' had not come when the run was interrupted", name_));
@@ -148,7 +146,7 @@ void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
     if (waited_ms >= limit_ms)
       throw ProcessLost(
           fmt::format("process '{}' did not come within {} s{}", name_, limit_ms / 1000, then));
-    if (waited_ms == (advice.empty() ? kSilenceMs : kKnockMs))
+    if (waited_ms == (advice.empty() ? kSilenceMs : kJoinNoticeMs))
       say_(fmt::format("waiting for process '{}' ({} s){}", name_, limit_ms / 1000, then));
   }
 }
@@ -275,17 +273,17 @@ uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
 }
 
 void RemoteProcess::TakeHeap(int robot, uint64_t bytes) {
-  constexpr uint64_t kMost = uint64_t{1} << 40;  // more is not believed
-  if (bytes > kMost) Refuse("a heap that is too large");
+  constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;  // more is not believed
+  if (bytes > kHeapMaxBytes) Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_there_[robot], bytes);
 }
 
 // Nothing when the process was lost meanwhile.
 std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object) {
   const uint64_t session = session_;
-  const uint64_t box = kFirstFreeBox + ++free_boxes_;
+  const uint64_t box = kFirstWakeBox + ++free_boxes_;
   object->boxes.insert(box);
-  if (under_way_.empty()) heard_ms_ = NowMs();
+  if (under_way_.empty()) heard_ms_ = Latency::NowMs();
   under_way_[object->id] = box;
   bool timed_out = false;
   Message* const wake = system_->AwaitReply(box, -1, handler_wait_, &timed_out);
@@ -319,14 +317,14 @@ bool RemoteProcess::TakeWhatCame() {
     }
   });
   if (!came) return false;
-  heard_ms_ = NowMs();
+  heard_ms_ = Latency::NowMs();
   if (std::exchange(is_silent_, false)) say_(fmt::format("process '{}' answers again", name_));
   return true;
 }
 
 // Of one that has something to do.
 void RemoteProcess::LookForSilence() {
-  if (under_way_.empty() || is_silent_ || NowMs() - heard_ms_ < kSilenceMs) return;
+  if (under_way_.empty() || is_silent_ || Latency::NowMs() - heard_ms_ < kSilenceMs) return;
   is_silent_ = true;
   say_(
       fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the others "
@@ -339,7 +337,7 @@ void RemoteProcess::LookAfter() {
   NoteLoss([this] {
     const std::string problem = WhatIsWrong();
     if (problem.empty()) return;
-    if (const Loan last = seat_.line()->Receive(kLastWordMs))
+    if (const Loan last = seat_.line()->Receive(kGoodbyeWaitMs))
       return TakeFree(*last);  // its last word
     throw ProcessLost(problem);
   });
@@ -443,7 +441,7 @@ void RemoteProcess::End(const std::string& why) {
   down.body._u.ended = {false, arena.Text(why)};
   try {
     Send(down);
-    seat_.line()->Flush(kEndMs);
+    seat_.line()->Flush(kEndFlushMs);
   } catch (const ProcessLost&) {
     is_lost_ = true;
   }

@@ -11,12 +11,10 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kComingMs = 5'000;  // for one that has been given a session to take it
-constexpr size_t kKnockNameMax = 256;
-constexpr int64_t kLookMs = 100;  // between looks at a process
-constexpr size_t kLeftMax = 4;
-
-int64_t NowMs() { return Latency::NowNs() / 1'000'000; }
+constexpr int64_t kSessionClaimMs = 5'000;  // for one that has been given a session to take it
+constexpr size_t kRequesterIdMax = 256;
+constexpr int64_t kLivenessIntervalMs = 100;  // between looks at a process
+constexpr size_t kAbandonedMax = 4;
 
 }  // namespace
 
@@ -56,7 +54,7 @@ void Seat::Open(const std::string& session) {
 
 void Seat::Leave() {
   if (has_arrived_ && door_ != nullptr && !line_->IsConnected() && !pulse_.HasEnded()) {
-    if (left_.size() == kLeftMax) left_.erase(left_.begin());
+    if (left_.size() == kAbandonedMax) left_.erase(left_.begin());
     left_.push_back({std::move(line_)});
   }
   line_.reset();
@@ -82,8 +80,8 @@ void Seat::TellTheLeft() {
 
 // The kernel is not asked in each frame of a run that is fast.
 bool Seat::HasEnded() const {
-  if (!has_arrived_ || NowMs() < next_look_ms_) return false;
-  next_look_ms_ = NowMs() + kLookMs;
+  if (!has_arrived_ || Latency::NowMs() < next_check_ms_) return false;
+  next_check_ms_ = Latency::NowMs() + kLivenessIntervalMs;
   return pulse_.HasEnded();
 }
 
@@ -93,7 +91,7 @@ void Seat::AnswerKnock(const openr_wire_Knock& knock) {
   WireArena arena;
   openr_wire_Admit admit{};
   const std::string id = StringOf(knock.id);
-  if (id.size() > kKnockNameMax) return;
+  if (id.size() > kRequesterIdMax) return;
   admit.id = arena.Text(id);
   admit.session = arena.Text("");
   admit.refusal = arena.Text("");
@@ -109,13 +107,13 @@ void Seat::AnswerKnock(const openr_wire_Knock& knock) {
     admit.session = arena.Text(kTakenSession);
     admit.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                            process_, facts_.pid, facts_.host));
-  } else if (line_ != nullptr && knock_ != id && NowMs() - opened_ms_ < kComingMs) {
+  } else if (line_ != nullptr && knock_ != id && Latency::NowMs() - opened_ms_ < kSessionClaimMs) {
     return;  // it will knock again
   } else {
     if (line_ == nullptr || knock_ != id) {
       session_ = NewSessionName();
       Open(session_);
-      opened_ms_ = NowMs();
+      opened_ms_ = Latency::NowMs();
       knock_ = id;
     }
     admit.session = arena.Text(session_);
@@ -138,7 +136,7 @@ bool Seat::TakeHello(int timeout_ms) {
   facts_ = {StringOf(hello.host), hello.pid};
   // Who was started by the run is watched by its parent, which knows more.
   if (door_ != nullptr) pulse_ = Pulse(StringOf(hello.machine), hello.pid);
-  next_look_ms_ = 0;
+  next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
     throw ProcessLost(
         fmt::format("process '{}' (pid {}) speaks version {}, this is version {}; is "

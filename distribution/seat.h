@@ -94,7 +94,7 @@ class Seat {
   Facts facts_;
   Facts before_;
   Pulse pulse_;
-  mutable int64_t next_look_ms_ = 0;  // after the process
+  mutable int64_t next_check_ms_ = 0;  // after the process
 };
 
 }  // namespace openr_host

@@ -9,14 +9,14 @@
 namespace openr_host {
 namespace {
 
-constexpr char kTopic[] = "openr_status";
-constexpr int kRunsMax = 256;  // of which the newest is kept
+constexpr char kStatusTopic[] = "openr_status";
+constexpr int kStatusRunsMax = 256;  // of which the newest is kept
 
-dds_qos_t* QosOf(const std::string& partition) {
+dds_qos_t* StatusQos(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_BEST_EFFORT, 0);
   dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 1);
-  dds_qset_resource_limits(qos, DDS_LENGTH_UNLIMITED, kRunsMax, 1);
+  dds_qset_resource_limits(qos, DDS_LENGTH_UNLIMITED, kStatusRunsMax, 1);
   const char* names[] = {partition.c_str()};
   dds_qset_partition(qos, 1, names);
   return qos;
@@ -29,14 +29,14 @@ using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
 // An end of the topic in the partition of the bus's run.  The group has the partition, which is a
 // publisher's or subscriber's.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
-  const dds_entity_t topic =
-      dds_create_topic(bus->participant(), &openr_status_Status_desc, kTopic, nullptr, nullptr);
+  const dds_entity_t topic = dds_create_topic(bus->participant(), &openr_status_Status_desc,
+                                              kStatusTopic, nullptr, nullptr);
   Check(topic, "topic");
-  dds_qos_t* const qos = QosOf(bus->run());
+  dds_qos_t* const qos = StatusQos(bus->run());
   const dds_entity_t group = new_group(bus->participant(), qos, nullptr);
   const dds_entity_t end = new_end(group, topic, qos, nullptr);
   dds_delete_qos(qos);
-  return Check(end, kTopic);
+  return Check(end, kStatusTopic);
 }
 
 // As much of it as the type has room for.
@@ -166,7 +166,7 @@ StatusReader::StatusReader(Bus* bus)
 
 std::vector<RunStatus> StatusReader::Take() {
   std::vector<RunStatus> all;
-  for (int i = 0; i < kRunsMax; ++i) {
+  for (int i = 0; i < kStatusRunsMax; ++i) {
     void* sample = nullptr;
     dds_sample_info_t info;
     if (dds_take(reader_, &sample, &info, 1, 1) != 1) break;

@@ -19,13 +19,13 @@
 namespace openr_host {
 namespace {
 
-constexpr int kSliceMs = 100;         // between looks at whether the master is there
-constexpr int kGoodbyeMs = 1'000;     // for the master to hear it
-constexpr int kLastWordMs = 3'000;    // the same: it is not known otherwise
-constexpr int64_t kQuickNs = 50'000;  // of a handler for which the news of others may wait
-constexpr int kKnockMs = 1'000;       // between knocks
+constexpr int kMasterPollMs = 100;          // between looks at whether the master is there
+constexpr int kGoodbyeFlushMs = 1'000;      // for the master to hear it
+constexpr int kCrashFlushMs = 3'000;        // the same: it is not known otherwise
+constexpr int64_t kFastHandlerNs = 50'000;  // of a handler for which the news of others may wait
+constexpr int kJoinRetryMs = 1'000;         // between knocks
 
-constexpr char kGivenUp[] = "the run could not reach it and goes on without";
+constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Worker::Loan Worker::Next(bool answer) {
     return loan;
   }
   for (;;) {
-    Loan loan = line_->Receive(kSliceMs);
+    Loan loan = line_->Receive(kMasterPollMs);
     if (!loan) {
       if (!line_->IsConnected() || (!answer && IsEnded())) return loan;
       continue;
@@ -97,10 +97,10 @@ std::string Worker::Knock() {
                                   getpid()};
   std::string taken;  // why it has to wait
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEnded();
-       waited_ms += kKnockMs) {
+       waited_ms += kJoinRetryMs) {
     if (!WaitFor(door)) return NoRun();
     door.Send(knock);  // again and again: whom it hears may be at its end
-    const auto admit = door.Receive(kKnockMs);
+    const auto admit = door.Receive(kJoinRetryMs);
     if (!admit || StringOf(admit->id) != id) continue;
     session_ = StringOf(admit->session);
     if (session_ == kTakenSession) {
@@ -108,7 +108,7 @@ std::string Worker::Knock() {
       if (taken.empty())
         options_.say(StringOf(admit->refusal) + "; this one waits until it is gone");
       taken = StringOf(admit->refusal);
-      usleep(kKnockMs * 1000);
+      usleep(kJoinRetryMs * 1000);
       continue;
     }
     is_refused_ = session_.empty();
@@ -183,7 +183,7 @@ void Worker::SayGoodbye(const std::string& text) {
   up.body._u.left = {is_refused_, arena_.Text(text)};
   try {
     line_->Send(up);
-    line_->Flush(kGoodbyeMs);
+    line_->Flush(kGoodbyeFlushMs);
   } catch (const std::exception&) {  // the run sees that this process ends
   }
 }
@@ -197,7 +197,7 @@ void Worker::SayThatItJoined() {
 
 void Worker::SayThatItIsOver(const openr_wire_End& end) {
   if (end.without_you) {
-    options_.say(kGivenUp);
+    options_.say(kAbandonedText);
   } else if (options_.session.empty() && StringOf(end.why) != "") {
     options_.say("the run is over, " + StringOf(end.why));
   }
@@ -229,7 +229,7 @@ std::string Worker::Serve() {
         Forget(down->body._u.forgotten);
         break;
       case openr_wire_DOWN_END:
-        if (down->body._u.ended.without_you) return kGivenUp;
+        if (down->body._u.ended.without_you) return kAbandonedText;
         SayThatItIsOver(down->body._u.ended);
         return "";
       case openr_wire_DOWN_WELCOME:
@@ -273,7 +273,7 @@ void Worker::RunTimed(ObjectId id) {
   if (!quick_.contains(id)) line_->SendOff();
   const int64_t begin_ns = Latency::NowNs();
   system_->RunMessages(1);
-  if (Latency::NowNs() - begin_ns < kQuickNs) {
+  if (Latency::NowNs() - begin_ns < kFastHandlerNs) {
     quick_.insert(id);
   } else {
     quick_.erase(id);
@@ -337,7 +337,7 @@ void Worker::TellCrash(std::string_view text) {
   up.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                         arena.Text(text)};
   Send(up);
-  line_->Flush(kLastWordMs);  // nobody sends it again when this process is gone
+  line_->Flush(kCrashFlushMs);  // nobody sends it again when this process is gone
 }
 
 void Worker::SendState(ObjectId id) {
