@@ -57,7 +57,7 @@ std::string Fleet::WhatIsWrongWith(const Member& member) const {
 
 void Fleet::Start(Member* member) {
   const std::string session = NewSessionName();
-  member->process->seat().Open(session);
+  member->process->slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
   command.insert(command.end(), options_.command.begin(), options_.command.end());
   command.insert(command.end(), {"--process", member->name, "--session", session});
@@ -205,7 +205,7 @@ void Fleet::LoadMore(Member* member) {
 // With another stick than that of the run, say: somebody may have the right one.
 void Fleet::WaitForAnother(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
-  member->process->seat().Leave();
+  member->process->slot().Abandon();
   member->is_welcome = false;
   member->robots = member->known = 0;
 }
@@ -244,7 +244,7 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
     return StopTheRun({EndKind::kLostProcess, text});
   }
   if (member->crashed)  // else it is named already
-    text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.facts().pid);
+    text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayComeBack(*member);
   text += waits ? "; the run waits for it to come back" : "; the others go on";
   options_.say(text);
@@ -321,8 +321,8 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
   std::vector<ProcessFacts> all;
   for (const auto& [name, member] : members_) {
     ProcessFacts facts{name,
-                       member.process->seat().last().host,
-                       member.process->seat().last().pid,
+                       member.process->slot().last_identity().host,
+                       member.process->slot().last_identity().pid,
                        {},
                        member.lost,
                        member.losses,
@@ -351,7 +351,7 @@ void Fleet::End() {
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
     // One that has not come yet has not heard it.
-    const bool has_come = member.process->facts().pid != 0;
+    const bool has_come = member.process->identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);
   }

@@ -51,13 +51,13 @@ void Fleet::Tend(Member* member, bool is_its_turn) {
     switch (member->stage) {
       case Stage::kThere:
       case Stage::kGone:
-        process.seat().SendOthersAway();
+        process.slot().RefuseOtherRequests();
         return;
       case Stage::kLeaving:
         StartAgain(member);
         return;
       case Stage::kComing:
-        if (!process.seat().Arrive(0)) break;
+        if (!process.slot().AwaitJoin(0)) break;
         if (is_its_turn) TakeIn(member);
         return;
       case Stage::kLoading:
@@ -94,7 +94,7 @@ void Fleet::GiveUp(Member* member, const std::string& why) {
   options_.say(why);
   member->lost = why;
   member->fresh.clear();
-  member->process->seat().Leave();
+  member->process->slot().Abandon();
   member->has_failed = true;
   Enter(member, Stage::kLeaving);
 }
@@ -110,7 +110,7 @@ void Fleet::StartAgain(Member* member) {
     if (options_.restarts > 0)
       options_.say(fmt::format("process '{}' is not started again: it was {} times", member->name,
                                options_.restarts));
-    member->process->seat().Shut();
+    member->process->slot().Close();
     Enter(member, Stage::kGone);
     return;
   }
@@ -171,7 +171,7 @@ void Fleet::Replaced(ObjectId id) {
     options_.say(
         fmt::format("process '{}' is back (pid {} on {}); {} messages came meanwhile and "
                     "were not heard",
-                    name, member.process->facts().pid, member.process->facts().host,
+                    name, member.process->identity().pid, member.process->identity().host,
                     unheard - member.unheard_before));
     if (!return_listener_) continue;
     for (const auto& [new_id, object] : member.objects) return_listener_(object);

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "distribution/fleet.h"
+#include "distribution/process_slot.h"
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
-#include "distribution/seat.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "distribution/dds_check.h"
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 
 namespace openr_host {
 namespace {

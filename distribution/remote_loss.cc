@@ -60,7 +60,7 @@ void RemoteProcess::Lose() {
   under_way_.clear();
   stops_.clear();
   is_silent_ = false;
-  seat_.Leave();
+  slot_.Abandon();
 }
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {

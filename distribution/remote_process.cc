@@ -34,11 +34,11 @@ RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool has_door,
       health_(std::move(health)),
       say_(std::move(say)),
       handler_wait_(fmt::format("its handler in process '{}'", name_)),
-      seat_(bus, name_, has_door) {}
+      slot_(bus, name_, has_door) {}
 
 void RemoteProcess::Refuse(const std::string& what) {
   throw ProcessLost(fmt::format("process '{}' (pid {}) sent {}; is it the same openr?", name_,
-                                facts().pid, what));
+                                identity().pid, what));
 }
 
 openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
@@ -48,18 +48,18 @@ openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
 }
 
 void RemoteProcess::Send(const openr_wire_Down& down, bool soon) {
-  if (seat_.line() == nullptr) throw ProcessLost(fmt::format("process '{}' is not there", name_));
+  if (slot_.line() == nullptr) throw ProcessLost(fmt::format("process '{}' is not there", name_));
   try {
-    if (soon) return seat_.line()->SendSoon(down);
-    seat_.line()->Send(down);
+    if (soon) return slot_.line()->SendSoon(down);
+    slot_.line()->Send(down);
   } catch (const std::runtime_error& error) {  // nobody takes it, or DDS has no room
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
-                                  facts().pid, error.what()));
+                                  identity().pid, error.what()));
   }
 }
 
 void RemoteProcess::SendOff() {
-  if (seat_.line() != nullptr) seat_.line()->SendOff();
+  if (slot_.line() != nullptr) slot_.line()->SendOff();
 }
 
 // What is done next is sent to a process, too, and does not keep what is sent now waiting.
@@ -73,7 +73,7 @@ bool RemoteProcess::MoreGoesOut() const {
 RemoteProcess::Loan RemoteProcess::Next() {
   bool told = false;
   for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
-    Loan up = seat_.line()->Receive(kWorkerPollMs);
+    Loan up = slot_.line()->Receive(kWorkerPollMs);
     if (up) {
       HearOfEnd(*up);
       if (told) say_(fmt::format("process '{}' answers again", name_));
@@ -81,7 +81,7 @@ RemoteProcess::Loan RemoteProcess::Next() {
     }
     const std::string problem = WhatIsWrong();
     if (!problem.empty()) {  // its last word may be on the way still
-      Loan last = seat_.line()->Receive(kGoodbyeWaitMs);
+      Loan last = slot_.line()->Receive(kGoodbyeWaitMs);
       if (last) {
         HearOfEnd(*last);
         return last;
@@ -92,31 +92,31 @@ RemoteProcess::Loan RemoteProcess::Next() {
       throw ProcessLost(
           fmt::format("process '{}' (pid {}) did not answer when the run was brought "
                       "down",
-                      name_, facts().pid));
+                      name_, identity().pid));
     if (told || silent_ms < kSilenceMs) continue;
     told = true;
     say_(
         fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the run "
                     "waits for it",
-                    name_, facts().pid, kSilenceMs / 1000));
+                    name_, identity().pid, kSilenceMs / 1000));
   }
 }
 
 std::string RemoteProcess::WhatIsWrong() const {
   std::string problem = health_();
-  if (problem.empty() && seat_.HasEnded())
+  if (problem.empty() && slot_.HasEnded())
     problem = fmt::format("process '{}' (pid {} on {}) is not there any more: killed, or ended",
-                          name_, facts().pid, facts().host);
-  if (problem.empty() && !seat_.line()->IsConnected())
+                          name_, identity().pid, identity().host);
+  if (problem.empty() && !slot_.line()->IsConnected())
     problem = fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
-                          facts().pid, facts().host);
+                          identity().pid, identity().host);
   return problem;
 }
 
 std::string RemoteProcess::WhyItIsGone() {
   std::string problem = WhatIsWrong();
   try {
-    if (const Loan last = seat_.line()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
+    if (const Loan last = slot_.line()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
       HearOfEnd(*last);
   } catch (const ProcessLost& lost) {
     return lost.what();
@@ -128,8 +128,8 @@ std::string RemoteProcess::WhyItIsGone() {
 void RemoteProcess::HearOfEnd(const openr_wire_Up& up) const {
   if (up.body._d != openr_wire_UP_LEFT) return;
   const openr_wire_Left& left = up.body._u.left;
-  const std::string text = fmt::format("process '{}' (pid {} on {}) {}", name_, facts().pid,
-                                       facts().host, StringOf(left.text));
+  const std::string text = fmt::format("process '{}' (pid {} on {}) {}", name_, identity().pid,
+                                       identity().host, StringOf(left.text));
   if (left.has_refused) throw ProcessRefused(text);
   throw ProcessLost(text);
 }
@@ -137,7 +137,7 @@ void RemoteProcess::HearOfEnd(const openr_wire_Up& up) const {
 void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
                                  const std::function<bool()>& is_ending) {
   const std::string then = advice.empty() ? "" : "; " + advice;
-  for (int64_t waited_ms = 0; !seat_.Arrive(kWorkerPollMs); waited_ms += kWorkerPollMs) {
+  for (int64_t waited_ms = 0; !slot_.AwaitJoin(kWorkerPollMs); waited_ms += kWorkerPollMs) {
     if (is_ending())
       throw ProcessLost(
           fmt::format("process '{}' had not come when the run was interrupted", name_));
@@ -178,7 +178,7 @@ void RemoteProcess::Load(const openr_wire_Load& load) {
 }
 
 bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) {
-  while (const Loan up = seat_.line()->Receive(0)) {
+  while (const Loan up = slot_.line()->Receive(0)) {
     if (TakeLoaded(*up, objects)) return true;
   }
   const std::string problem = WhatIsWrong();
@@ -310,10 +310,10 @@ void RemoteProcess::NoteLoss(const Action& action) {
 bool RemoteProcess::TakeWhatCame() {
   bool came = false;
   NoteLoss([this, &came] {
-    while (const Loan up = seat_.line()->Receive(0)) {
+    while (const Loan up = slot_.line()->Receive(0)) {
       came = true;
       TakeFree(*up);
-      if (!seat_.line()->has_taken()) break;  // what comes meanwhile is for the next time
+      if (!slot_.line()->has_taken()) break;  // what comes meanwhile is for the next time
     }
   });
   if (!came) return false;
@@ -329,7 +329,7 @@ void RemoteProcess::LookForSilence() {
   say_(
       fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the others "
                   "go on",
-                  name_, facts().pid, kSilenceMs / 1000));
+                  name_, identity().pid, kSilenceMs / 1000));
 }
 
 void RemoteProcess::LookAfter() {
@@ -337,7 +337,7 @@ void RemoteProcess::LookAfter() {
   NoteLoss([this] {
     const std::string problem = WhatIsWrong();
     if (problem.empty()) return;
-    if (const Loan last = seat_.line()->Receive(kGoodbyeWaitMs))
+    if (const Loan last = slot_.line()->Receive(kGoodbyeWaitMs))
       return TakeFree(*last);  // its last word
     throw ProcessLost(problem);
   });
@@ -434,14 +434,14 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End(const std::string& why) {
-  courier_.reset();                  // what it has borrowed is the System's
-  if (!seat_.has_arrived()) return;  // nobody is there; one that is coming back is
+  courier_.reset();                 // what it has borrowed is the System's
+  if (!slot_.has_joined()) return;  // nobody is there; one that is coming back is
   openr_wire_Down down = NewDown(openr_wire_DOWN_END);
   WireArena arena;
   down.body._u.ended = {false, arena.Text(why)};
   try {
     Send(down);
-    seat_.line()->Flush(kEndFlushMs);
+    slot_.line()->Flush(kEndFlushMs);
   } catch (const ProcessLost&) {
     is_lost_ = true;
   }

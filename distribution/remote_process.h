@@ -18,7 +18,7 @@
 #include "distribution/bus.h"
 #include "distribution/courier.h"
 #include "distribution/latency.h"
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 #include "runtime/core/uplink.h"
 
 class RCRegion;
@@ -48,8 +48,8 @@ class RemoteProcess {
                 std::function<void(const std::string&)> say);
 
   const std::string& name() const { return name_; }
-  const Seat::Facts& facts() const { return seat_.facts(); }
-  Seat& seat() { return seat_; }
+  const ProcessSlot::Identity& identity() const { return slot_.identity(); }
+  ProcessSlot& slot() { return slot_; }
   bool is_lost() const { return is_lost_; }
   void set_lost() { is_lost_ = true; }
 
@@ -192,7 +192,7 @@ class RemoteProcess {
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
   const std::string handler_wait_;  // what a proxy waits for
-  Seat seat_;
+  ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Courier> courier_;
   std::map<ObjectId, RemoteObject*> objects_;

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "distribution/latency.h"
+#include "distribution/process_slot.h"
 #include "distribution/pulse.h"
-#include "distribution/seat.h"
 #include "runtime/core/indivisible.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 #include "distribution/worker.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"

@@ -56,7 +56,7 @@ class ForgedTest : public ::testing::Test {
     return options;
   }
   void Come() {
-    process_.seat().Open("now");
+    process_.slot().OpenSession("now");
     line_ = std::make_unique<ProcessLine>(&bus_, "liar/now", LineEnd::kProcess);
     WaitUntil("the other end", [this] { return line_->IsConnected(); });
     openr_wire_Up up = New(openr_wire_UP_HELLO);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "distribution/bus.h"
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 #include "tests/distribution/same_run.h"
 
 namespace openr_host {
@@ -16,10 +16,10 @@ class ForgedMasterTest : public testing::Test {
  protected:
   ForgedMasterTest()
       : run_({"join", "--process", "victim", "--session", "now", "--run-name", Options().run}) {
-    seat_.Open("now");
-    for (int i = 0; i < 1000 && !seat_.Arrive(10); ++i) {
+    slot_.OpenSession("now");
+    for (int i = 0; i < 1000 && !slot_.AwaitJoin(10); ++i) {
     }
-    EXPECT_TRUE(seat_.has_arrived()) << run_.heard();
+    EXPECT_TRUE(slot_.has_joined()) << run_.heard();
   }
   static BusOptions Options() {
     BusOptions options;
@@ -35,7 +35,7 @@ class ForgedMasterTest : public testing::Test {
     openr_wire_Down down = New(openr_wire_DOWN_WELCOME);
     down.body._u.welcome.version = version;
     down.body._u.welcome.stick = arena_.Text(OPENR_STICK);
-    seat_.line()->Send(down);
+    slot_.line()->Send(down);
   }
   // To the object manager, which every process has.
   static openr_wire_Down Deliver(openr_wire_PayloadKind kind) {
@@ -55,14 +55,14 @@ class ForgedMasterTest : public testing::Test {
   // What it says when it has heard `down`.
   std::string EndBy(const openr_wire_Down& down) {
     Welcome();
-    seat_.line()->Send(down);
+    slot_.line()->Send(down);
     const ProgramResult& result = run_.Finish();
     EXPECT_EQ(result.status, 1) << result.err;
     return result.err;
   }
 
   Bus bus_{Options()};
-  Seat seat_{&bus_, "victim", false};
+  ProcessSlot slot_{&bus_, "victim", false};
   WireArena arena_;
   ProgramRun run_;
 };

@@ -3,7 +3,7 @@
 #include <signal.h>
 
 #include "distribution/bus.h"
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 #include "tests/distribution/hosts.h"
 
 namespace openr_host {
@@ -67,26 +67,26 @@ TEST(JoinRestartFlagTest, WhatAMasterSaysAmissIsNotItsEnd) {
   BusOptions options;
   options.run = RunName("amiss");
   Bus bus(options);
-  Seat seat(&bus, "victim", false);
-  seat.Open("now");
+  ProcessSlot slot(&bus, "victim", false);
+  slot.OpenSession("now");
   ProgramRun join(
       {"join", "--process", "victim", "--session", "now", "--run-name", options.run, "--restart"});
-  while (!seat.Arrive(10)) {
+  while (!slot.AwaitJoin(10)) {
   }
   openr_wire_Down down{};
   WireArena arena;
   down.body._d = openr_wire_DOWN_WELCOME;
   down.body._u.welcome.version = openr_wire_VERSION;
   down.body._u.welcome.stick = arena.Text(OPENR_STICK);
-  seat.line()->Send(down);
+  slot.line()->Send(down);
   down.body = {};
   down.body._d = openr_wire_DOWN_DELIVER;
   down.body._u.deliver.message.target = 4242;
-  seat.line()->Send(down);
+  slot.line()->Send(down);
   EXPECT_TRUE(join.WaitFor("has ended; another one comes")) << join.heard();
   EXPECT_THAT(join.heard(),
               HasSubstr("process 'victim': a message to an object that is not there"));
-  const auto left = seat.line()->Receive(1000);
+  const auto left = slot.line()->Receive(1000);
   ASSERT_TRUE(left);
   ASSERT_EQ(left->body._d, openr_wire_UP_LEFT);
   EXPECT_STREQ(left->body._u.left.text,

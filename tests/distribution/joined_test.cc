@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 #include "tests/distribution/hosts.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/same_run.h"

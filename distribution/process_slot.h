@@ -36,63 +36,63 @@ std::string HostName();
 // "pid 1234 on host": who has made the name of a session.
 std::string MakerOf(const std::string& session);
 
-class Seat {
+class ProcessSlot {
  public:
-  struct Facts {  // as who sits there says of itself
+  struct Identity {  // as who sits there says of itself
     std::string host;
     int64_t pid = 0;
   };
 
   // `has_door`: somebody else starts the process.
-  Seat(Bus* bus, std::string process, bool has_door);
+  ProcessSlot(Bus* bus, std::string process, bool has_door);
 
   // From now on one with this session may come.
-  void Open(const std::string& session);
+  void OpenSession(const std::string& session);
 
   // Does what there is to do for one to come, waiting at most `timeout_ms`.  True when it is
   // there: it has said its name and hears.  Throws ProcessLost when it is of another version.
-  bool Arrive(int timeout_ms);
-  bool has_arrived() const { return has_arrived_; }
+  bool AwaitJoin(int timeout_ms);
+  bool has_joined() const { return has_joined_; }
 
   // Whether who is there has been killed, or has ended, as far as that is seen from here.
   bool HasEnded() const;
 
   // Answers whoever else knocks: that somebody is there, or that nobody may come.
-  void SendOthersAway();
+  void RefuseOtherRequests();
   // Nobody may come any more.
-  void Shut() { is_shut_ = true; }
+  void Close() { is_closed_ = true; }
 
   // Whoever is there is not heard any more; told so as soon as it can be reached again.
-  void Leave();
+  void Abandon();
 
   // Of who is there or is coming; null: nobody.
   MasterLine* line() const { return line_.get(); }
-  const Facts& facts() const { return facts_; }
+  const Identity& identity() const { return identity_; }
   // Of who was there last.
-  const Facts& last() const { return facts_.pid == 0 ? before_ : facts_; }
+  const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
-  bool TakeHello(int timeout_ms);
-  void TellTheLeft();
+  bool ReceiveHello(int timeout_ms);
+  void NotifyAbandoned();
   void AnswerKnock(const openr_wire_Knock& knock);
 
   Bus* const bus_;
   const std::string process_;
   std::unique_ptr<MasterDoor> door_;
   std::unique_ptr<MasterLine> line_;
-  // To those that were left because they could not be reached, and may not have noticed.
-  struct Left {
+  // To those that were abandoned because they could not be reached, and may not have noticed.
+  struct Abandoned {
     std::unique_ptr<MasterLine> line;
-    bool is_told = false;
+    bool is_notified = false;
   };
-  std::vector<Left> left_;
+  std::vector<Abandoned> abandoned_;
   std::string knock_;  // who was given the session
   std::string session_;
-  int64_t opened_ms_ = 0;  // when
-  bool is_shut_ = false;
-  bool has_arrived_ = false;
-  Facts facts_;
-  Facts before_;
+  int64_t session_opened_ms_ = 0;  // when
+  bool is_closed_ = false;
+  bool has_joined_ = false;
+  Identity identity_;
+  Identity previous_;
   Pulse pulse_;
   mutable int64_t next_check_ms_ = 0;  // after the process
 };

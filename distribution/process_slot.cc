@@ -1,4 +1,4 @@
-#include "distribution/seat.h"
+#include "distribution/process_slot.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -41,53 +41,56 @@ std::string MakerOf(const std::string& session) {
                      session.substr(0, pid));
 }
 
-Seat::Seat(Bus* bus, std::string process, bool has_door) : bus_(bus), process_(std::move(process)) {
+ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool has_door)
+    : bus_(bus), process_(std::move(process)) {
   if (has_door) door_ = std::make_unique<MasterDoor>(bus_, process_, LineEnd::kMaster, kDoorTopics);
 }
 
-void Seat::Open(const std::string& session) {
-  Leave();
-  before_ = last();
-  facts_ = {};
+void ProcessSlot::OpenSession(const std::string& session) {
+  Abandon();
+  previous_ = last_identity();
+  identity_ = {};
   line_ = std::make_unique<MasterLine>(bus_, process_ + "/" + session, LineEnd::kMaster);
 }
 
-void Seat::Leave() {
-  if (has_arrived_ && door_ != nullptr && !line_->IsConnected() && !pulse_.HasEnded()) {
-    if (left_.size() == kAbandonedMax) left_.erase(left_.begin());
-    left_.push_back({std::move(line_)});
+void ProcessSlot::Abandon() {
+  if (has_joined_ && door_ != nullptr && !line_->IsConnected() && !pulse_.HasEnded()) {
+    if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
+    abandoned_.push_back({std::move(line_)});
   }
   line_.reset();
-  has_arrived_ = false;
+  has_joined_ = false;
 }
 
 // One that has been away for less time than the run has is still there, and waits for ever.
-void Seat::TellTheLeft() {
-  std::erase_if(left_, [](const Left& left) { return left.is_told && !left.line->IsConnected(); });
-  for (Left& left : left_) {
-    if (left.is_told || !left.line->IsConnected()) continue;
+void ProcessSlot::NotifyAbandoned() {
+  std::erase_if(abandoned_, [](const Abandoned& abandoned) {
+    return abandoned.is_notified && !abandoned.line->IsConnected();
+  });
+  for (Abandoned& abandoned : abandoned_) {
+    if (abandoned.is_notified || !abandoned.line->IsConnected()) continue;
     openr_wire_Down down{};
     down.body._d = openr_wire_DOWN_END;
     WireArena arena;
     down.body._u.ended = {true, arena.Text("")};
-    left.is_told = true;
+    abandoned.is_notified = true;
     try {
-      left.line->Send(down);
+      abandoned.line->Send(down);
     } catch (const std::runtime_error&) {  // it is away again; who sits here now is not
     }
   }
 }
 
 // The kernel is not asked in each frame of a run that is fast.
-bool Seat::HasEnded() const {
-  if (!has_arrived_ || Latency::NowMs() < next_check_ms_) return false;
+bool ProcessSlot::HasEnded() const {
+  if (!has_joined_ || Latency::NowMs() < next_check_ms_) return false;
   next_check_ms_ = Latency::NowMs() + kLivenessIntervalMs;
   return pulse_.HasEnded();
 }
 
 // Who knocks does so again and again until it hears; another one waits until the first has come or
 // has not made it.
-void Seat::AnswerKnock(const openr_wire_Knock& knock) {
+void ProcessSlot::AnswerKnock(const openr_wire_Knock& knock) {
   WireArena arena;
   openr_wire_Admit admit{};
   const std::string id = StringOf(knock.id);
@@ -100,20 +103,21 @@ void Seat::AnswerKnock(const openr_wire_Knock& knock) {
         arena.Text(fmt::format("the run speaks version {}, this is version {}; use the "
                                "same openr",
                                openr_wire_VERSION, knock.version));
-  } else if (is_shut_) {
+  } else if (is_closed_) {
     admit.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
-  } else if (has_arrived_ && knock_ != id) {
+  } else if (has_joined_ && knock_ != id) {
     if (pulse_.HasEnded()) return;  // the run is about to see it; this one will knock again
     admit.session = arena.Text(kTakenSession);
     admit.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
-                                           process_, facts_.pid, facts_.host));
-  } else if (line_ != nullptr && knock_ != id && Latency::NowMs() - opened_ms_ < kSessionClaimMs) {
+                                           process_, identity_.pid, identity_.host));
+  } else if (line_ != nullptr && knock_ != id &&
+             Latency::NowMs() - session_opened_ms_ < kSessionClaimMs) {
     return;  // it will knock again
   } else {
     if (line_ == nullptr || knock_ != id) {
       session_ = NewSessionName();
-      Open(session_);
-      opened_ms_ = Latency::NowMs();
+      OpenSession(session_);
+      session_opened_ms_ = Latency::NowMs();
       knock_ = id;
     }
     admit.session = arena.Text(session_);
@@ -121,19 +125,19 @@ void Seat::AnswerKnock(const openr_wire_Knock& knock) {
   door_->Send(admit);
 }
 
-void Seat::SendOthersAway() {
+void ProcessSlot::RefuseOtherRequests() {
   if (door_ == nullptr) return;
-  TellTheLeft();
+  NotifyAbandoned();
   while (const auto knock = door_->Receive(0)) AnswerKnock(*knock);
 }
 
-bool Seat::TakeHello(int timeout_ms) {
+bool ProcessSlot::ReceiveHello(int timeout_ms) {
   const auto up = line_->Receive(timeout_ms);
   if (!up) return false;
   if (up->body._d != openr_wire_UP_HELLO)
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = up->body._u.hello;
-  facts_ = {StringOf(hello.host), hello.pid};
+  identity_ = {StringOf(hello.host), hello.pid};
   // Who was started by the run is watched by its parent, which knows more.
   if (door_ != nullptr) pulse_ = Pulse(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
@@ -141,24 +145,24 @@ bool Seat::TakeHello(int timeout_ms) {
     throw ProcessLost(
         fmt::format("process '{}' (pid {}) speaks version {}, this is version {}; is "
                     "it the same openr?",
-                    process_, facts_.pid, hello.version, openr_wire_VERSION));
+                    process_, identity_.pid, hello.version, openr_wire_VERSION));
   return true;
 }
 
 // Its writer may be known here before its reader is; what is sent in between is lost.
-bool Seat::Arrive(int timeout_ms) {
-  if (has_arrived_) return true;
+bool ProcessSlot::AwaitJoin(int timeout_ms) {
+  if (has_joined_) return true;
   if (door_ != nullptr) {
     if (const auto knock = door_->Receive(line_ == nullptr ? timeout_ms : 0)) AnswerKnock(*knock);
-    SendOthersAway();
+    RefuseOtherRequests();
   }
   if (line_ == nullptr) return false;
-  if (facts_.pid == 0 && !TakeHello(timeout_ms)) return false;
+  if (identity_.pid == 0 && !ReceiveHello(timeout_ms)) return false;
   for (int waited_ms = 0; !line_->IsConnected(); ++waited_ms) {
     if (waited_ms >= timeout_ms) return false;
     usleep(1000);
   }
-  return has_arrived_ = true;
+  return has_joined_ = true;
 }
 
 }  // namespace openr_host
