@@ -54,7 +54,7 @@ void ProcessSlot::OpenSession(const std::string& session) {
 }
 
 void ProcessSlot::Abandon() {
-  if (has_joined_ && door_ != nullptr && !line_->IsConnected() && !pulse_.HasEnded()) {
+  if (has_joined_ && door_ != nullptr && !line_->IsConnected() && !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
     abandoned_.push_back({std::move(line_)});
   }
@@ -85,7 +85,7 @@ void ProcessSlot::NotifyAbandoned() {
 bool ProcessSlot::HasEnded() const {
   if (!has_joined_ || Latency::NowMs() < next_check_ms_) return false;
   next_check_ms_ = Latency::NowMs() + kLivenessIntervalMs;
-  return pulse_.HasEnded();
+  return liveness_.HasEnded();
 }
 
 // Who knocks does so again and again until it hears; another one waits until the first has come or
@@ -106,7 +106,7 @@ void ProcessSlot::AnswerKnock(const openr_wire_Knock& knock) {
   } else if (is_closed_) {
     admit.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && knock_ != id) {
-    if (pulse_.HasEnded()) return;  // the run is about to see it; this one will knock again
+    if (liveness_.HasEnded()) return;  // the run is about to see it; this one will knock again
     admit.session = arena.Text(kTakenSession);
     admit.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                            process_, identity_.pid, identity_.host));
@@ -139,7 +139,7 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
   const openr_wire_Hello& hello = up->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
   // Who was started by the run is watched by its parent, which knows more.
-  if (door_ != nullptr) pulse_ = Pulse(StringOf(hello.machine), hello.pid);
+  if (door_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
     throw ProcessLost(

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "distribution/bus.h"
-#include "distribution/pulse.h"
+#include "distribution/liveness_check.h"
 
 namespace openr_host {
 
@@ -93,7 +93,7 @@ class ProcessSlot {
   bool has_joined_ = false;
   Identity identity_;
   Identity previous_;
-  Pulse pulse_;
+  LivenessCheck liveness_;
   mutable int64_t next_check_ms_ = 0;  // after the process
 };
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "distribution/latency.h"
+#include "distribution/liveness_check.h"
 #include "distribution/process_slot.h"
-#include "distribution/pulse.h"
 #include "runtime/core/indivisible.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
@@ -125,7 +125,7 @@ std::string Worker::Join() {
   if (!WaitFor(*line_)) return NoRun();
   openr_wire_Up up = NewUp(openr_wire_UP_HELLO);
   up.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process), arena_.Text(HostName()),
-                      getpid(), arena_.Text(MachineName())};
+                      getpid(), arena_.Text(MachineId())};
   Send(up);
   const Loan welcome = Next(false);
   if (!welcome) return "the master is gone";

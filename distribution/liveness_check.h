@@ -8,20 +8,20 @@ namespace openr_host {
 
 // Equal for processes to which a process id means the same: of one boot of one kernel and one space
 // of process ids.  Names of hosts do not say that; "": not known.
-std::string MachineName();
+std::string MachineId();
 
-class Pulse {
+class LivenessCheck {
  public:
-  Pulse() = default;
+  LivenessCheck() = default;
   // `machine`: as the process says; of another one nothing is known here.
-  Pulse(const std::string& machine, int64_t pid);
+  LivenessCheck(const std::string& machine, int64_t pid);
 
   // Killed or ended; what is a new process of its id is not it.
   bool HasEnded() const;
 
  private:
-  int64_t pid_ = 0;    // 0: not known
-  std::string began_;  // when, as the kernel counts; "": hidden from this one
+  int64_t pid_ = 0;         // 0: not known
+  std::string start_time_;  // when, as the kernel counts; "": hidden from this one
 };
 
 }  // namespace openr_host
