@@ -34,12 +34,12 @@ Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(BusOf(op
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];
     member->name = name;
-    member->has_door = options_.placement.host_of.contains(name);
+    member->is_external = options_.placement.host_of.contains(name);
     member->restarts_left = options_.restarts;
     member->process = std::make_unique<RemoteProcess>(
-        &bus_, name, member->has_door, [this, member] { return WhatIsWrongWith(*member); },
+        &bus_, name, member->is_external, [this, member] { return WhatIsWrongWith(*member); },
         options_.say);
-    if (!member->has_door) Start(member);
+    if (!member->is_external) Start(member);
   }
 }
 
@@ -47,7 +47,7 @@ Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(BusOf(op
 std::string Fleet::WhatIsWrongWith(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
-  const std::string elder = member.has_door && !member.is_welcome ? claim_->Elder() : "";
+  const std::string elder = member.is_external && !member.is_welcome ? claim_->Elder() : "";
   if (elder.empty()) return "";
   return fmt::format(
       "there is a run of the name '{}' already ({}), and openr join would not know where to go; "
@@ -134,7 +134,7 @@ void Fleet::Welcome(Member* member) {
   welcome.stick = arena.Text(options_.stick);
   member->process->Welcome(system_, welcome);
   member->is_welcome = true;
-  if (member->has_door) claim_->Settle();
+  if (member->is_external) claim_->Settle();
 }
 
 // What has come to the tables since the last time.
@@ -191,7 +191,7 @@ void Fleet::LoadMore(Member* member) {
     try {
       return LoadNews(member);
     } catch (const ProcessRefused& refused) {
-      if (!is_first || !member->has_door) {
+      if (!is_first || !member->is_external) {
         problem_ = refused.what();
       } else {
         WaitForAnother(member, refused.what());

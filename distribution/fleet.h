@@ -116,7 +116,7 @@ class Fleet {
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
-    bool has_door = false;  // somebody else starts it
+    bool is_external = false;  // somebody else starts it
     bool is_welcome = false;
     size_t robots = 0;  // that it knows of, and objects
     size_t known = 0;

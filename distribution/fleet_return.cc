@@ -21,7 +21,7 @@ constexpr int kReturnPollUs = 1'000;
 
 // One that somebody else starts may come at any time, which lockstep cannot have unasked.
 bool Fleet::MayComeBack(const Member& member) const {
-  return member.restarts_left > 0 || (member.has_door && options_.is_free);
+  return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
 
 void Fleet::Enter(Member* member, Stage stage) {
@@ -76,7 +76,7 @@ void Fleet::Tend(Member* member, bool is_its_turn) {
 void Fleet::CheckArrival(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
-  if (member->stage == Stage::kComing && member->has_door && options_.is_free) return;
+  if (member->stage == Stage::kComing && member->is_external && options_.is_free) return;
   const int64_t waited_ms = Latency::NowMs() - member->since_ms;
   if (waited_ms > options_.wait_ms)
     throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
@@ -115,7 +115,7 @@ void Fleet::StartAgain(Member* member) {
     return;
   }
   if (member->restarts_left > 0) --member->restarts_left;
-  if (!member->has_door) Start(member);
+  if (!member->is_external) Start(member);
   member->has_failed = false;
   Enter(member, Stage::kComing);
 }

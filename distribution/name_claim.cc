@@ -49,8 +49,8 @@ std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
 }  // namespace
 
 NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
-  topic_ =
-      dds_create_topic(bus->participant(), &openr_wire_Knock_desc, kClaimTopic, nullptr, nullptr);
+  topic_ = dds_create_topic(bus->participant(), &openr_wire_JoinRequest_desc, kClaimTopic, nullptr,
+                            nullptr);
   Check(topic_, kClaimTopic);
   dds_qos_t* const qos = ClaimQos(*bus);
   const dds_entity_t subscriber = dds_create_subscriber(bus->participant(), qos, nullptr);

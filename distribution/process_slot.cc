@@ -41,9 +41,10 @@ std::string MakerOf(const std::string& session) {
                      session.substr(0, pid));
 }
 
-ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool has_door)
+ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool is_external)
     : bus_(bus), process_(std::move(process)) {
-  if (has_door) door_ = std::make_unique<MasterDoor>(bus_, process_, LineEnd::kMaster, kDoorTopics);
+  if (is_external)
+    join_line_ = std::make_unique<MasterJoinLine>(bus_, process_, LineEnd::kMaster, kJoinTopics);
 }
 
 void ProcessSlot::OpenSession(const std::string& session) {
@@ -54,7 +55,7 @@ void ProcessSlot::OpenSession(const std::string& session) {
 }
 
 void ProcessSlot::Abandon() {
-  if (has_joined_ && door_ != nullptr && !line_->IsConnected() && !liveness_.HasEnded()) {
+  if (has_joined_ && join_line_ != nullptr && !line_->IsConnected() && !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
     abandoned_.push_back({std::move(line_)});
   }
@@ -90,45 +91,45 @@ bool ProcessSlot::HasEnded() const {
 
 // Who knocks does so again and again until it hears; another one waits until the first has come or
 // has not made it.
-void ProcessSlot::AnswerKnock(const openr_wire_Knock& knock) {
+void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   WireArena arena;
-  openr_wire_Admit admit{};
-  const std::string id = StringOf(knock.id);
+  openr_wire_JoinAnswer answer{};
+  const std::string id = StringOf(request.id);
   if (id.size() > kRequesterIdMax) return;
-  admit.id = arena.Text(id);
-  admit.session = arena.Text("");
-  admit.refusal = arena.Text("");
-  if (knock.version != openr_wire_VERSION) {
-    admit.refusal =
+  answer.id = arena.Text(id);
+  answer.session = arena.Text("");
+  answer.refusal = arena.Text("");
+  if (request.version != openr_wire_VERSION) {
+    answer.refusal =
         arena.Text(fmt::format("the run speaks version {}, this is version {}; use the "
                                "same openr",
-                               openr_wire_VERSION, knock.version));
+                               openr_wire_VERSION, request.version));
   } else if (is_closed_) {
-    admit.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
-  } else if (has_joined_ && knock_ != id) {
+    answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
+  } else if (has_joined_ && requester_id_ != id) {
     if (liveness_.HasEnded()) return;  // the run is about to see it; this one will knock again
-    admit.session = arena.Text(kTakenSession);
-    admit.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
-                                           process_, identity_.pid, identity_.host));
-  } else if (line_ != nullptr && knock_ != id &&
+    answer.session = arena.Text(kTakenSession);
+    answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
+                                            process_, identity_.pid, identity_.host));
+  } else if (line_ != nullptr && requester_id_ != id &&
              Latency::NowMs() - session_opened_ms_ < kSessionClaimMs) {
     return;  // it will knock again
   } else {
-    if (line_ == nullptr || knock_ != id) {
+    if (line_ == nullptr || requester_id_ != id) {
       session_ = NewSessionName();
       OpenSession(session_);
       session_opened_ms_ = Latency::NowMs();
-      knock_ = id;
+      requester_id_ = id;
     }
-    admit.session = arena.Text(session_);
+    answer.session = arena.Text(session_);
   }
-  door_->Send(admit);
+  join_line_->Send(answer);
 }
 
 void ProcessSlot::RefuseOtherRequests() {
-  if (door_ == nullptr) return;
+  if (join_line_ == nullptr) return;
   NotifyAbandoned();
-  while (const auto knock = door_->Receive(0)) AnswerKnock(*knock);
+  while (const auto request = join_line_->Receive(0)) AnswerJoinRequest(*request);
 }
 
 bool ProcessSlot::ReceiveHello(int timeout_ms) {
@@ -139,7 +140,7 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
   const openr_wire_Hello& hello = up->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
   // Who was started by the run is watched by its parent, which knows more.
-  if (door_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
+  if (join_line_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
     throw ProcessLost(
@@ -152,8 +153,9 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
 // Its writer may be known here before its reader is; what is sent in between is lost.
 bool ProcessSlot::AwaitJoin(int timeout_ms) {
   if (has_joined_) return true;
-  if (door_ != nullptr) {
-    if (const auto knock = door_->Receive(line_ == nullptr ? timeout_ms : 0)) AnswerKnock(*knock);
+  if (join_line_ != nullptr) {
+    if (const auto request = join_line_->Receive(line_ == nullptr ? timeout_ms : 0))
+      AnswerJoinRequest(*request);
     RefuseOtherRequests();
   }
   if (line_ == nullptr) return false;

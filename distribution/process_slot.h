@@ -22,10 +22,10 @@ struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-constexpr LineTopics kDoorTopics = {&openr_wire_Admit_desc, "openr_admit", &openr_wire_Knock_desc,
-                                    "openr_knock"};
-using MasterDoor = Line<openr_wire_Admit, openr_wire_Knock>;
-using ProcessDoor = Line<openr_wire_Knock, openr_wire_Admit>;
+constexpr LineTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_answer",
+                                    &openr_wire_JoinRequest_desc, "openr_join_request"};
+using MasterJoinLine = Line<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
+using WorkerJoinLine = Line<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
 // Instead of a session: none, as long as somebody else is there.
 constexpr const char* kTakenSession = "taken";
@@ -43,8 +43,8 @@ class ProcessSlot {
     int64_t pid = 0;
   };
 
-  // `has_door`: somebody else starts the process.
-  ProcessSlot(Bus* bus, std::string process, bool has_door);
+  // `is_external`: somebody else starts the process.
+  ProcessSlot(Bus* bus, std::string process, bool is_external);
 
   // From now on one with this session may come.
   void OpenSession(const std::string& session);
@@ -74,11 +74,11 @@ class ProcessSlot {
  private:
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
-  void AnswerKnock(const openr_wire_Knock& knock);
+  void AnswerJoinRequest(const openr_wire_JoinRequest& request);
 
   Bus* const bus_;
   const std::string process_;
-  std::unique_ptr<MasterDoor> door_;
+  std::unique_ptr<MasterJoinLine> join_line_;
   std::unique_ptr<MasterLine> line_;
   // To those that were abandoned because they could not be reached, and may not have noticed.
   struct Abandoned {
@@ -86,7 +86,7 @@ class ProcessSlot {
     bool is_notified = false;
   };
   std::vector<Abandoned> abandoned_;
-  std::string knock_;  // who was given the session
+  std::string requester_id_;  // who was given the session
   std::string session_;
   int64_t session_opened_ms_ = 0;  // when
   bool is_closed_ = false;

@@ -27,14 +27,14 @@ constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
 
-RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool has_door,
+RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool is_external,
                              std::function<std::string()> health,
                              std::function<void(const std::string&)> say)
     : name_(std::move(name)),
       health_(std::move(health)),
       say_(std::move(say)),
       handler_wait_(fmt::format("its handler in process '{}'", name_)),
-      slot_(bus, name_, has_door) {}
+      slot_(bus, name_, is_external) {}
 
 void RemoteProcess::Refuse(const std::string& what) {
   throw ProcessLost(fmt::format("process '{}' (pid {}) sent {}; is it the same openr?", name_,

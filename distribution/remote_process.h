@@ -42,9 +42,9 @@ struct ProcessRefused : ProcessLost {
 
 class RemoteProcess {
  public:
-  // `has_door`: somebody else starts it.  `health` says what is wrong with the process, or "";
+  // `is_external`: somebody else starts it.  `health` says what is wrong with the process, or "";
   // `say` speaks to people.
-  RemoteProcess(Bus* bus, std::string name, bool has_door, std::function<std::string()> health,
+  RemoteProcess(Bus* bus, std::string name, bool is_external, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
 
   const std::string& name() const { return name_; }

@@ -23,7 +23,7 @@ constexpr int kMasterPollMs = 100;          // between looks at whether the mast
 constexpr int kGoodbyeFlushMs = 1'000;      // for the master to hear it
 constexpr int kCrashFlushMs = 3'000;        // the same: it is not known otherwise
 constexpr int64_t kFastHandlerNs = 50'000;  // of a handler for which the news of others may wait
-constexpr int kJoinRetryMs = 1'000;         // between knocks
+constexpr int kJoinRetryMs = 1'000;         // between join requests
 
 constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 
@@ -87,38 +87,38 @@ std::string Worker::NoRun() const {
 }
 
 // Asks for the session, unless the run has given one.
-std::string Worker::Knock() {
+std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
-  ProcessDoor door(&bus_, options_.process, LineEnd::kProcess, kDoorTopics);
+  WorkerJoinLine join_line(&bus_, options_.process, LineEnd::kProcess, kJoinTopics);
   const std::string id = NewSessionName();
   WireArena arena;
-  const openr_wire_Knock knock = {openr_wire_VERSION, arena.Text(id), arena.Text(HostName()),
-                                  getpid()};
+  const openr_wire_JoinRequest request = {openr_wire_VERSION, arena.Text(id),
+                                          arena.Text(HostName()), getpid()};
   std::string taken;  // why it has to wait
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEnded();
        waited_ms += kJoinRetryMs) {
-    if (!WaitFor(door)) return NoRun();
-    door.Send(knock);  // again and again: whom it hears may be at its end
-    const auto admit = door.Receive(kJoinRetryMs);
-    if (!admit || StringOf(admit->id) != id) continue;
-    session_ = StringOf(admit->session);
+    if (!WaitFor(join_line)) return NoRun();
+    join_line.Send(request);  // again and again: whom it hears may be at its end
+    const auto answer = join_line.Receive(kJoinRetryMs);
+    if (!answer || StringOf(answer->id) != id) continue;
+    session_ = StringOf(answer->session);
     if (session_ == kTakenSession) {
-      if (!options_.is_patient) return StringOf(admit->refusal);
+      if (!options_.is_patient) return StringOf(answer->refusal);
       if (taken.empty())
-        options_.say(StringOf(admit->refusal) + "; this one waits until it is gone");
-      taken = StringOf(admit->refusal);
+        options_.say(StringOf(answer->refusal) + "; this one waits until it is gone");
+      taken = StringOf(answer->refusal);
       usleep(kJoinRetryMs * 1000);
       continue;
     }
     is_refused_ = session_.empty();
-    return StringOf(admit->refusal);
+    return StringOf(answer->refusal);
   }
   return taken.empty() ? NoRun() : taken;
 }
 
 std::string Worker::Join() {
-  const std::string refusal = Knock();
+  const std::string refusal = RequestSession();
   if (!refusal.empty()) return refusal;
   line_ =
       std::make_unique<ProcessLine>(&bus_, options_.process + "/" + session_, LineEnd::kProcess);

@@ -74,7 +74,7 @@ class Worker : public Uplink {
   };
 
   std::string Join();
-  std::string Knock();
+  std::string RequestSession();
   bool IsEnded() const { return options_.is_ended && options_.is_ended(); }
   void SayGoodbye(const std::string& text);
   bool WaitFor(const LineBase& line) const;

@@ -17,7 +17,7 @@ class BothLostTest : public testing::Test {
  protected:
   BothLostTest() {
     folder_.Write("where.cfg",
-                  "Controller brain\nRCServer door\n@brain 127.0.0.1\n@door 127.0.0.1\n");
+                  "Controller brain\nRCServer net\n@brain 127.0.0.1\n@net 127.0.0.1\n");
   }
   std::unique_ptr<ProgramRun> Join(const std::string& process) const {
     return std::make_unique<ProgramRun>(
@@ -31,23 +31,23 @@ class BothLostTest : public testing::Test {
 // In lockstep both are waited for at the same time, whatever their names: "brain" needs two
 // chances.
 TEST_F(BothLostTest, WhoComesBackFirstKeepsItsChance) {
-  const auto brain = Join("brain"), door = Join("door");
+  const auto brain = Join("brain"), net = Join("net");
   ProgramRun run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--rate", "1",
                   "--placement", folder_.File("where.cfg"), "--run-name", name_, "--restart", "2",
                   "--join-wait", "5s"});
   ASSERT_TRUE(run.WaitFor("state: listening")) << run.heard();
   brain->Signal(SIGKILL);
-  door->Signal(SIGKILL);
-  const auto second_door = Join("door");
+  net->Signal(SIGKILL);
+  const auto second_net = Join("net");
   ASSERT_TRUE(run.WaitFor("process 'brain' did not come back within 5 s")) << run.heard();
   const auto second_brain = Join("brain");
   EXPECT_TRUE(run.WaitFor("process 'brain' is back")) << run.heard();
-  EXPECT_TRUE(run.WaitFor("process 'door' is back")) << run.heard();
+  EXPECT_TRUE(run.WaitFor("process 'net' is back")) << run.heard();
   run.Signal(SIGINT);
   EXPECT_EQ(run.Finish().status, 1);  // two losses
-  EXPECT_THAT(run.heard(), Not(HasSubstr("process 'door' did not come back")));
+  EXPECT_THAT(run.heard(), Not(HasSubstr("process 'net' did not come back")));
   EXPECT_EQ(second_brain->Finish().status, 0) << second_brain->heard();
-  EXPECT_EQ(second_door->Finish().status, 0) << second_door->heard();
+  EXPECT_EQ(second_net->Finish().status, 0) << second_net->heard();
 }
 
 // Two runs of one name: one has its processes, and a clock that is ahead of the other's.
