@@ -27,9 +27,9 @@ extern char** environ;
 namespace openr_host {
 namespace {
 
-constexpr LineTopics kRawTopics = {&openr_wire_Answer_desc, "bench_down", &openr_wire_Answer_desc,
-                                   "bench_up"};
-using RawLine = Line<openr_wire_Answer, openr_wire_Answer>;
+constexpr ChannelTopics kRawTopics = {&openr_wire_Answer_desc, "bench_down",
+                                      &openr_wire_Answer_desc, "bench_up"};
+using RawChannel = Channel<openr_wire_Answer, openr_wire_Answer>;
 
 // A process has one Bus in a domain: each pair here gets a domain of its own.
 int NewDomain() {
@@ -37,10 +37,10 @@ int NewDomain() {
   return ++domain;
 }
 
-// `has_room`: as free runs have it.
-BusOptions BusOf(const std::string& run, int domain, bool has_room = false) {
+// `has_large_history`: as free runs have it.
+BusOptions BusOf(const std::string& run, int domain, bool has_large_history = false) {
   BusOptions options;
-  options.has_room = has_room;
+  options.has_large_history = has_large_history;
   options.run = run;
   options.domain = domain;
   return options;
@@ -62,8 +62,8 @@ std::vector<std::string> OnTheOtherProcessor() {
   return {"taskset", "--cpu-list", "1"};
 }
 
-void WaitFor(RawLine* line) {
-  while (!line->IsConnected()) usleep(1000);
+void WaitFor(RawChannel* channel) {
+  while (!channel->IsConnected()) usleep(1000);
 }
 
 // This program again, as the other end.
@@ -124,23 +124,23 @@ class Raw {
         name_(fmt::format("bench-raw-{}-{}-{}-{}", getpid(), size, window, Together)),
         domain_(NewDomain()),
         bus_(BusOf(name_, domain_, window > 1)),
-        line_(&bus_, "peer", LineEnd::kMaster, kRawTopics),
+        channel_(&bus_, "peer", ChannelEnd::kMaster, kRawTopics),
         payloads_(static_cast<size_t>(window), std::string(size, 'x')) {
     StartPeer(Together ? "raw-together" : "raw", fmt::format("{}:{}", domain_, name_));
-    WaitFor(&line_);
+    WaitFor(&channel_);
   }
   void Run(int64_t count) {
     openr_wire_Answer sample{};
     for (int64_t i = -window_; i < count; ++i) {
-      while (i >= 0 && !line_.Receive(1000)) {
+      while (i >= 0 && !channel_.Receive(1000)) {
       }
       if (i + window_ >= count) continue;
       const std::string& bytes = payloads_[static_cast<size_t>(i + window_) % payloads_.size()];
       sample.bytes = WireArena::View(bytes.data(), bytes.size());
       if (Together) {
-        line_.SendSoon(sample);
+        channel_.SendBatched(sample);
       } else {
-        line_.Send(sample);
+        channel_.Send(sample);
       }
     }
   }
@@ -150,7 +150,7 @@ class Raw {
   const std::string name_;
   const int domain_;
   Bus bus_;
-  RawLine line_;
+  RawChannel channel_;
   const std::vector<std::string> payloads_;  // of each that is under way, as ours
 };
 
@@ -272,15 +272,15 @@ int RunPeer(const std::string& kind, const std::string& name) {
     }
   }
   Bus bus(BusOf(name.substr(name.find(':') + 1), std::stoi(name)));
-  RawLine line(&bus, "peer", LineEnd::kProcess, kRawTopics);
-  WaitFor(&line);
+  RawChannel channel(&bus, "peer", ChannelEnd::kWorker, kRawTopics);
+  WaitFor(&channel);
   const openr_wire_Answer answer{};
-  while (line.IsConnected()) {
-    if (!line.Receive(1000)) continue;
+  while (channel.IsConnected()) {
+    if (!channel.Receive(1000)) continue;
     if (kind == "raw") {
-      line.Send(answer);
+      channel.Send(answer);
     } else {
-      line.SendSoon(answer);
+      channel.SendBatched(answer);
     }
   }
   return 0;

@@ -80,7 +80,7 @@ std::string SettingsXml(const BusOptions& options) {
       "</Internal>"
       "</Domain></CycloneDDS>",
       options.address, LeaseOf(options), options.participants_max, peers, kSampleMax_MB,
-      options.has_room ? kLargeHistory : "");
+      options.has_large_history ? kLargeHistory : "");
   if (!options.config_file.empty()) text += ",file://" + options.config_file;
   return text;
 }
@@ -107,14 +107,14 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   if (participant_ < 0) dds_delete(domain_);
   Check(participant_, "participant");
   waitset_ = Check(dds_create_waitset(participant_), "wait set");
-  SayThatItLives(LeaseOf(options));
+  AnnounceLiveliness(LeaseOf(options));
 }
 
 // Cyclone DDS says of a participant that it lives when four fifths of its lease are over: in a
 // quiet process a network that is away for two seconds would be taken for the end of it.  The
 // shortest lease of its writers decides; this one has no reader whom it could disturb.  It is told
 // to every participant, so no more often than need be: 32 processes of one host have long leases.
-void Bus::SayThatItLives(int lease_s) {
+void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
   const dds_entity_t topic =
@@ -130,10 +130,11 @@ void Bus::Wait(int64_t timeout_us) {
 
 Bus::~Bus() { dds_delete(domain_); }
 
-LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTopics& topics)
-    : type_(end == LineEnd::kMaster ? topics.up : topics.down) {
+ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
+                         const ChannelTopics& topics)
+    : type_(end == ChannelEnd::kMaster ? topics.up : topics.down) {
   const SignalsBlocked blocked;
-  const bool is_master = end == LineEnd::kMaster;
+  const bool is_master = end == ChannelEnd::kMaster;
   const dds_entity_t participant = bus->participant();
   const auto topic = [&](const dds_topic_descriptor_t* type, const char* name) {
     owned_.push_back(Check(dds_create_topic(participant, type, name, nullptr, nullptr), "topic"));
@@ -160,13 +161,13 @@ LineBase::LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTo
   Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 
-LineBase::~LineBase() {
-  for (void* const sample : taken_) dds_sample_free(sample, type_, DDS_FREE_ALL);
-  for (void* const sample : blank_) dds_sample_free(sample, type_, DDS_FREE_ALL);
+ChannelBase::~ChannelBase() {
+  for (void* const sample : received_) dds_sample_free(sample, type_, DDS_FREE_ALL);
+  for (void* const sample : free_samples_) dds_sample_free(sample, type_, DDS_FREE_ALL);
   for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) dds_delete(*entity);
 }
 
-bool LineBase::IsConnected() const {
+bool ChannelBase::IsConnected() const {
   dds_publication_matched_status_t readers;
   dds_subscription_matched_status_t writers;
   return dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
@@ -174,62 +175,62 @@ bool LineBase::IsConnected() const {
          readers.current_count > 0 && writers.current_count > 0;
 }
 
-void LineBase::Flush(int timeout_ms) { dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)); }
+void ChannelBase::WaitForAcks(int timeout_ms) { dds_wait_for_acks(writer_, DDS_MSECS(timeout_ms)); }
 
-void LineBase::WriteSoon(const void* sample) {
+void ChannelBase::WriteBatched(const void* sample) {
   Check(dds_write(writer_, sample), "write");
-  if (++unsent_count_ == kSamplesPerPacketMax) SendOff();
+  if (++batched_count_ == kSamplesPerPacketMax) FlushBatch();
 }
 
-void LineBase::Write(const void* sample) {
-  WriteSoon(sample);
-  SendOff();
+void ChannelBase::Write(const void* sample) {
+  WriteBatched(sample);
+  FlushBatch();
 }
 
-void LineBase::SendOff() {
-  if (unsent_count_ == 0) return;
-  unsent_count_ = 0;
+void ChannelBase::FlushBatch() {
+  if (batched_count_ == 0) return;
+  batched_count_ = 0;
   dds_write_flush(writer_);
 }
 
-void* LineBase::Take(int timeout_ms) {
+void* ChannelBase::ReceiveUntyped(int timeout_ms) {
   for (;;) {
-    if (!has_taken()) TakeMore();
-    if (has_taken()) {
-      void* const sample = taken_.front();
-      taken_.pop_front();
+    if (!has_received()) ReceiveMore();
+    if (has_received()) {
+      void* const sample = received_.front();
+      received_.pop_front();
       return sample;
     }
-    SendOff();
+    FlushBatch();
     if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
   }
 }
 
-void LineBase::TakeMore() {
-  while (blank_.size() < kSamplesPerPacketMax) {
-    blank_.push_back(dds_alloc(type_->m_size));
-    std::memset(blank_.back(), 0, type_->m_size);
+void ChannelBase::ReceiveMore() {
+  while (free_samples_.size() < kSamplesPerPacketMax) {
+    free_samples_.push_back(dds_alloc(type_->m_size));
+    std::memset(free_samples_.back(), 0, type_->m_size);
   }
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
-  std::copy_n(blank_.rbegin(), kSamplesPerPacketMax, samples);
-  const uint32_t wanted = last_bulk_ < kBulk ? kSamplesPerPacketMax : 1;
+  std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
+  const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
-  blank_.resize(blank_.size() - static_cast<size_t>(count));
+  free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
     if (infos[i].valid_data) {
-      taken_.push_back(samples[i]);
+      received_.push_back(samples[i]);
     } else {
       Return(samples[i]);
     }
   }
 }
 
-void LineBase::Return(void* sample) {
+void ChannelBase::Return(void* sample) {
   dds_sample_free(sample, type_, DDS_FREE_CONTENTS);
   std::memset(sample, 0, type_->m_size);
-  blank_.push_back(sample);
+  free_samples_.push_back(sample);
 }
 
 }  // namespace openr_host

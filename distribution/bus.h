@@ -1,7 +1,7 @@
 // The only place where Cyclone DDS is set up and spoken to.
 //
 // A process that takes part in a distributed run has one participant.  Master and process talk over
-// a Line of their own: two topics in a partition with the names of run, process and session,
+// a Channel of their own: two topics in a partition with the names of run, process and session,
 // reliable, nothing thrown away.  Participants find each other at addresses that were given to
 // them, without multicast; the default is this machine alone (127.0.0.1).
 #pragma once
@@ -36,7 +36,7 @@ struct BusOptions {
   // After this long without a sign of life from a process, others hold it for gone; 0: as suits
   // the run.
   int lease_s = 0;
-  bool has_room = false;  // nobody waits who writes to a process that is stopped
+  bool has_large_history = false;  // nobody waits who writes to a process that is stopped
 };
 
 class Bus {
@@ -47,7 +47,7 @@ class Bus {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  // Waits until a Line of this bus has something to take, at most `timeout_us`.
+  // Waits until a Channel of this bus has something to take, at most `timeout_us`.
   void Wait(int64_t timeout_us);
 
   dds_entity_t participant() const { return participant_; }
@@ -56,7 +56,7 @@ class Bus {
   int domain() const { return number_; }
 
  private:
-  void SayThatItLives(int lease_s);
+  void AnnounceLiveliness(int lease_s);
 
   const std::string run_;
   const int number_;  // of the domain
@@ -65,107 +65,110 @@ class Bus {
   dds_entity_t waitset_ = 0;  // of all lines
 };
 
-// One direction of a Line.
-enum class LineEnd { kMaster, kProcess };
+// One direction of a Channel.
+enum class ChannelEnd { kMaster, kWorker };
 
 // What the two directions carry.
-struct LineTopics {
+struct ChannelTopics {
   const dds_topic_descriptor_t* down;
   const char* down_name;
   const dds_topic_descriptor_t* up;
   const char* up_name;
 };
-constexpr LineTopics kWireTopics = {&openr_wire_Down_desc, "openr_down", &openr_wire_Up_desc,
-                                    "openr_up"};
+constexpr ChannelTopics kRunTopics = {&openr_wire_Down_desc, "openr_down", &openr_wire_Up_desc,
+                                      "openr_up"};
 
 // A sample is refused that is larger.
 constexpr size_t kSampleMax_MB = 64;
 
 // Samples with so many bytes have packets of their own and are taken one at a time: the next one
 // finds the same memory in the processor's cache.
-constexpr size_t kBulk = 16 << 10;
+constexpr size_t kBulkBytes = 16 << 10;
 
-// Untyped half of Line.
-class LineBase {
+// Untyped half of Channel.
+class ChannelBase {
  public:
   // `place`: of the process or its session.
-  LineBase(Bus* bus, const std::string& place, LineEnd end, const LineTopics& topics = kWireTopics);
-  ~LineBase();
-  LineBase(const LineBase&) = delete;
-  LineBase& operator=(const LineBase&) = delete;
+  ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
+              const ChannelTopics& topics = kRunTopics);
+  ~ChannelBase();
+  ChannelBase(const ChannelBase&) = delete;
+  ChannelBase& operator=(const ChannelBase&) = delete;
 
   // Whether the other end is there.
   bool IsConnected() const;
 
   // Waits until the other end has all that was sent, which is lost with the line otherwise.
-  void Flush(int timeout_ms);
+  void WaitForAcks(int timeout_ms);
 
-  // Now what SendSoon() has kept.
-  void SendOff();
+  // Now what SendBatched() has kept.
+  void FlushBatch();
 
   // Whether the next sample has been taken from DDS already.
-  bool has_taken() const { return !taken_.empty(); }
+  bool has_received() const { return !received_.empty(); }
 
  protected:
   void Write(const void* sample);
-  void WriteSoon(const void* sample);
+  void WriteBatched(const void* sample);
   // The next sample, to be given to Return(); null when none came within `timeout_ms`.
-  void* Take(int timeout_ms);
+  void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
   // Bytes of the data of regions in the sample that was taken last.
-  void set_last_bulk(size_t bytes) { last_bulk_ = bytes; }
+  void set_last_bulk_bytes(size_t bytes) { last_bulk_bytes_ = bytes; }
 
  private:
-  void TakeMore();
+  void ReceiveMore();
 
   const dds_topic_descriptor_t* const type_;  // of what comes in
   dds_entity_t writer_ = 0;
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
   std::vector<dds_entity_t> owned_;  // with all that belongs to them
-  int unsent_count_ = 0;
-  size_t last_bulk_ = 0;
-  std::deque<void*> taken_;
-  std::vector<void*> blank_;  // samples to take into
+  int batched_count_ = 0;
+  size_t last_bulk_bytes_ = 0;
+  std::deque<void*> received_;
+  std::vector<void*> free_samples_;  // samples to take into
 };
 
 template <typename Out, typename In>
-class Line : public LineBase {
+class Channel : public ChannelBase {
  public:
-  using LineBase::LineBase;
+  using ChannelBase::ChannelBase;
 
   void Send(const Out& sample) { Write(&sample); }
   // In one packet with what is sent next, unless it fills one: when this end finds nothing to take,
   // at the latest.
-  void SendSoon(const Out& sample) { BulkOf(sample) < kBulk ? WriteSoon(&sample) : Write(&sample); }
+  void SendBatched(const Out& sample) {
+    BulkBytesOf(sample) < kBulkBytes ? WriteBatched(&sample) : Write(&sample);
+  }
 
   // A sample on loan.
-  class Loan {
+  class ReceivedSample {
    public:
-    Loan(Line* line, In* sample) : line_(line), sample_(sample) {}
-    Loan(Loan&& other) noexcept
-        : line_(other.line_), sample_(std::exchange(other.sample_, nullptr)) {}
-    Loan& operator=(Loan&&) = delete;
-    ~Loan() {
-      if (sample_ != nullptr) line_->Return(sample_);
+    ReceivedSample(Channel* channel, In* sample) : channel_(channel), sample_(sample) {}
+    ReceivedSample(ReceivedSample&& other) noexcept
+        : channel_(other.channel_), sample_(std::exchange(other.sample_, nullptr)) {}
+    ReceivedSample& operator=(ReceivedSample&&) = delete;
+    ~ReceivedSample() {
+      if (sample_ != nullptr) channel_->Return(sample_);
     }
     explicit operator bool() const { return sample_ != nullptr; }
     const In& operator*() const { return *sample_; }
     const In* operator->() const { return sample_; }
 
    private:
-    Line* const line_;
+    Channel* const channel_;
     In* sample_;
   };
 
-  Loan Receive(int timeout_ms) {
-    auto* const sample = static_cast<In*>(Take(timeout_ms));
-    if (sample != nullptr) set_last_bulk(BulkOf(*sample));
-    return Loan(this, sample);
+  ReceivedSample Receive(int timeout_ms) {
+    auto* const sample = static_cast<In*>(ReceiveUntyped(timeout_ms));
+    if (sample != nullptr) set_last_bulk_bytes(BulkBytesOf(*sample));
+    return ReceivedSample(this, sample);
   }
 };
 
-using MasterLine = Line<openr_wire_Down, openr_wire_Up>;
-using ProcessLine = Line<openr_wire_Up, openr_wire_Down>;
+using MasterChannel = Channel<openr_wire_Down, openr_wire_Up>;
+using WorkerChannel = Channel<openr_wire_Up, openr_wire_Down>;
 
 }  // namespace openr_host

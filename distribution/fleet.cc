@@ -23,7 +23,7 @@ constexpr int64_t kInterruptedExitWaitMs = 500;
 // In lockstep the run waits for a process that is stopped.
 BusOptions BusOf(const FleetOptions& options) {
   BusOptions bus = options.bus;
-  bus.has_room = options.is_free;
+  bus.has_large_history = options.is_free;
   return bus;
 }
 
@@ -268,7 +268,7 @@ bool Fleet::TakeWhatCame() {
 }
 
 void Fleet::Pump(int64_t timeout_us) {
-  for (auto& [name, member] : members_) member.process->SendOff();
+  for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!TakeWhatCame()) {
     bus_.Wait(timeout_us);
     if (IsInterrupted()) return;

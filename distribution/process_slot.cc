@@ -44,39 +44,41 @@ std::string MakerOf(const std::string& session) {
 ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool is_external)
     : bus_(bus), process_(std::move(process)) {
   if (is_external)
-    join_line_ = std::make_unique<MasterJoinLine>(bus_, process_, LineEnd::kMaster, kJoinTopics);
+    join_channel_ =
+        std::make_unique<MasterJoinChannel>(bus_, process_, ChannelEnd::kMaster, kJoinTopics);
 }
 
 void ProcessSlot::OpenSession(const std::string& session) {
   Abandon();
   previous_ = last_identity();
   identity_ = {};
-  line_ = std::make_unique<MasterLine>(bus_, process_ + "/" + session, LineEnd::kMaster);
+  channel_ = std::make_unique<MasterChannel>(bus_, process_ + "/" + session, ChannelEnd::kMaster);
 }
 
 void ProcessSlot::Abandon() {
-  if (has_joined_ && join_line_ != nullptr && !line_->IsConnected() && !liveness_.HasEnded()) {
+  if (has_joined_ && join_channel_ != nullptr && !channel_->IsConnected() &&
+      !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
-    abandoned_.push_back({std::move(line_)});
+    abandoned_.push_back({std::move(channel_)});
   }
-  line_.reset();
+  channel_.reset();
   has_joined_ = false;
 }
 
 // One that has been away for less time than the run has is still there, and waits for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const Abandoned& abandoned) {
-    return abandoned.is_notified && !abandoned.line->IsConnected();
+    return abandoned.is_notified && !abandoned.channel->IsConnected();
   });
   for (Abandoned& abandoned : abandoned_) {
-    if (abandoned.is_notified || !abandoned.line->IsConnected()) continue;
+    if (abandoned.is_notified || !abandoned.channel->IsConnected()) continue;
     openr_wire_Down down{};
     down.body._d = openr_wire_DOWN_END;
     WireArena arena;
     down.body._u.ended = {true, arena.Text("")};
     abandoned.is_notified = true;
     try {
-      abandoned.line->Send(down);
+      abandoned.channel->Send(down);
     } catch (const std::runtime_error&) {  // it is away again; who sits here now is not
     }
   }
@@ -111,11 +113,11 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));
-  } else if (line_ != nullptr && requester_id_ != id &&
+  } else if (channel_ != nullptr && requester_id_ != id &&
              Latency::NowMs() - session_opened_ms_ < kSessionClaimMs) {
     return;  // it will knock again
   } else {
-    if (line_ == nullptr || requester_id_ != id) {
+    if (channel_ == nullptr || requester_id_ != id) {
       session_ = NewSessionName();
       OpenSession(session_);
       session_opened_ms_ = Latency::NowMs();
@@ -123,24 +125,24 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
     }
     answer.session = arena.Text(session_);
   }
-  join_line_->Send(answer);
+  join_channel_->Send(answer);
 }
 
 void ProcessSlot::RefuseOtherRequests() {
-  if (join_line_ == nullptr) return;
+  if (join_channel_ == nullptr) return;
   NotifyAbandoned();
-  while (const auto request = join_line_->Receive(0)) AnswerJoinRequest(*request);
+  while (const auto request = join_channel_->Receive(0)) AnswerJoinRequest(*request);
 }
 
 bool ProcessSlot::ReceiveHello(int timeout_ms) {
-  const auto up = line_->Receive(timeout_ms);
+  const auto up = channel_->Receive(timeout_ms);
   if (!up) return false;
   if (up->body._d != openr_wire_UP_HELLO)
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = up->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
   // Who was started by the run is watched by its parent, which knows more.
-  if (join_line_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
+  if (join_channel_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
     throw ProcessLost(
@@ -153,14 +155,14 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
 // Its writer may be known here before its reader is; what is sent in between is lost.
 bool ProcessSlot::AwaitJoin(int timeout_ms) {
   if (has_joined_) return true;
-  if (join_line_ != nullptr) {
-    if (const auto request = join_line_->Receive(line_ == nullptr ? timeout_ms : 0))
+  if (join_channel_ != nullptr) {
+    if (const auto request = join_channel_->Receive(channel_ == nullptr ? timeout_ms : 0))
       AnswerJoinRequest(*request);
     RefuseOtherRequests();
   }
-  if (line_ == nullptr) return false;
+  if (channel_ == nullptr) return false;
   if (identity_.pid == 0 && !ReceiveHello(timeout_ms)) return false;
-  for (int waited_ms = 0; !line_->IsConnected(); ++waited_ms) {
+  for (int waited_ms = 0; !channel_->IsConnected(); ++waited_ms) {
     if (waited_ms >= timeout_ms) return false;
     usleep(1000);
   }

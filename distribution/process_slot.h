@@ -22,10 +22,10 @@ struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-constexpr LineTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_answer",
-                                    &openr_wire_JoinRequest_desc, "openr_join_request"};
-using MasterJoinLine = Line<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
-using WorkerJoinLine = Line<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
+constexpr ChannelTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_answer",
+                                       &openr_wire_JoinRequest_desc, "openr_join_request"};
+using MasterJoinChannel = Channel<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
+using WorkerJoinChannel = Channel<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
 // Instead of a session: none, as long as somebody else is there.
 constexpr const char* kTakenSession = "taken";
@@ -66,7 +66,7 @@ class ProcessSlot {
   void Abandon();
 
   // Of who is there or is coming; null: nobody.
-  MasterLine* line() const { return line_.get(); }
+  MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
   // Of who was there last.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
@@ -78,11 +78,11 @@ class ProcessSlot {
 
   Bus* const bus_;
   const std::string process_;
-  std::unique_ptr<MasterJoinLine> join_line_;
-  std::unique_ptr<MasterLine> line_;
+  std::unique_ptr<MasterJoinChannel> join_channel_;
+  std::unique_ptr<MasterChannel> channel_;
   // To those that were abandoned because they could not be reached, and may not have noticed.
   struct Abandoned {
-    std::unique_ptr<MasterLine> line;
+    std::unique_ptr<MasterChannel> channel;
     bool is_notified = false;
   };
   std::vector<Abandoned> abandoned_;

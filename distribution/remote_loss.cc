@@ -84,7 +84,7 @@ void RemoteProcess::Forget(ObjectId id) {
   down.body._u.forgotten = id;
   Send(down);
   if (is_free_) return;
-  const Loan up = Next();
+  const ReceivedSample up = Next();
   if (up->body._d != openr_wire_UP_FORGOTTEN) Refuse("something else when it was to forget");
   TakeForgotten(*up);
 }

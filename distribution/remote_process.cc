@@ -47,33 +47,34 @@ openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
   return down;
 }
 
-void RemoteProcess::Send(const openr_wire_Down& down, bool soon) {
-  if (slot_.line() == nullptr) throw ProcessLost(fmt::format("process '{}' is not there", name_));
+void RemoteProcess::Send(const openr_wire_Down& down, bool batched) {
+  if (slot_.channel() == nullptr)
+    throw ProcessLost(fmt::format("process '{}' is not there", name_));
   try {
-    if (soon) return slot_.line()->SendSoon(down);
-    slot_.line()->Send(down);
+    if (batched) return slot_.channel()->SendBatched(down);
+    slot_.channel()->Send(down);
   } catch (const std::runtime_error& error) {  // nobody takes it, or DDS has no room
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
                                   identity().pid, error.what()));
   }
 }
 
-void RemoteProcess::SendOff() {
-  if (slot_.line() != nullptr) slot_.line()->SendOff();
+void RemoteProcess::FlushBatch() {
+  if (slot_.channel() != nullptr) slot_.channel()->FlushBatch();
 }
 
 // What is done next is sent to a process, too, and does not keep what is sent now waiting.
-bool RemoteProcess::MoreGoesOut() const {
+bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
   const auto* const target = dynamic_cast<const RemoteObject*>(system_->object(next->target));
   return target != nullptr && target->blocked == nullptr && !target->is_busy;
 }
 
-RemoteProcess::Loan RemoteProcess::Next() {
+RemoteProcess::ReceivedSample RemoteProcess::Next() {
   bool told = false;
   for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
-    Loan up = slot_.line()->Receive(kWorkerPollMs);
+    ReceivedSample up = slot_.channel()->Receive(kWorkerPollMs);
     if (up) {
       HearOfEnd(*up);
       if (told) say_(fmt::format("process '{}' answers again", name_));
@@ -81,7 +82,7 @@ RemoteProcess::Loan RemoteProcess::Next() {
     }
     const std::string problem = WhatIsWrong();
     if (!problem.empty()) {  // its last word may be on the way still
-      Loan last = slot_.line()->Receive(kGoodbyeWaitMs);
+      ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs);
       if (last) {
         HearOfEnd(*last);
         return last;
@@ -107,7 +108,7 @@ std::string RemoteProcess::WhatIsWrong() const {
   if (problem.empty() && slot_.HasEnded())
     problem = fmt::format("process '{}' (pid {} on {}) is not there any more: killed, or ended",
                           name_, identity().pid, identity().host);
-  if (problem.empty() && !slot_.line()->IsConnected())
+  if (problem.empty() && !slot_.channel()->IsConnected())
     problem = fmt::format("process '{}' (pid {} on {}) cannot be reached any more", name_,
                           identity().pid, identity().host);
   return problem;
@@ -116,7 +117,7 @@ std::string RemoteProcess::WhatIsWrong() const {
 std::string RemoteProcess::WhyItIsGone() {
   std::string problem = WhatIsWrong();
   try {
-    if (const Loan last = slot_.line()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
+    if (const ReceivedSample last = slot_.channel()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
       HearOfEnd(*last);
   } catch (const ProcessLost& lost) {
     return lost.what();
@@ -178,7 +179,7 @@ void RemoteProcess::Load(const openr_wire_Load& load) {
 }
 
 bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) {
-  while (const Loan up = slot_.line()->Receive(0)) {
+  while (const ReceivedSample up = slot_.channel()->Receive(0)) {
     if (TakeLoaded(*up, objects)) return true;
   }
   const std::string problem = WhatIsWrong();
@@ -226,7 +227,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
     courier_->Encode(message, is_there, &arena, &deliver.message);
-    Send(down, is_free_ && MoreGoesOut());
+    Send(down, is_free_ && WillSendMore());
     courier_->Sent(message);
   }
   for (;;) {
@@ -244,7 +245,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
 
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStop(RemoteObject* object) {
   for (;;) {
-    const Loan up = Next();
+    const ReceivedSample up = Next();
     if (Serve(*up)) continue;
     if (up->body._d == openr_wire_UP_CRASHED) Crash(up->body._u.crashed);
     if (up->body._d != openr_wire_UP_STOPPED) Refuse("something in the middle of a handler");
@@ -310,10 +311,10 @@ void RemoteProcess::NoteLoss(const Action& action) {
 bool RemoteProcess::TakeWhatCame() {
   bool came = false;
   NoteLoss([this, &came] {
-    while (const Loan up = slot_.line()->Receive(0)) {
+    while (const ReceivedSample up = slot_.channel()->Receive(0)) {
       came = true;
       TakeFree(*up);
-      if (!slot_.line()->has_taken()) break;  // what comes meanwhile is for the next time
+      if (!slot_.channel()->has_received()) break;  // what comes meanwhile is for the next time
     }
   });
   if (!came) return false;
@@ -337,7 +338,7 @@ void RemoteProcess::LookAfter() {
   NoteLoss([this] {
     const std::string problem = WhatIsWrong();
     if (problem.empty()) return;
-    if (const Loan last = slot_.line()->Receive(kGoodbyeWaitMs))
+    if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
       return TakeFree(*last);  // its last word
     throw ProcessLost(problem);
   });
@@ -417,7 +418,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   openr_wire_Down down = NewDown(openr_wire_DOWN_ASK_STATE);
   down.body._u.state_of = object;
   Send(down);
-  const Loan up = Next();
+  const ReceivedSample up = Next();
   if (up->body._d != openr_wire_UP_STATE) Refuse("no state");
   const openr_wire_State& state = up->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
@@ -441,7 +442,7 @@ void RemoteProcess::End(const std::string& why) {
   down.body._u.ended = {false, arena.Text(why)};
   try {
     Send(down);
-    slot_.line()->Flush(kEndFlushMs);
+    slot_.channel()->WaitForAcks(kEndFlushMs);
   } catch (const ProcessLost&) {
     is_lost_ = true;
   }

@@ -93,7 +93,7 @@ class RemoteProcess {
   size_t CountInHand() const;
 
   // Of what the handlers of other objects are to do nothing is kept back any more.
-  void SendOff();
+  void FlushBatch();
 
   // Does what has come since.  Not from a handler.  True when something had.
   bool TakeWhatCame();
@@ -142,7 +142,7 @@ class RemoteProcess {
   void End(const std::string& why);
 
  private:
-  using Loan = MasterLine::Loan;
+  using ReceivedSample = MasterChannel::ReceivedSample;
 
   // What RunHandler() came to.
   struct Stop {
@@ -154,9 +154,9 @@ class RemoteProcess {
   };
 
   static openr_wire_Down NewDown(openr_wire_DownKind kind);
-  void Send(const openr_wire_Down& down, bool soon = false);
-  bool MoreGoesOut() const;
-  Loan Next();
+  void Send(const openr_wire_Down& down, bool batched = false);
+  bool WillSendMore() const;
+  ReceivedSample Next();
   void HearOfEnd(const openr_wire_Up& up) const;
   void LookForSilence();
   std::optional<Stop> WaitForStop(RemoteObject* object);

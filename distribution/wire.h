@@ -74,17 +74,17 @@ inline std::string StringOf(const char* text) { return text == nullptr ? "" : te
 
 // Bytes of the data of regions that go with a sample.
 template <typename Sample>
-size_t BulkOf(const Sample&) {
+size_t BulkBytesOf(const Sample&) {
   return 0;
 }
-inline size_t BulkOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
+inline size_t BulkBytesOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
 // Of the `bytes` of each.
 template <typename Seq>
 size_t BytesIn(const Seq& items) {
   return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},
                          [](size_t sum, const auto& item) { return sum + item.bytes._length; });
 }
-inline size_t BulkOf(const openr_wire_Message& message) {
+inline size_t BulkBytesOf(const openr_wire_Message& message) {
   switch (message.payload._d) {
     case openr_wire_PAYLOAD_NOTIFY:
       return BytesIn(message.payload._u.notify.parts);
@@ -94,18 +94,18 @@ inline size_t BulkOf(const openr_wire_Message& message) {
       return 0;
   }
 }
-inline size_t BulkOf(const openr_wire_Down& down) {
-  return down.body._d == openr_wire_DOWN_DELIVER ? BulkOf(down.body._u.deliver.message) : 0;
+inline size_t BulkBytesOf(const openr_wire_Down& down) {
+  return down.body._d == openr_wire_DOWN_DELIVER ? BulkBytesOf(down.body._u.deliver.message) : 0;
 }
-inline size_t BulkOf(const openr_wire_UpBody& body) {
-  if (body._d == openr_wire_UP_POST) return BulkOf(body._u.post.posted.message);
+inline size_t BulkBytesOf(const openr_wire_UpBody& body) {
+  if (body._d == openr_wire_UP_POST) return BulkBytesOf(body._u.post.posted.message);
   return body._d == openr_wire_UP_STATE ? BytesIn(body._u.state.regions) : 0;
 }
-inline size_t BulkOf(const openr_wire_Up& up) {
+inline size_t BulkBytesOf(const openr_wire_Up& up) {
   return std::accumulate(up.effects._buffer, up.effects._buffer + up.effects._length,
-                         BulkOf(up.body), [](size_t sum, const openr_wire_Effect& effect) {
+                         BulkBytesOf(up.body), [](size_t sum, const openr_wire_Effect& effect) {
                            if (effect._d != openr_wire_EFFECT_POST) return sum;
-                           return sum + BulkOf(effect._u.posted.message);
+                           return sum + BulkBytesOf(effect._u.posted.message);
                          });
 }
 

@@ -49,32 +49,32 @@ void Worker::TakeEffects(openr_wire_Up* up) {
   in_sample_.clear();
 }
 
-Worker::Loan Worker::Next(bool answer) {
-  if (!answer && IsEnded()) return {line_.get(), nullptr};
+Worker::ReceivedSample Worker::Next(bool answer) {
+  if (!answer && IsEnded()) return {channel_.get(), nullptr};
   if (!answer && !early_.empty()) {
-    Loan loan = std::move(early_.front());
+    ReceivedSample sample = std::move(early_.front());
     early_.pop_front();
-    return loan;
+    return sample;
   }
   for (;;) {
-    Loan loan = line_->Receive(kMasterPollMs);
-    if (!loan) {
-      if (!line_->IsConnected() || (!answer && IsEnded())) return loan;
+    ReceivedSample sample = channel_->Receive(kMasterPollMs);
+    if (!sample) {
+      if (!channel_->IsConnected() || (!answer && IsEnded())) return sample;
       continue;
     }
-    if (!answer || loan->body._d == openr_wire_DOWN_ANSWER) return loan;
-    if (loan->body._d == openr_wire_DOWN_END) {  // in the middle of a handler
-      const openr_wire_End& end = loan->body._u.ended;
+    if (!answer || sample->body._d == openr_wire_DOWN_ANSWER) return sample;
+    if (sample->body._d == openr_wire_DOWN_END) {  // in the middle of a handler
+      const openr_wire_End& end = sample->body._u.ended;
       SayThatItIsOver(end);
       _exit(end.without_you ? 1 : 0);
     }
-    early_.push_back(std::move(loan));
+    early_.push_back(std::move(sample));
   }
 }
 
 // For the master's end; false when it did not come in time.
-bool Worker::WaitFor(const LineBase& line) const {
-  for (int64_t waited_ms = 0; !line.IsConnected(); waited_ms += 5) {
+bool Worker::WaitFor(const ChannelBase& channel) const {
+  for (int64_t waited_ms = 0; !channel.IsConnected(); waited_ms += 5) {
     if (waited_ms > options_.master_wait_ms || IsEnded()) return false;
     usleep(5000);
   }
@@ -90,7 +90,7 @@ std::string Worker::NoRun() const {
 std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
-  WorkerJoinLine join_line(&bus_, options_.process, LineEnd::kProcess, kJoinTopics);
+  WorkerJoinChannel join_channel(&bus_, options_.process, ChannelEnd::kWorker, kJoinTopics);
   const std::string id = NewSessionName();
   WireArena arena;
   const openr_wire_JoinRequest request = {openr_wire_VERSION, arena.Text(id),
@@ -98,9 +98,9 @@ std::string Worker::RequestSession() {
   std::string taken;  // why it has to wait
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEnded();
        waited_ms += kJoinRetryMs) {
-    if (!WaitFor(join_line)) return NoRun();
-    join_line.Send(request);  // again and again: whom it hears may be at its end
-    const auto answer = join_line.Receive(kJoinRetryMs);
+    if (!WaitFor(join_channel)) return NoRun();
+    join_channel.Send(request);  // again and again: whom it hears may be at its end
+    const auto answer = join_channel.Receive(kJoinRetryMs);
     if (!answer || StringOf(answer->id) != id) continue;
     session_ = StringOf(answer->session);
     if (session_ == kTakenSession) {
@@ -120,14 +120,14 @@ std::string Worker::RequestSession() {
 std::string Worker::Join() {
   const std::string refusal = RequestSession();
   if (!refusal.empty()) return refusal;
-  line_ =
-      std::make_unique<ProcessLine>(&bus_, options_.process + "/" + session_, LineEnd::kProcess);
-  if (!WaitFor(*line_)) return NoRun();
+  channel_ = std::make_unique<WorkerChannel>(&bus_, options_.process + "/" + session_,
+                                             ChannelEnd::kWorker);
+  if (!WaitFor(*channel_)) return NoRun();
   openr_wire_Up up = NewUp(openr_wire_UP_HELLO);
   up.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process), arena_.Text(HostName()),
                       getpid(), arena_.Text(MachineId())};
   Send(up);
-  const Loan welcome = Next(false);
+  const ReceivedSample welcome = Next(false);
   if (!welcome) return "the master is gone";
   if (welcome->body._d != openr_wire_DOWN_WELCOME)
     return "the master does not welcome this process";
@@ -178,12 +178,12 @@ std::string Worker::Run() {
 }
 
 void Worker::SayGoodbye(const std::string& text) {
-  if (line_ == nullptr || !line_->IsConnected()) return;
+  if (channel_ == nullptr || !channel_->IsConnected()) return;
   openr_wire_Up up = NewUp(openr_wire_UP_LEFT);
   up.body._u.left = {is_refused_, arena_.Text(text)};
   try {
-    line_->Send(up);
-    line_->Flush(kGoodbyeFlushMs);
+    channel_->Send(up);
+    channel_->WaitForAcks(kGoodbyeFlushMs);
   } catch (const std::exception&) {  // the run sees that this process ends
   }
 }
@@ -205,7 +205,7 @@ void Worker::SayThatItIsOver(const openr_wire_End& end) {
 
 std::string Worker::Serve() {
   for (;;) {
-    const Loan down = Next(false);
+    const ReceivedSample down = Next(false);
     if (!down) return "the master is gone";
     switch (down->body._d) {
       case openr_wire_DOWN_LOAD: {
@@ -270,7 +270,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
 
 // What other handlers did is sent with what this one does, unless that may take long.
 void Worker::RunTimed(ObjectId id) {
-  if (!quick_.contains(id)) line_->SendOff();
+  if (!quick_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = Latency::NowNs();
   system_->RunMessages(1);
   if (Latency::NowNs() - begin_ns < kFastHandlerNs) {
@@ -337,7 +337,7 @@ void Worker::TellCrash(std::string_view text) {
   up.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                         arena.Text(text)};
   Send(up);
-  line_->Flush(kCrashFlushMs);  // nobody sends it again when this process is gone
+  channel_->WaitForAcks(kCrashFlushMs);  // nobody sends it again when this process is gone
 }
 
 void Worker::SendState(ObjectId id) {

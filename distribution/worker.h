@@ -62,7 +62,7 @@ class Worker : public Uplink {
   void WaitsForLine(uint64_t box, size_t size) override;
 
  private:
-  using Loan = ProcessLine::Loan;
+  using ReceivedSample = WorkerChannel::ReceivedSample;
 
   // What a handler that has not returned waits for.
   struct Wait {
@@ -77,7 +77,7 @@ class Worker : public Uplink {
   std::string RequestSession();
   bool IsEnded() const { return options_.is_ended && options_.is_ended(); }
   void SayGoodbye(const std::string& text);
-  bool WaitFor(const LineBase& line) const;
+  bool WaitFor(const ChannelBase& channel) const;
   std::string NoRun() const;
   std::string SetUp(const openr_wire_Welcome& welcome);
   std::string LoadMore(const openr_wire_Load& load);
@@ -99,13 +99,13 @@ class Worker : public Uplink {
   void Forget(ObjectId id);
 
   static openr_wire_Up NewUp(openr_wire_UpKind kind);
-  void Send(const openr_wire_Up& up, bool soon = false);
+  void Send(const openr_wire_Up& up, bool batched = false);
   [[noreturn]] void GiveUp(const std::string& why);
   // What handlers did since the last sample goes with `up`.
   void TakeEffects(openr_wire_Up* up);
   // The next sample, of the kind given if it is an answer that is waited for; empty when the
   // master is gone.
-  Loan Next(bool answer);
+  ReceivedSample Next(bool answer);
   Answer WaitForAnswer();
   bool MayBeRefused(const Message& message);
   bool CancelPin(uint64_t region);
@@ -116,7 +116,7 @@ class Worker : public Uplink {
 
   const WorkerOptions options_;
   Bus bus_;
-  std::unique_ptr<ProcessLine> line_;
+  std::unique_ptr<WorkerChannel> channel_;
   std::unique_ptr<System> system_;
   std::unique_ptr<Courier> courier_;
   std::string session_;
@@ -130,7 +130,7 @@ class Worker : public Uplink {
   std::set<ObjectId> quick_;                         // whose last handler was
   bool is_over_ = false;                             // nobody listens: objects are being unloaded
   std::set<std::pair<ObjectId, uint32_t>> entries_;  // that there are, as far as asked for
-  std::deque<Loan> early_;                           // came while an answer was waited for
+  std::deque<ReceivedSample> early_;                 // came while an answer was waited for
   // Of the handler that runs.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;

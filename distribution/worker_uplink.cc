@@ -16,11 +16,11 @@ namespace openr_host {
 
 // Nothing is thrown: it would go through the code of an object, which may catch it, or be blamed
 // for it.
-void Worker::Send(const openr_wire_Up& up, bool soon) {
+void Worker::Send(const openr_wire_Up& up, bool batched) {
   try {
-    soon ? line_->SendSoon(up) : line_->Send(up);
+    batched ? channel_->SendBatched(up) : channel_->Send(up);
   } catch (const std::exception& error) {
-    const size_t bulk_MB = BulkOf(up) >> 20;
+    const size_t bulk_MB = BulkBytesOf(up) >> 20;
     if (bulk_MB + 1 < kSampleMax_MB)
       GiveUp(fmt::format("could not send to the run: {}", error.what()));
     GiveUp(
@@ -149,7 +149,7 @@ Answer Worker::Ask(const Question& question) {
 
 Answer Worker::WaitForAnswer() {
   try {
-    if (const Loan down = Next(true)) {
+    if (const ReceivedSample down = Next(true)) {
       const openr_wire_Answer& answer = down->body._u.answer;
       return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
     }

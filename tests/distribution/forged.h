@@ -57,12 +57,12 @@ class ForgedTest : public ::testing::Test {
   }
   void Come() {
     process_.slot().OpenSession("now");
-    line_ = std::make_unique<ProcessLine>(&bus_, "liar/now", LineEnd::kProcess);
-    WaitUntil("the other end", [this] { return line_->IsConnected(); });
+    channel_ = std::make_unique<WorkerChannel>(&bus_, "liar/now", ChannelEnd::kWorker);
+    WaitUntil("the other end", [this] { return channel_->IsConnected(); });
     openr_wire_Up up = New(openr_wire_UP_HELLO);
     up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
                         arena_.Text("")};
-    line_->Send(up);
+    channel_->Send(up);
     process_.WaitForHello(10'000, "", [] { return false; });
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
@@ -137,7 +137,7 @@ class ForgedTest : public ::testing::Test {
 
   // Hands a message to the process, which has sent `ups`.
   void Deliver(const std::vector<openr_wire_Up>& ups) {
-    for (const openr_wire_Up& up : ups) line_->Send(up);
+    for (const openr_wire_Up& up : ups) channel_->Send(up);
     {
       const CurrentScope scope(&system_, &sender_->host());
       system_.Post(system_.NewMessage(remote_->id, kEntry));
@@ -154,7 +154,7 @@ class ForgedTest : public ::testing::Test {
 
   // The same by `action`, when the process has sent `up`.
   std::string LossBy(const openr_wire_Up& up, const std::function<void()>& action) {
-    line_->Send(up);
+    channel_->Send(up);
     arena_.Clear();
     try {
       action();
@@ -206,7 +206,7 @@ class ForgedTest : public ::testing::Test {
   System system_;
   SubjectProbe* sender_ = nullptr;
   RemoteObject* remote_ = nullptr;
-  std::unique_ptr<ProcessLine> line_;
+  std::unique_ptr<WorkerChannel> channel_;
   WireArena arena_;
   std::vector<std::string> losses_;
   uint32_t region_here_ = 0, region_there_ = 0;

@@ -35,7 +35,7 @@ class ForgedMasterTest : public testing::Test {
     openr_wire_Down down = New(openr_wire_DOWN_WELCOME);
     down.body._u.welcome.version = version;
     down.body._u.welcome.stick = arena_.Text(OPENR_STICK);
-    slot_.line()->Send(down);
+    slot_.channel()->Send(down);
   }
   // To the object manager, which every process has.
   static openr_wire_Down Deliver(openr_wire_PayloadKind kind) {
@@ -55,7 +55,7 @@ class ForgedMasterTest : public testing::Test {
   // What it says when it has heard `down`.
   std::string EndBy(const openr_wire_Down& down) {
     Welcome();
-    slot_.line()->Send(down);
+    slot_.channel()->Send(down);
     const ProgramResult& result = run_.Finish();
     EXPECT_EQ(result.status, 1) << result.err;
     return result.err;

@@ -68,7 +68,7 @@ TEST_F(ForgedTheirsTest, ANotificationWithTheRegionOfAnother) {
 TEST_F(ForgedTheirsTest, ANotificationWithARegionThatItHasDropped) {
   const ObjectId sender = sender_->host().id;
   for (const bool is_dropped : {false, true}) {
-    line_->Send(Stopped());
+    channel_->Send(Stopped());
     Lend();
     openr_wire_Up up = New(openr_wire_UP_FORGOTTEN);
     up.body._u.forgotten.object = sender;

@@ -78,15 +78,15 @@ TEST(JoinRestartFlagTest, WhatAMasterSaysAmissIsNotItsEnd) {
   down.body._d = openr_wire_DOWN_WELCOME;
   down.body._u.welcome.version = openr_wire_VERSION;
   down.body._u.welcome.stick = arena.Text(OPENR_STICK);
-  slot.line()->Send(down);
+  slot.channel()->Send(down);
   down.body = {};
   down.body._d = openr_wire_DOWN_DELIVER;
   down.body._u.deliver.message.target = 4242;
-  slot.line()->Send(down);
+  slot.channel()->Send(down);
   EXPECT_TRUE(join.WaitFor("has ended; another one comes")) << join.heard();
   EXPECT_THAT(join.heard(),
               HasSubstr("process 'victim': a message to an object that is not there"));
-  const auto left = slot.line()->Receive(1000);
+  const auto left = slot.channel()->Receive(1000);
   ASSERT_TRUE(left);
   ASSERT_EQ(left->body._d, openr_wire_UP_LEFT);
   EXPECT_STREQ(left->body._u.left.text,
