@@ -118,7 +118,7 @@ void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
   const dds_entity_t topic =
-      dds_create_topic(participant_, &openr_wire_Up_desc, "openr_alive", nullptr, nullptr);
+      dds_create_topic(participant_, &openr_wire_ToMaster_desc, "openr_alive", nullptr, nullptr);
   const dds_entity_t writer = dds_create_writer(participant_, Check(topic, "topic"), qos, nullptr);
   dds_delete_qos(qos);
   Check(writer, "writer");
@@ -132,7 +132,7 @@ Bus::~Bus() { dds_delete(domain_); }
 
 ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
                          const ChannelTopics& topics)
-    : type_(end == ChannelEnd::kMaster ? topics.up : topics.down) {
+    : type_(end == ChannelEnd::kMaster ? topics.to_master : topics.to_worker) {
   const SignalsBlocked blocked;
   const bool is_master = end == ChannelEnd::kMaster;
   const dds_entity_t participant = bus->participant();
@@ -140,16 +140,16 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
     owned_.push_back(Check(dds_create_topic(participant, type, name, nullptr, nullptr), "topic"));
     return owned_.back();
   };
-  const dds_entity_t down = topic(topics.down, topics.down_name);
-  const dds_entity_t up = topic(topics.up, topics.up_name);
+  const dds_entity_t to_worker = topic(topics.to_worker, topics.to_worker_name);
+  const dds_entity_t to_master = topic(topics.to_master, topics.to_master_name);
   dds_qos_t* const qos = ChannelQos(bus->run() + "/" + place);
   const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
   dds_write_set_batch(true);  // of writers that are made from now on
-  writer_ = dds_create_writer(publisher, is_master ? down : up, qos, nullptr);
+  writer_ = dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   dds_write_set_batch(false);
-  reader_ = dds_create_reader(subscriber, is_master ? up : down, qos, nullptr);
+  reader_ = dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
   dds_delete_qos(qos);
   Check(writer_, "writer");
   Check(reader_, "reader");

@@ -70,13 +70,13 @@ enum class ChannelEnd { kMaster, kWorker };
 
 // What the two directions carry.
 struct ChannelTopics {
-  const dds_topic_descriptor_t* down;
-  const char* down_name;
-  const dds_topic_descriptor_t* up;
-  const char* up_name;
+  const dds_topic_descriptor_t* to_worker;
+  const char* to_worker_name;
+  const dds_topic_descriptor_t* to_master;
+  const char* to_master_name;
 };
-constexpr ChannelTopics kRunTopics = {&openr_wire_Down_desc, "openr_down", &openr_wire_Up_desc,
-                                      "openr_up"};
+constexpr ChannelTopics kRunTopics = {&openr_wire_ToWorker_desc, "openr_to_worker",
+                                      &openr_wire_ToMaster_desc, "openr_to_master"};
 
 // A sample is refused that is larger.
 constexpr size_t kSampleMax_MB = 64;
@@ -168,7 +168,7 @@ class Channel : public ChannelBase {
   }
 };
 
-using MasterChannel = Channel<openr_wire_Down, openr_wire_Up>;
-using WorkerChannel = Channel<openr_wire_Up, openr_wire_Down>;
+using MasterChannel = Channel<openr_wire_ToWorker, openr_wire_ToMaster>;
+using WorkerChannel = Channel<openr_wire_ToMaster, openr_wire_ToWorker>;
 
 }  // namespace openr_host

@@ -82,10 +82,10 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
   out->subject = ObjectIdOf(notify.subjectID.GetOID());
   out->selector = notify.subjectID.GetSelector();
   out->notifications = static_cast<uint32_t>(notify.numOfNotify);
-  std::vector<openr_wire_Part> parts;
+  std::vector<openr_wire_NotifiedRegion> parts;
   for (int i = 0; i < notify.numOfData; ++i) {
     const auto& data = notify.data[i];
-    openr_wire_Part part{};
+    openr_wire_NotifiedRegion part{};
     part.token = ++last_token_;
     lent_[part.token] = {data.srcRCR,   data.size,      out->subject,
                          out->selector, message.target, message.selector};
@@ -124,13 +124,13 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
   out->is_lost = ready.msgType == kDeassertOfLost;
   out->observer = ObjectIdOf(ready.observerID.GetOID());
   out->selector = ready.observerID.GetSelector();
-  std::vector<openr_wire_Returned> regions;
+  std::vector<openr_wire_ReturnedRegion> regions;
   for (int i = 0; i < ready.numOfData; ++i) {
     const auto found = borrowed_.find(ready.rcRegion[i]);
     // Of a subject that was replaced meanwhile.
     if (found == borrowed_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
-    openr_wire_Returned returned{found->second.token, {}};
+    openr_wire_ReturnedRegion returned{found->second.token, {}};
     if (IsChanged(region, found->second))
       returned.bytes = WireArena::View(region.Base(), region.Size());
     regions.push_back(returned);
@@ -263,7 +263,7 @@ std::string Courier::DecodeNotify(const openr_wire_Notify& in, Message* out) {
   out->size = sizeof notify;
   out->kind = PayloadKind::kNotify;
   for (uint32_t i = 0; i < in.parts._length; ++i) {
-    const openr_wire_Part& part = in.parts._buffer[i];
+    const openr_wire_NotifiedRegion& part = in.parts._buffer[i];
     RCRegion* region = nullptr;
     std::string problem = DecodePart(part, &region);
     if (!problem.empty()) return problem;
@@ -277,7 +277,7 @@ std::string Courier::DecodeNotify(const openr_wire_Notify& in, Message* out) {
 }
 
 // Where the bytes of `in` belong; null when they have no place.
-char* Courier::MemoryFor(const openr_wire_Part& in) {
+char* Courier::MemoryFor(const openr_wire_NotifiedRegion& in) {
   RegionTable& regions = system_->regions();
   const uint64_t end = uint64_t{in.offset} + in.size;
   if (regions.BaseOf(in.region) == nullptr) {
@@ -288,7 +288,7 @@ char* Courier::MemoryFor(const openr_wire_Part& in) {
   return end > regions.SizeOf(in.region) ? nullptr : regions.BaseOf(in.region) + in.offset;
 }
 
-std::string Courier::DecodePart(const openr_wire_Part& in, RCRegion** region) {
+std::string Courier::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion** region) {
   char* const memory = MemoryFor(in);
   if (memory == nullptr) return fmt::format("{} bytes in region {:#x}", in.size, in.region);
   if (in.bytes._length != 0 && in.bytes._length != in.size) return "a part of another size";
@@ -315,7 +315,7 @@ std::string Courier::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->size = sizeof ready;
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
-    const openr_wire_Returned& returned = in.regions._buffer[i];
+    const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
     const auto found = lent_.find(returned.token);
     if (taken_back_.erase(returned.token) > 0) continue;
     if (found == lent_.end()) return "a ready with an unknown region";

@@ -86,8 +86,8 @@ class Courier {
   std::string DecodeNotify(const openr_wire_Notify& in, Message* out);
   std::string DecodeReady(const openr_wire_Ready& in, Message* out);
   std::string DecodeAnt(const openr_wire_Ant& in, Message* out);
-  std::string DecodePart(const openr_wire_Part& in, RCRegion** region);
-  char* MemoryFor(const openr_wire_Part& in);
+  std::string DecodePart(const openr_wire_NotifiedRegion& in, RCRegion** region);
+  char* MemoryFor(const openr_wire_NotifiedRegion& in);
   void DropStandIn(RCRegion* region);
 
   System* const system_;

@@ -72,13 +72,13 @@ void ProcessSlot::NotifyAbandoned() {
   });
   for (Abandoned& abandoned : abandoned_) {
     if (abandoned.is_notified || !abandoned.channel->IsConnected()) continue;
-    openr_wire_Down down{};
-    down.body._d = openr_wire_DOWN_END;
+    openr_wire_ToWorker to_worker{};
+    to_worker.body._d = openr_wire_TO_WORKER_END;
     WireArena arena;
-    down.body._u.ended = {true, arena.Text("")};
+    to_worker.body._u.ended = {true, arena.Text("")};
     abandoned.is_notified = true;
     try {
-      abandoned.channel->Send(down);
+      abandoned.channel->Send(to_worker);
     } catch (const std::runtime_error&) {  // it is away again; who sits here now is not
     }
   }
@@ -135,11 +135,11 @@ void ProcessSlot::RefuseOtherRequests() {
 }
 
 bool ProcessSlot::ReceiveHello(int timeout_ms) {
-  const auto up = channel_->Receive(timeout_ms);
-  if (!up) return false;
-  if (up->body._d != openr_wire_UP_HELLO)
+  const auto to_master = channel_->Receive(timeout_ms);
+  if (!to_master) return false;
+  if (to_master->body._d != openr_wire_TO_MASTER_HELLO)
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
-  const openr_wire_Hello& hello = up->body._u.hello;
+  const openr_wire_Hello& hello = to_master->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
   // Who was started by the run is watched by its parent, which knows more.
   if (join_channel_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);

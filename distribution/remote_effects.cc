@@ -17,35 +17,35 @@ constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 }  // namespace
 
 // What does not end a turn.  True when `up` was that.
-bool RemoteProcess::Serve(const openr_wire_Up& up) {
-  switch (up.body._d) {
-    case openr_wire_UP_SAID:
-      system_->Print(StringOf(up.body._u.said));
+bool RemoteProcess::Serve(const openr_wire_ToMaster& to_master) {
+  switch (to_master.body._d) {
+    case openr_wire_TO_MASTER_CONSOLE:
+      system_->Print(StringOf(to_master.body._u.console_text));
       return true;
-    case openr_wire_UP_QUESTION: {
-      const openr_wire_Question& in = up.body._u.question;
+    case openr_wire_TO_MASTER_QUESTION: {
+      const openr_wire_Question& in = to_master.body._u.question;
       Object* const self = ObjectOf(in.object);
-      Apply(up, self);
+      Apply(to_master, self);
       const CurrentScope scope(system_, self);
       SendAnswer(AnswerQuestion(system_, self,
                                 {static_cast<QuestionKind>(in.kind), VectorOf(in.numbers),
                                  StringOf(in.text), StringOf(in.bytes)}));
       return true;
     }
-    case openr_wire_UP_ENTRY: {
-      const Object* const object = system_->object(up.body._u.entry.object);
-      const bool has = object != nullptr && object->HasEntry(up.body._u.entry.selector);
+    case openr_wire_TO_MASTER_ENTRY: {
+      const Object* const object = system_->object(to_master.body._u.entry.object);
+      const bool has = object != nullptr && object->HasEntry(to_master.body._u.entry.selector);
       SendAnswer({has ? 1 : 0});
       return true;
     }
-    case openr_wire_UP_POST: {
-      Object* const self = ObjectOf(up.body._u.post.object);
-      Apply(up, self);
-      SendAnswer({Post(up.body._u.post.posted, self)});
+    case openr_wire_TO_MASTER_POST: {
+      Object* const self = ObjectOf(to_master.body._u.post.object);
+      Apply(to_master, self);
+      SendAnswer({Post(to_master.body._u.post.posted, self)});
       return true;
     }
-    case openr_wire_UP_STOPPED:
-      if (up.body._u.stopped.timeout_us > kDelayMaxUs) Refuse("a wait until another time");
+    case openr_wire_TO_MASTER_STOPPED:
+      if (to_master.body._u.stopped.timeout_us > kDelayMaxUs) Refuse("a wait until another time");
       return false;
     default:
       return false;
@@ -60,16 +60,16 @@ Object* RemoteProcess::ObjectOf(ObjectId id) {
 
 void RemoteProcess::SendAnswer(const Answer& answer) {
   WireArena arena;
-  openr_wire_Down down = NewDown(openr_wire_DOWN_ANSWER);
-  down.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
-                         WireArena::View(answer.bytes.data(), answer.bytes.size())};
-  Send(down);
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ANSWER);
+  to_worker.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
+                              WireArena::View(answer.bytes.data(), answer.bytes.size())};
+  Send(to_worker);
 }
 
-void RemoteProcess::Apply(const openr_wire_Up& up, Object* self) {
+void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
   const CurrentScope scope(system_, self);
-  for (uint32_t i = 0; i < up.effects._length; ++i) {
-    const openr_wire_Effect& effect = up.effects._buffer[i];
+  for (uint32_t i = 0; i < to_master.effects._length; ++i) {
+    const openr_wire_Effect& effect = to_master.effects._buffer[i];
     if (effect._d == openr_wire_EFFECT_POST) {
       Post(effect._u.posted, self);
     } else {
@@ -126,7 +126,7 @@ void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
   for (uint32_t i = 0; i < parts._length; ++i) check_region(parts._buffer[i].region);
 }
 
-int32_t RemoteProcess::Post(const openr_wire_Posted& posted, Object* self) {
+int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self) {
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);

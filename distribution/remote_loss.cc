@@ -80,18 +80,19 @@ void RemoteProcess::Unheard(const Message& message) {
 
 void RemoteProcess::Forget(ObjectId id) {
   for (RCRegion* region : courier_->TakeLentOf(id)) system_->object(id)->TakeBack(region);
-  openr_wire_Down down = NewDown(openr_wire_DOWN_FORGET);
-  down.body._u.forgotten = id;
-  Send(down);
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
+  to_worker.body._u.replaced_object = id;
+  Send(to_worker);
   if (is_free_) return;
-  const ReceivedSample up = Next();
-  if (up->body._d != openr_wire_UP_FORGOTTEN) Refuse("something else when it was to forget");
-  TakeForgotten(*up);
+  const ReceivedSample to_master = Next();
+  if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)
+    Refuse("something else when it was to forget");
+  TakeForgotten(*to_master);
 }
 
-void RemoteProcess::TakeForgotten(const openr_wire_Up& up) {
-  Apply(up, nullptr);
-  courier_->Dropped(VectorOf(up.body._u.forgotten.dropped));
+void RemoteProcess::TakeForgotten(const openr_wire_ToMaster& to_master) {
+  Apply(to_master, nullptr);
+  courier_->Dropped(VectorOf(to_master.body._u.forgotten.dropped));
 }
 
 }  // namespace openr_host

@@ -41,18 +41,18 @@ void RemoteProcess::Refuse(const std::string& what) {
                                 identity().pid, what));
 }
 
-openr_wire_Down RemoteProcess::NewDown(openr_wire_DownKind kind) {
-  openr_wire_Down down{};
-  down.body._d = kind;
-  return down;
+openr_wire_ToWorker RemoteProcess::NewToWorker(openr_wire_ToWorkerKind kind) {
+  openr_wire_ToWorker to_worker{};
+  to_worker.body._d = kind;
+  return to_worker;
 }
 
-void RemoteProcess::Send(const openr_wire_Down& down, bool batched) {
+void RemoteProcess::Send(const openr_wire_ToWorker& to_worker, bool batched) {
   if (slot_.channel() == nullptr)
     throw ProcessLost(fmt::format("process '{}' is not there", name_));
   try {
-    if (batched) return slot_.channel()->SendBatched(down);
-    slot_.channel()->Send(down);
+    if (batched) return slot_.channel()->SendBatched(to_worker);
+    slot_.channel()->Send(to_worker);
   } catch (const std::runtime_error& error) {  // nobody takes it, or DDS has no room
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
                                   identity().pid, error.what()));
@@ -74,11 +74,11 @@ bool RemoteProcess::WillSendMore() const {
 RemoteProcess::ReceivedSample RemoteProcess::Next() {
   bool told = false;
   for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
-    ReceivedSample up = slot_.channel()->Receive(kWorkerPollMs);
-    if (up) {
-      HearOfEnd(*up);
+    ReceivedSample to_master = slot_.channel()->Receive(kWorkerPollMs);
+    if (to_master) {
+      HearOfEnd(*to_master);
       if (told) say_(fmt::format("process '{}' answers again", name_));
-      return up;
+      return to_master;
     }
     const std::string problem = WhatIsWrong();
     if (!problem.empty()) {  // its last word may be on the way still
@@ -126,9 +126,9 @@ std::string RemoteProcess::WhyItIsGone() {
 }
 
 // Its goodbye comes at any time.
-void RemoteProcess::HearOfEnd(const openr_wire_Up& up) const {
-  if (up.body._d != openr_wire_UP_LEFT) return;
-  const openr_wire_Left& left = up.body._u.left;
+void RemoteProcess::HearOfEnd(const openr_wire_ToMaster& to_master) const {
+  if (to_master.body._d != openr_wire_TO_MASTER_GOODBYE) return;
+  const openr_wire_Goodbye& left = to_master.body._u.goodbye;
   const std::string text = fmt::format("process '{}' (pid {} on {}) {}", name_, identity().pid,
                                        identity().host, StringOf(left.text));
   if (left.has_refused) throw ProcessRefused(text);
@@ -155,21 +155,21 @@ void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
 void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
   system_ = system;
   if (courier_ == nullptr) courier_ = std::make_unique<Courier>(system, false);
-  openr_wire_Down down = NewDown(openr_wire_DOWN_WELCOME);
-  down.body._u.welcome = welcome;
-  Send(down);
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_WELCOME);
+  to_worker.body._u.welcome = welcome;
+  Send(to_worker);
 }
 
 void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
 
 void RemoteProcess::BeginLoad(const openr_wire_Load& load) {
-  openr_wire_Down down = NewDown(openr_wire_DOWN_LOAD);
-  down.body._u.load = load;
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_LOAD);
+  to_worker.body._u.load = load;
   awaited_.clear();
   for (uint32_t i = 0; i < load.objects._length; ++i) {
-    if (load.objects._buffer[i].is_yours) awaited_.insert(load.objects._buffer[i].id);
+    if (load.objects._buffer[i].is_own) awaited_.insert(load.objects._buffer[i].id);
   }
-  Send(down);
+  Send(to_worker);
 }
 
 void RemoteProcess::Load(const openr_wire_Load& load) {
@@ -179,22 +179,22 @@ void RemoteProcess::Load(const openr_wire_Load& load) {
 }
 
 bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) {
-  while (const ReceivedSample up = slot_.channel()->Receive(0)) {
-    if (TakeLoaded(*up, objects)) return true;
+  while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
+    if (TakeLoaded(*to_master, objects)) return true;
   }
   const std::string problem = WhatIsWrong();
   if (!problem.empty()) throw ProcessLost(problem);
   return false;
 }
 
-bool RemoteProcess::TakeLoaded(const openr_wire_Up& up,
+bool RemoteProcess::TakeLoaded(const openr_wire_ToMaster& to_master,
                                const std::map<ObjectId, RemoteObject*>& objects) {
-  HearOfEnd(up);
-  if (Serve(up)) return false;
-  if (up.body._d == openr_wire_UP_CRASHED) Crash(up.body._u.crashed);
-  if (up.body._d != openr_wire_UP_LOADED) Refuse("no list of its objects");
-  Apply(up, nullptr);
-  const auto& loaded = up.body._u.loaded.objects;
+  HearOfEnd(to_master);
+  if (Serve(to_master)) return false;
+  if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
+  if (to_master.body._d != openr_wire_TO_MASTER_LOADED) Refuse("no list of its objects");
+  Apply(to_master, nullptr);
+  const auto& loaded = to_master.body._u.loaded.objects;
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
     const auto found = objects.find(entry.id);
@@ -219,15 +219,15 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   {
     WireArena arena;
-    openr_wire_Down down = NewDown(openr_wire_DOWN_DELIVER);
-    openr_wire_Deliver& deliver = down.body._u.deliver;
+    openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_DELIVER);
+    openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
     courier_->Encode(message, is_there, &arena, &deliver.message);
-    Send(down, is_free_ && WillSendMore());
+    Send(to_worker, is_free_ && WillSendMore());
     courier_->Sent(message);
   }
   for (;;) {
@@ -245,19 +245,21 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
 
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStop(RemoteObject* object) {
   for (;;) {
-    const ReceivedSample up = Next();
-    if (Serve(*up)) continue;
-    if (up->body._d == openr_wire_UP_CRASHED) Crash(up->body._u.crashed);
-    if (up->body._d != openr_wire_UP_STOPPED) Refuse("something in the middle of a handler");
-    if (up->body._u.stopped.object != object->id) Refuse("the end of another object's handler");
-    return TakeStop(*up);
+    const ReceivedSample to_master = Next();
+    if (Serve(*to_master)) continue;
+    if (to_master->body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master->body._u.crashed);
+    if (to_master->body._d != openr_wire_TO_MASTER_STOPPED)
+      Refuse("something in the middle of a handler");
+    if (to_master->body._u.stopped.object != object->id)
+      Refuse("the end of another object's handler");
+    return TakeStop(*to_master);
   }
 }
 
-RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_Up& up) {
-  const openr_wire_Stopped& stopped = up.body._u.stopped;
+RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_ToMaster& to_master) {
+  const openr_wire_Stopped& stopped = to_master.body._u.stopped;
   Object* const object = ObjectOf(stopped.object);
-  Apply(up, object);
+  Apply(to_master, object);
   object->state = StringOf(stopped.state);
   object->dropped_count += stopped.dropped - std::exchange(dropped_[object->id], stopped.dropped);
   object->stack_max = stopped.stack_max;
@@ -311,9 +313,9 @@ void RemoteProcess::NoteLoss(const Action& action) {
 bool RemoteProcess::TakeWhatCame() {
   bool came = false;
   NoteLoss([this, &came] {
-    while (const ReceivedSample up = slot_.channel()->Receive(0)) {
+    while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
-      TakeFree(*up);
+      TakeFree(*to_master);
       if (!slot_.channel()->has_received()) break;  // what comes meanwhile is for the next time
     }
   });
@@ -344,16 +346,17 @@ void RemoteProcess::LookAfter() {
   });
 }
 
-void RemoteProcess::TakeFree(const openr_wire_Up& up) {
-  HearOfEnd(up);
-  if (Serve(up)) return;
-  if (up.body._d == openr_wire_UP_CRASHED) Crash(up.body._u.crashed);
-  if (up.body._d == openr_wire_UP_FORGOTTEN) return TakeForgotten(up);
-  if (up.body._d != openr_wire_UP_STOPPED) Refuse("something that is no end of a handler");
-  const ObjectId object = up.body._u.stopped.object;
+void RemoteProcess::TakeFree(const openr_wire_ToMaster& to_master) {
+  HearOfEnd(to_master);
+  if (Serve(to_master)) return;
+  if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
+  if (to_master.body._d == openr_wire_TO_MASTER_FORGOTTEN) return TakeForgotten(to_master);
+  if (to_master.body._d != openr_wire_TO_MASTER_STOPPED)
+    Refuse("something that is no end of a handler");
+  const ObjectId object = to_master.body._u.stopped.object;
   const auto found = under_way_.find(object);
   if (found == under_way_.end()) Refuse("the end of a handler that was not begun");
-  stops_[object] = TakeStop(up);
+  stops_[object] = TakeStop(to_master);
   WakeHandler(object, found->second);
   under_way_.erase(object);
 }
@@ -368,8 +371,8 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
 
 // The proxy's handler waits as the real one does; what comes meanwhile is other objects' turn.
 void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
-  openr_wire_Down down = NewDown(openr_wire_DOWN_RESUME);
-  openr_wire_Resume& resume = down.body._u.resume;
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
+  openr_wire_Resume& resume = to_worker.body._u.resume;
   Message* const reply =
       system_->AwaitReply(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
   if (is_lost_ || session != session_) {  // another object brought the process down meanwhile
@@ -383,7 +386,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
   resume.reply.reply_box = stop.box;
-  Send(down);
+  Send(to_worker);
   system_->queue().Release(reply);
 }
 
@@ -400,8 +403,8 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
   if (is_known()) return;
   if (!problem.empty()) throw ProcessLost(problem);
   WireArena arena;
-  openr_wire_Down down = NewDown(openr_wire_DOWN_RESUME);
-  openr_wire_Resume& resume = down.body._u.resume;
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
+  openr_wire_Resume& resume = to_worker.body._u.resume;
   resume.now_us = system_->now_us();
   resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
   resume.reply.target = object->id;
@@ -410,17 +413,17 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
   resume.reply.reply_box = stop.box;
   resume.reply.payload._d = openr_wire_PAYLOAD_BYTES;
   resume.reply.payload._u.bytes = arena.Bytes(line, size);
-  Send(down);
+  Send(to_worker);
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
   if (is_free_) return "";  // it has gone on meanwhile
-  openr_wire_Down down = NewDown(openr_wire_DOWN_ASK_STATE);
-  down.body._u.state_of = object;
-  Send(down);
-  const ReceivedSample up = Next();
-  if (up->body._d != openr_wire_UP_STATE) Refuse("no state");
-  const openr_wire_State& state = up->body._u.state;
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
+  to_worker.body._u.state_of = object;
+  Send(to_worker);
+  const ReceivedSample to_master = Next();
+  if (to_master->body._d != openr_wire_TO_MASTER_STATE) Refuse("no state");
+  const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
     if (courier_->HasBorrowed(in.region)) continue;
@@ -437,11 +440,11 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 void RemoteProcess::End(const std::string& why) {
   courier_.reset();                 // what it has borrowed is the System's
   if (!slot_.has_joined()) return;  // nobody is there; one that is coming back is
-  openr_wire_Down down = NewDown(openr_wire_DOWN_END);
+  openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;
-  down.body._u.ended = {false, arena.Text(why)};
+  to_worker.body._u.ended = {false, arena.Text(why)};
   try {
-    Send(down);
+    Send(to_worker);
     slot_.channel()->WaitForAcks(kEndFlushMs);
   } catch (const ProcessLost&) {
     is_lost_ = true;

@@ -153,30 +153,31 @@ class RemoteProcess {
     std::string why;
   };
 
-  static openr_wire_Down NewDown(openr_wire_DownKind kind);
-  void Send(const openr_wire_Down& down, bool batched = false);
+  static openr_wire_ToWorker NewToWorker(openr_wire_ToWorkerKind kind);
+  void Send(const openr_wire_ToWorker& to_worker, bool batched = false);
   bool WillSendMore() const;
   ReceivedSample Next();
-  void HearOfEnd(const openr_wire_Up& up) const;
+  void HearOfEnd(const openr_wire_ToMaster& to_master) const;
   void LookForSilence();
   std::optional<Stop> WaitForStop(RemoteObject* object);
   std::optional<Stop> AwaitStop(RemoteObject* object);
-  Stop TakeStop(const openr_wire_Up& up);
+  Stop TakeStop(const openr_wire_ToMaster& to_master);
   void TakeHeap(int robot, uint64_t bytes);
-  void TakeFree(const openr_wire_Up& up);
-  void TakeForgotten(const openr_wire_Up& up);
-  bool TakeLoaded(const openr_wire_Up& up, const std::map<ObjectId, RemoteObject*>& objects);
+  void TakeFree(const openr_wire_ToMaster& to_master);
+  void TakeForgotten(const openr_wire_ToMaster& to_master);
+  bool TakeLoaded(const openr_wire_ToMaster& to_master,
+                  const std::map<ObjectId, RemoteObject*>& objects);
   template <typename Action>
   void NoteLoss(const Action& action);
   [[noreturn]] void Crash(const openr_wire_Crashed& crashed);
   void WakeHandler(ObjectId object, uint64_t box);
-  bool Serve(const openr_wire_Up& up);
+  bool Serve(const openr_wire_ToMaster& to_master);
   void SendAnswer(const Answer& answer);
-  void Apply(const openr_wire_Up& up, Object* self);
+  void Apply(const openr_wire_ToMaster& to_master, Object* self);
   void EndRobot(NoteKind kind, int robot, const RunEnd& why);
   void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
   void Unpin(uint32_t region);
-  int32_t Post(const openr_wire_Posted& posted, Object* self);
+  int32_t Post(const openr_wire_PostedMessage& posted, Object* self);
   void Check(const openr_wire_Message& in, const Object* self);
   void CheckEnds(const openr_wire_Message& in, const Object* self);
   bool Has(uint32_t region) const;

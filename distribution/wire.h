@@ -94,19 +94,22 @@ inline size_t BulkBytesOf(const openr_wire_Message& message) {
       return 0;
   }
 }
-inline size_t BulkBytesOf(const openr_wire_Down& down) {
-  return down.body._d == openr_wire_DOWN_DELIVER ? BulkBytesOf(down.body._u.deliver.message) : 0;
+inline size_t BulkBytesOf(const openr_wire_ToWorker& to_worker) {
+  return to_worker.body._d == openr_wire_TO_WORKER_DELIVER
+             ? BulkBytesOf(to_worker.body._u.deliver.message)
+             : 0;
 }
-inline size_t BulkBytesOf(const openr_wire_UpBody& body) {
-  if (body._d == openr_wire_UP_POST) return BulkBytesOf(body._u.post.posted.message);
-  return body._d == openr_wire_UP_STATE ? BytesIn(body._u.state.regions) : 0;
+inline size_t BulkBytesOf(const openr_wire_ToMasterBody& body) {
+  if (body._d == openr_wire_TO_MASTER_POST) return BulkBytesOf(body._u.post.posted.message);
+  return body._d == openr_wire_TO_MASTER_STATE ? BytesIn(body._u.state.regions) : 0;
 }
-inline size_t BulkBytesOf(const openr_wire_Up& up) {
-  return std::accumulate(up.effects._buffer, up.effects._buffer + up.effects._length,
-                         BulkBytesOf(up.body), [](size_t sum, const openr_wire_Effect& effect) {
-                           if (effect._d != openr_wire_EFFECT_POST) return sum;
-                           return sum + BulkBytesOf(effect._u.posted.message);
-                         });
+inline size_t BulkBytesOf(const openr_wire_ToMaster& to_master) {
+  return std::accumulate(
+      to_master.effects._buffer, to_master.effects._buffer + to_master.effects._length,
+      BulkBytesOf(to_master.body), [](size_t sum, const openr_wire_Effect& effect) {
+        if (effect._d != openr_wire_EFFECT_POST) return sum;
+        return sum + BulkBytesOf(effect._u.posted.message);
+      });
 }
 
 }  // namespace openr_host

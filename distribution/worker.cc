@@ -37,14 +37,14 @@ Worker::~Worker() {
   system_.reset();  // destructors of images may still call
 }
 
-openr_wire_Up Worker::NewUp(openr_wire_UpKind kind) {
-  openr_wire_Up up{};
-  up.body._d = kind;
-  return up;
+openr_wire_ToMaster Worker::NewToMaster(openr_wire_ToMasterKind kind) {
+  openr_wire_ToMaster to_master{};
+  to_master.body._d = kind;
+  return to_master;
 }
 
-void Worker::TakeEffects(openr_wire_Up* up) {
-  up->effects = arena_.Sequence<decltype(up->effects)>(effects_);
+void Worker::TakeEffects(openr_wire_ToMaster* to_master) {
+  to_master->effects = arena_.Sequence<decltype(to_master->effects)>(effects_);
   effects_.clear();
   in_sample_.clear();
 }
@@ -62,11 +62,11 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       if (!channel_->IsConnected() || (!answer && IsEnded())) return sample;
       continue;
     }
-    if (!answer || sample->body._d == openr_wire_DOWN_ANSWER) return sample;
-    if (sample->body._d == openr_wire_DOWN_END) {  // in the middle of a handler
+    if (!answer || sample->body._d == openr_wire_TO_WORKER_ANSWER) return sample;
+    if (sample->body._d == openr_wire_TO_WORKER_END) {  // in the middle of a handler
       const openr_wire_End& end = sample->body._u.ended;
       SayThatItIsOver(end);
-      _exit(end.without_you ? 1 : 0);
+      _exit(end.run_goes_on ? 1 : 0);
     }
     early_.push_back(std::move(sample));
   }
@@ -123,13 +123,13 @@ std::string Worker::Join() {
   channel_ = std::make_unique<WorkerChannel>(&bus_, options_.process + "/" + session_,
                                              ChannelEnd::kWorker);
   if (!WaitFor(*channel_)) return NoRun();
-  openr_wire_Up up = NewUp(openr_wire_UP_HELLO);
-  up.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process), arena_.Text(HostName()),
-                      getpid(), arena_.Text(MachineId())};
-  Send(up);
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_HELLO);
+  to_master.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process),
+                             arena_.Text(HostName()), getpid(), arena_.Text(MachineId())};
+  Send(to_master);
   const ReceivedSample welcome = Next(false);
   if (!welcome) return "the master is gone";
-  if (welcome->body._d != openr_wire_DOWN_WELCOME)
+  if (welcome->body._d != openr_wire_TO_WORKER_WELCOME)
     return "the master does not welcome this process";
   return SetUp(welcome->body._u.welcome);
 }
@@ -150,9 +150,9 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.console = [this](std::string_view text) {
     const Indivisible indivisible;
     WireArena arena;
-    openr_wire_Up up = NewUp(openr_wire_UP_SAID);
-    up.body._u.said = arena.Text(text);
-    Send(up);
+    openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CONSOLE);
+    to_master.body._u.console_text = arena.Text(text);
+    Send(to_master);
   };
   is_free_ = welcome.free_running;
   system_ = std::make_unique<System>(std::move(options));
@@ -179,10 +179,10 @@ std::string Worker::Run() {
 
 void Worker::SayGoodbye(const std::string& text) {
   if (channel_ == nullptr || !channel_->IsConnected()) return;
-  openr_wire_Up up = NewUp(openr_wire_UP_LEFT);
-  up.body._u.left = {is_refused_, arena_.Text(text)};
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_GOODBYE);
+  to_master.body._u.goodbye = {is_refused_, arena_.Text(text)};
   try {
-    channel_->Send(up);
+    channel_->Send(to_master);
     channel_->WaitForAcks(kGoodbyeFlushMs);
   } catch (const std::exception&) {  // the run sees that this process ends
   }
@@ -196,7 +196,7 @@ void Worker::SayThatItJoined() {
 }
 
 void Worker::SayThatItIsOver(const openr_wire_End& end) {
-  if (end.without_you) {
+  if (end.run_goes_on) {
     options_.say(kAbandonedText);
   } else if (options_.session.empty() && StringOf(end.why) != "") {
     options_.say("the run is over, " + StringOf(end.why));
@@ -205,35 +205,35 @@ void Worker::SayThatItIsOver(const openr_wire_End& end) {
 
 std::string Worker::Serve() {
   for (;;) {
-    const ReceivedSample down = Next(false);
-    if (!down) return "the master is gone";
-    switch (down->body._d) {
-      case openr_wire_DOWN_LOAD: {
-        const std::string problem = LoadMore(down->body._u.load);
+    const ReceivedSample to_worker = Next(false);
+    if (!to_worker) return "the master is gone";
+    switch (to_worker->body._d) {
+      case openr_wire_TO_WORKER_LOAD: {
+        const std::string problem = LoadMore(to_worker->body._u.load);
         if (!problem.empty()) return problem;
         break;
       }
-      case openr_wire_DOWN_DELIVER:
+      case openr_wire_TO_WORKER_DELIVER:
         if (!std::exchange(has_begun_, true)) SayThatItJoined();
-        Deliver(down->body._u.deliver, false);
+        Deliver(to_worker->body._u.deliver, false);
         break;
-      case openr_wire_DOWN_RESUME:
-        Deliver({down->body._u.resume.now_us, down->body._u.resume.heap_elsewhere,
-                 down->body._u.resume.reply},
-                down->body._u.resume.timed_out);
+      case openr_wire_TO_WORKER_RESUME:
+        Deliver({to_worker->body._u.resume.now_us, to_worker->body._u.resume.heap_elsewhere,
+                 to_worker->body._u.resume.reply},
+                to_worker->body._u.resume.timed_out);
         break;
-      case openr_wire_DOWN_ASK_STATE:
-        SendState(down->body._u.state_of);
+      case openr_wire_TO_WORKER_ASK_STATE:
+        SendState(to_worker->body._u.state_of);
         break;
-      case openr_wire_DOWN_FORGET:
-        Forget(down->body._u.forgotten);
+      case openr_wire_TO_WORKER_FORGET:
+        Forget(to_worker->body._u.replaced_object);
         break;
-      case openr_wire_DOWN_END:
-        if (down->body._u.ended.without_you) return kAbandonedText;
-        SayThatItIsOver(down->body._u.ended);
+      case openr_wire_TO_WORKER_END:
+        if (to_worker->body._u.ended.run_goes_on) return kAbandonedText;
+        SayThatItIsOver(to_worker->body._u.ended);
         return "";
-      case openr_wire_DOWN_WELCOME:
-      case openr_wire_DOWN_ANSWER:
+      case openr_wire_TO_WORKER_WELCOME:
+      case openr_wire_TO_WORKER_ANSWER:
         return "the master says what was not asked";
     }
   }
@@ -304,8 +304,8 @@ void Worker::FollowBuffers(const Object& object, const Message& message) {
 }
 
 void Worker::SendStopped(Object* object) {
-  openr_wire_Up up = NewUp(openr_wire_UP_STOPPED);
-  openr_wire_Stopped& stopped = up.body._u.stopped;
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_STOPPED);
+  openr_wire_Stopped& stopped = to_master.body._u.stopped;
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
@@ -324,8 +324,8 @@ void Worker::SendStopped(Object* object) {
   for (const auto& subject : object->subjects) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
-  TakeEffects(&up);
-  Send(up, is_free_);
+  TakeEffects(&to_master);
+  Send(to_master, is_free_);
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
@@ -333,10 +333,10 @@ void Worker::SendStopped(Object* object) {
 
 void Worker::TellCrash(std::string_view text) {
   WireArena arena;
-  openr_wire_Up up = NewUp(openr_wire_UP_CRASHED);
-  up.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
-                        arena.Text(text)};
-  Send(up);
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CRASHED);
+  to_master.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
+                               arena.Text(text)};
+  Send(to_master);
   channel_->WaitForAcks(kCrashFlushMs);  // nobody sends it again when this process is gone
 }
 
@@ -351,21 +351,21 @@ void Worker::SendState(ObjectId id) {
       regions.push_back({region, WireArena::View(base, size)});
     });
   }
-  openr_wire_Up up = NewUp(openr_wire_UP_STATE);
-  up.body._u.state.subjects = WireArena::View(subjects.data(), subjects.size());
-  auto& bytes = up.body._u.state.regions;
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_STATE);
+  to_master.body._u.state.subjects = WireArena::View(subjects.data(), subjects.size());
+  auto& bytes = to_master.body._u.state.regions;
   bytes = arena.Sequence<std::remove_reference_t<decltype(bytes)>>(regions);
-  Send(up);
+  Send(to_master);
 }
 
 // It has been replaced where it is; what is connected to it here hears of the new one as of any.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
   std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
-  openr_wire_Up up = NewUp(openr_wire_UP_FORGOTTEN);
-  up.body._u.forgotten = {id, arena_.Numbers(courier_->TakeDropped())};
-  TakeEffects(&up);
-  Send(up);
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
+  to_master.body._u.forgotten = {id, arena_.Numbers(courier_->TakeDropped())};
+  TakeEffects(&to_master);
+  Send(to_master);
   arena_.Clear();
 }
 

@@ -98,11 +98,11 @@ class Worker : public Uplink {
   void SendState(ObjectId id);
   void Forget(ObjectId id);
 
-  static openr_wire_Up NewUp(openr_wire_UpKind kind);
-  void Send(const openr_wire_Up& up, bool batched = false);
+  static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
+  void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void GiveUp(const std::string& why);
   // What handlers did since the last sample goes with `up`.
-  void TakeEffects(openr_wire_Up* up);
+  void TakeEffects(openr_wire_ToMaster* to_master);
   // The next sample, of the kind given if it is an answer that is waited for; empty when the
   // master is gone.
   ReceivedSample Next(bool answer);
@@ -111,8 +111,8 @@ class Worker : public Uplink {
   bool CancelPin(uint64_t region);
   void FollowBuffers(const Object& object, const Message& message);
   void KeepUntilSent(uint32_t region);
-  void SendOnce(openr_wire_Part* part);
-  openr_wire_Posted Encode(const Message& message, int64_t delay_us);
+  void SendOnce(openr_wire_NotifiedRegion* part);
+  openr_wire_PostedMessage Encode(const Message& message, int64_t delay_us);
 
   const WorkerOptions options_;
   Bus bus_;
@@ -134,8 +134,8 @@ class Worker : public Uplink {
   // Of the handler that runs.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;
-  std::vector<uint32_t> pinned_;                   // regions whose bytes are to be sent
-  std::map<uint32_t, openr_wire_Part> in_sample_;  // whose bytes go with the next sample
+  std::vector<uint32_t> pinned_;                             // regions whose bytes are to be sent
+  std::map<uint32_t, openr_wire_NotifiedRegion> in_sample_;  // whose bytes go with the next sample
   std::map<ObjectId, Wait> waits_;
 };
 

@@ -98,7 +98,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;
   }
-  if (entry.is_yours) {
+  if (entry.is_own) {
     Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
       object->last_box = entry.last_box;
@@ -141,11 +141,11 @@ openr_wire_LoadedObject Worker::Describe(const Object& object) {
 }
 
 void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
-  openr_wire_Up up = NewUp(openr_wire_UP_LOADED);
-  auto& objects = up.body._u.loaded.objects;
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_LOADED);
+  auto& objects = to_master.body._u.loaded.objects;
   objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
-  TakeEffects(&up);
-  Send(up);
+  TakeEffects(&to_master);
+  Send(to_master);
   arena_.Clear();
 }
 

@@ -16,11 +16,11 @@ namespace openr_host {
 
 // Nothing is thrown: it would go through the code of an object, which may catch it, or be blamed
 // for it.
-void Worker::Send(const openr_wire_Up& up, bool batched) {
+void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   try {
-    batched ? channel_->SendBatched(up) : channel_->Send(up);
+    batched ? channel_->SendBatched(to_master) : channel_->Send(to_master);
   } catch (const std::exception& error) {
-    const size_t bulk_MB = BulkBytesOf(up) >> 20;
+    const size_t bulk_MB = BulkBytesOf(to_master) >> 20;
     if (bulk_MB + 1 < kSampleMax_MB)
       GiveUp(fmt::format("could not send to the run: {}", error.what()));
     GiveUp(
@@ -44,16 +44,16 @@ void Worker::KeepUntilSent(uint32_t region) {
 
 // However many observers a region is for, its bytes go with the first notification of a sample; the
 // master has them when it comes to the next.
-void Worker::SendOnce(openr_wire_Part* part) {
+void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = in_sample_.try_emplace(part->region, *part);
-  const openr_wire_Part& sent = first->second;
+  const openr_wire_NotifiedRegion& sent = first->second;
   if (!is_first && part->offset >= sent.offset &&
       uint64_t{part->offset} + part->size <= uint64_t{sent.offset} + sent.size)
     part->bytes = {};
 }
 
-openr_wire_Posted Worker::Encode(const Message& message, int64_t delay_us) {
-  openr_wire_Posted posted{};
+openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us) {
+  openr_wire_PostedMessage posted{};
   posted.delay_us = delay_us;
   courier_->Encode(message, nullptr, &arena_, &posted.message);
   if (message.kind == PayloadKind::kNotify) {
@@ -75,9 +75,9 @@ bool Worker::MayBeRefused(const Message& message) {
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
   if (entries_.contains(entry)) return false;
-  openr_wire_Up up = NewUp(openr_wire_UP_ENTRY);
-  up.body._u.entry = {message.target, message.selector};
-  Send(up);
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
+  to_master.body._u.entry = {message.target, message.selector};
+  Send(to_master);
   if (WaitForAnswer().status != 1) return true;
   entries_.insert(entry);
   return false;
@@ -90,15 +90,16 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     return sFAIL;
   }
   const bool may_be_refused = MayBeRefused(*message);
-  const openr_wire_Posted posted = Encode(*message, delay_us);
+  const openr_wire_PostedMessage posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
   // Where it may be refused, the sender has to know at once; else it goes with everything else the
   // handler does.
   if (may_be_refused) {
-    openr_wire_Up up = NewUp(openr_wire_UP_POST);
-    up.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id, posted};
-    TakeEffects(&up);
-    Send(up);
+    openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_POST);
+    to_master.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id,
+                              posted};
+    TakeEffects(&to_master);
+    Send(to_master);
     error = static_cast<int32_t>(WaitForAnswer().status);
   } else {
     openr_wire_Effect effect{};
@@ -137,20 +138,20 @@ void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view
 Answer Worker::Ask(const Question& question) {
   const Indivisible indivisible;
   if (is_over_) return {};
-  openr_wire_Up up = NewUp(openr_wire_UP_QUESTION);
-  up.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
-                         static_cast<uint32_t>(question.kind), arena_.Numbers(question.numbers),
-                         arena_.Text(question.text),
-                         WireArena::View(question.bytes.data(), question.bytes.size())};
-  TakeEffects(&up);
-  Send(up);
+  openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
+  to_master.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
+                                static_cast<uint32_t>(question.kind),
+                                arena_.Numbers(question.numbers), arena_.Text(question.text),
+                                WireArena::View(question.bytes.data(), question.bytes.size())};
+  TakeEffects(&to_master);
+  Send(to_master);
   return WaitForAnswer();
 }
 
 Answer Worker::WaitForAnswer() {
   try {
-    if (const ReceivedSample down = Next(true)) {
-      const openr_wire_Answer& answer = down->body._u.answer;
+    if (const ReceivedSample to_worker = Next(true)) {
+      const openr_wire_Answer& answer = to_worker->body._u.answer;
       return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
     }
   } catch (const std::exception& error) {

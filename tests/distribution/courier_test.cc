@@ -97,12 +97,12 @@ class CourierTest : public testing::Test {
   }
 
   // One part of a notification, as somebody may send it.
-  openr_wire_Message Forged(openr_wire_Part part, uint32_t count = 1) {
+  openr_wire_Message Forged(openr_wire_NotifiedRegion part, uint32_t count = 1) {
     openr_wire_Message message{};
     message.payload._d = openr_wire_PAYLOAD_NOTIFY;
     auto& parts = message.payload._u.notify.parts;
     parts = arena.Sequence<std::remove_reference_t<decltype(parts)>>(
-        std::vector<openr_wire_Part>(count, part));
+        std::vector<openr_wire_NotifiedRegion>(count, part));
     return message;
   }
   std::string Refused(const openr_wire_Message& in) {
@@ -319,7 +319,7 @@ TEST_F(CourierTest, AReadyWithATokenNobodyHasIsRefused) {
   in.payload._d = openr_wire_PAYLOAD_READY;
   auto& regions = in.payload._u.ready.regions;
   regions = arena.Sequence<std::remove_reference_t<decltype(regions)>>(
-      std::vector<openr_wire_Returned>{{0xdeadbeef, {}}});
+      std::vector<openr_wire_ReturnedRegion>{{0xdeadbeef, {}}});
   Message out = Blank();
   EXPECT_EQ(ours.Decode(in, &out), "a ready with an unknown region");
 }
@@ -394,7 +394,7 @@ TEST_F(CourierTest, TooManyPartsAreRefused) {
   in.payload._d = openr_wire_PAYLOAD_READY;
   auto& regions = in.payload._u.ready.regions;
   regions = arena.Sequence<std::remove_reference_t<decltype(regions)>>(
-      std::vector<openr_wire_Returned>(MAX_NUM_DATA + 1));
+      std::vector<openr_wire_ReturnedRegion>(MAX_NUM_DATA + 1));
   EXPECT_EQ(Refused(in), "a ready with " + std::to_string(MAX_NUM_DATA + 1) + " regions");
 }
 

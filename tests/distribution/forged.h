@@ -59,35 +59,36 @@ class ForgedTest : public ::testing::Test {
     process_.slot().OpenSession("now");
     channel_ = std::make_unique<WorkerChannel>(&bus_, "liar/now", ChannelEnd::kWorker);
     WaitUntil("the other end", [this] { return channel_->IsConnected(); });
-    openr_wire_Up up = New(openr_wire_UP_HELLO);
-    up.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
-                        arena_.Text("")};
-    channel_->Send(up);
+    openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_HELLO);
+    to_master.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
+                               arena_.Text("")};
+    channel_->Send(to_master);
     process_.WaitForHello(10'000, "", [] { return false; });
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
     process_.Welcome(&system_, welcome);
   }
 
-  openr_wire_Up New(openr_wire_UpKind kind) const {
-    openr_wire_Up up{};
-    up.body._d = kind;
-    return up;
+  openr_wire_ToMaster New(openr_wire_ToMasterKind kind) const {
+    openr_wire_ToMaster to_master{};
+    to_master.body._d = kind;
+    return to_master;
   }
   // The handler's end, as it should be.
-  openr_wire_Up Stopped() {
-    openr_wire_Up up = New(openr_wire_UP_STOPPED);
-    openr_wire_Stopped& stopped = up.body._u.stopped;
+  openr_wire_ToMaster Stopped() {
+    openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_STOPPED);
+    openr_wire_Stopped& stopped = to_master.body._u.stopped;
     stopped.object = remote_->id;
     stopped.timeout_us = -1;
-    return up;
+    return to_master;
   }
-  openr_wire_Up With(const openr_wire_Effect& effect) {
-    openr_wire_Up up = Stopped();
-    up.effects = arena_.Sequence<decltype(up.effects)>(std::vector<openr_wire_Effect>{effect});
-    return up;
+  openr_wire_ToMaster With(const openr_wire_Effect& effect) {
+    openr_wire_ToMaster to_master = Stopped();
+    to_master.effects =
+        arena_.Sequence<decltype(to_master.effects)>(std::vector<openr_wire_Effect>{effect});
+    return to_master;
   }
-  openr_wire_Up Note(NoteKind kind, std::vector<uint64_t> numbers) {
+  openr_wire_ToMaster Note(NoteKind kind, std::vector<uint64_t> numbers) {
     openr_wire_Effect effect{};
     effect._d = openr_wire_EFFECT_NOTE;
     effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
@@ -102,13 +103,14 @@ class ForgedTest : public ::testing::Test {
     message.payload._d = kind;
     return message;
   }
-  openr_wire_Up Post(const openr_wire_Message& message, int64_t delay_us = 0) {
+  openr_wire_ToMaster Post(const openr_wire_Message& message, int64_t delay_us = 0) {
     openr_wire_Effect effect{};
     effect._d = openr_wire_EFFECT_POST;
     effect._u.posted = {message, delay_us};
     return With(effect);
   }
-  openr_wire_Up Notify(std::vector<openr_wire_Part> parts, uint32_t notifications = 1) {
+  openr_wire_ToMaster Notify(std::vector<openr_wire_NotifiedRegion> parts,
+                             uint32_t notifications = 1) {
     openr_wire_Message message = Message(openr_wire_PAYLOAD_NOTIFY);
     openr_wire_Notify& notify = message.payload._u.notify;
     notify.subject = remote_->id;
@@ -116,7 +118,7 @@ class ForgedTest : public ::testing::Test {
     notify.parts = arena_.Sequence<decltype(notify.parts)>(std::move(parts));
     return Post(message);
   }
-  openr_wire_Up Ready(std::vector<openr_wire_Returned> regions) {
+  openr_wire_ToMaster Ready(std::vector<openr_wire_ReturnedRegion> regions) {
     openr_wire_Message message = Message(openr_wire_PAYLOAD_READY);
     openr_wire_Ready& ready = message.payload._u.ready;
     ready.observer = remote_->id;
@@ -124,20 +126,20 @@ class ForgedTest : public ::testing::Test {
     ready.regions = arena_.Sequence<decltype(ready.regions)>(std::move(regions));
     return Post(message);
   }
-  openr_wire_Up Ask(int32_t object, QuestionKind kind, std::vector<uint64_t> numbers,
-                    const std::string& text = "") {
-    openr_wire_Up up = New(openr_wire_UP_QUESTION);
-    up.body._u.question = {object,
-                           static_cast<uint32_t>(kind),
-                           arena_.Numbers(std::move(numbers)),
-                           arena_.Text(text),
-                           {}};
-    return up;
+  openr_wire_ToMaster Ask(int32_t object, QuestionKind kind, std::vector<uint64_t> numbers,
+                          const std::string& text = "") {
+    openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_QUESTION);
+    to_master.body._u.question = {object,
+                                  static_cast<uint32_t>(kind),
+                                  arena_.Numbers(std::move(numbers)),
+                                  arena_.Text(text),
+                                  {}};
+    return to_master;
   }
 
   // Hands a message to the process, which has sent `ups`.
-  void Deliver(const std::vector<openr_wire_Up>& ups) {
-    for (const openr_wire_Up& up : ups) channel_->Send(up);
+  void Deliver(const std::vector<openr_wire_ToMaster>& samples) {
+    for (const openr_wire_ToMaster& to_master : samples) channel_->Send(to_master);
     {
       const CurrentScope scope(&system_, &sender_->host());
       system_.Post(system_.NewMessage(remote_->id, kEntry));
@@ -146,15 +148,15 @@ class ForgedTest : public ::testing::Test {
     arena_.Clear();
   }
   // Why the process was lost; "": it was not.
-  std::string LossBy(const openr_wire_Up& up) {
-    Deliver({up});
+  std::string LossBy(const openr_wire_ToMaster& to_master) {
+    Deliver({to_master});
     EXPECT_LE(losses_.size(), 1u);
     return losses_.empty() ? "" : losses_[0];
   }
 
   // The same by `action`, when the process has sent `up`.
-  std::string LossBy(const openr_wire_Up& up, const std::function<void()>& action) {
-    channel_->Send(up);
+  std::string LossBy(const openr_wire_ToMaster& to_master, const std::function<void()>& action) {
+    channel_->Send(to_master);
     arena_.Clear();
     try {
       action();
@@ -163,35 +165,35 @@ class ForgedTest : public ::testing::Test {
     }
     return "";
   }
-  openr_wire_Up State(uint32_t region, const std::string& bytes) {
-    openr_wire_Up up = New(openr_wire_UP_STATE);
-    auto& regions = up.body._u.state.regions;
+  openr_wire_ToMaster State(uint32_t region, const std::string& bytes) {
+    openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_STATE);
+    auto& regions = to_master.body._u.state.regions;
     regions = arena_.Sequence<std::remove_reference_t<decltype(regions)>>(
         std::vector<openr_wire_RegionBytes>{{region, arena_.Bytes(bytes.data(), bytes.size())}});
-    return up;
+    return to_master;
   }
-  std::string LossByState(const openr_wire_Up& up) {
-    return LossBy(up, [this] { process_.FetchState(remote_->id); });
+  std::string LossByState(const openr_wire_ToMaster& to_master) {
+    return LossBy(to_master, [this] { process_.FetchState(remote_->id); });
   }
-  openr_wire_Up Loaded(const std::vector<ObjectId>& ids) {
+  openr_wire_ToMaster Loaded(const std::vector<ObjectId>& ids) {
     std::vector<openr_wire_LoadedObject> loaded;
     for (const ObjectId id : ids) {
       loaded.push_back({});
       loaded.back().id = id;
       loaded.back().name = loaded.back().problem = arena_.Text("");
     }
-    openr_wire_Up up = New(openr_wire_UP_LOADED);
-    auto& objects = up.body._u.loaded.objects;
+    openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_LOADED);
+    auto& objects = to_master.body._u.loaded.objects;
     objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
-    return up;
+    return to_master;
   }
   // To the order to load the object that is elsewhere.
-  std::string LossByLoaded(const openr_wire_Up& up) {
-    return LossBy(up, [this] {
+  std::string LossByLoaded(const openr_wire_ToMaster& to_master) {
+    return LossBy(to_master, [this] {
       openr_wire_ObjectEntry entry{};
       entry.id = remote_->id;
       entry.name = entry.path = arena_.Text("");
-      entry.is_yours = true;
+      entry.is_own = true;
       openr_wire_Load load{};
       load.objects =
           arena_.Sequence<decltype(load.objects)>(std::vector<openr_wire_ObjectEntry>{entry});

@@ -26,36 +26,36 @@ class ForgedMasterTest : public testing::Test {
     options.run = "forged-master-" + std::to_string(getpid());
     return options;
   }
-  static openr_wire_Down New(openr_wire_DownKind kind) {
-    openr_wire_Down down{};
-    down.body._d = kind;
-    return down;
+  static openr_wire_ToWorker New(openr_wire_ToWorkerKind kind) {
+    openr_wire_ToWorker to_worker{};
+    to_worker.body._d = kind;
+    return to_worker;
   }
   void Welcome(uint32_t version = openr_wire_VERSION) {
-    openr_wire_Down down = New(openr_wire_DOWN_WELCOME);
-    down.body._u.welcome.version = version;
-    down.body._u.welcome.stick = arena_.Text(OPENR_STICK);
-    slot_.channel()->Send(down);
+    openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_WELCOME);
+    to_worker.body._u.welcome.version = version;
+    to_worker.body._u.welcome.stick = arena_.Text(OPENR_STICK);
+    slot_.channel()->Send(to_worker);
   }
   // To the object manager, which every process has.
-  static openr_wire_Down Deliver(openr_wire_PayloadKind kind) {
-    openr_wire_Down down = New(openr_wire_DOWN_DELIVER);
-    openr_wire_Message& message = down.body._u.deliver.message;
+  static openr_wire_ToWorker Deliver(openr_wire_PayloadKind kind) {
+    openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_DELIVER);
+    openr_wire_Message& message = to_worker.body._u.deliver.message;
     message.sender = -1;
     message.payload._d = kind;
-    return down;
+    return to_worker;
   }
-  openr_wire_Down Load(const std::vector<openr_wire_ObjectEntry>& entries) {
-    openr_wire_Down down = New(openr_wire_DOWN_LOAD);
-    auto& objects = down.body._u.load.objects;
+  openr_wire_ToWorker Load(const std::vector<openr_wire_ObjectEntry>& entries) {
+    openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_LOAD);
+    auto& objects = to_worker.body._u.load.objects;
     objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(entries);
-    return down;
+    return to_worker;
   }
   char* Nothing() { return arena_.Text(""); }
   // What it says when it has heard `down`.
-  std::string EndBy(const openr_wire_Down& down) {
+  std::string EndBy(const openr_wire_ToWorker& to_worker) {
     Welcome();
-    slot_.channel()->Send(down);
+    slot_.channel()->Send(to_worker);
     const ProgramResult& result = run_.Finish();
     EXPECT_EQ(result.status, 1) << result.err;
     return result.err;
@@ -75,37 +75,38 @@ TEST_F(ForgedMasterTest, AnotherVersion) {
 }
 
 TEST_F(ForgedMasterTest, AnAnswerToNothing) {
-  EXPECT_THAT(EndBy(New(openr_wire_DOWN_ANSWER)), HasSubstr("the master says what was not asked"));
+  EXPECT_THAT(EndBy(New(openr_wire_TO_WORKER_ANSWER)),
+              HasSubstr("the master says what was not asked"));
 }
 
 TEST_F(ForgedMasterTest, AMessageToNobody) {
-  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_BYTES);
-  down.body._u.deliver.message.target = 4242;
-  EXPECT_THAT(EndBy(down), HasSubstr("a message to an object that is not there"));
+  openr_wire_ToWorker to_worker = Deliver(openr_wire_PAYLOAD_BYTES);
+  to_worker.body._u.deliver.message.target = 4242;
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("a message to an object that is not there"));
 }
 
 TEST_F(ForgedMasterTest, AMessageThatIsTooLong) {
   const std::string bytes(1 << 20, 'x');
-  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_BYTES);
-  down.body._u.deliver.message.payload._u.bytes = WireArena::View(bytes.data(), bytes.size());
-  EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: 1048576 bytes"));
+  openr_wire_ToWorker to_worker = Deliver(openr_wire_PAYLOAD_BYTES);
+  to_worker.body._u.deliver.message.payload._u.bytes = WireArena::View(bytes.data(), bytes.size());
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("a malformed message: 1048576 bytes"));
 }
 
 TEST_F(ForgedMasterTest, AReadyWithATokenOfItsOwnMaking) {
-  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_READY);
-  auto& regions = down.body._u.deliver.message.payload._u.ready.regions;
+  openr_wire_ToWorker to_worker = Deliver(openr_wire_PAYLOAD_READY);
+  auto& regions = to_worker.body._u.deliver.message.payload._u.ready.regions;
   regions = arena_.Sequence<std::remove_reference_t<decltype(regions)>>(
-      std::vector<openr_wire_Returned>{{99, {}}});
-  EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: a ready with an unknown region"));
+      std::vector<openr_wire_ReturnedRegion>{{99, {}}});
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("a malformed message: a ready with an unknown region"));
 }
 
 // No memory is taken for it.
 TEST_F(ForgedMasterTest, ARegionLargerThanTheRobot) {
-  openr_wire_Down down = Deliver(openr_wire_PAYLOAD_NOTIFY);
-  auto& parts = down.body._u.deliver.message.payload._u.notify.parts;
+  openr_wire_ToWorker to_worker = Deliver(openr_wire_PAYLOAD_NOTIFY);
+  auto& parts = to_worker.body._u.deliver.message.payload._u.notify.parts;
   parts = arena_.Sequence<std::remove_reference_t<decltype(parts)>>(
-      std::vector<openr_wire_Part>{{1, 0x10001, 0xffffffff, 0, 16, {}}});
-  EXPECT_THAT(EndBy(down), HasSubstr("a malformed message: 16 bytes in region 0x10001"));
+      std::vector<openr_wire_NotifiedRegion>{{1, 0x10001, 0xffffffff, 0, 16, {}}});
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("a malformed message: 16 bytes in region 0x10001"));
 }
 
 TEST_F(ForgedMasterTest, AnObjectOfARobotThatIsNotThere) {
@@ -119,11 +120,11 @@ TEST_F(ForgedMasterTest, AnObjectBeforeTheOthers) {
 }
 
 TEST_F(ForgedMasterTest, ADesignOfARobotThatIsNotThere) {
-  openr_wire_Down down = New(openr_wire_DOWN_LOAD);
-  auto& designs = down.body._u.load.designs;
+  openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_LOAD);
+  auto& designs = to_worker.body._u.load.designs;
   designs = arena_.Sequence<std::remove_reference_t<decltype(designs)>>(
       std::vector<openr_wire_DesignEntry>{{-1, Nothing(), Nothing()}});
-  EXPECT_THAT(EndBy(down), HasSubstr("something of a robot that is not there"));
+  EXPECT_THAT(EndBy(to_worker), HasSubstr("something of a robot that is not there"));
 }
 
 }  // namespace

@@ -14,14 +14,14 @@ TEST_F(ForgedTest, WhatIsInOrderIsNoLoss) {
 
 TEST_F(ForgedTest, TheLossNamesTheProcess) {
   EXPECT_EQ(
-      LossBy(New(openr_wire_UP_STATE)),
+      LossBy(New(openr_wire_TO_MASTER_STATE)),
       "process 'liar' (pid 4711) sent something in the middle of a handler; is it the same openr?");
 }
 
 TEST_F(ForgedTest, TheEndOfAnotherObjectsHandler) {
-  openr_wire_Up up = Stopped();
-  up.body._u.stopped.object = sender_->host().id;
-  EXPECT_THAT(LossBy(up), HasSubstr("the end of another object's handler"));
+  openr_wire_ToMaster to_master = Stopped();
+  to_master.body._u.stopped.object = sender_->host().id;
+  EXPECT_THAT(LossBy(to_master), HasSubstr("the end of another object's handler"));
 }
 
 TEST_F(ForgedTest, AQuestionInTheNameOfAnother) {
@@ -30,10 +30,10 @@ TEST_F(ForgedTest, AQuestionInTheNameOfAnother) {
 }
 
 TEST_F(ForgedTest, AMessageInTheNameOfNobody) {
-  openr_wire_Up up = New(openr_wire_UP_POST);
-  up.body._u.post.object = kNobody;
-  up.body._u.post.posted.message = Message(openr_wire_PAYLOAD_BYTES);
-  EXPECT_THAT(LossBy(up), HasSubstr("a request of an object that is not its own"));
+  openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_POST);
+  to_master.body._u.post.object = kNobody;
+  to_master.body._u.post.posted.message = Message(openr_wire_PAYLOAD_BYTES);
+  EXPECT_THAT(LossBy(to_master), HasSubstr("a request of an object that is not its own"));
 }
 
 TEST_F(ForgedTest, ANoteThatIsNone) {
@@ -89,8 +89,8 @@ TEST_F(ForgedTest, ANotificationWithBytesOfAnotherSize) {
 }
 
 TEST_F(ForgedTest, ANotificationOfTooMuch) {
-  const openr_wire_Part part = {1, region_there_, kBytes, 0, kBytes, {}};
-  EXPECT_THAT(LossBy(Notify(std::vector<openr_wire_Part>(1000, part))),
+  const openr_wire_NotifiedRegion part = {1, region_there_, kBytes, 0, kBytes, {}};
+  EXPECT_THAT(LossBy(Notify(std::vector<openr_wire_NotifiedRegion>(1000, part))),
               HasSubstr("a notification of 1000 data"));
 }
 
@@ -103,7 +103,7 @@ TEST_F(ForgedTest, AReadyWithATokenOfItsOwnMaking) {
 }
 
 TEST_F(ForgedTest, AReadyWithTooMuch) {
-  EXPECT_THAT(LossBy(Ready(std::vector<openr_wire_Returned>(1000))),
+  EXPECT_THAT(LossBy(Ready(std::vector<openr_wire_ReturnedRegion>(1000))),
               HasSubstr("a ready with 1000 regions"));
 }
 
@@ -133,10 +133,10 @@ TEST_F(ForgedTest, AMessageForTheEndOfTime) {
 }
 
 TEST_F(ForgedTest, AWaitUntilTheEndOfTime) {
-  openr_wire_Up up = Stopped();
-  up.body._u.stopped.kind = openr_wire_STOP_WAITS;
-  up.body._u.stopped.timeout_us = std::numeric_limits<int64_t>::max();
-  EXPECT_THAT(LossBy(up), HasSubstr("a wait until another time"));
+  openr_wire_ToMaster to_master = Stopped();
+  to_master.body._u.stopped.kind = openr_wire_STOP_WAITS;
+  to_master.body._u.stopped.timeout_us = std::numeric_limits<int64_t>::max();
+  EXPECT_THAT(LossBy(to_master), HasSubstr("a wait until another time"));
 }
 
 // ---- what changes nothing

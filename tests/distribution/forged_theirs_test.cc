@@ -70,10 +70,10 @@ TEST_F(ForgedTheirsTest, ANotificationWithARegionThatItHasDropped) {
   for (const bool is_dropped : {false, true}) {
     channel_->Send(Stopped());
     Lend();
-    openr_wire_Up up = New(openr_wire_UP_FORGOTTEN);
-    up.body._u.forgotten.object = sender;
-    if (is_dropped) up.body._u.forgotten.dropped = arena_.Numbers({1, 2});
-    EXPECT_EQ(LossBy(up, [&] { process_.Forget(sender); }), "");
+    openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_FORGOTTEN);
+    to_master.body._u.forgotten.object = sender;
+    if (is_dropped) to_master.body._u.forgotten.dropped = arena_.Numbers({1, 2});
+    EXPECT_EQ(LossBy(to_master, [&] { process_.Forget(sender); }), "");
     const std::string loss = LossBy(Notify({{1, region_here_, kBytes, 0, kBytes, {}}}));
     EXPECT_EQ(loss.find("which it has not") != std::string::npos, is_dropped) << loss;
   }
@@ -131,9 +131,9 @@ TEST_F(ForgedTheirsTest, AServiceOfNobody) {
 TEST_F(ForgedTheirsTest, AColourTableInTheRegionOfAnother) {
   const std::string bytes(kBytes, 'x');
   for (const uint32_t region : {region_here_, region_there_}) {
-    openr_wire_Up up = Ask(remote_->id, QuestionKind::kService, {kSetCdt, region});
-    up.body._u.question.bytes = WireArena::View(bytes.data(), bytes.size());
-    Deliver({up, Stopped()});
+    openr_wire_ToMaster to_master = Ask(remote_->id, QuestionKind::kService, {kSetCdt, region});
+    to_master.body._u.question.bytes = WireArena::View(bytes.data(), bytes.size());
+    Deliver({to_master, Stopped()});
   }
   EXPECT_EQ(TextHere(), std::string(kBytes, '\0'));
   EXPECT_EQ(std::string(system_.regions().BaseOf(region_there_), kBytes), bytes);

@@ -73,23 +73,23 @@ TEST(JoinRestartFlagTest, WhatAMasterSaysAmissIsNotItsEnd) {
       {"join", "--process", "victim", "--session", "now", "--run-name", options.run, "--restart"});
   while (!slot.AwaitJoin(10)) {
   }
-  openr_wire_Down down{};
+  openr_wire_ToWorker to_worker{};
   WireArena arena;
-  down.body._d = openr_wire_DOWN_WELCOME;
-  down.body._u.welcome.version = openr_wire_VERSION;
-  down.body._u.welcome.stick = arena.Text(OPENR_STICK);
-  slot.channel()->Send(down);
-  down.body = {};
-  down.body._d = openr_wire_DOWN_DELIVER;
-  down.body._u.deliver.message.target = 4242;
-  slot.channel()->Send(down);
+  to_worker.body._d = openr_wire_TO_WORKER_WELCOME;
+  to_worker.body._u.welcome.version = openr_wire_VERSION;
+  to_worker.body._u.welcome.stick = arena.Text(OPENR_STICK);
+  slot.channel()->Send(to_worker);
+  to_worker.body = {};
+  to_worker.body._d = openr_wire_TO_WORKER_DELIVER;
+  to_worker.body._u.deliver.message.target = 4242;
+  slot.channel()->Send(to_worker);
   EXPECT_TRUE(join.WaitFor("has ended; another one comes")) << join.heard();
   EXPECT_THAT(join.heard(),
               HasSubstr("process 'victim': a message to an object that is not there"));
   const auto left = slot.channel()->Receive(1000);
   ASSERT_TRUE(left);
-  ASSERT_EQ(left->body._d, openr_wire_UP_LEFT);
-  EXPECT_STREQ(left->body._u.left.text,
+  ASSERT_EQ(left->body._d, openr_wire_TO_MASTER_GOODBYE);
+  EXPECT_STREQ(left->body._u.goodbye.text,
                "could not go on: a message to an object that is not there");
   join.Signal(SIGTERM);
   EXPECT_EQ(join.Finish().status, 128 + SIGTERM);
