@@ -88,7 +88,7 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
 
 // Whether the bytes of `region` may come from there: it is its own, or it was lent there.
 bool RemoteProcess::Has(uint32_t region) const {
-  return IsOwn(region) || courier_->HasLent(region);
+  return IsOwn(region) || marshaller_->HasExported(region);
 }
 
 // An object may have made a region and given it to another one.
@@ -132,8 +132,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
-  const std::string problem = courier_->Decode(posted.message, message);
-  courier_->ForgetSample();
+  const std::string problem = marshaller_->Decode(posted.message, message);
+  marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
   message->number = 0;

@@ -13,19 +13,20 @@
 namespace openr_host {
 
 // To each subject as from its observer, which will not be ready any more.
-void RemoteProcess::GiveBack() {
+void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
   std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;  // by observer and subject
-  for (const Courier::Lent& lent : courier_->TakeLent())
-    regions[{{lent.observer, lent.observer_selector}, {lent.subject, lent.subject_selector}}]
-        .push_back(lent.region);
-  for (const auto& [ends, lent] : regions) {
+  for (const Marshaller::ExportedRegion& exported : marshaller_->TakeExported())
+    regions[{{exported.observer, exported.observer_selector},
+             {exported.subject, exported.subject_selector}}]
+        .push_back(exported.region);
+  for (const auto& [ends, exported] : regions) {
     const auto& [observer, subject] = ends;
     const auto found = objects_.find(observer.first);
     if (found == objects_.end()) continue;
-    for (size_t i = 0; i < lent.size(); i += MAX_NUM_DATA) {
-      const auto begin = lent.begin() + static_cast<ptrdiff_t>(i);
-      const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, lent.end() - begin);
+    for (size_t i = 0; i < exported.size(); i += MAX_NUM_DATA) {
+      const auto begin = exported.begin() + static_cast<ptrdiff_t>(i);
+      const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, exported.end() - begin);
       SendDeassert(found->second, observer.second,
                    OServiceEntry(OidOf(subject.first), subject.second), {begin, begin + count});
     }
@@ -45,8 +46,8 @@ size_t RemoteProcess::CountInHand() const {
 
 void RemoteProcess::Lose() {
   is_lost_ = true;
-  GiveBack();
-  courier_->LoseOther();
+  ReturnExported();
+  marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
     if (object->blocked != nullptr) WakeHandler(id, object->blocked_box);
   }
@@ -72,14 +73,14 @@ void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   culprit_ = kNoObject;
 }
 
-void RemoteProcess::TakeBack(RCRegion* region) { courier_->TakeBack(region); }
+void RemoteProcess::TakeBack(RCRegion* region) { marshaller_->ReleaseImported(region); }
 
 void RemoteProcess::Unheard(const Message& message) {
-  if (courier_ != nullptr) courier_->Sent(message);
+  if (marshaller_ != nullptr) marshaller_->CompleteSend(message);
 }
 
 void RemoteProcess::Forget(ObjectId id) {
-  for (RCRegion* region : courier_->TakeLentOf(id)) system_->object(id)->TakeBack(region);
+  for (RCRegion* region : marshaller_->TakeExportedBy(id)) system_->object(id)->TakeBack(region);
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
   Send(to_worker);
@@ -92,7 +93,7 @@ void RemoteProcess::Forget(ObjectId id) {
 
 void RemoteProcess::TakeForgotten(const openr_wire_ToMaster& to_master) {
   Apply(to_master, nullptr);
-  courier_->Dropped(VectorOf(to_master.body._u.forgotten.dropped));
+  marshaller_->PeerDropped(VectorOf(to_master.body._u.forgotten.dropped));
 }
 
 }  // namespace openr_host

@@ -154,7 +154,7 @@ void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
 
 void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
   system_ = system;
-  if (courier_ == nullptr) courier_ = std::make_unique<Courier>(system, false);
+  if (marshaller_ == nullptr) marshaller_ = std::make_unique<Marshaller>(system, false);
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_WELCOME);
   to_worker.body._u.welcome = welcome;
   Send(to_worker);
@@ -226,9 +226,9 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
-    courier_->Encode(message, is_there, &arena, &deliver.message);
+    marshaller_->Encode(message, is_there, &arena, &deliver.message);
     Send(to_worker, is_free_ && WillSendMore());
-    courier_->Sent(message);
+    marshaller_->CompleteSend(message);
   }
   for (;;) {
     const std::optional<Stop> stop = is_free_ ? AwaitStop(object) : WaitForStop(object);
@@ -382,7 +382,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   WireArena arena;
   resume.now_us = system_->now_us();
   resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
-  courier_->Encode(*reply, nullptr, &arena, &resume.reply);
+  marshaller_->Encode(*reply, nullptr, &arena, &resume.reply);
   resume.reply.target = object->id;
   resume.reply.is_reply = true;
   resume.reply.reply_box = stop.box;
@@ -426,7 +426,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
-    if (courier_->HasBorrowed(in.region)) continue;
+    if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
       Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
@@ -438,7 +438,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End(const std::string& why) {
-  courier_.reset();                 // what it has borrowed is the System's
+  marshaller_.reset();              // what it has borrowed is the System's
   if (!slot_.has_joined()) return;  // nobody is there; one that is coming back is
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;

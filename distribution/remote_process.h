@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "distribution/bus.h"
-#include "distribution/courier.h"
 #include "distribution/latency.h"
+#include "distribution/marshaller.h"
 #include "distribution/process_slot.h"
 #include "runtime/core/uplink.h"
 
@@ -185,7 +185,7 @@ class RemoteProcess {
   static bool Answers(const Message& message, const Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
-  void GiveBack();
+  void ReturnExported();
   Object* ObjectOf(ObjectId id);
   [[noreturn]] void Refuse(const std::string& what);
 
@@ -195,7 +195,7 @@ class RemoteProcess {
   const std::string handler_wait_;  // what a proxy waits for
   ProcessSlot slot_;
   System* system_ = nullptr;
-  std::unique_ptr<Courier> courier_;
+  std::unique_ptr<Marshaller> marshaller_;
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_;            // to be loaded there
   uint64_t session_ = 0;                  // counts on when it comes back

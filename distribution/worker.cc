@@ -33,7 +33,7 @@ Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(optio
 
 Worker::~Worker() {
   is_over_ = true;
-  courier_.reset();
+  marshaller_.reset();
   system_.reset();  // destructors of images may still call
 }
 
@@ -157,7 +157,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   is_free_ = welcome.free_running;
   system_ = std::make_unique<System>(std::move(options));
   system_->trace().set_hashing(false);  // the trace is the master's
-  courier_ = std::make_unique<Courier>(system_.get(), true);
+  marshaller_ = std::make_unique<Marshaller>(system_.get(), true);
   stick_ = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
   return "";
 }
@@ -246,7 +246,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
   if (now_us > system_->now_us()) system_->RunUntil(now_us);
   Message* const message = system_->queue().Allocate();
-  const std::string problem = courier_->Decode(in, message);
+  const std::string problem = marshaller_->Decode(in, message);
   if (!problem.empty()) throw std::runtime_error("a malformed message: " + problem);
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
@@ -264,7 +264,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   } else {
     system_->RunMessages(1);
   }
-  courier_->ForgetSample();
+  marshaller_->ReleaseSample();
   SendStopped(object);
 }
 
@@ -363,7 +363,7 @@ void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
   std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
-  to_master.body._u.forgotten = {id, arena_.Numbers(courier_->TakeDropped())};
+  to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};
   TakeEffects(&to_master);
   Send(to_master);
   arena_.Clear();

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "distribution/bus.h"
-#include "distribution/courier.h"
+#include "distribution/marshaller.h"
 #include "runtime/core/system.h"
 #include "runtime/core/uplink.h"
 
@@ -118,7 +118,7 @@ class Worker : public Uplink {
   Bus bus_;
   std::unique_ptr<WorkerChannel> channel_;
   std::unique_ptr<System> system_;
-  std::unique_ptr<Courier> courier_;
+  std::unique_ptr<Marshaller> marshaller_;
   std::string session_;
   bool is_refused_ = false;
   std::string stick_;                // its folder

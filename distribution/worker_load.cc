@@ -22,14 +22,14 @@ bool IsFolder(const std::string& path) {
 // Stands for an object of another process.
 class AbsentObject : public Object {
  public:
-  AbsentObject(System* system, ObjectId id, int robot, Courier* courier)
-      : Object(system, id, robot), courier_(courier) {}
+  AbsentObject(System* system, ObjectId id, int robot, Marshaller* courier)
+      : Object(system, id, robot), marshaller_(courier) {}
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
-  void TakeBack(RCRegion* region) override { courier_->TakeBack(region); }
+  void TakeBack(RCRegion* region) override { marshaller_->ReleaseImported(region); }
 
  private:
-  Courier* const courier_;
+  Marshaller* const marshaller_;
 };
 
 }  // namespace
@@ -113,7 +113,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     bad.problem = arena_.Text(findings.empty() ? "cannot be loaded" : findings.back().text);
     loaded->push_back(bad);
   }
-  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, courier_.get());
+  auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, marshaller_.get());
   absent->name = StringOf(entry.name);
   absent->is_system = entry.is_system;
   system_->Adopt(std::move(absent));

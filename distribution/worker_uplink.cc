@@ -55,7 +55,7 @@ void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
 openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us) {
   openr_wire_PostedMessage posted{};
   posted.delay_us = delay_us;
-  courier_->Encode(message, nullptr, &arena_, &posted.message);
+  marshaller_->Encode(message, nullptr, &arena_, &posted.message);
   if (message.kind == PayloadKind::kNotify) {
     const auto& parts = posted.message.payload._u.notify.parts;
     for (uint32_t i = 0; i < parts._length; ++i) {
@@ -107,7 +107,7 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
-  if (error == sSUCCESS) courier_->Sent(*message);
+  if (error == sSUCCESS) marshaller_->CompleteSend(*message);
   system_->queue().Release(message);
   return error;
 }

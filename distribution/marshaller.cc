@@ -1,4 +1,4 @@
-#include "distribution/courier.h"
+#include "distribution/marshaller.h"
 
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
@@ -42,14 +42,14 @@ openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
 
 }  // namespace
 
-void Courier::DropStandIn(RCRegion* region) {
+void Marshaller::DropImported(RCRegion* region) {
   system_->regions().DropCopy(region->MemID());
-  borrowed_.erase(region);
+  imported_.erase(region);
   region->RemoveReference();
 }
 
-void Courier::Encode(const Message& message, const HasMemory& other_has, WireArena* arena,
-                     openr_wire_Message* out) {
+void Marshaller::Encode(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
+                        openr_wire_Message* out) {
   out->number = message.number;
   out->cause = message.cause;
   out->sender = message.sender;
@@ -65,7 +65,7 @@ void Courier::Encode(const Message& message, const HasMemory& other_has, WireAre
       out->payload._u.bytes = arena->Bytes(message.payload, message.size);
       break;
     case openr_wire_PAYLOAD_NOTIFY:
-      EncodeNotify(message, other_has, arena, &out->payload._u.notify);
+      EncodeNotify(message, peer_has, arena, &out->payload._u.notify);
       break;
     case openr_wire_PAYLOAD_READY:
       EncodeReady(message, arena, &out->payload._u.ready);
@@ -76,8 +76,8 @@ void Courier::Encode(const Message& message, const HasMemory& other_has, WireAre
   }
 }
 
-void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, WireArena* arena,
-                           openr_wire_Notify* out) {
+void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_has,
+                              WireArena* arena, openr_wire_Notify* out) {
   const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
   out->subject = ObjectIdOf(notify.subjectID.GetOID());
   out->selector = notify.subjectID.GetSelector();
@@ -87,14 +87,14 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
     const auto& data = notify.data[i];
     openr_wire_NotifiedRegion part{};
     part.token = ++last_token_;
-    lent_[part.token] = {data.srcRCR,   data.size,      out->subject,
-                         out->selector, message.target, message.selector};
+    exported_[part.token] = {data.srcRCR,   data.size,      out->subject,
+                             out->selector, message.target, message.selector};
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
-    if (!other_has || !other_has(data.memID))
+    if (!peer_has || !peer_has(data.memID))
       part.bytes = WireArena::View(data.srcRCR->Base(), data.size);
     parts.push_back(part);
   }
@@ -102,23 +102,23 @@ void Courier::EncodeNotify(const Message& message, const HasMemory& other_has, W
 }
 
 // An observer may write into what it received.  Most give it back in the handler that got it.
-bool Courier::IsChanged(const RCRegion& region, const Borrowed& borrowed) {
-  if (borrowed.bytes != nullptr)
-    return std::memcmp(region.Base(), borrowed.bytes, region.Size()) != 0;
-  return HashBytes(region.Base(), region.Size()) != borrowed.hash;
+bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
+  if (imported.bytes != nullptr)
+    return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;
+  return HashBytes(region.Base(), region.Size()) != imported.hash;
 }
 
-void Courier::ForgetSample() {
-  for (RCRegion* const region : of_sample_) {
-    const auto found = borrowed_.find(region);
-    if (found == borrowed_.end() || found->second.bytes == nullptr) continue;  // given back
-    Borrowed& borrowed = found->second;
-    borrowed.hash = HashBytes(std::exchange(borrowed.bytes, nullptr), region->Size());
+void Marshaller::ReleaseSample() {
+  for (RCRegion* const region : sample_regions_) {
+    const auto found = imported_.find(region);
+    if (found == imported_.end() || found->second.bytes == nullptr) continue;  // given back
+    ImportedRegion& imported = found->second;
+    imported.hash = HashBytes(std::exchange(imported.bytes, nullptr), region->Size());
   }
-  of_sample_.clear();
+  sample_regions_.clear();
 }
 
-void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out) {
+void Marshaller::EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out) {
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
   out->command = static_cast<uint32_t>(ready.command);
   out->is_lost = ready.msgType == kDeassertOfLost;
@@ -126,9 +126,9 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
   out->selector = ready.observerID.GetSelector();
   std::vector<openr_wire_ReturnedRegion> regions;
   for (int i = 0; i < ready.numOfData; ++i) {
-    const auto found = borrowed_.find(ready.rcRegion[i]);
+    const auto found = imported_.find(ready.rcRegion[i]);
     // Of a subject that was replaced meanwhile.
-    if (found == borrowed_.end() || found->second.token == 0) continue;
+    if (found == imported_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_ReturnedRegion returned{found->second.token, {}};
     if (IsChanged(region, found->second))
@@ -138,25 +138,25 @@ void Courier::EncodeReady(const Message& message, WireArena* arena, openr_wire_R
   out->regions = arena->Sequence<decltype(out->regions)>(regions);
 }
 
-std::vector<Courier::Lent> Courier::TakeLent() {
-  std::vector<Lent> all;
-  for (const auto& [token, lent] : lent_) all.push_back(lent);
-  lent_.clear();
+std::vector<Marshaller::ExportedRegion> Marshaller::TakeExported() {
+  std::vector<ExportedRegion> all;
+  for (const auto& [token, exported] : exported_) all.push_back(exported);
+  exported_.clear();
   return all;
 }
 
-std::vector<RCRegion*> Courier::TakeLentOf(ObjectId subject) {
+std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
   std::vector<RCRegion*> regions;
-  std::erase_if(lent_, [&](const auto& entry) {
+  std::erase_if(exported_, [&](const auto& entry) {
     if (entry.second.subject != subject) return false;
     regions.push_back(entry.second.region);
-    taken_back_[entry.first] = entry.second.region->MemID();
+    withdrawn_[entry.first] = entry.second.region->MemID();
     return true;
   });
   return regions;
 }
 
-std::vector<uint64_t> Courier::TakeDropped() {
+std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
     if (system_->regions().BaseOf(entry.second) != nullptr) return false;  // it may be handed on
@@ -166,45 +166,45 @@ std::vector<uint64_t> Courier::TakeDropped() {
   return tokens;
 }
 
-void Courier::Dropped(const std::vector<uint64_t>& tokens) {
-  for (const uint64_t token : tokens) taken_back_.erase(token);
+void Marshaller::PeerDropped(const std::vector<uint64_t>& tokens) {
+  for (const uint64_t token : tokens) withdrawn_.erase(token);
 }
 
-void Courier::LoseOther() {
-  taken_back_.clear();
-  for (auto& [region, borrowed] : borrowed_) borrowed.token = 0;
+void Marshaller::PeerIsLost() {
+  withdrawn_.clear();
+  for (auto& [region, imported] : imported_) imported.token = 0;
 }
 
-void Courier::TakeBack(RCRegion* region) {
-  const auto found = borrowed_.find(region);
-  if (found == borrowed_.end()) return;
+void Marshaller::ReleaseImported(RCRegion* region) {
+  const auto found = imported_.find(region);
+  if (found == imported_.end()) return;
   if (makes_copies_ && found->second.token != 0) dropped_[found->second.token] = region->MemID();
-  DropStandIn(region);
+  DropImported(region);
 }
 
-bool Courier::HasBorrowed(uint32_t region) const {
-  return std::any_of(borrowed_.begin(), borrowed_.end(),
+bool Marshaller::HasImported(uint32_t region) const {
+  return std::any_of(imported_.begin(), imported_.end(),
                      [region](const auto& entry) { return entry.first->MemID() == region; });
 }
 
-bool Courier::HasLent(uint32_t region) const {
-  const auto is_lent = [region](const auto& entry) {
+bool Marshaller::HasExported(uint32_t region) const {
+  const auto is_exported = [region](const auto& entry) {
     return entry.second.region->MemID() == region;
   };
-  const auto is_kept = [region](const auto& entry) { return entry.second == region; };
-  return std::any_of(lent_.begin(), lent_.end(), is_lent) ||
-         std::any_of(taken_back_.begin(), taken_back_.end(), is_kept);
+  const auto is_withdrawn = [region](const auto& entry) { return entry.second == region; };
+  return std::any_of(exported_.begin(), exported_.end(), is_exported) ||
+         std::any_of(withdrawn_.begin(), withdrawn_.end(), is_withdrawn);
 }
 
-void Courier::Sent(const Message& message) {
+void Marshaller::CompleteSend(const Message& message) {
   if (message.kind != PayloadKind::kReady) return;
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
   for (int i = 0; i < ready.numOfData; ++i) {
-    if (borrowed_.contains(ready.rcRegion[i])) DropStandIn(ready.rcRegion[i]);
+    if (imported_.contains(ready.rcRegion[i])) DropImported(ready.rcRegion[i]);
   }
 }
 
-void Courier::EncodeAnt(const Message& message, WireArena* arena, openr_wire_Ant* out) {
+void Marshaller::EncodeAnt(const Message& message, WireArena* arena, openr_wire_Ant* out) {
   alignas(antEnvMsg) unsigned char bytes[Message::kPayloadMax];
   std::memcpy(bytes, message.payload, sizeof bytes);
   auto* const ant = reinterpret_cast<antEnvMsg*>(bytes);
@@ -224,7 +224,7 @@ void Courier::EncodeAnt(const Message& message, WireArena* arena, openr_wire_Ant
   out->message = arena->Bytes(bytes, message.size);
 }
 
-std::string Courier::Decode(const openr_wire_Message& in, Message* out) {
+std::string Marshaller::Decode(const openr_wire_Message& in, Message* out) {
   out->number = in.number;
   out->cause = in.cause;
   out->sender = in.sender;
@@ -252,7 +252,7 @@ std::string Courier::Decode(const openr_wire_Message& in, Message* out) {
   return "";
 }
 
-std::string Courier::DecodeNotify(const openr_wire_Notify& in, Message* out) {
+std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) {
   if (in.parts._length > MAX_NUM_DATA || in.notifications > MAX_NUM_DATA)
     return fmt::format("a notification of {} data", in.parts._length);
   auto& notify = *new (out->payload) ONotifyMessage;
@@ -277,7 +277,7 @@ std::string Courier::DecodeNotify(const openr_wire_Notify& in, Message* out) {
 }
 
 // Where the bytes of `in` belong; null when they have no place.
-char* Courier::MemoryFor(const openr_wire_NotifiedRegion& in) {
+char* Marshaller::MemoryFor(const openr_wire_NotifiedRegion& in) {
   RegionTable& regions = system_->regions();
   const uint64_t end = uint64_t{in.offset} + in.size;
   if (regions.BaseOf(in.region) == nullptr) {
@@ -288,7 +288,7 @@ char* Courier::MemoryFor(const openr_wire_NotifiedRegion& in) {
   return end > regions.SizeOf(in.region) ? nullptr : regions.BaseOf(in.region) + in.offset;
 }
 
-std::string Courier::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion** region) {
+std::string Marshaller::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion** region) {
   char* const memory = MemoryFor(in);
   if (memory == nullptr) return fmt::format("{} bytes in region {:#x}", in.size, in.region);
   if (in.bytes._length != 0 && in.bytes._length != in.size) return "a part of another size";
@@ -296,15 +296,15 @@ std::string Courier::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion** 
   *region = new RCRegion(in.region, in.offset, memory, in.size);
   system_->regions().KeepCopy(in.region);
   if (in.bytes._length != 0) {
-    borrowed_[*region] = {in.token, in.bytes._buffer, 0};
-    of_sample_.push_back(*region);
+    imported_[*region] = {in.token, in.bytes._buffer, 0};
+    sample_regions_.push_back(*region);
   } else {
-    borrowed_[*region] = {in.token, nullptr, HashBytes(memory, in.size)};
+    imported_[*region] = {in.token, nullptr, HashBytes(memory, in.size)};
   }
   return "";
 }
 
-std::string Courier::DecodeReady(const openr_wire_Ready& in, Message* out) {
+std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   if (in.regions._length > MAX_NUM_DATA)
     return fmt::format("a ready with {} regions", in.regions._length);
   auto& ready = *new (out->payload) OReadyMessage;
@@ -316,21 +316,21 @@ std::string Courier::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    const auto found = lent_.find(returned.token);
-    if (taken_back_.erase(returned.token) > 0) continue;
-    if (found == lent_.end()) return "a ready with an unknown region";
-    const Lent lent = found->second;
-    if (returned.bytes._length != 0 && returned.bytes._length != lent.size)
+    const auto found = exported_.find(returned.token);
+    if (withdrawn_.erase(returned.token) > 0) continue;
+    if (found == exported_.end()) return "a ready with an unknown region";
+    const ExportedRegion exported = found->second;
+    if (returned.bytes._length != 0 && returned.bytes._length != exported.size)
       return "a region of another size";
     if (returned.bytes._length != 0)
-      std::memcpy(lent.region->Base(), returned.bytes._buffer, lent.size);
-    ready.rcRegion[ready.numOfData++] = lent.region;
-    lent_.erase(found);
+      std::memcpy(exported.region->Base(), returned.bytes._buffer, exported.size);
+    ready.rcRegion[ready.numOfData++] = exported.region;
+    exported_.erase(found);
   }
   return "";
 }
 
-std::string Courier::DecodeAnt(const openr_wire_Ant& in, Message* out) {
+std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   if (in.message._length < sizeof(antEnvMsg) || in.message._length > Message::kPayloadMax)
     return fmt::format("a network message of {} bytes", in.message._length);
   std::memcpy(out->payload, in.message._buffer, in.message._length);

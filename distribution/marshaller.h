@@ -24,36 +24,36 @@ namespace openr_host {
 
 class System;
 
-class Courier {
+class Marshaller {
  public:
   // What the other side has: regions whose bytes need not be sent.  Null: none.
-  using HasMemory = std::function<bool(uint32_t region)>;
+  using PeerHasMemory = std::function<bool(uint32_t region)>;
 
   // `makes_copies`: memory that comes in may be new to the region table.
-  Courier(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
-  Courier(const Courier&) = delete;
-  Courier& operator=(const Courier&) = delete;
+  Marshaller(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
+  Marshaller(const Marshaller&) = delete;
+  Marshaller& operator=(const Marshaller&) = delete;
 
   // `out` points into `arena` and into the memory of regions.
-  void Encode(const Message& message, const HasMemory& other_has, WireArena* arena,
+  void Encode(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
               openr_wire_Message* out);
 
   // `message` has been taken by the other side: what a ready gave back is not here any more.
-  void Sent(const Message& message);
+  void CompleteSend(const Message& message);
 
   // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`, which
-  // stays until ForgetSample().
+  // stays until ReleaseSample().
   std::string Decode(const openr_wire_Message& in, Message* out);
-  void ForgetSample();
+  void ReleaseSample();
 
   // Whether data of this region came in and have not been given back: it is the newer memory.
-  bool HasBorrowed(uint32_t region) const;
+  bool HasImported(uint32_t region) const;
 
   // Whether this region went over there and may be there still.
-  bool HasLent(uint32_t region) const;
+  bool HasExported(uint32_t region) const;
 
   // Something that went over there and has not come back.
-  struct Lent {
+  struct ExportedRegion {
     RCRegion* region;
     size_t size;
     int32_t subject;  // who sent it: object and selector of the subject
@@ -61,25 +61,25 @@ class Courier {
     int32_t observer;  // and to whom
     uint32_t observer_selector;
   };
-  // All of it; it is not lent any more.
-  std::vector<Lent> TakeLent();
+  // All of it; it is not exported any more.
+  std::vector<ExportedRegion> TakeExported();
   // The regions of what subjects of one object had sent.
-  std::vector<RCRegion*> TakeLentOf(ObjectId subject);
+  std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
   // By tokens of the other side: what no ready will give back, since it was taken back here and
   // nobody has it any more.
-  std::vector<uint64_t> TakeDropped();
+  std::vector<uint64_t> TakeDroppedTokens();
   // The same, said by the other side.
-  void Dropped(const std::vector<uint64_t>& tokens);
+  void PeerDropped(const std::vector<uint64_t>& tokens);
 
   // The other side is gone: what came from there is nobody's any more when it is given back.
-  void LoseOther();
+  void PeerIsLost();
 
   // What came in comes back otherwise than by a ready.
-  void TakeBack(RCRegion* region);
+  void ReleaseImported(RCRegion* region);
 
  private:
-  void EncodeNotify(const Message& message, const HasMemory& other_has, WireArena* arena,
+  void EncodeNotify(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
                     openr_wire_Notify* out);
   void EncodeReady(const Message& message, WireArena* arena, openr_wire_Ready* out);
   void EncodeAnt(const Message& message, WireArena* arena, openr_wire_Ant* out);
@@ -88,26 +88,26 @@ class Courier {
   std::string DecodeAnt(const openr_wire_Ant& in, Message* out);
   std::string DecodePart(const openr_wire_NotifiedRegion& in, RCRegion** region);
   char* MemoryFor(const openr_wire_NotifiedRegion& in);
-  void DropStandIn(RCRegion* region);
+  void DropImported(RCRegion* region);
 
   System* const system_;
   const bool makes_copies_;
-  struct Borrowed {
+  struct ImportedRegion {
     uint64_t token;  // theirs; 0: they are gone
     // The bytes as they came, while they are there; then their hash.
     const uint8_t* bytes;
     uint64_t hash;
   };
 
-  static bool IsChanged(const RCRegion& region, const Borrowed& borrowed);
+  static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, Lent> lent_;  // by our token
-  // By TakeLentOf(): the regions of tokens that may still be given back.
-  std::map<uint64_t, uint32_t> taken_back_;
-  std::map<RCRegion*, Borrowed> borrowed_;  // looked up only, by stand-in
-  std::map<uint64_t, uint32_t> dropped_;    // regions by token: see TakeDropped()
-  std::vector<RCRegion*> of_sample_;        // whose bytes are there still
+  std::map<uint64_t, ExportedRegion> exported_;  // by our token
+  // By TakeExportedBy(): the regions of tokens that may still be given back.
+  std::map<uint64_t, uint32_t> withdrawn_;
+  std::map<RCRegion*, ImportedRegion> imported_;  // looked up only, by stand-in
+  std::map<uint64_t, uint32_t> dropped_;          // regions by token: see TakeDroppedTokens()
+  std::vector<RCRegion*> sample_regions_;         // whose bytes are there still
 };
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
 // Messages between two Systems without a network: what goes through, and what is refused.
-#include "distribution/courier.h"
+#include "distribution/marshaller.h"
 
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
@@ -19,9 +19,9 @@ namespace openr_host {
 namespace {
 
 // A subject's side and an observer's.
-class CourierTest : public testing::Test {
+class MarshallerTest : public testing::Test {
  protected:
-  CourierTest() {
+  MarshallerTest() {
     for (System* system : {&here, &there}) {
       system->AddRobot("ERS-210", nullptr);
       system->AddObject<CodeObject>(0, "sender");
@@ -88,11 +88,12 @@ class CourierTest : public testing::Test {
   }
 
   // Through the wire, from here to there.
-  std::string Carry(const Message& message, Message* out, const Courier::HasMemory& has = nullptr) {
+  std::string Carry(const Message& message, Message* out,
+                    const Marshaller::PeerHasMemory& has = nullptr) {
     ours.Encode(message, has, &arena, &wire);
     *out = Blank();
     const std::string problem = theirs.Decode(wire, out);
-    theirs.ForgetSample();
+    theirs.ReleaseSample();
     return problem;
   }
 
@@ -114,11 +115,11 @@ class CourierTest : public testing::Test {
   Object* sender;
   WireArena arena;
   openr_wire_Message wire{};
-  Courier ours{&here, false};
-  Courier theirs{&there, true};
+  Marshaller ours{&here, false};
+  Marshaller theirs{&there, true};
 };
 
-TEST_F(CourierTest, BytesArriveWithNumberCauseAndHash) {
+TEST_F(MarshallerTest, BytesArriveWithNumberCauseAndHash) {
   Message message = Blank();
   message.number = 77;
   message.cause = 76;
@@ -145,13 +146,13 @@ TEST_F(CourierTest, BytesArriveWithNumberCauseAndHash) {
   EXPECT_EQ(std::string(reinterpret_cast<char*>(out.payload), out.size), std::string("h\0llo", 5));
 }
 
-TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
+TEST_F(MarshallerTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
   RCRegion* const small = NewRegion("words");
   RCRegion* const large = NewRegion("picture", 1 << 20);
   Message out;
   ASSERT_EQ(Carry(Notification({small, large}), &out), "");
-  EXPECT_TRUE(ours.HasLent(small->MemID()));
-  EXPECT_TRUE(ours.HasLent(large->MemID()));
+  EXPECT_TRUE(ours.HasExported(small->MemID()));
+  EXPECT_TRUE(ours.HasExported(large->MemID()));
   const ONotifyMessage& notify = NotifyOf(out);
   ASSERT_EQ(notify.numOfData, 2);
   EXPECT_EQ(notify.data[1].size, size_t{1} << 20);
@@ -161,79 +162,79 @@ TEST_F(CourierTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
   EXPECT_EQ(first->MemID(), small->MemID());
   EXPECT_EQ(std::string(first->Base(), first->Size()), "words");
   EXPECT_EQ(std::memcmp(second->Base(), large->Base(), large->Size()), 0);
-  EXPECT_TRUE(theirs.HasBorrowed(small->MemID()));
+  EXPECT_TRUE(theirs.HasImported(small->MemID()));
 
   const Message answer = Answer({second, first});
   openr_wire_Message back{};
   theirs.Encode(answer, nullptr, &arena, &back);
   Message ready = Blank();
   ASSERT_EQ(ours.Decode(back, &ready), "");
-  theirs.Sent(answer);
+  theirs.CompleteSend(answer);
   ASSERT_EQ(ReadyOf(ready).numOfData, 2);
   EXPECT_EQ(ReadyOf(ready).msgType, omsgREADY_V22);
   EXPECT_EQ(ReadyOf(ready).rcRegion[0], large);
   EXPECT_EQ(ReadyOf(ready).rcRegion[1], small);
-  EXPECT_FALSE(ours.HasLent(small->MemID()));
-  EXPECT_FALSE(ours.HasLent(large->MemID()));
-  EXPECT_FALSE(theirs.HasBorrowed(small->MemID()));
+  EXPECT_FALSE(ours.HasExported(small->MemID()));
+  EXPECT_FALSE(ours.HasExported(large->MemID()));
+  EXPECT_FALSE(theirs.HasImported(small->MemID()));
   LetGo(small);
   LetGo(large);
 }
 
 // The other side may hand on what it has, also when the subject that sent it is gone.
-TEST_F(CourierTest, WhatASubjectThatIsGoneHadSentIsOverThereStill) {
+TEST_F(MarshallerTest, WhatASubjectThatIsGoneHadSentIsOverThereStill) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
-  EXPECT_THAT(ours.TakeLentOf(wire.payload._u.notify.subject), testing::ElementsAre(region));
-  EXPECT_TRUE(ours.HasLent(region->MemID()));
+  EXPECT_THAT(ours.TakeExportedBy(wire.payload._u.notify.subject), testing::ElementsAre(region));
+  EXPECT_TRUE(ours.HasExported(region->MemID()));
   const Message answer = Answer({NotifyOf(out).data[0].srcRCR});
   openr_wire_Message back{};
   theirs.Encode(answer, nullptr, &arena, &back);
   Message ready = Blank();
   ASSERT_EQ(ours.Decode(back, &ready), "");
-  theirs.Sent(answer);
-  EXPECT_FALSE(ours.HasLent(region->MemID()));
+  theirs.CompleteSend(answer);
+  EXPECT_FALSE(ours.HasExported(region->MemID()));
   LetGo(region);
 }
 
 // Nobody there has it any more, and no ready gives it back.
-TEST_F(CourierTest, WhatTheOtherSideDroppedIsNotThere) {
+TEST_F(MarshallerTest, WhatTheOtherSideDroppedIsNotThere) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
-  ours.TakeLentOf(wire.payload._u.notify.subject);
-  theirs.TakeBack(NotifyOf(out).data[0].srcRCR);
-  ours.Dropped(theirs.TakeDropped());
-  EXPECT_FALSE(ours.HasLent(region->MemID()));
-  EXPECT_THAT(theirs.TakeDropped(), testing::IsEmpty());
+  ours.TakeExportedBy(wire.payload._u.notify.subject);
+  theirs.ReleaseImported(NotifyOf(out).data[0].srcRCR);
+  ours.PeerDropped(theirs.TakeDroppedTokens());
+  EXPECT_FALSE(ours.HasExported(region->MemID()));
+  EXPECT_THAT(theirs.TakeDroppedTokens(), testing::IsEmpty());
   LetGo(region);
 }
 
 // An object there has taken it, and may hand it on.
-TEST_F(CourierTest, WhatIsKeptThereIsDroppedWhenItIsNot) {
+TEST_F(MarshallerTest, WhatIsKeptThereIsDroppedWhenItIsNot) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
   there.regions().Pin(region->MemID());
-  theirs.TakeBack(NotifyOf(out).data[0].srcRCR);
-  EXPECT_THAT(theirs.TakeDropped(), testing::IsEmpty());
+  theirs.ReleaseImported(NotifyOf(out).data[0].srcRCR);
+  EXPECT_THAT(theirs.TakeDroppedTokens(), testing::IsEmpty());
   there.regions().Unpin(region->MemID());
-  EXPECT_THAT(theirs.TakeDropped(), testing::ElementsAre(1u));
+  EXPECT_THAT(theirs.TakeDroppedTokens(), testing::ElementsAre(1u));
   LetGo(region);
 }
 
-TEST_F(CourierTest, AnotherProcessHasNothingOfTheOneBefore) {
+TEST_F(MarshallerTest, AnotherProcessHasNothingOfTheOneBefore) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
-  ours.TakeLentOf(wire.payload._u.notify.subject);
-  ours.LoseOther();
-  EXPECT_FALSE(ours.HasLent(region->MemID()));
+  ours.TakeExportedBy(wire.payload._u.notify.subject);
+  ours.PeerIsLost();
+  EXPECT_FALSE(ours.HasExported(region->MemID()));
   LetGo(region);
 }
 
-TEST_F(CourierTest, ADeassertForOneThatIsLostSaysSo) {
+TEST_F(MarshallerTest, ADeassertForOneThatIsLostSaysSo) {
   Message answer = Answer({});
   const_cast<OReadyMessage&>(ReadyOf(answer)).msgType = kDeassertOfLost;
   openr_wire_Message back{};
@@ -244,7 +245,7 @@ TEST_F(CourierTest, ADeassertForOneThatIsLostSaysSo) {
 }
 
 // In the handler that got it: compared with the sample, which is there still.
-TEST_F(CourierTest, WhatIsGivenBackAtOnceIsComparedAsWell) {
+TEST_F(MarshallerTest, WhatIsGivenBackAtOnceIsComparedAsWell) {
   RCRegion* const written = NewRegion("before");
   RCRegion* const read = NewRegion("before");
   openr_wire_Message in{};
@@ -261,7 +262,7 @@ TEST_F(CourierTest, WhatIsGivenBackAtOnceIsComparedAsWell) {
   openr_wire_Message back{};
   theirs.Encode(Answer({NotifyOf(out).data[0].srcRCR, NotifyOf(out).data[1].srcRCR}), nullptr,
                 &arena, &back);
-  theirs.ForgetSample();
+  theirs.ReleaseSample();
   const auto& returned = back.payload._u.ready.regions;
   ASSERT_EQ(returned._length, 2u);
   EXPECT_EQ(returned._buffer[0].bytes._length, 6u);
@@ -270,7 +271,7 @@ TEST_F(CourierTest, WhatIsGivenBackAtOnceIsComparedAsWell) {
   LetGo(read);
 }
 
-TEST_F(CourierTest, WhatTheObserverWroteComesBackAndOnlyThat) {
+TEST_F(MarshallerTest, WhatTheObserverWroteComesBackAndOnlyThat) {
   RCRegion* const written = NewRegion("before");
   RCRegion* const read = NewRegion("before");
   Message out;
@@ -291,7 +292,7 @@ TEST_F(CourierTest, WhatTheObserverWroteComesBackAndOnlyThat) {
   LetGo(read);
 }
 
-TEST_F(CourierTest, MemoryThatTheOtherSideHasIsNotSent) {
+TEST_F(MarshallerTest, MemoryThatTheOtherSideHasIsNotSent) {
   RCRegion* const region = NewRegion("known");
   ours.Encode(
       Notification({region}), [](uint32_t) { return true; }, &arena, &wire);
@@ -299,22 +300,22 @@ TEST_F(CourierTest, MemoryThatTheOtherSideHasIsNotSent) {
   LetGo(region);
 }
 
-TEST_F(CourierTest, TheSameRegionTwiceIsTwoLoans) {
+TEST_F(MarshallerTest, ARegionSentTwiceIsExportedTwice) {
   RCRegion* const region = NewRegion("twice");
   Message first, second;
   ASSERT_EQ(Carry(Notification({region}), &first), "");
   ASSERT_EQ(Carry(Notification({region}), &second), "");
   EXPECT_NE(NotifyOf(first).data[0].srcRCR, NotifyOf(second).data[0].srcRCR);
-  EXPECT_EQ(ours.TakeLent().size(), 2u);
-  theirs.Sent(Answer({NotifyOf(first).data[0].srcRCR}));
-  EXPECT_TRUE(theirs.HasBorrowed(region->MemID())) << "the second is still out";
+  EXPECT_EQ(ours.TakeExported().size(), 2u);
+  theirs.CompleteSend(Answer({NotifyOf(first).data[0].srcRCR}));
+  EXPECT_TRUE(theirs.HasImported(region->MemID())) << "the second is still out";
   EXPECT_EQ(std::string(NotifyOf(second).data[0].srcRCR->Base(), 5), "twice");
   LetGo(region);
 }
 
 // ---- from somebody who is not what he says
 
-TEST_F(CourierTest, AReadyWithATokenNobodyHasIsRefused) {
+TEST_F(MarshallerTest, AReadyWithATokenNobodyHasIsRefused) {
   openr_wire_Message in{};
   in.payload._d = openr_wire_PAYLOAD_READY;
   auto& regions = in.payload._u.ready.regions;
@@ -324,7 +325,7 @@ TEST_F(CourierTest, AReadyWithATokenNobodyHasIsRefused) {
   EXPECT_EQ(ours.Decode(in, &out), "a ready with an unknown region");
 }
 
-TEST_F(CourierTest, ATokenIsGoodOnce) {
+TEST_F(MarshallerTest, ATokenIsGoodOnce) {
   RCRegion* const region = NewRegion("once");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -336,7 +337,7 @@ TEST_F(CourierTest, ATokenIsGoodOnce) {
   LetGo(region);
 }
 
-TEST_F(CourierTest, BytesOfAnotherSizeAreNotPutIntoARegion) {
+TEST_F(MarshallerTest, BytesOfAnotherSizeAreNotPutIntoARegion) {
   RCRegion* const region = NewRegion("size");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -349,7 +350,7 @@ TEST_F(CourierTest, BytesOfAnotherSizeAreNotPutIntoARegion) {
   LetGo(region);
 }
 
-TEST_F(CourierTest, APartBeyondItsRegionIsRefused) {
+TEST_F(MarshallerTest, APartBeyondItsRegionIsRefused) {
   EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 4, 8, arena.Bytes("12345678", 8)})),
             "8 bytes in region 0x10005");
   EXPECT_NE(Refused(Forged({1, 0x10005, 8, 0xfffffffc, 8, {}})), "") << "the sum overflows";
@@ -360,14 +361,14 @@ TEST_F(CourierTest, APartBeyondItsRegionIsRefused) {
   EXPECT_EQ(there.regions().live_count(), 0);
 }
 
-TEST_F(CourierTest, TheSideThatGivesIdsTakesNoneFromOutside) {
+TEST_F(MarshallerTest, TheSideThatGivesIdsTakesNoneFromOutside) {
   openr_wire_Message in = Forged({1, 0x10005, 8, 0, 8, {}});
   Message out = Blank();
   EXPECT_EQ(ours.Decode(in, &out), "8 bytes in region 0x10005");
 }
 
 // The number of a region that is in use here, with another generation.
-TEST_F(CourierTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
+TEST_F(MarshallerTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
   const uint32_t mine = there.regions().New(16, 1);
   char* const base = there.regions().BaseOf(mine);
   std::memcpy(base, "still mine", 11);
@@ -377,17 +378,17 @@ TEST_F(CourierTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
 }
 
 // The subject was replaced, and somebody got its region's place before the observer answered.
-TEST_F(CourierTest, WhatIsStillReadOutlivesItsRegion) {
+TEST_F(MarshallerTest, WhatIsStillReadOutlivesItsRegion) {
   Message first = Blank(), second = Blank();
   ASSERT_EQ(theirs.Decode(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("the old.", 8)}), &first), "");
   ASSERT_EQ(theirs.Decode(Forged({2, 0x20005, 8, 0, 8, arena.Bytes("the new.", 8)}), &second), "");
   EXPECT_EQ(std::string(NotifyOf(first).data[0].srcRCR->Base(), 8), "the old.");
   EXPECT_EQ(std::string(NotifyOf(second).data[0].srcRCR->Base(), 8), "the new.");
-  theirs.Sent(Answer({NotifyOf(first).data[0].srcRCR}));
+  theirs.CompleteSend(Answer({NotifyOf(first).data[0].srcRCR}));
   EXPECT_EQ(std::string(there.regions().BaseOf(0x20005), 8), "the new.");
 }
 
-TEST_F(CourierTest, TooManyPartsAreRefused) {
+TEST_F(MarshallerTest, TooManyPartsAreRefused) {
   EXPECT_EQ(Refused(Forged({1, 0x10005, 8, 0, 8, {}}, MAX_NUM_DATA + 1)),
             "a notification of " + std::to_string(MAX_NUM_DATA + 1) + " data");
   openr_wire_Message in{};
@@ -398,7 +399,7 @@ TEST_F(CourierTest, TooManyPartsAreRefused) {
   EXPECT_EQ(Refused(in), "a ready with " + std::to_string(MAX_NUM_DATA + 1) + " regions");
 }
 
-TEST_F(CourierTest, MoreBytesThanAMessageHoldsAreRefused) {
+TEST_F(MarshallerTest, MoreBytesThanAMessageHoldsAreRefused) {
   const std::string much(Message::kPayloadMax + 1, 'x');
   openr_wire_Message in{};
   in.payload._d = openr_wire_PAYLOAD_BYTES;
