@@ -15,7 +15,7 @@
 
 #include "bench/bench.h"
 #include "distribution/bus.h"
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 #include "openr/install_paths.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
@@ -188,28 +188,28 @@ class Source : public CodeObject {
 // A dog for each notification that may be under way at a time: one in lockstep, more in a free run.
 class Ours {
  public:
-  Ours(size_t size, int window) : is_free_(window > 1), fleet_(OptionsFor(MakeStick(), size)) {
+  Ours(size_t size, int window) : is_free_(window > 1), workers_(OptionsFor(MakeStick(), size)) {
     std::vector<Source*> sources;
     for (int i = 0; i < window; ++i) {
       const int dog = system_.AddRobot("ERS-210", std::make_shared<FolderStick>(folder_.path()));
       sources.push_back(system_.AddObject<Source>(dog, "source", size, &sent_));
-      system_.LoadStick(dog, fleet_.StandInsFor(&system_, dog));
+      system_.LoadStick(dog, workers_.StandInsFor(&system_, dog));
     }
-    const std::string problem = fleet_.Connect();
+    const std::string problem = workers_.Connect();
     if (!problem.empty()) throw std::runtime_error(problem);
     system_.Boot();
     for (int i = 0; i < kBootFrames; ++i) {
       system_.RunFor(kFrameUs);
-      if (is_free_) fleet_.Pump(kPumpUs);
+      if (is_free_) workers_.Pump(kPumpUs);
     }
     for (Source* const source : sources) source->Begin();
   }
-  ~Ours() { fleet_.End(); }
+  ~Ours() { workers_.End(); }
 
   // A notification and a ready each.
   void Run(int64_t count) {
     if (!is_free_) return system_.RunMessages(static_cast<uint64_t>(2 * count));
-    for (const int64_t end = sent_ + count; sent_ < end; fleet_.Pump(kPumpUs))
+    for (const int64_t end = sent_ + count; sent_ < end; workers_.Pump(kPumpUs))
       system_.RunUntil(system_.now_us());
   }
 
@@ -227,8 +227,8 @@ class Ours {
     std::ofstream(middleware / "CONF" / "CONNECT.CFG") << "Source.Out.Bytes.S Sink.In.Bytes.O\n";
     return folder_.path();
   }
-  FleetOptions OptionsFor(const std::string& stick, size_t size) const {
-    FleetOptions options;
+  WorkerGroupOptions OptionsFor(const std::string& stick, size_t size) const {
+    WorkerGroupOptions options;
     options.is_free = is_free_;
     options.bus = BusOf(fmt::format("bench-{}-{}", getpid(), size), NewDomain());
     options.placement.process_of = {{"sink", "peer"}};
@@ -246,7 +246,7 @@ class Ours {
   const TempFolder folder_;
   int64_t sent_ = 0;
   System system_{{.free_deliveries = INT64_MAX}};
-  Fleet fleet_;
+  WorkerGroup workers_;
 };
 
 // Made when its row runs first.

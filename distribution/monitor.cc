@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "distribution/fleet.h"
 #include "distribution/process_slot.h"
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
+#include "distribution/worker_group.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -29,8 +29,8 @@ void KeepRates(const RunStatus& before, RunStatus* status) {
 
 }  // namespace
 
-Monitor::Monitor(const System* system, Bus* bus, const Fleet* fleet)
-    : system_(system), fleet_(fleet), run_(bus->run()), writer_(bus) {}
+Monitor::Monitor(const System* system, Bus* bus, const WorkerGroup* workers)
+    : system_(system), workers_(workers), run_(bus->run()), writer_(bus) {}
 
 void Monitor::Look() {
   const Clock::time_point now = Clock::now();
@@ -60,8 +60,8 @@ void Monitor::Speak(Clock::time_point now, bool has_ended) {
   status.x_real_time = static_cast<double>(virtual_us) / 1e6 / passed_s;
   status.messages = system_->message_count();
   status.messages_per_s = rate(status.messages, &messages_);
-  if (fleet_ != nullptr) {
-    for (const Fleet::ProcessFacts& facts : fleet_->Describe())
+  if (workers_ != nullptr) {
+    for (const WorkerGroup::ProcessFacts& facts : workers_->Describe())
       status.processes.push_back({facts.name, facts.host, facts.pid, facts.lost});
   }
   for (const auto& object : system_->objects()) {

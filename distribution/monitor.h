@@ -15,14 +15,14 @@
 
 namespace openr_host {
 
-class Fleet;
+class WorkerGroup;
 class RemoteObject;
 class System;
 
 class Monitor {
  public:
-  // Of a run whose processes are those of `fleet`; null: it is all in this one.
-  Monitor(const System* system, Bus* bus, const Fleet* fleet);
+  // Of a run whose processes are those of `workers`; null: it is all in this one.
+  Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
   // Speaks if it is time.  Not from a handler.
   void Look();
@@ -37,7 +37,7 @@ class Monitor {
   RunStatus::Times TimesOf(const RemoteObject& object);
 
   const System* const system_;
-  const Fleet* const fleet_;  // may be null
+  const WorkerGroup* const workers_;  // may be null
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();

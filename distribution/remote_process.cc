@@ -310,7 +310,7 @@ void RemoteProcess::NoteLoss(const Action& action) {
   }
 }
 
-bool RemoteProcess::TakeWhatCame() {
+bool RemoteProcess::HandleReceived() {
   bool came = false;
   NoteLoss([this, &came] {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {

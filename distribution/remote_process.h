@@ -82,7 +82,7 @@ class RemoteProcess {
   void Forget(ObjectId id);
 
   // From now on nobody waits for a handler but its object: what it did comes when it comes, and
-  // TakeWhatCame() does it.  For runs whose clock is that on the wall.
+  // HandleReceived() does it.  For runs whose clock is that on the wall.
   void RunFree() { is_free_ = true; }
 
   // In a free run: a handler of the object is under way, and not waiting for anybody.
@@ -96,7 +96,7 @@ class RemoteProcess {
   void FlushBatch();
 
   // Does what has come since.  Not from a handler.  True when something had.
-  bool TakeWhatCame();
+  bool HandleReceived();
   // Whether it is there at all.
   void LookAfter();
 
@@ -112,7 +112,7 @@ class RemoteProcess {
   bool RunHandler(RemoteObject* object, const Message& message);
 
   // From now on it is soon given up when it does not answer.
-  void Hurry() { is_in_haste_ = true; }
+  void ShortenTimeouts() { is_in_haste_ = true; }
 
   // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
   std::string FetchState(ObjectId object);

@@ -14,9 +14,9 @@
 namespace openr_host {
 namespace {
 
-nlohmann::ordered_json DescribeProcesses(const Fleet& fleet) {
+nlohmann::ordered_json DescribeProcesses(const WorkerGroup& workers) {
   auto processes = nlohmann::ordered_json::array();
-  for (const Fleet::ProcessFacts& facts : fleet.Describe()) {
+  for (const WorkerGroup::ProcessFacts& facts : workers.Describe()) {
     processes.push_back(
         {{"name", facts.name},
          {"pid", facts.pid},
@@ -39,35 +39,35 @@ DistributedRun::DistributedRun(const PlacementFlags& placement, const Ros2Flags&
                                const InterruptCounter* interrupts)
     : is_free_(placement.is_free),
       ros2_flags_(ros2),
-      fleet_(MakeFleet(placement, stick, handler_limit_us,
-                       [interrupts] { return interrupts->count(); })) {
-  if (fleet_ != nullptr) {
-    bus_ = fleet_->bus();
+      workers_(MakeWorkerGroup(placement, stick, handler_limit_us,
+                               [interrupts] { return interrupts->count(); })) {
+  if (workers_ != nullptr) {
+    bus_ = workers_->bus();
   } else if (ros2.is_on || placement.is_monitored) {
     own_bus_ = MakeBus(placement);
     bus_ = own_bus_.get();
   }
-  if (fleet_ != nullptr) CrashLog::BeginAfresh(stick.crash_log());
-  RefuseIdleFlags(placement, fleet_ != nullptr, bus_ != nullptr);
+  if (workers_ != nullptr) CrashLog::BeginAfresh(stick.crash_log());
+  RefuseIdleFlags(placement, workers_ != nullptr, bus_ != nullptr);
 }
 
 void DistributedRun::Enter(SimulationOptions* options, const Ros2Link::Say& say) {
-  if (fleet_ != nullptr) {
+  if (workers_ != nullptr) {
     options->stand_ins = [this](System* system, int robot) {
-      return fleet_->StandInsFor(system, robot);
+      return workers_->StandInsFor(system, robot);
     };
   }
   if (ros2_flags_.is_on) ros2_ = std::make_unique<Ros2Link>(bus_, ros2_flags_.space, options, say);
 }
 
 void DistributedRun::CheckPlaces() const {
-  const std::string problem = fleet_ == nullptr ? "" : fleet_->UnknownObjects();
+  const std::string problem = workers_ == nullptr ? "" : workers_->UnknownObjects();
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 bool DistributedRun::Connect(Simulation* simulation) {
-  if (fleet_ == nullptr) return true;
-  const std::string problem = fleet_->Connect();
+  if (workers_ == nullptr) return true;
+  const std::string problem = workers_->Connect();
   if (!problem.empty()) {
     fmt::print(stderr, "openr: {}\n", problem);
     return false;
@@ -75,27 +75,28 @@ bool DistributedRun::Connect(Simulation* simulation) {
   const auto robot_of = [simulation](const Object& object) {
     return simulation->robots()[static_cast<size_t>(object.robot)];
   };
-  fleet_->OnCrash([robot_of](Object* object) { robot_of(*object)->CommanderIsGone(object->id); });
-  fleet_->OnReturn([robot_of](Object* object) { robot_of(*object)->CommanderIsBack(object->id); });
+  workers_->OnCrash([robot_of](Object* object) { robot_of(*object)->CommanderIsGone(object->id); });
+  workers_->OnReturn(
+      [robot_of](Object* object) { robot_of(*object)->CommanderIsBack(object->id); });
   return true;
 }
 
 void DistributedRun::Begin(Simulation* simulation, RunPlan* plan) {
-  if (fleet_ != nullptr && is_free_)
-    plan->pump = [this](int64_t timeout_us) { fleet_->Pump(timeout_us); };
-  if (fleet_ != nullptr && plan->recorder != nullptr) {
-    fleet_->OnLoss([simulation, recorder = plan->recorder](const std::string& process) {
+  if (workers_ != nullptr && is_free_)
+    plan->pump = [this](int64_t timeout_us) { workers_->Pump(timeout_us); };
+  if (workers_ != nullptr && plan->recorder != nullptr) {
+    workers_->OnLoss([simulation, recorder = plan->recorder](const std::string& process) {
       recorder->NoteLoss(process, simulation->system().now_us());
     });
   }
   plan->after_frame = [this] { AfterFrame(); };
   if (bus_ != nullptr)
-    monitor_ = std::make_unique<Monitor>(&simulation->system(), bus_, fleet_.get());
+    monitor_ = std::make_unique<Monitor>(&simulation->system(), bus_, workers_.get());
   if (ros2_ != nullptr) ros2_->Begin(simulation);
 }
 
 void DistributedRun::AfterFrame() {
-  if (fleet_ != nullptr) fleet_->Watch();
+  if (workers_ != nullptr) workers_->CheckWorkers();
   if (monitor_ != nullptr) monitor_->Look();
   if (ros2_ != nullptr) ros2_->AfterFrame();
 }
@@ -106,23 +107,23 @@ void DistributedRun::RunIsOver() {
 }
 
 void DistributedRun::ReportLosses() {
-  if (fleet_ != nullptr) fleet_->ReportLosses();
+  if (workers_ != nullptr) workers_->ReportLosses();
 }
 
-void DistributedRun::Hurry() {
-  if (fleet_ != nullptr) fleet_->Hurry();
+void DistributedRun::ShortenTimeouts() {
+  if (workers_ != nullptr) workers_->ShortenTimeouts();
 }
 
 void DistributedRun::Describe(nlohmann::ordered_json* report) const {
-  if (fleet_ == nullptr) return;
-  (*report)["processes"] = DescribeProcesses(*fleet_);
+  if (workers_ == nullptr) return;
+  (*report)["processes"] = DescribeProcesses(*workers_);
   if (is_free_) report->erase("trace_hash");
-  for (const auto& [id, bytes] : fleet_->HeapMax())
+  for (const auto& [id, bytes] : workers_->HeapMax())
     (*report)["objects"][static_cast<size_t>(id)]["heap_bytes_max"] = bytes;
 }
 
 void DistributedRun::EndProcesses() {
-  if (fleet_ != nullptr) fleet_->End();
+  if (workers_ != nullptr) workers_->End();
 }
 
 }  // namespace openr_host

@@ -26,7 +26,7 @@ class DistributedRun {
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
-  bool has_processes() const { return fleet_ != nullptr; }
+  bool has_processes() const { return workers_ != nullptr; }
 
   // Takes its places in a simulation that is still to be made.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
@@ -48,7 +48,7 @@ class DistributedRun {
   void ReportLosses();
 
   // Something brings the run down, and a report is still to be made: no process is waited for long.
-  void Hurry();
+  void ShortenTimeouts();
 
   // Adds what is known of the processes to the report, if there are any.
   void Describe(nlohmann::ordered_json* report) const;
@@ -61,9 +61,9 @@ class DistributedRun {
 
   const bool is_free_;
   const Ros2Flags ros2_flags_;
-  const std::unique_ptr<Fleet> fleet_;  // null: all is in this process
-  std::unique_ptr<Bus> own_bus_;        // without a fleet
-  Bus* bus_ = nullptr;                  // null: nobody is spoken to
+  const std::unique_ptr<WorkerGroup> workers_;  // null: all is in this process
+  std::unique_ptr<Bus> own_bus_;                // without a workers
+  Bus* bus_ = nullptr;                          // null: nobody is spoken to
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;
 };

@@ -149,9 +149,10 @@ int WatchedLease(const PlacementFlags& flags) {
 
 }  // namespace
 
-std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const RunStick& stick,
-                                 int64_t handler_limit_us, std::function<int()> interrupts) {
-  FleetOptions options;
+std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const RunStick& stick,
+                                             int64_t handler_limit_us,
+                                             std::function<int()> interrupts) {
+  WorkerGroupOptions options;
   options.placement = PlacementOf(flags);
   if (options.placement.empty()) {
     if (!flags.is_free) return nullptr;
@@ -186,7 +187,7 @@ std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const RunStick& st
     options.command.insert(options.command.end(), {"--dds-config", options.bus.config_file});
   }
   options.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
-  return std::make_unique<Fleet>(std::move(options));
+  return std::make_unique<WorkerGroup>(std::move(options));
 }
 
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags) {

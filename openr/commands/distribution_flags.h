@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "distribution/bus.h"
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 
 namespace openr_host {
 
@@ -50,8 +50,9 @@ void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
 // Makes the processes that the flags of placement ask for; null when all is in one process.  Throws
 // CLI::ValidationError.
-std::unique_ptr<Fleet> MakeFleet(const PlacementFlags& flags, const RunStick& stick,
-                                 int64_t handler_limit_us, std::function<int()> interrupts);
+std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const RunStick& stick,
+                                             int64_t handler_limit_us,
+                                             std::function<int()> interrupts);
 
 // Of a run that is all in this process and speaks DDS all the same.
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags);

@@ -317,7 +317,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
     simulation->system().AddFinding(Severity::kError, std::string(ending->finding.text()));
     simulation->system().NoteRunEnd(EndOf(*ending));
   }
-  distribution->Hurry();
+  distribution->ShortenTimeouts();
   simulation->CloseFiles();
   nlohmann::ordered_json report = MakeReport(simulation, facts);
   distribution->Describe(&report);

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 #include "tests/conformance/conform_fixture.h"
 
 namespace openr_host {
@@ -11,20 +11,21 @@ namespace {
 
 class TwoProcesses : public Elsewhere {
  public:
-  explicit TwoProcesses(const std::string& stick) : fleet_(OptionsFor(stick)) {}
-  ~TwoProcesses() override { fleet_.End(); }
-  System::StandIns StandInsFor(System* system) override { return fleet_.StandInsFor(system, 0); }
+  explicit TwoProcesses(const std::string& stick) : workers_(OptionsFor(stick)) {}
+  ~TwoProcesses() override { workers_.End(); }
+  System::StandIns StandInsFor(System* system) override { return workers_.StandInsFor(system, 0); }
   void Connect() override {
-    EXPECT_EQ(fleet_.Connect(), "");
+    EXPECT_EQ(workers_.Connect(), "");
     std::set<int64_t> processes = {getpid()};
-    for (const Fleet::ProcessFacts& process : fleet_.Describe()) processes.insert(process.pid);
+    for (const WorkerGroup::ProcessFacts& process : workers_.Describe())
+      processes.insert(process.pid);
     EXPECT_EQ(processes.size(), 3u) << "the objects are here";
   }
 
  private:
-  static FleetOptions OptionsFor(const std::string& stick) {
+  static WorkerGroupOptions OptionsFor(const std::string& stick) {
     static int number = 0;
-    FleetOptions options;
+    WorkerGroupOptions options;
     options.bus.run = "apart-" + std::to_string(getpid()) + "-" + std::to_string(++number);
     options.placement.process_of = {{"teller", "acting"}, {"hearer", "hearing"}};
     options.stick = stick;
@@ -34,7 +35,7 @@ class TwoProcesses : public Elsewhere {
     return options;
   }
 
-  Fleet fleet_;
+  WorkerGroup workers_;
 };
 
 [[maybe_unused]] const bool kApart = [] {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 #include "runtime/core/api.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/hosts.h"
@@ -29,9 +29,9 @@ TEST(FreeClockTest, ARunThatCannotKeepUpHearsItsProcesses) {
 }
 
 // Teller and Hearer in one process, for which the run does not wait.
-class FreeFleetTest : public ConformTest {
+class FreeWorkerGroupTest : public ConformTest {
  protected:
-  FreeFleetTest() {
+  FreeWorkerGroupTest() {
     Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
     options_.bus.run = RunName("free");
     options_.stick = root;
@@ -40,18 +40,18 @@ class FreeFleetTest : public ConformTest {
     options_.command = {OPENR_PROGRAM, "join",          "--child-of", std::to_string(getpid()),
                         "--run-name",  options_.bus.run};
     options_.placement.process_of = {{"teller", "both"}, {"hearer", "both"}};
-    fleet_ = std::make_unique<Fleet>(options_);
+    workers_ = std::make_unique<WorkerGroup>(options_);
     SystemOptions options;
     options.console = [this](std::string_view text) { printed += text; };
     system = std::make_unique<System>(std::move(options));
     system->AddRobot("ERS-210", stick);
     sender_ = system->AddObject<SubjectProbe>(0, "sender");
   }
-  ~FreeFleetTest() override { fleet_->End(); }
+  ~FreeWorkerGroupTest() override { workers_->End(); }
 
   void SwitchOn() {
-    ASSERT_TRUE(system->LoadStick(0, fleet_->StandInsFor(system.get(), 0)));
-    ASSERT_EQ(fleet_->Connect(), "");
+    ASSERT_TRUE(system->LoadStick(0, workers_->StandInsFor(system.get(), 0)));
+    ASSERT_EQ(workers_->Connect(), "");
     system->Boot();
   }
   // Virtual time goes on as fast as it can; until `done`, or for too long.
@@ -59,7 +59,7 @@ class FreeFleetTest : public ConformTest {
   bool PumpUntil(const Done& done) {
     for (int i = 0; i < 100'000 && !done(); ++i) {
       Settle();
-      fleet_->Pump(1000);
+      workers_->Pump(1000);
     }
     return done();
   }
@@ -71,15 +71,15 @@ class FreeFleetTest : public ConformTest {
       sender_->out->NotifyObservers();
     });
   }
-  Fleet::ProcessFacts Process() const { return fleet_->Describe().at(0); }
+  WorkerGroup::ProcessFacts Process() const { return workers_->Describe().at(0); }
 
-  FleetOptions options_;
-  std::unique_ptr<Fleet> fleet_;
+  WorkerGroupOptions options_;
+  std::unique_ptr<WorkerGroup> workers_;
   SubjectProbe* sender_ = nullptr;
 };
 
 // To load a model, say.
-TEST_F(FreeFleetTest, ADoInitElsewhereHasItsTime) {
+TEST_F(FreeWorkerGroupTest, ADoInitElsewhereHasItsTime) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   system->RunFor(int64_t{3600} * 1'000'000);
   ASSERT_TRUE(PumpUntil([&] { return system->booted(); }));
@@ -88,7 +88,7 @@ TEST_F(FreeFleetTest, ADoInitElsewhereHasItsTime) {
   EXPECT_EQ(Findings(), "");
 }
 
-TEST_F(FreeFleetTest, AStoppedProcessHoldsNobodyUp) {
+TEST_F(FreeWorkerGroupTest, AStoppedProcessHoldsNobodyUp) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   ASSERT_TRUE(PumpUntil([&] { return system->booted(); })) << Findings();
   Hear("assert");
@@ -107,7 +107,7 @@ TEST_F(FreeFleetTest, AStoppedProcessHoldsNobodyUp) {
   EXPECT_EQ(Findings(), "");
 }
 
-TEST_F(FreeFleetTest, WhatItHadBeenHandedIsLostWithIt) {
+TEST_F(FreeWorkerGroupTest, WhatItHadBeenHandedIsLostWithIt) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   ASSERT_TRUE(PumpUntil([&] { return system->booted(); })) << Findings();
   const auto pid = static_cast<pid_t>(Process().pid);
@@ -120,7 +120,7 @@ TEST_F(FreeFleetTest, WhatItHadBeenHandedIsLostWithIt) {
   EXPECT_TRUE(Found("; 1 messages that it had been handed are lost")) << Findings();
   Tell("ready?");
   Settle();
-  fleet_->ReportLosses();
+  workers_->ReportLosses();
   EXPECT_TRUE(Found("messages came after process 'both' was gone; nobody heard them"))
       << Findings();
 }

@@ -5,7 +5,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 #include "runtime/core/api.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/kill_process.h"
@@ -80,12 +80,12 @@ class LeftBehindTest : public ConformTest {
                         "--run-name",  options_.bus.run};
   }
   ~LeftBehindTest() override {
-    if (fleet_ != nullptr) fleet_->End();
+    if (workers_ != nullptr) workers_->End();
   }
 
   void Place(const std::map<std::string, std::string>& where) {
     options_.placement.process_of = where;
-    fleet_ = std::make_unique<Fleet>(options_);
+    workers_ = std::make_unique<WorkerGroup>(options_);
     SystemOptions options;
     options.console = [this](std::string_view text) { printed += text; };
     system = std::make_unique<System>(std::move(options));
@@ -96,13 +96,13 @@ class LeftBehindTest : public ConformTest {
     asked_ = system->AddObject<Asked>(0, "asked");
     asker_ = system->AddObject<Asker>(0, "asker");
     receiver_->on_start = [this] { receiver_->in->AssertReady(); };
-    ASSERT_TRUE(system->LoadStick(0, fleet_->StandInsFor(system.get(), 0)));
-    ASSERT_EQ(fleet_->Connect(), "");
+    ASSERT_TRUE(system->LoadStick(0, workers_->StandInsFor(system.get(), 0)));
+    ASSERT_EQ(workers_->Connect(), "");
     system->Boot();
   }
 
-  Fleet::ProcessFacts Process(const std::string& name) const {
-    for (const Fleet::ProcessFacts& facts : fleet_->Describe()) {
+  WorkerGroup::ProcessFacts Process(const std::string& name) const {
+    for (const WorkerGroup::ProcessFacts& facts : workers_->Describe()) {
       if (facts.name == name) return facts;
     }
     return {};
@@ -123,13 +123,13 @@ class LeftBehindTest : public ConformTest {
     const int before = Process(process).losses;
     Kill(process);
     WaitUntil("the loss of " + process, [&] {
-      fleet_->Watch();
+      workers_->CheckWorkers();
       return Process(process).losses > before;
     });
   }
   void Frame() const {
     system->RunFor(system->frame_us());
-    fleet_->Watch();
+    workers_->CheckWorkers();
   }
   // Until it is there, which takes no virtual time but that to find out.
   void ComeBack(const std::string& process) const {
@@ -156,9 +156,9 @@ class LeftBehindTest : public ConformTest {
     system->RunFor(system->frame_us());
   }
 
-  FleetOptions options_;
+  WorkerGroupOptions options_;
   std::function<int()> interrupts_ = [] { return 0; };
-  std::unique_ptr<Fleet> fleet_;
+  std::unique_ptr<WorkerGroup> workers_;
   Reader* reader_ = nullptr;
   SubjectProbe* sender_ = nullptr;
   ObserverProbe* receiver_ = nullptr;
@@ -367,7 +367,7 @@ TEST_F(AwayTest, AfterControlCNobodyIsWaitedForAndTheReportSaysWhereItWas) {
   options_.wait_ms = 5'000;
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
-  const Fleet::ProcessFacts before = Process("acting");
+  const WorkerGroup::ProcessFacts before = Process("acting");
   ASSERT_GT(before.pid, 0);
   interrupts_ = [this] { return std::filesystem::exists(Second()) ? 1 : 0; };
   Lose("acting");

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 #include "openr/simulation.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/sticks.h"
@@ -26,7 +26,7 @@ class PowerOffTest : public testing::Test {
               "Payer.Coins.Coin.S Payee.Coins.Coin.O\n"
               "Payer.Book.Entry.S Ledger.Paid.Entry.O\n"
               "Payee.Book.Entry.S Ledger.Got.Entry.O\n");
-    FleetOptions options;
+    WorkerGroupOptions options;
     options.bus.run = "power-off-" + std::to_string(getpid());
     options.placement.process_of["Payee"] = "payee";
     options.command = {OPENR_PROGRAM, "join",          "--child-of",      std::to_string(getpid()),
@@ -34,7 +34,7 @@ class PowerOffTest : public testing::Test {
     options.stick = stick_.path();
     options.restarts = 1;
     options.say = [this](const std::string& line) { said_ += line + "\n"; };
-    fleet_ = std::make_unique<Fleet>(options);
+    workers_ = std::make_unique<WorkerGroup>(options);
     SimulationOptions simulation;
     simulation.stick = stick_.path();
     simulation.body = "ideal";
@@ -42,15 +42,15 @@ class PowerOffTest : public testing::Test {
     simulation.host_network = false;
     simulation.console = [this](std::string_view text) { printed_ += text; };
     simulation.stand_ins = [this](System* system, int robot) {
-      return fleet_->StandInsFor(system, robot);
+      return workers_->StandInsFor(system, robot);
     };
     simulation_ = std::make_unique<Simulation>(simulation);
-    ASSERT_EQ(fleet_->Connect(), "");
+    ASSERT_EQ(workers_->Connect(), "");
     system().Boot();
     Run(20);
   }
   void TearDown() override {
-    if (fleet_ != nullptr) fleet_->End();
+    if (workers_ != nullptr) workers_->End();
   }
   System& system() { return simulation_->system(); }
   Object& payee(int robot) { return *system().FindObject(robot, "Payee"); }
@@ -59,16 +59,16 @@ class PowerOffTest : public testing::Test {
   void Run(int frames) {
     for (int i = 0; i < frames && !system().powered_off(); ++i) {
       system().RunUntil(system().now_us() + kFrame_us);
-      fleet_->Watch();
+      workers_->CheckWorkers();
     }
   }
   // Until the run has heard of it; whom.
   int64_t Kill() {
-    const int64_t pid = fleet_->Describe()[0].pid;
+    const int64_t pid = workers_->Describe()[0].pid;
     KillProcess(pid, SIGKILL);
     WaitUntil("the loss", [this] {
-      fleet_->Watch();
-      return fleet_->Describe()[0].losses > 0;
+      workers_->CheckWorkers();
+      return workers_->Describe()[0].losses > 0;
     });
     return pid;
   }
@@ -80,7 +80,7 @@ class PowerOffTest : public testing::Test {
   }
 
   const ScratchFolder stick_;
-  std::unique_ptr<Fleet> fleet_;
+  std::unique_ptr<WorkerGroup> workers_;
   std::unique_ptr<Simulation> simulation_;
   std::string said_, printed_;
 };
@@ -118,8 +118,8 @@ TEST_F(PowerOffTest, ARunThatIsOverWaitsForNobody) {
   const int64_t pid = Kill();
   system().PowerOff(0);
   Run(20);
-  fleet_->Watch();
-  EXPECT_EQ(fleet_->Describe()[0].pid, pid) << "another one was started";
+  workers_->CheckWorkers();
+  EXPECT_EQ(workers_->Describe()[0].pid, pid) << "another one was started";
   EXPECT_THAT(said_, Not(HasSubstr("is back")));
   EXPECT_EQ(StartCount(), 1);
   EXPECT_EQ(system().findings().all().size(), 1u);

@@ -18,7 +18,7 @@
 
 namespace openr_host {
 
-struct FleetOptions {
+struct WorkerGroupOptions {
   BusOptions bus;
   Placement placement;
   // Command line of a process here, to which its name is added.
@@ -35,13 +35,13 @@ struct FleetOptions {
   std::function<int()> interrupts;
 };
 
-class Fleet {
+class WorkerGroup {
  public:
   // Starts the processes of this host.  Throws std::runtime_error.
-  explicit Fleet(FleetOptions options);
-  ~Fleet();  // whoever has not ended yet is killed
-  Fleet(const Fleet&) = delete;
-  Fleet& operator=(const Fleet&) = delete;
+  explicit WorkerGroup(WorkerGroupOptions options);
+  ~WorkerGroup();  // whoever has not ended yet is killed
+  WorkerGroup(const WorkerGroup&) = delete;
+  WorkerGroup& operator=(const WorkerGroup&) = delete;
 
   Bus* bus() { return &bus_; }
 
@@ -85,14 +85,14 @@ class Fleet {
 
   // Looks at processes that have nothing to do, and lets those that were lost come back.  Not from
   // a handler.
-  void Watch();
+  void CheckWorkers();
 
   // In a free run: waits at most `timeout_us` for news of the processes and does them.  Not from a
   // handler.
   void Pump(int64_t timeout_us);
 
   // From now on a process that does not answer is soon given up.
-  void Hurry();
+  void ShortenTimeouts();
 
   // Findings about messages that nobody heard.
   void ReportLosses();
@@ -103,12 +103,12 @@ class Fleet {
  private:
   // Where a process is that was lost.
   enum class Stage {
-    kThere,    // it was not
-    kGone,     // for good
-    kLeaving,  // its objects' things are being put away; what remains of it ends
-    kComing,   // a new one, which has not said its name
-    kLoading,  // its images
-    kTaking,   // its objects are about to take their places
+    kRunning,       // it was not
+    kNotRestarted,  // for good
+    kCleaningUp,    // its objects' things are being put away; what remains of it ends
+    kJoining,       // a new one, which has not said its name
+    kLoading,       // its images
+    kReplacing,     // its objects are about to take their places
   };
   struct Member {
     std::string name;
@@ -117,53 +117,53 @@ class Fleet {
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
     bool is_external = false;  // somebody else starts it
-    bool is_welcome = false;
+    bool is_welcomed = false;
     size_t robots = 0;  // that it knows of, and objects
     size_t known = 0;
     // For its return.
-    Stage stage = Stage::kThere;
+    Stage stage = Stage::kRunning;
     bool crashed = false;
-    bool is_put_away = false;
-    bool has_failed = false;  // the last attempt
-    int64_t since_ms = 0;     // it has been in this stage
-    bool is_told = false;     // that this takes long
+    bool is_cleaned_up = false;
+    bool attempt_failed = false;  // the last attempt
+    int64_t since_ms = 0;         // it has been in this stage
+    bool is_reported = false;     // that this takes long
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
     uint64_t unheard_before = 0;
-    std::vector<std::unique_ptr<RemoteObject>> fresh;
+    std::vector<std::unique_ptr<RemoteObject>> new_objects;
     std::map<ObjectId, RemoteObject*> successors;
   };
 
   void Start(Member* member);
-  std::string WhatIsWrongWith(const Member& member) const;
+  std::string ProblemOf(const Member& member) const;
   void Welcome(Member* member);
-  openr_wire_Load NewsFor(Member* member, WireArena* arena);
-  void LoadMore(Member* member);
-  void LoadNews(Member* member);
-  void WaitForAnother(Member* member, const std::string& why);
+  openr_wire_Load NextLoadFor(Member* member, WireArena* arena);
+  void LoadNewObjects(Member* member);
+  void SendNextLoad(Member* member);
+  void WaitForAnotherWorker(Member* member, const std::string& why);
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
-  bool TakeWhatCame();
+  bool HandleReceived();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
-  void Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
-  void StopTheRun(const RunEnd& why);
+  void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
+  void StopRun(const RunEnd& why);
 
-  // fleet_return.cc
-  bool MayComeBack(const Member& member) const;
-  void PutAway(Member* member);
-  void Enter(Member* member, Stage stage);
-  void Tend(Member* member, bool is_its_turn = true);
-  void CheckArrival(Member* member);
-  void StartAgain(Member* member);
-  void TakeIn(Member* member);
-  void Loaded(Member* member);
-  void Replaced(ObjectId id);
-  void GiveUp(Member* member, const std::string& why);
-  bool IsUnderWay(const Member& member) const;
-  bool TendAll();
-  void WaitForReturns();
+  // worker_group_restart.cc
+  bool MayRestart(const Member& member) const;
+  void CleanUp(Member* member);
+  void EnterStage(Member* member, Stage stage);
+  void AdvanceRestart(Member* member, bool may_load = true);
+  void CheckRestart(Member* member);
+  void Restart(Member* member);
+  void BeginLoading(Member* member);
+  void ReplaceObjects(Member* member);
+  void OnReplaced(ObjectId id);
+  void FailAttempt(Member* member, const std::string& why);
+  bool IsRestarting(const Member& member) const;
+  bool AdvanceRestarts();
+  void WaitForRestarts();
 
-  const FleetOptions options_;
+  const WorkerGroupOptions options_;
   Bus bus_;
   std::unique_ptr<NameClaim> claim_;  // if somebody else starts processes
   std::map<std::string, Member> members_;

@@ -1,4 +1,4 @@
-#include "distribution/fleet.h"
+#include "distribution/worker_group.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,7 +21,7 @@ constexpr int64_t kExitWaitMs = 5'000;             // for a process to end when 
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
 // In lockstep the run waits for a process that is stopped.
-BusOptions BusOf(const FleetOptions& options) {
+BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;
   bus.has_large_history = options.is_free;
   return bus;
@@ -29,7 +29,8 @@ BusOptions BusOf(const FleetOptions& options) {
 
 }  // namespace
 
-Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(BusOf(options_)) {
+WorkerGroup::WorkerGroup(WorkerGroupOptions options)
+    : options_(std::move(options)), bus_(GroupBusOptions(options_)) {
   if (!options_.placement.host_of.empty()) claim_ = std::make_unique<NameClaim>(&bus_);
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];
@@ -37,17 +38,17 @@ Fleet::Fleet(FleetOptions options) : options_(std::move(options)), bus_(BusOf(op
     member->is_external = options_.placement.host_of.contains(name);
     member->restarts_left = options_.restarts;
     member->process = std::make_unique<RemoteProcess>(
-        &bus_, name, member->is_external, [this, member] { return WhatIsWrongWith(*member); },
+        &bus_, name, member->is_external, [this, member] { return ProblemOf(*member); },
         options_.say);
     if (!member->is_external) Start(member);
   }
 }
 
 // Until one that somebody else starts has come it may go to another run of the same name.
-std::string Fleet::WhatIsWrongWith(const Member& member) const {
+std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
-  const std::string elder = member.is_external && !member.is_welcome ? claim_->Elder() : "";
+  const std::string elder = member.is_external && !member.is_welcomed ? claim_->Elder() : "";
   if (elder.empty()) return "";
   return fmt::format(
       "there is a run of the name '{}' already ({}), and openr join would not know where to go; "
@@ -55,7 +56,7 @@ std::string Fleet::WhatIsWrongWith(const Member& member) const {
       options_.bus.run, elder);
 }
 
-void Fleet::Start(Member* member) {
+void WorkerGroup::Start(Member* member) {
   const std::string session = NewSessionName();
   member->process->slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
@@ -64,10 +65,10 @@ void Fleet::Start(Member* member) {
   member->child = std::make_unique<ChildProcess>(member->name, command, !options_.wrapper.empty());
 }
 
-Fleet::~Fleet() = default;
+WorkerGroup::~WorkerGroup() = default;
 
-System::StandIns Fleet::StandInsFor(System* system, int robot) {
-  if (system_ == nullptr) system->OnReplace([this](ObjectId id) { Replaced(id); });
+System::StandIns WorkerGroup::StandInsFor(System* system, int robot) {
+  if (system_ == nullptr) system->OnReplace([this](ObjectId id) { OnReplaced(id); });
   system_ = system;
   System::StandIns stand_ins;
   for (const auto& [object_name, process_name] : options_.placement.process_of) {
@@ -77,7 +78,7 @@ System::StandIns Fleet::StandInsFor(System* system, int robot) {
       auto object = std::make_unique<RemoteObject>(
           system_, id, robot, member->process.get(),
           [this](const RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
-            Lost(about, loss, why);
+            HandleLoss(about, loss, why);
           });
       object->name = name;
       object->path = path;
@@ -85,13 +86,13 @@ System::StandIns Fleet::StandInsFor(System* system, int robot) {
       member->process->Add(object.get());
       placed_.push_back(name);
       system_->Adopt(std::move(object));
-      LoadMore(member);
+      LoadNewObjects(member);
     };
   }
   return stand_ins;
 }
 
-std::string Fleet::UnknownObjects() const {
+std::string WorkerGroup::UnknownObjects() const {
   std::vector<std::string> known, of_the_robot;
   for (const auto& object : system_->objects()) {
     std::vector<std::string>* const names = object->is_system ? &of_the_robot : &known;
@@ -111,16 +112,16 @@ std::string Fleet::UnknownObjects() const {
   return "";
 }
 
-std::string Fleet::Connect() {
+std::string WorkerGroup::Connect() {
   if (options_.is_free) system_->trace().set_hashing(false);  // no two of them are alike
   for (auto& [name, member] : members_) {
-    LoadMore(&member);
+    LoadNewObjects(&member);
     if (problem_.empty() && options_.is_free) member.process->RunFree();
   }
   return problem_;
 }
 
-void Fleet::Welcome(Member* member) {
+void WorkerGroup::Welcome(Member* member) {
   WireArena arena;
   openr_wire_Welcome welcome{};
   const SystemOptions& options = system_->options();
@@ -133,12 +134,12 @@ void Fleet::Welcome(Member* member) {
   welcome.log_level = options.log_level;
   welcome.stick = arena.Text(options_.stick);
   member->process->Welcome(system_, welcome);
-  member->is_welcome = true;
+  member->is_welcomed = true;
   if (member->is_external) claim_->Settle();
 }
 
 // What has come to the tables since the last time.
-openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
+openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   openr_wire_Load load{};
   std::vector<openr_wire_RobotEntry> robots;
   std::vector<openr_wire_DesignEntry> designs;
@@ -149,7 +150,7 @@ openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
     // Objects may have written files since, and a new image may be the reason for a return.
-    const uint64_t stick_hash = member->stage == Stage::kThere ? robot.stick_hash : 0;
+    const uint64_t stick_hash = member->stage == Stage::kRunning ? robot.stick_hash : 0;
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
   }
@@ -171,10 +172,10 @@ openr_wire_Load Fleet::NewsFor(Member* member, WireArena* arena) {
 }
 
 // The object that is loaded is the last of the news.
-void Fleet::LoadNews(Member* member) {
+void WorkerGroup::SendNextLoad(Member* member) {
   WireArena arena;
-  const openr_wire_Load load = NewsFor(member, &arena);
-  if (!member->is_welcome) {
+  const openr_wire_Load load = NextLoadFor(member, &arena);
+  if (!member->is_welcomed) {
     const auto host = options_.placement.host_of.find(member->name);
     const std::string advice = host == options_.placement.host_of.end()
                                    ? ""
@@ -185,16 +186,16 @@ void Fleet::LoadNews(Member* member) {
   member->process->Load(load);
 }
 
-void Fleet::LoadMore(Member* member) {
+void WorkerGroup::LoadNewObjects(Member* member) {
   while (problem_.empty()) {
     const bool is_first = member->robots == 0;
     try {
-      return LoadNews(member);
+      return SendNextLoad(member);
     } catch (const ProcessRefused& refused) {
       if (!is_first || !member->is_external) {
         problem_ = refused.what();
       } else {
-        WaitForAnother(member, refused.what());
+        WaitForAnotherWorker(member, refused.what());
       }
     } catch (const ProcessLost& lost) {
       problem_ = lost.what();
@@ -203,23 +204,24 @@ void Fleet::LoadMore(Member* member) {
 }
 
 // With another stick than that of the run, say: somebody may have the right one.
-void Fleet::WaitForAnother(Member* member, const std::string& why) {
+void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
   member->process->slot().Abandon();
-  member->is_welcome = false;
+  member->is_welcomed = false;
   member->robots = member->known = 0;
 }
 
 // Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for
 // ever.  A crash is something else: the object's own end, known to the message.
-void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
+void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
+                             const std::string& why) {
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
     process.set_lost();
-    return StopTheRun(
+    return StopRun(
         {EndKind::kSignal, "Ctrl-C or SIGTERM came again while a process was waited for"});
   }
   member->lost = why;
@@ -236,76 +238,77 @@ void Fleet::Lost(const RemoteObject* about, RemoteObject::Loss loss, const std::
   if (pending > 0) text += fmt::format("; {} notifications that waited in it are lost", pending);
   const size_t in_hand = process.CountInHand();
   if (in_hand > 0) text += fmt::format("; {} messages that it had been handed are lost", in_hand);
-  if (!member->crashed && !options_.is_free && !MayComeBack(*member)) {
+  if (!member->crashed && !options_.is_free && !MayRestart(*member)) {
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
     system_->AddFindingAbout(about, Severity::kError, fmt::format("{}; the run stops here", text));
     process.set_lost();
-    return StopTheRun({EndKind::kLostProcess, text});
+    return StopRun({EndKind::kLostProcess, text});
   }
   if (member->crashed)  // else it is named already
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
-  const bool waits = !options_.is_free && MayComeBack(*member);
+  const bool waits = !options_.is_free && MayRestart(*member);
   text += waits ? "; the run waits for it to come back" : "; the others go on";
   options_.say(text);
   system_->AddFindingAbout(about, Severity::kError, text);
   process.Lose();
-  PutAway(member);
+  CleanUp(member);
   if (!crash_listener_) return;
   for (const auto& [id, object] : member->objects) crash_listener_(object);
 }
 
-void Fleet::StopTheRun(const RunEnd& why) {
+void WorkerGroup::StopRun(const RunEnd& why) {
   for (int robot = 0; robot < system_->robot_count(); ++robot) system_->PowerOff(robot, why);
 }
 
-bool Fleet::TakeWhatCame() {
+bool WorkerGroup::HandleReceived() {
   bool came = false;
   for (auto& [name, member] : members_) {
-    if (!member.process->is_lost()) came = member.process->TakeWhatCame() || came;
+    if (!member.process->is_lost()) came = member.process->HandleReceived() || came;
   }
   return came;
 }
 
-void Fleet::Pump(int64_t timeout_us) {
+void WorkerGroup::Pump(int64_t timeout_us) {
   for (auto& [name, member] : members_) member.process->FlushBatch();
-  if (!TakeWhatCame()) {
+  if (!HandleReceived()) {
     bus_.Wait(timeout_us);
     if (IsInterrupted()) return;
-    TakeWhatCame();
+    HandleReceived();
   }
   const int64_t now_ns = Latency::NowNs();
   const bool is_time = now_ns >= next_check_ns_;
   if (is_time) next_check_ns_ = now_ns + kHealthIntervalNs;
   for (auto& [name, member] : members_) {
     RemoteProcess& process = *member.process;
-    Tend(&member);
+    AdvanceRestart(&member);
     if (process.is_lost()) continue;
     if (is_time) process.LookAfter();
     if (process.loss().empty()) continue;
     const auto culprit = member.objects.find(process.culprit());
-    Lost(culprit == member.objects.end() ? member.objects.begin()->second : culprit->second,
-         process.has_crashed() ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
-         process.loss());
+    HandleLoss(culprit == member.objects.end() ? member.objects.begin()->second : culprit->second,
+               process.has_crashed() ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
+               process.loss());
   }
 }
 
-void Fleet::Watch() {
+void WorkerGroup::CheckWorkers() {
   if (options_.is_free || IsInterrupted()) return;  // Pump() does; the run ends anyway
   for (auto& [name, member] : members_) {
-    if (!IsUnderWay(member)) Tend(&member);
+    if (!IsRestarting(member)) AdvanceRestart(&member);
     if (member.process->is_lost()) continue;
     const std::string problem = member.process->WhyItIsGone();
-    if (!problem.empty()) Lost(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
+    if (!problem.empty())
+      HandleLoss(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
   }
-  WaitForReturns();
+  WaitForRestarts();
 }
 
-void Fleet::Hurry() {
-  for (auto& [name, member] : members_) member.process->Hurry();
+void WorkerGroup::ShortenTimeouts() {
+  for (auto& [name, member] : members_) member.process->ShortenTimeouts();
 }
 
-void Fleet::ReportLosses() {
+void WorkerGroup::ReportLosses() {
   for (const auto& [name, member] : members_) {
     for (const auto& [id, object] : member.objects) {
       if (object->unheard_count == 0) continue;
@@ -317,7 +320,7 @@ void Fleet::ReportLosses() {
   }
 }
 
-std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
+std::vector<WorkerGroup::ProcessFacts> WorkerGroup::Describe() const {
   std::vector<ProcessFacts> all;
   for (const auto& [name, member] : members_) {
     ProcessFacts facts{name,
@@ -338,7 +341,7 @@ std::vector<Fleet::ProcessFacts> Fleet::Describe() const {
   return all;
 }
 
-std::map<ObjectId, uint64_t> Fleet::HeapMax() const {
+std::map<ObjectId, uint64_t> WorkerGroup::HeapMax() const {
   std::map<ObjectId, uint64_t> all;
   for (const auto& [name, member] : members_) {
     for (const auto& [id, object] : member.objects) all[id] = object->heap_max;
@@ -346,7 +349,7 @@ std::map<ObjectId, uint64_t> Fleet::HeapMax() const {
   return all;
 }
 
-void Fleet::End() {
+void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
