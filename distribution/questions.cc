@@ -165,7 +165,7 @@ void MapBuffer(Object* self, uint32_t cookie, uint32_t region, bool mapped) {
   }
 }
 
-void TakeDescription(const openr_wire_LoadedObject& in, RemoteObject* object) {
+void ApplyDescription(const openr_wire_LoadedObject& in, RemoteObject* object) {
   object->limits.priority = std::clamp(in.priority, 0, 255);
   object->limits.stack_bytes = in.stack_bytes;
   object->limits.heap_bytes = in.heap_bytes;

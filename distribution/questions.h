@@ -18,6 +18,6 @@ Answer AnswerQuestion(System* system, Object* self, const Question& question);
 void MapBuffer(Object* self, uint32_t cookie, uint32_t region, bool mapped);
 
 // What a process says of an object that it has loaded.
-void TakeDescription(const openr_wire_LoadedObject& in, RemoteObject* object);
+void ApplyDescription(const openr_wire_LoadedObject& in, RemoteObject* object);
 
 }  // namespace openr_host

@@ -17,7 +17,7 @@ constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 }  // namespace
 
 // What does not end a turn.  True when `up` was that.
-bool RemoteProcess::Serve(const openr_wire_ToMaster& to_master) {
+bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
   switch (to_master.body._d) {
     case openr_wire_TO_MASTER_CONSOLE:
       system_->Print(StringOf(to_master.body._u.console_text));
@@ -87,7 +87,7 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
 }
 
 // Whether the bytes of `region` may come from there: it is its own, or it was lent there.
-bool RemoteProcess::Has(uint32_t region) const {
+bool RemoteProcess::MayUse(uint32_t region) const {
   return IsOwn(region) || marshaller_->HasExported(region);
 }
 
@@ -103,9 +103,9 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
   };
   const Message* const request = self == nullptr ? nullptr : self->running;
-  const bool hands_on = request != nullptr && !in.is_reply && in.reply_box != 0 &&
-                        in.reply_box == request->reply_box && in.sender == request->sender;
-  if (!is_own(in.sender) && !hands_on) Refuse("a message in the name of another object");
+  const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
+                            in.reply_box == request->reply_box && in.sender == request->sender;
+  if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
   // Ends that were given no entry are nobody's.
   const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
@@ -117,7 +117,7 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
 void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
   CheckEnds(in, self);
   const auto check_region = [this](uint32_t region) {
-    if (system_->regions().BaseOf(region) != nullptr && !Has(region))
+    if (system_->regions().BaseOf(region) != nullptr && !MayUse(region))
       Refuse(fmt::format("bytes of region {:#x}, which it has not", region));
   };
   if (in.payload._d == openr_wire_PAYLOAD_ANT) check_region(in.payload._u.ant.region);

@@ -33,18 +33,18 @@ void RemoteProcess::ReturnExported() {
   }
 }
 
-size_t RemoteProcess::CountInHand() const {
+size_t RemoteProcess::CountUndelivered() const {
   size_t count = 0;
-  for (const auto& [id, box] : under_way_) {
+  for (const auto& [id, box] : running_) {
     const Message& message = *objects_.at(id)->running;
     const bool is_bytes =
         message.kind != PayloadKind::kNotify && message.kind != PayloadKind::kReady;
-    if (id != culprit_ && is_bytes && message.selector > oentryDESTROY) ++count;
+    if (id != crashed_object_ && is_bytes && message.selector > oentryDESTROY) ++count;
   }
   return count;
 }
 
-void RemoteProcess::Lose() {
+void RemoteProcess::ReleaseAll() {
   is_lost_ = true;
   ReturnExported();
   marshaller_->PeerIsLost();
@@ -56,9 +56,9 @@ void RemoteProcess::Lose() {
   }
   pins_.clear();
   dropped_.clear();
-  for (const auto& [robot, bytes] : std::exchange(heap_there_, {}))
+  for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))
     system_->robot(robot).memory.used_bytes -= bytes;
-  under_way_.clear();
+  running_.clear();
   stops_.clear();
   is_silent_ = false;
   slot_.Abandon();
@@ -70,7 +70,7 @@ void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   is_lost_ = false;
   loss_.clear();
   crashed_ = false;
-  culprit_ = kNoObject;
+  crashed_object_ = kNoObject;
 }
 
 void RemoteProcess::TakeBack(RCRegion* region) { marshaller_->ReleaseImported(region); }
@@ -88,10 +88,10 @@ void RemoteProcess::Forget(ObjectId id) {
   const ReceivedSample to_master = Next();
   if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)
     Refuse("something else when it was to forget");
-  TakeForgotten(*to_master);
+  HandleForgotten(*to_master);
 }
 
-void RemoteProcess::TakeForgotten(const openr_wire_ToMaster& to_master) {
+void RemoteProcess::HandleForgotten(const openr_wire_ToMaster& to_master) {
   Apply(to_master, nullptr);
   marshaller_->PeerDropped(VectorOf(to_master.body._u.forgotten.dropped));
 }

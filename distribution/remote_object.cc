@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-std::unique_ptr<RemoteObject> RemoteObject::NewOne() const {
+std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
   auto fresh = std::make_unique<RemoteObject>(system, id, robot, process_, lost_);
   fresh->name = name;
   fresh->path = path;
@@ -21,11 +21,11 @@ std::unique_ptr<RemoteObject> RemoteObject::NewOne() const {
 }
 
 bool RemoteObject::Dispatch(uint32_t, void*) {
-  if (running->kind == PayloadKind::kReady) NoteReady();
+  if (running->kind == PayloadKind::kReady) RecordReady();
   if (process_->is_lost()) {
     Unheard(*running);
   } else if (!Run()) {
-    AnswerForTheLost(*running);
+    SendEmptyReply(*running);
   }
   return true;
 }
@@ -42,7 +42,7 @@ bool RemoteObject::Run() {
   return false;
 }
 
-void RemoteObject::NoteReady() {
+void RemoteObject::RecordReady() {
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(running->payload);
   const StandingReady standing = {running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
@@ -75,12 +75,12 @@ void RemoteObject::Unheard(const Message& message) {
   ++unheard_count;
   process_->Unheard(message);
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
-  AnswerForTheLost(message);
+  SendEmptyReply(message);
 }
 
 // Nobody need wait for what cannot come: the object manager is told that all is well, others get
 // an empty answer.
-void RemoteObject::AnswerForTheLost(const Message& request) {
+void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);
   OStatusMessage message(oSUCCESS);

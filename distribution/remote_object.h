@@ -34,11 +34,11 @@ class RemoteObject : public Object {
   // Messages that came, or were to come, when the process was lost; nobody heard them.
   uint64_t unheard_count = 0;
   // Notifications that waited in its subjects when its last handler ended.
-  uint64_t pending_there = 0;
+  uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // bytes that it had at most
 
   // One in its place, for a process that has come back.
-  std::unique_ptr<RemoteObject> NewOne() const;
+  std::unique_ptr<RemoteObject> NewInstance() const;
 
   // A subject there has sent to an observer that was ready.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
@@ -57,8 +57,8 @@ class RemoteObject : public Object {
 
  private:
   bool Run();
-  void NoteReady();
-  void AnswerForTheLost(const Message& request);
+  void RecordReady();
+  void SendEmptyReply(const Message& request);
 
   RemoteProcess* const process_;
   const LossListener lost_;

@@ -21,7 +21,7 @@ constexpr int64_t kJoinNoticeMs = 300;    // for one that is there to be heard
 constexpr int kGoodbyeWaitMs = 50;        // for what it said before its end to come
 constexpr int64_t kShortTimeoutMs = 500;  // for an answer when the run is being brought down
 constexpr int kEndFlushMs = 1'000;        // for a process to hear that the run is over
-constexpr int64_t kSilenceMs = 2'000;     // before people are told
+constexpr int64_t kSilenceMs = 2'000;     // before people are is_reported
 // Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
@@ -33,7 +33,7 @@ RemoteProcess::RemoteProcess(Bus* bus, std::string name, bool is_external,
     : name_(std::move(name)),
       health_(std::move(health)),
       say_(std::move(say)),
-      handler_wait_(fmt::format("its handler in process '{}'", name_)),
+      wait_reason_(fmt::format("its handler in process '{}'", name_)),
       slot_(bus, name_, is_external) {}
 
 void RemoteProcess::Refuse(const std::string& what) {
@@ -72,30 +72,30 @@ bool RemoteProcess::WillSendMore() const {
 }
 
 RemoteProcess::ReceivedSample RemoteProcess::Next() {
-  bool told = false;
+  bool is_reported = false;
   for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
     ReceivedSample to_master = slot_.channel()->Receive(kWorkerPollMs);
     if (to_master) {
-      HearOfEnd(*to_master);
-      if (told) say_(fmt::format("process '{}' answers again", name_));
+      CheckGoodbye(*to_master);
+      if (is_reported) say_(fmt::format("process '{}' answers again", name_));
       return to_master;
     }
-    const std::string problem = WhatIsWrong();
+    const std::string problem = FindProblem();
     if (!problem.empty()) {  // its last word may be on the way still
       ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs);
       if (last) {
-        HearOfEnd(*last);
+        CheckGoodbye(*last);
         return last;
       }
       throw ProcessLost(problem);
     }
-    if (is_in_haste_ && silent_ms >= kShortTimeoutMs)
+    if (has_short_timeout_ && silent_ms >= kShortTimeoutMs)
       throw ProcessLost(
           fmt::format("process '{}' (pid {}) did not answer when the run was brought "
                       "down",
                       name_, identity().pid));
-    if (told || silent_ms < kSilenceMs) continue;
-    told = true;
+    if (is_reported || silent_ms < kSilenceMs) continue;
+    is_reported = true;
     say_(
         fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the run "
                     "waits for it",
@@ -103,7 +103,7 @@ RemoteProcess::ReceivedSample RemoteProcess::Next() {
   }
 }
 
-std::string RemoteProcess::WhatIsWrong() const {
+std::string RemoteProcess::FindProblem() const {
   std::string problem = health_();
   if (problem.empty() && slot_.HasEnded())
     problem = fmt::format("process '{}' (pid {} on {}) is not there any more: killed, or ended",
@@ -114,11 +114,11 @@ std::string RemoteProcess::WhatIsWrong() const {
   return problem;
 }
 
-std::string RemoteProcess::WhyItIsGone() {
-  std::string problem = WhatIsWrong();
+std::string RemoteProcess::FindLoss() {
+  std::string problem = FindProblem();
   try {
     if (const ReceivedSample last = slot_.channel()->Receive(problem.empty() ? 0 : kGoodbyeWaitMs))
-      HearOfEnd(*last);
+      CheckGoodbye(*last);
   } catch (const ProcessLost& lost) {
     return lost.what();
   }
@@ -126,17 +126,17 @@ std::string RemoteProcess::WhyItIsGone() {
 }
 
 // Its goodbye comes at any time.
-void RemoteProcess::HearOfEnd(const openr_wire_ToMaster& to_master) const {
+void RemoteProcess::CheckGoodbye(const openr_wire_ToMaster& to_master) const {
   if (to_master.body._d != openr_wire_TO_MASTER_GOODBYE) return;
-  const openr_wire_Goodbye& left = to_master.body._u.goodbye;
+  const openr_wire_Goodbye& goodbye = to_master.body._u.goodbye;
   const std::string text = fmt::format("process '{}' (pid {} on {}) {}", name_, identity().pid,
-                                       identity().host, StringOf(left.text));
-  if (left.has_refused) throw ProcessRefused(text);
+                                       identity().host, StringOf(goodbye.text));
+  if (goodbye.has_refused) throw ProcessRefused(text);
   throw ProcessLost(text);
 }
 
-void RemoteProcess::WaitForHello(int64_t limit_ms, const std::string& advice,
-                                 const std::function<bool()>& is_ending) {
+void RemoteProcess::WaitForJoin(int64_t limit_ms, const std::string& advice,
+                                const std::function<bool()>& is_ending) {
   const std::string then = advice.empty() ? "" : "; " + advice;
   for (int64_t waited_ms = 0; !slot_.AwaitJoin(kWorkerPollMs); waited_ms += kWorkerPollMs) {
     if (is_ending())
@@ -165,32 +165,32 @@ void RemoteProcess::Add(RemoteObject* object) { objects_[object->id] = object; }
 void RemoteProcess::BeginLoad(const openr_wire_Load& load) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_LOAD);
   to_worker.body._u.load = load;
-  awaited_.clear();
+  awaited_objects_.clear();
   for (uint32_t i = 0; i < load.objects._length; ++i) {
-    if (load.objects._buffer[i].is_own) awaited_.insert(load.objects._buffer[i].id);
+    if (load.objects._buffer[i].is_own) awaited_objects_.insert(load.objects._buffer[i].id);
   }
   Send(to_worker);
 }
 
 void RemoteProcess::Load(const openr_wire_Load& load) {
   BeginLoad(load);
-  while (!TakeLoaded(*Next(), objects_)) {
+  while (!HandleLoaded(*Next(), objects_)) {
   }
 }
 
 bool RemoteProcess::HasLoaded(const std::map<ObjectId, RemoteObject*>& objects) {
   while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
-    if (TakeLoaded(*to_master, objects)) return true;
+    if (HandleLoaded(*to_master, objects)) return true;
   }
-  const std::string problem = WhatIsWrong();
+  const std::string problem = FindProblem();
   if (!problem.empty()) throw ProcessLost(problem);
   return false;
 }
 
-bool RemoteProcess::TakeLoaded(const openr_wire_ToMaster& to_master,
-                               const std::map<ObjectId, RemoteObject*>& objects) {
-  HearOfEnd(to_master);
-  if (Serve(to_master)) return false;
+bool RemoteProcess::HandleLoaded(const openr_wire_ToMaster& to_master,
+                                 const std::map<ObjectId, RemoteObject*>& objects) {
+  CheckGoodbye(to_master);
+  if (HandleRequest(to_master)) return false;
   if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
   if (to_master.body._d != openr_wire_TO_MASTER_LOADED) Refuse("no list of its objects");
   Apply(to_master, nullptr);
@@ -198,18 +198,18 @@ bool RemoteProcess::TakeLoaded(const openr_wire_ToMaster& to_master,
   for (uint32_t i = 0; i < loaded._length; ++i) {
     const openr_wire_LoadedObject& entry = loaded._buffer[i];
     const auto found = objects.find(entry.id);
-    if (found == objects.end() || awaited_.erase(entry.id) == 0)
+    if (found == objects.end() || awaited_objects_.erase(entry.id) == 0)
       Refuse("an object that is not its own, or sent it twice");
     if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
-    TakeDescription(entry, found->second);
-    TakeHeap(found->second->robot, entry.heap_here);
+    ApplyDescription(entry, found->second);
+    RecordHeap(found->second->robot, entry.heap_here);
   }
-  if (!awaited_.empty()) Refuse("nothing of an object that it was to load");
+  if (!awaited_objects_.empty()) Refuse("nothing of an object that it was to load");
   return true;
 }
 
 void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
-  culprit_ = crashed.object;
+  crashed_object_ = crashed.object;
   throw ProcessCrashed(StringOf(crashed.text));
 }
 
@@ -246,17 +246,17 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStop(RemoteObject* object) {
   for (;;) {
     const ReceivedSample to_master = Next();
-    if (Serve(*to_master)) continue;
+    if (HandleRequest(*to_master)) continue;
     if (to_master->body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master->body._u.crashed);
     if (to_master->body._d != openr_wire_TO_MASTER_STOPPED)
       Refuse("something in the middle of a handler");
     if (to_master->body._u.stopped.object != object->id)
       Refuse("the end of another object's handler");
-    return TakeStop(*to_master);
+    return ApplyStop(*to_master);
   }
 }
 
-RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_ToMaster& to_master) {
+RemoteProcess::Stop RemoteProcess::ApplyStop(const openr_wire_ToMaster& to_master) {
   const openr_wire_Stopped& stopped = to_master.body._u.stopped;
   Object* const object = ObjectOf(stopped.object);
   Apply(to_master, object);
@@ -265,31 +265,32 @@ RemoteProcess::Stop RemoteProcess::TakeStop(const openr_wire_ToMaster& to_master
   object->stack_max = stopped.stack_max;
   RemoteObject* const remote = objects_.at(object->id);
   remote->heap_max = stopped.heap_max;
-  TakeHeap(object->robot, stopped.heap_here);
-  remote->pending_there = stopped.pending;
+  RecordHeap(object->robot, stopped.heap_here);
+  remote->pending_count = stopped.pending;
   return {stopped.kind, stopped.box, stopped.timeout_us, stopped.size, StringOf(stopped.why)};
 }
 
 uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
-  const auto there = heap_there_.find(robot);
-  return system->robot(robot).memory.used_bytes - (there == heap_there_.end() ? 0 : there->second);
+  const auto there = heap_by_robot_.find(robot);
+  return system->robot(robot).memory.used_bytes -
+         (there == heap_by_robot_.end() ? 0 : there->second);
 }
 
-void RemoteProcess::TakeHeap(int robot, uint64_t bytes) {
+void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
   constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;  // more is not believed
   if (bytes > kHeapMaxBytes) Refuse("a heap that is too large");
-  system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_there_[robot], bytes);
+  system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
 }
 
 // Nothing when the process was lost meanwhile.
 std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object) {
   const uint64_t session = session_;
-  const uint64_t box = kFirstWakeBox + ++free_boxes_;
+  const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.insert(box);
-  if (under_way_.empty()) heard_ms_ = Latency::NowMs();
-  under_way_[object->id] = box;
+  if (running_.empty()) last_heard_ms_ = Latency::NowMs();
+  running_[object->id] = box;
   bool timed_out = false;
-  Message* const wake = system_->AwaitReply(box, -1, handler_wait_, &timed_out);
+  Message* const wake = system_->AwaitReply(box, -1, wait_reason_, &timed_out);
   system_->queue().Release(wake);
   if (is_lost_ || session != session_) return std::nullopt;
   Stop stop = std::move(stops_[object->id]);
@@ -299,7 +300,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object
 
 // What `action` throws is why the process is gone.
 template <typename Action>
-void RemoteProcess::NoteLoss(const Action& action) {
+void RemoteProcess::RecordLoss(const Action& action) {
   try {
     action();
   } catch (const ProcessCrashed& crash) {
@@ -312,22 +313,22 @@ void RemoteProcess::NoteLoss(const Action& action) {
 
 bool RemoteProcess::HandleReceived() {
   bool came = false;
-  NoteLoss([this, &came] {
+  RecordLoss([this, &came] {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
-      TakeFree(*to_master);
+      HandleFreeSample(*to_master);
       if (!slot_.channel()->has_received()) break;  // what comes meanwhile is for the next time
     }
   });
   if (!came) return false;
-  heard_ms_ = Latency::NowMs();
+  last_heard_ms_ = Latency::NowMs();
   if (std::exchange(is_silent_, false)) say_(fmt::format("process '{}' answers again", name_));
   return true;
 }
 
 // Of one that has something to do.
-void RemoteProcess::LookForSilence() {
-  if (under_way_.empty() || is_silent_ || Latency::NowMs() - heard_ms_ < kSilenceMs) return;
+void RemoteProcess::ReportSilence() {
+  if (running_.empty() || is_silent_ || Latency::NowMs() - last_heard_ms_ < kSilenceMs) return;
   is_silent_ = true;
   say_(
       fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the others "
@@ -335,30 +336,30 @@ void RemoteProcess::LookForSilence() {
                   name_, identity().pid, kSilenceMs / 1000));
 }
 
-void RemoteProcess::LookAfter() {
-  LookForSilence();
-  NoteLoss([this] {
-    const std::string problem = WhatIsWrong();
+void RemoteProcess::CheckHealth() {
+  ReportSilence();
+  RecordLoss([this] {
+    const std::string problem = FindProblem();
     if (problem.empty()) return;
     if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
-      return TakeFree(*last);  // its last word
+      return HandleFreeSample(*last);  // its last word
     throw ProcessLost(problem);
   });
 }
 
-void RemoteProcess::TakeFree(const openr_wire_ToMaster& to_master) {
-  HearOfEnd(to_master);
-  if (Serve(to_master)) return;
+void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
+  CheckGoodbye(to_master);
+  if (HandleRequest(to_master)) return;
   if (to_master.body._d == openr_wire_TO_MASTER_CRASHED) Crash(to_master.body._u.crashed);
-  if (to_master.body._d == openr_wire_TO_MASTER_FORGOTTEN) return TakeForgotten(to_master);
+  if (to_master.body._d == openr_wire_TO_MASTER_FORGOTTEN) return HandleForgotten(to_master);
   if (to_master.body._d != openr_wire_TO_MASTER_STOPPED)
     Refuse("something that is no end of a handler");
   const ObjectId object = to_master.body._u.stopped.object;
-  const auto found = under_way_.find(object);
-  if (found == under_way_.end()) Refuse("the end of a handler that was not begun");
-  stops_[object] = TakeStop(to_master);
+  const auto found = running_.find(object);
+  if (found == running_.end()) Refuse("the end of a handler that was not begun");
+  stops_[object] = ApplyStop(to_master);
   WakeHandler(object, found->second);
-  under_way_.erase(object);
+  running_.erase(object);
 }
 
 void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
@@ -395,7 +396,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
   const auto is_known = [this, session] { return is_lost_ || session != session_; };
   std::string problem;
   const auto is_gone = [&] {
-    if (!is_known()) problem = WhatIsWrong();
+    if (!is_known()) problem = FindProblem();
     return is_known() || !problem.empty();
   };
   const size_t size = system_->console_input().Read(

@@ -57,8 +57,8 @@ class RemoteProcess {
 
   // The process has come, within `limit_ms` and before the run is to end.  `advice` is what people
   // are to do for one that they have to start; "" for others.
-  void WaitForHello(int64_t limit_ms, const std::string& advice,
-                    const std::function<bool()>& is_ending);
+  void WaitForJoin(int64_t limit_ms, const std::string& advice,
+                   const std::function<bool()>& is_ending);
 
   // Bytes of heap that are in use on a robot, but for those of the objects there.
   uint64_t HeapElsewhere(System* system, int robot) const;
@@ -71,8 +71,8 @@ class RemoteProcess {
   // The stand-in of one of its objects, before that is loaded.
   void Add(RemoteObject* object);
 
-  // The same for one that comes back, without waiting: it is told; true when it is done.  It is
-  // lost still, until Rejoin().
+  // The same for one that comes back, without waiting: it is is_reported; true when it is done.  It
+  // is lost still, until Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
   // The new stand-ins, which have taken the place of the old ones.
@@ -86,11 +86,11 @@ class RemoteProcess {
   void RunFree() { is_free_ = true; }
 
   // In a free run: a handler of the object is under way, and not waiting for anybody.
-  bool IsAtWork(ObjectId object) const { return under_way_.contains(object); }
+  bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
   // Messages in its objects' hands in a free run, but for what comes back when it is lost, and for
   // that of the handler that brought it down.
-  size_t CountInHand() const;
+  size_t CountUndelivered() const;
 
   // Of what the handlers of other objects are to do nothing is kept back any more.
   void FlushBatch();
@@ -98,7 +98,7 @@ class RemoteProcess {
   // Does what has come since.  Not from a handler.  True when something had.
   bool HandleReceived();
   // Whether it is there at all.
-  void LookAfter();
+  void CheckHealth();
 
   // Times from handing a message over to hearing that its handler is done.
   const Latency& latency() const { return latency_; }
@@ -112,20 +112,20 @@ class RemoteProcess {
   bool RunHandler(RemoteObject* object, const Message& message);
 
   // From now on it is soon given up when it does not answer.
-  void ShortenTimeouts() { is_in_haste_ = true; }
+  void ShortenTimeouts() { has_short_timeout_ = true; }
 
   // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
   std::string FetchState(ObjectId object);
 
   // It is lost, and the run goes on: what is lent there goes back to whom it belongs, handlers that
   // wait end.
-  void Lose();
+  void ReleaseAll();
 
   // Why it is gone, as the two above found out, which do not throw; "" while it is not.
   const std::string& loss() const { return loss_; }
   // Whose handler brought it down, as far as that is known.
   bool has_crashed() const { return crashed_; }
-  ObjectId culprit() const { return culprit_; }
+  ObjectId crashed_object() const { return crashed_object_; }
 
   // What a subject of the object that was lost had sent comes back.
   void TakeBack(RCRegion* region);
@@ -133,9 +133,9 @@ class RemoteProcess {
   void Unheard(const Message& message);
 
   // Says it of a process that has nothing to do at the moment, too.
-  std::string WhatIsWrong() const;
+  std::string FindProblem() const;
   // The same, or what its last word says.
-  std::string WhyItIsGone();
+  std::string FindLoss();
 
   // Lets the process end and tells it why the run ended (DescribeEnd(), or "").  Called before the
   // System is destroyed.
@@ -157,21 +157,21 @@ class RemoteProcess {
   void Send(const openr_wire_ToWorker& to_worker, bool batched = false);
   bool WillSendMore() const;
   ReceivedSample Next();
-  void HearOfEnd(const openr_wire_ToMaster& to_master) const;
-  void LookForSilence();
+  void CheckGoodbye(const openr_wire_ToMaster& to_master) const;
+  void ReportSilence();
   std::optional<Stop> WaitForStop(RemoteObject* object);
   std::optional<Stop> AwaitStop(RemoteObject* object);
-  Stop TakeStop(const openr_wire_ToMaster& to_master);
-  void TakeHeap(int robot, uint64_t bytes);
-  void TakeFree(const openr_wire_ToMaster& to_master);
-  void TakeForgotten(const openr_wire_ToMaster& to_master);
-  bool TakeLoaded(const openr_wire_ToMaster& to_master,
-                  const std::map<ObjectId, RemoteObject*>& objects);
+  Stop ApplyStop(const openr_wire_ToMaster& to_master);
+  void RecordHeap(int robot, uint64_t bytes);
+  void HandleFreeSample(const openr_wire_ToMaster& to_master);
+  void HandleForgotten(const openr_wire_ToMaster& to_master);
+  bool HandleLoaded(const openr_wire_ToMaster& to_master,
+                    const std::map<ObjectId, RemoteObject*>& objects);
   template <typename Action>
-  void NoteLoss(const Action& action);
+  void RecordLoss(const Action& action);
   [[noreturn]] void Crash(const openr_wire_Crashed& crashed);
   void WakeHandler(ObjectId object, uint64_t box);
-  bool Serve(const openr_wire_ToMaster& to_master);
+  bool HandleRequest(const openr_wire_ToMaster& to_master);
   void SendAnswer(const Answer& answer);
   void Apply(const openr_wire_ToMaster& to_master, Object* self);
   void EndRobot(NoteKind kind, int robot, const RunEnd& why);
@@ -180,7 +180,7 @@ class RemoteProcess {
   int32_t Post(const openr_wire_PostedMessage& posted, Object* self);
   void Check(const openr_wire_Message& in, const Object* self);
   void CheckEnds(const openr_wire_Message& in, const Object* self);
-  bool Has(uint32_t region) const;
+  bool MayUse(uint32_t region) const;
   bool IsOwn(uint32_t region) const;
   static bool Answers(const Message& message, const Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
@@ -192,30 +192,30 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string handler_wait_;  // what a proxy waits for
+  const std::string wait_reason_;  // what a proxy waits for
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
   std::map<ObjectId, RemoteObject*> objects_;
-  std::set<ObjectId> awaited_;            // to be loaded there
-  uint64_t session_ = 0;                  // counts on when it comes back
-  std::map<uint32_t, int> pins_;          // that objects there have, by region
-  std::map<ObjectId, uint64_t> dropped_;  // as it counts them
-  std::map<int, uint64_t> heap_there_;    // bytes in use by its objects, by robot
+  std::set<ObjectId> awaited_objects_;     // to be loaded there
+  uint64_t session_ = 0;                   // counts on when it comes back
+  std::map<uint32_t, int> pins_;           // that objects there have, by region
+  std::map<ObjectId, uint64_t> dropped_;   // as it counts them
+  std::map<int, uint64_t> heap_by_robot_;  // bytes in use by its objects, by robot
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
   // Of free runs: handlers under way, by object, and the box by which their proxy waits.
   bool is_free_ = false;
-  uint64_t free_boxes_ = 0;  // that there were
-  std::map<ObjectId, uint64_t> under_way_;
+  uint64_t wake_box_count_ = 0;  // that there were
+  std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;
-  int64_t heard_ms_ = 0;  // the last time, or when it was given something to do
-  bool is_in_haste_ = false;
-  bool is_silent_ = false;  // people have been told
+  int64_t last_heard_ms_ = 0;  // the last time, or when it was given something to do
+  bool has_short_timeout_ = false;
+  bool is_silent_ = false;  // people have been is_reported
   std::string loss_;        // why the process is gone
   bool crashed_ = false;
-  ObjectId culprit_ = kNoObject;
+  ObjectId crashed_object_ = kNoObject;
 };
 
 }  // namespace openr_host

@@ -180,7 +180,7 @@ void WorkerGroup::SendNextLoad(Member* member) {
     const std::string advice = host == options_.placement.host_of.end()
                                    ? ""
                                    : JoinAdvice(member->name, host->second, options_.bus);
-    member->process->WaitForHello(options_.wait_ms, advice, [this] { return IsEnding(); });
+    member->process->WaitForJoin(options_.wait_ms, advice, [this] { return IsEnding(); });
     Welcome(member);
   }
   member->process->Load(load);
@@ -234,10 +234,11 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   }
   std::string text = why;
   uint64_t pending = 0;
-  for (const auto& [id, object] : member->objects) pending += object->pending_there;
+  for (const auto& [id, object] : member->objects) pending += object->pending_count;
   if (pending > 0) text += fmt::format("; {} notifications that waited in it are lost", pending);
-  const size_t in_hand = process.CountInHand();
-  if (in_hand > 0) text += fmt::format("; {} messages that it had been handed are lost", in_hand);
+  const size_t undelivered = process.CountUndelivered();
+  if (undelivered > 0)
+    text += fmt::format("; {} messages that it had been handed are lost", undelivered);
   if (!member->crashed && !options_.is_free && !MayRestart(*member)) {
     if (options_.restarts > 0)
       text += fmt::format("; it was started again {} times", options_.restarts);
@@ -251,7 +252,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   text += waits ? "; the run waits for it to come back" : "; the others go on";
   options_.say(text);
   system_->AddFindingAbout(about, Severity::kError, text);
-  process.Lose();
+  process.ReleaseAll();
   CleanUp(member);
   if (!crash_listener_) return;
   for (const auto& [id, object] : member->objects) crash_listener_(object);
@@ -283,10 +284,11 @@ void WorkerGroup::Pump(int64_t timeout_us) {
     RemoteProcess& process = *member.process;
     AdvanceRestart(&member);
     if (process.is_lost()) continue;
-    if (is_time) process.LookAfter();
+    if (is_time) process.CheckHealth();
     if (process.loss().empty()) continue;
-    const auto culprit = member.objects.find(process.culprit());
-    HandleLoss(culprit == member.objects.end() ? member.objects.begin()->second : culprit->second,
+    const auto crashed_object = member.objects.find(process.crashed_object());
+    HandleLoss(crashed_object == member.objects.end() ? member.objects.begin()->second
+                                                      : crashed_object->second,
                process.has_crashed() ? RemoteObject::Loss::kCrashed : RemoteObject::Loss::kGone,
                process.loss());
   }
@@ -297,7 +299,7 @@ void WorkerGroup::CheckWorkers() {
   for (auto& [name, member] : members_) {
     if (!IsRestarting(member)) AdvanceRestart(&member);
     if (member.process->is_lost()) continue;
-    const std::string problem = member.process->WhyItIsGone();
+    const std::string problem = member.process->FindLoss();
     if (!problem.empty())
       HandleLoss(member.objects.begin()->second, RemoteObject::Loss::kGone, problem);
   }

@@ -126,7 +126,7 @@ void WorkerGroup::BeginLoading(Member* member) {
   member->new_objects.clear();
   member->successors.clear();
   for (const auto& [id, object] : member->objects) {
-    member->new_objects.push_back(object->NewOne());
+    member->new_objects.push_back(object->NewInstance());
     member->successors[id] = member->new_objects.back().get();
   }
   Welcome(member);

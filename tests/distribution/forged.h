@@ -39,7 +39,7 @@ class ForgedTest : public ::testing::Test {
         &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
         [this](const RemoteObject*, RemoteObject::Loss, const std::string& why) {
           losses_.push_back(why);
-          process_.Lose();
+          process_.ReleaseAll();
         });
     remote->name = "Remote";
     remote->set_selectors({0, 1, 2, 3, kEntry});
@@ -63,7 +63,7 @@ class ForgedTest : public ::testing::Test {
     to_master.body._u.hello = {openr_wire_VERSION, arena_.Text("liar"), arena_.Text("here"), 4711,
                                arena_.Text("")};
     channel_->Send(to_master);
-    process_.WaitForHello(10'000, "", [] { return false; });
+    process_.WaitForJoin(10'000, "", [] { return false; });
     openr_wire_Welcome welcome{};
     welcome.stick = arena_.Text("");
     process_.Welcome(&system_, welcome);

@@ -132,7 +132,7 @@ TEST_F(LostObserverTest, WhatWasToComeLaterIsNotForgottenWhenItIsReplaced) {
     unheard_at_end = static_cast<RemoteObject*>(system_.object(id))->unheard_count;
   });
   std::vector<std::unique_ptr<Object>> fresh;
-  fresh.push_back(remote_->NewOne());
+  fresh.push_back(remote_->NewInstance());
   system_.Return(std::move(fresh));
   system_.RunFor(1000);
   EXPECT_EQ(unheard_at_end, unheard + 1);
