@@ -48,7 +48,7 @@ class SignalsBlocked {
 
 // Samples of images come and go: the pages of one are for the next, not for the kernel to take back
 // and fill with zeros again.
-void KeepMemory() {
+void KeepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, kTrimThresholdBytes);
   mallopt(M_MMAP_THRESHOLD, kMmapThresholdBytes);
 }
@@ -99,7 +99,7 @@ dds_qos_t* ChannelQos(const std::string& partition) {
 
 Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain) {
   const SignalsBlocked blocked;
-  KeepMemory();
+  KeepFreedMemory();
   dds_set_log_sink(&Log, nullptr);
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   domain_ = Check(dds_create_domain(domain, SettingsXml(options).c_str()), "domain");

@@ -32,18 +32,18 @@ void KeepRates(const RunStatus& before, RunStatus* status) {
 Monitor::Monitor(const System* system, Bus* bus, const WorkerGroup* workers)
     : system_(system), workers_(workers), run_(bus->run()), writer_(bus) {}
 
-void Monitor::Look() {
+void Monitor::PublishIfDue() {
   const Clock::time_point now = Clock::now();
-  if (now - spoke_ >= kInterval) Speak(now, false);
+  if (now - published_ >= kInterval) Publish(now, false);
 }
 
-void Monitor::End() { Speak(Clock::now(), true); }
+void Monitor::End() { Publish(Clock::now(), true); }
 
-void Monitor::Speak(Clock::time_point now, bool has_ended) {
+void Monitor::Publish(Clock::time_point now, bool has_ended) {
   const auto seconds = [](Clock::duration time) {
     return std::chrono::duration<double>(time).count();
   };
-  const double passed_s = std::max(seconds(now - std::exchange(spoke_, now)), kIntervalMin_s);
+  const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
   // A process that came back has objects that count anew.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
@@ -82,9 +82,9 @@ void Monitor::Speak(Clock::time_point now, bool has_ended) {
       to.handlers = TimesOf(*remote);
     }
   }
-  if (has_ended && !said_.objects.empty()) KeepRates(said_, &status);
+  if (has_ended && !last_status_.objects.empty()) KeepRates(last_status_, &status);
   writer_.Write(status);
-  said_ = std::move(status);
+  last_status_ = std::move(status);
 }
 
 // Since it spoke last.

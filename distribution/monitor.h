@@ -25,7 +25,7 @@ class Monitor {
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
   // Speaks if it is time.  Not from a handler.
-  void Look();
+  void PublishIfDue();
 
   // The run is over.
   void End();
@@ -33,7 +33,7 @@ class Monitor {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void Speak(Clock::time_point now, bool has_ended);
+  void Publish(Clock::time_point now, bool has_ended);
   RunStatus::Times TimesOf(const RemoteObject& object);
 
   const System* const system_;
@@ -42,10 +42,10 @@ class Monitor {
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();
   // When it spoke last, and how things were.
-  Clock::time_point spoke_ = begin_;
+  Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
-  RunStatus said_;  // the last time
+  RunStatus last_status_;  // the last time
   std::map<ObjectId, uint64_t> messages_of_;
   std::map<ObjectId, Latency> latency_of_;
 };

@@ -70,13 +70,13 @@ void NameClaim::Announce(const std::string& claim) {
   Check(writer, kClaimTopic);
 }
 
-void NameClaim::Settle() {
-  if (std::exchange(is_settled_, true)) return;
+void NameClaim::MakePermanent() {
+  if (std::exchange(is_permanent_, true)) return;
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 
-std::string NameClaim::Elder() const {
-  if (is_settled_) return "";
+std::string NameClaim::EarlierRun() const {
+  if (is_permanent_) return "";
   std::vector<dds_instance_handle_t> writers(kClaimsMax);
   const dds_return_t count = dds_get_matched_publications(reader_, writers.data(), writers.size());
   for (size_t i = 0; i < writers.size() && static_cast<dds_return_t>(i) < count; ++i) {

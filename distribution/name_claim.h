@@ -13,18 +13,18 @@ class NameClaim {
   explicit NameClaim(Bus* bus);
 
   // "pid 12 on host": a run that has had the name for longer; "".
-  std::string Elder() const;
+  std::string EarlierRun() const;
 
   // Somebody has joined: from now on every run that still waits is the younger one, whatever the
   // clocks of the hosts say.
-  void Settle();
+  void MakePermanent();
 
  private:
   void Announce(const std::string& claim);
 
   Bus* const bus_;
   const std::string own_;  // claims are compared as text
-  bool is_settled_ = false;
+  bool is_permanent_ = false;
   dds_entity_t topic_ = 0;
   dds_entity_t reader_ = 0;
 };

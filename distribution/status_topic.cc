@@ -56,7 +56,9 @@ std::string Printable(const char* text) {
   return printable;
 }
 
-double Figure(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0; }
+double FiniteFigure(double value) {
+  return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0;
+}
 
 openr_status_Status Encode(const RunStatus& in, std::vector<openr_status_ProcessStatus>* processes,
                            std::vector<openr_status_ObjectStatus>* objects) {
@@ -103,9 +105,9 @@ RunStatus Decode(const openr_status_Status& in) {
   out.pid = in.pid;
   out.has_ended = in.has_ended;
   out.virtual_us = in.virtual_us;
-  out.wall_s = Figure(in.wall_s);
-  out.x_real_time = Figure(in.x_real_time);
-  out.messages_per_s = Figure(in.messages_per_s);
+  out.wall_s = FiniteFigure(in.wall_s);
+  out.x_real_time = FiniteFigure(in.x_real_time);
+  out.messages_per_s = FiniteFigure(in.messages_per_s);
   out.messages = in.messages;
   out.waiting = in.waiting;
   out.objects_left_out = in.objects_left_out;
@@ -117,24 +119,24 @@ RunStatus Decode(const openr_status_Status& in) {
   for (uint32_t i = 0; i < in.objects._length; ++i) {
     const openr_status_ObjectStatus& from = in.objects._buffer[i];
     const openr_status_Times& times = from.handlers;
-    out.objects.push_back(
-        {from.robot,
-         Printable(from.name),
-         Printable(from.process),
-         Printable(from.state),
-         from.priority,
-         from.messages,
-         Figure(from.messages_per_s),
-         from.dropped,
-         from.waiting,
-         from.waiting_max,
-         {times.count, Figure(times.mean), Figure(times.p99), Figure(times.max)}});
+    out.objects.push_back({from.robot,
+                           Printable(from.name),
+                           Printable(from.process),
+                           Printable(from.state),
+                           from.priority,
+                           from.messages,
+                           FiniteFigure(from.messages_per_s),
+                           from.dropped,
+                           from.waiting,
+                           from.waiting_max,
+                           {times.count, FiniteFigure(times.mean), FiniteFigure(times.p99),
+                            FiniteFigure(times.max)}});
   }
   return out;
 }
 
 template <typename Seq, typename T>
-void Give(std::vector<T>* items, Seq* sequence) {
+void SetSequence(std::vector<T>* items, Seq* sequence) {
   const auto count = static_cast<uint32_t>(items->size());
   *sequence = {count, count, items->data(), false};
 }
@@ -149,11 +151,11 @@ void StatusWriter::Write(const RunStatus& status) {
   std::vector<openr_status_ObjectStatus> objects;
   openr_status_Status sample = Encode(status, &processes, &objects);
   processes.resize(std::min<size_t>(processes.size(), openr_status_PROCESSES_MAX));
-  const size_t told = std::min<size_t>(objects.size(), openr_status_OBJECTS_MAX);
-  sample.objects_left_out = static_cast<uint32_t>(objects.size() - told);
-  objects.resize(told);
-  Give(&processes, &sample.processes);
-  Give(&objects, &sample.objects);
+  const size_t sent_count = std::min<size_t>(objects.size(), openr_status_OBJECTS_MAX);
+  sample.objects_left_out = static_cast<uint32_t>(objects.size() - sent_count);
+  objects.resize(sent_count);
+  SetSequence(&processes, &sample.processes);
+  SetSequence(&objects, &sample.objects);
   dds_write(writer_, &sample);
 }
 

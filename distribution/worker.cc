@@ -32,7 +32,7 @@ constexpr char kAbandonedText[] = "the run could not reach it and goes on withou
 Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
 
 Worker::~Worker() {
-  is_over_ = true;
+  is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // destructors of images may still call
 }
@@ -43,45 +43,45 @@ openr_wire_ToMaster Worker::NewToMaster(openr_wire_ToMasterKind kind) {
   return to_master;
 }
 
-void Worker::TakeEffects(openr_wire_ToMaster* to_master) {
+void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
   to_master->effects = arena_.Sequence<decltype(to_master->effects)>(effects_);
   effects_.clear();
-  in_sample_.clear();
+  parts_in_sample_.clear();
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  if (!answer && IsEnded()) return {channel_.get(), nullptr};
-  if (!answer && !early_.empty()) {
-    ReceivedSample sample = std::move(early_.front());
-    early_.pop_front();
+  if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
+  if (!answer && !deferred_.empty()) {
+    ReceivedSample sample = std::move(deferred_.front());
+    deferred_.pop_front();
     return sample;
   }
   for (;;) {
     ReceivedSample sample = channel_->Receive(kMasterPollMs);
     if (!sample) {
-      if (!channel_->IsConnected() || (!answer && IsEnded())) return sample;
+      if (!channel_->IsConnected() || (!answer && IsEndRequested())) return sample;
       continue;
     }
     if (!answer || sample->body._d == openr_wire_TO_WORKER_ANSWER) return sample;
     if (sample->body._d == openr_wire_TO_WORKER_END) {  // in the middle of a handler
       const openr_wire_End& end = sample->body._u.ended;
-      SayThatItIsOver(end);
+      ReportRunEnded(end);
       _exit(end.run_goes_on ? 1 : 0);
     }
-    early_.push_back(std::move(sample));
+    deferred_.push_back(std::move(sample));
   }
 }
 
 // For the master's end; false when it did not come in time.
 bool Worker::WaitFor(const ChannelBase& channel) const {
   for (int64_t waited_ms = 0; !channel.IsConnected(); waited_ms += 5) {
-    if (waited_ms > options_.master_wait_ms || IsEnded()) return false;
+    if (waited_ms > options_.master_wait_ms || IsEndRequested()) return false;
     usleep(5000);
   }
   return true;
 }
 
-std::string Worker::NoRun() const {
+std::string Worker::NoRunFound() const {
   return fmt::format("no run '{}' that has a place for process '{}' was found within {} s",
                      options_.bus.run, options_.process, options_.master_wait_ms / 1000);
 }
@@ -96,15 +96,15 @@ std::string Worker::RequestSession() {
   const openr_wire_JoinRequest request = {openr_wire_VERSION, arena.Text(id),
                                           arena.Text(HostName()), getpid()};
   std::string taken;  // why it has to wait
-  for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEnded();
+  for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
-    if (!WaitFor(join_channel)) return NoRun();
+    if (!WaitFor(join_channel)) return NoRunFound();
     join_channel.Send(request);  // again and again: whom it hears may be at its end
     const auto answer = join_channel.Receive(kJoinRetryMs);
     if (!answer || StringOf(answer->id) != id) continue;
     session_ = StringOf(answer->session);
     if (session_ == kTakenSession) {
-      if (!options_.is_patient) return StringOf(answer->refusal);
+      if (!options_.waits_for_predecessor) return StringOf(answer->refusal);
       if (taken.empty())
         options_.say(StringOf(answer->refusal) + "; this one waits until it is gone");
       taken = StringOf(answer->refusal);
@@ -114,7 +114,7 @@ std::string Worker::RequestSession() {
     is_refused_ = session_.empty();
     return StringOf(answer->refusal);
   }
-  return taken.empty() ? NoRun() : taken;
+  return taken.empty() ? NoRunFound() : taken;
 }
 
 std::string Worker::Join() {
@@ -122,7 +122,7 @@ std::string Worker::Join() {
   if (!refusal.empty()) return refusal;
   channel_ = std::make_unique<WorkerChannel>(&bus_, options_.process + "/" + session_,
                                              ChannelEnd::kWorker);
-  if (!WaitFor(*channel_)) return NoRun();
+  if (!WaitFor(*channel_)) return NoRunFound();
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_HELLO);
   to_master.body._u.hello = {openr_wire_VERSION, arena_.Text(options_.process),
                              arena_.Text(HostName()), getpid(), arena_.Text(MachineId())};
@@ -171,7 +171,7 @@ std::string Worker::Run() {
     problem = error.what();
     goodbye = "could not go on: " + problem;
   }
-  if (IsEnded() && !problem.empty()) goodbye = "was ended there";
+  if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
   if (is_refused_) goodbye = "has come in vain: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;
@@ -189,13 +189,13 @@ void Worker::SayGoodbye(const std::string& text) {
 }
 
 // Of one that the run has started the run says what there is to say.
-void Worker::SayThatItJoined() {
+void Worker::ReportJoined() {
   if (!options_.session.empty()) return;
   options_.say(fmt::format("has joined run '{}' ({}) with {}", options_.bus.run, MakerOf(session_),
-                           fmt::join(own_names_, ", ")));
+                           fmt::join(own_object_names_, ", ")));
 }
 
-void Worker::SayThatItIsOver(const openr_wire_End& end) {
+void Worker::ReportRunEnded(const openr_wire_End& end) {
   if (end.run_goes_on) {
     options_.say(kAbandonedText);
   } else if (options_.session.empty() && StringOf(end.why) != "") {
@@ -209,12 +209,12 @@ std::string Worker::Serve() {
     if (!to_worker) return "the master is gone";
     switch (to_worker->body._d) {
       case openr_wire_TO_WORKER_LOAD: {
-        const std::string problem = LoadMore(to_worker->body._u.load);
+        const std::string problem = LoadObjects(to_worker->body._u.load);
         if (!problem.empty()) return problem;
         break;
       }
       case openr_wire_TO_WORKER_DELIVER:
-        if (!std::exchange(has_begun_, true)) SayThatItJoined();
+        if (!std::exchange(has_reported_joined_, true)) ReportJoined();
         Deliver(to_worker->body._u.deliver, false);
         break;
       case openr_wire_TO_WORKER_RESUME:
@@ -230,7 +230,7 @@ std::string Worker::Serve() {
         break;
       case openr_wire_TO_WORKER_END:
         if (to_worker->body._u.ended.run_goes_on) return kAbandonedText;
-        SayThatItIsOver(to_worker->body._u.ended);
+        ReportRunEnded(to_worker->body._u.ended);
         return "";
       case openr_wire_TO_WORKER_WELCOME:
       case openr_wire_TO_WORKER_ANSWER:
@@ -250,7 +250,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   if (!problem.empty()) throw std::runtime_error("a malformed message: " + problem);
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
-  FollowBuffers(*object, *message);
+  TrackSharedBuffers(*object, *message);
   if (timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
@@ -270,19 +270,19 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
 
 // What other handlers did is sent with what this one does, unless that may take long.
 void Worker::RunTimed(ObjectId id) {
-  if (!quick_.contains(id)) channel_->FlushBatch();
+  if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = Latency::NowNs();
   system_->RunMessages(1);
   if (Latency::NowNs() - begin_ns < kFastHandlerNs) {
-    quick_.insert(id);
+    fast_objects_.insert(id);
   } else {
-    quick_.erase(id);
+    fast_objects_.erase(id);
   }
 }
 
 // Shared buffers are made and destroyed by the master's network stack; its stand-in here knows them
 // from the answers.
-void Worker::FollowBuffers(const Object& object, const Message& message) {
+void Worker::TrackSharedBuffers(const Object& object, const Message& message) {
   const Object* const sender = system_->object(message.sender);
   if (sender == nullptr || sender->name != IpStack::kName || message.size < sizeof(antEnvMsg))
     return;
@@ -324,14 +324,14 @@ void Worker::SendStopped(Object* object) {
   for (const auto& subject : object->subjects) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
-  TakeEffects(&to_master);
+  MoveEffectsTo(&to_master);
   Send(to_master, is_free_);
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
 }
 
-void Worker::TellCrash(std::string_view text) {
+void Worker::ReportCrash(std::string_view text) {
   WireArena arena;
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CRASHED);
   to_master.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
@@ -361,10 +361,10 @@ void Worker::SendState(ObjectId id) {
 // It has been replaced where it is; what is connected to it here hears of the new one as of any.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
-  std::erase_if(entries_, [id](const auto& entry) { return entry.first == id; });
+  std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};
-  TakeEffects(&to_master);
+  MoveEffectsTo(&to_master);
   Send(to_master);
   arena_.Clear();
 }

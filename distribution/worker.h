@@ -29,7 +29,7 @@ struct WorkerOptions {
   std::string session;                               // given by the run; "": it has to knock
   std::string stick;                                 // instead of the master's path; "": that one
   int64_t master_wait_ms = 60'000;                   // for the master to show up
-  bool is_patient = false;                           // it waits until the one before it is gone
+  bool waits_for_predecessor = false;                // it waits until the one before it is gone
   std::function<bool()> is_ended;                    // somebody ends it; null: nobody does
   std::function<void(const std::string& line)> say;  // for people
   // A folder to look at where that of the run is not on this host, "" for none; may be null.  It is
@@ -52,7 +52,7 @@ class Worker : public Uplink {
 
   // Tells the master that the handler that runs ends this process; from a signal handler on top of
   // the object's code, but not while it is Indivisible.
-  void TellCrash(std::string_view text);
+  void ReportCrash(std::string_view text);
 
   // ---- Uplink
   int32_t Post(Message* message, int64_t delay_us) override;
@@ -75,12 +75,12 @@ class Worker : public Uplink {
 
   std::string Join();
   std::string RequestSession();
-  bool IsEnded() const { return options_.is_ended && options_.is_ended(); }
+  bool IsEndRequested() const { return options_.is_ended && options_.is_ended(); }
   void SayGoodbye(const std::string& text);
   bool WaitFor(const ChannelBase& channel) const;
-  std::string NoRun() const;
+  std::string NoRunFound() const;
   std::string SetUp(const openr_wire_Welcome& welcome);
-  std::string LoadMore(const openr_wire_Load& load);
+  std::string LoadObjects(const openr_wire_Load& load);
   void CheckRobot(int robot) const;
   std::string AddRobot(const openr_wire_RobotEntry& entry);
   void FindStick(uint64_t hash);
@@ -88,8 +88,8 @@ class Worker : public Uplink {
   openr_wire_LoadedObject Describe(const Object& object);
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
   std::string Serve();
-  void SayThatItJoined();
-  void SayThatItIsOver(const openr_wire_End& end);
+  void ReportJoined();
+  void ReportRunEnded(const openr_wire_End& end);
   void Deliver(const openr_wire_Deliver& deliver, bool timed_out);
   void RunTimed(ObjectId id);
   void SetHeapElsewhere(int robot, uint64_t bytes);
@@ -100,16 +100,16 @@ class Worker : public Uplink {
 
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
-  [[noreturn]] void GiveUp(const std::string& why);
+  [[noreturn]] void ExitWithError(const std::string& why);
   // What handlers did since the last sample goes with `up`.
-  void TakeEffects(openr_wire_ToMaster* to_master);
+  void MoveEffectsTo(openr_wire_ToMaster* to_master);
   // The next sample, of the kind given if it is an answer that is waited for; empty when the
   // master is gone.
   ReceivedSample Next(bool answer);
   Answer WaitForAnswer();
   bool MayBeRefused(const Message& message);
-  bool CancelPin(uint64_t region);
-  void FollowBuffers(const Object& object, const Message& message);
+  bool CancelPendingPin(uint64_t region);
+  void TrackSharedBuffers(const Object& object, const Message& message);
   void KeepUntilSent(uint32_t region);
   void SendOnce(openr_wire_NotifiedRegion* part);
   openr_wire_PostedMessage Encode(const Message& message, int64_t delay_us);
@@ -121,21 +121,22 @@ class Worker : public Uplink {
   std::unique_ptr<Marshaller> marshaller_;
   std::string session_;
   bool is_refused_ = false;
-  std::string stick_;                // its folder
-  bool uses_stick_ = false;          // `begins` has been called
-  std::set<std::string> own_names_;  // of its objects
-  bool has_begun_ = false;
-  std::map<int, uint64_t> heap_elsewhere_;           // bytes in other processes, by robot
-  bool is_free_ = false;                             // the run goes by the clock on the wall
-  std::set<ObjectId> quick_;                         // whose last handler was
-  bool is_over_ = false;                             // nobody listens: objects are being unloaded
-  std::set<std::pair<ObjectId, uint32_t>> entries_;  // that there are, as far as asked for
-  std::deque<ReceivedSample> early_;                 // came while an answer was waited for
+  std::string stick_;                       // its folder
+  bool has_called_begins_ = false;          // `begins` has been called
+  std::set<std::string> own_object_names_;  // of its objects
+  bool has_reported_joined_ = false;
+  std::map<int, uint64_t> heap_elsewhere_;  // bytes in other processes, by robot
+  bool is_free_ = false;                    // the run goes by the clock on the wall
+  std::set<ObjectId> fast_objects_;         // whose last handler was
+  bool is_shutting_down_ = false;           // nobody listens: objects are being unloaded
+  std::set<std::pair<ObjectId, uint32_t>> known_entries_;  // that there are, as far as asked for
+  std::deque<ReceivedSample> deferred_;                    // came while an answer was waited for
   // Of the handler that runs.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;
-  std::vector<uint32_t> pinned_;                             // regions whose bytes are to be sent
-  std::map<uint32_t, openr_wire_NotifiedRegion> in_sample_;  // whose bytes go with the next sample
+  std::vector<uint32_t> pinned_;  // regions whose bytes are to be sent
+  std::map<uint32_t, openr_wire_NotifiedRegion>
+      parts_in_sample_;  // whose bytes go with the next sample
   std::map<ObjectId, Wait> waits_;
 };
 

@@ -48,12 +48,13 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
-  const std::string elder = member.is_external && !member.is_welcomed ? claim_->Elder() : "";
-  if (elder.empty()) return "";
+  const std::string earlier_run =
+      member.is_external && !member.is_welcomed ? claim_->EarlierRun() : "";
+  if (earlier_run.empty()) return "";
   return fmt::format(
       "there is a run of the name '{}' already ({}), and openr join would not know where to go; "
       "give this one another name (--run-name)",
-      options_.bus.run, elder);
+      options_.bus.run, earlier_run);
 }
 
 void WorkerGroup::Start(Member* member) {
@@ -135,7 +136,7 @@ void WorkerGroup::Welcome(Member* member) {
   welcome.stick = arena.Text(options_.stick);
   member->process->Welcome(system_, welcome);
   member->is_welcomed = true;
-  if (member->is_external) claim_->Settle();
+  if (member->is_external) claim_->MakePermanent();
 }
 
 // What has come to the tables since the last time.

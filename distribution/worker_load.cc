@@ -22,8 +22,8 @@ bool IsFolder(const std::string& path) {
 // Stands for an object of another process.
 class AbsentObject : public Object {
  public:
-  AbsentObject(System* system, ObjectId id, int robot, Marshaller* courier)
-      : Object(system, id, robot), marshaller_(courier) {}
+  AbsentObject(System* system, ObjectId id, int robot, Marshaller* marshaller)
+      : Object(system, id, robot), marshaller_(marshaller) {}
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
   void TakeBack(RCRegion* region) override { marshaller_->ReleaseImported(region); }
@@ -34,7 +34,7 @@ class AbsentObject : public Object {
 
 }  // namespace
 
-std::string Worker::LoadMore(const openr_wire_Load& load) {
+std::string Worker::LoadObjects(const openr_wire_Load& load) {
   for (uint32_t i = 0; i < load.robots._length; ++i) {
     const std::string problem = AddRobot(load.robots._buffer[i]);
     if (!problem.empty()) return problem;
@@ -43,7 +43,7 @@ std::string Worker::LoadMore(const openr_wire_Load& load) {
     CheckRobot(static_cast<int>(i));
     SetHeapElsewhere(static_cast<int>(i), load.heap_elsewhere._buffer[i]);
   }
-  if (!std::exchange(uses_stick_, true) && options_.begins) options_.begins(stick_);
+  if (!std::exchange(has_called_begins_, true) && options_.begins) options_.begins(stick_);
   for (uint32_t i = 0; i < load.designs._length; ++i) {
     const openr_wire_DesignEntry& entry = load.designs._buffer[i];
     CheckRobot(entry.robot);
@@ -102,7 +102,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
       object->last_box = entry.last_box;
-      own_names_.insert(object->name);
+      own_object_names_.insert(object->name);
       loaded->push_back(Describe(*object));
       return;
     }
@@ -144,7 +144,7 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_LOADED);
   auto& objects = to_master.body._u.loaded.objects;
   objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
-  TakeEffects(&to_master);
+  MoveEffectsTo(&to_master);
   Send(to_master);
   arena_.Clear();
 }

@@ -22,8 +22,8 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   } catch (const std::exception& error) {
     const size_t bulk_MB = BulkBytesOf(to_master) >> 20;
     if (bulk_MB + 1 < kSampleMax_MB)
-      GiveUp(fmt::format("could not send to the run: {}", error.what()));
-    GiveUp(
+      ExitWithError(fmt::format("could not send to the run: {}", error.what()));
+    ExitWithError(
         fmt::format("could not send {} MB to the run, {} MB at once is the most: an object has "
                     "to notify less in one handler, or to stay in openr run",
                     bulk_MB, kSampleMax_MB));
@@ -31,7 +31,7 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
 }
 
 // What the handler did is lost, and it cannot go on.
-void Worker::GiveUp(const std::string& why) {
+void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);
   _exit(1);
@@ -45,7 +45,7 @@ void Worker::KeepUntilSent(uint32_t region) {
 // However many observers a region is for, its bytes go with the first notification of a sample; the
 // master has them when it comes to the next.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
-  const auto [first, is_first] = in_sample_.try_emplace(part->region, *part);
+  const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
   if (!is_first && part->offset >= sent.offset &&
       uint64_t{part->offset} + part->size <= uint64_t{sent.offset} + sent.size)
@@ -74,18 +74,18 @@ openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us
 bool Worker::MayBeRefused(const Message& message) {
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
-  if (entries_.contains(entry)) return false;
+  if (known_entries_.contains(entry)) return false;
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
   if (WaitForAnswer().status != 1) return true;
-  entries_.insert(entry);
+  known_entries_.insert(entry);
   return false;
 }
 
 int32_t Worker::Post(Message* message, int64_t delay_us) {
   const Indivisible indivisible;
-  if (is_over_) {
+  if (is_shutting_down_) {
     system_->queue().Release(message);
     return sFAIL;
   }
@@ -98,7 +98,7 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_POST);
     to_master.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                               posted};
-    TakeEffects(&to_master);
+    MoveEffectsTo(&to_master);
     Send(to_master);
     error = static_cast<int32_t>(WaitForAnswer().status);
   } else {
@@ -114,7 +114,7 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
 
 // A region that was taken and given back with nothing told in between: the usual case of an
 // observer.  The master need not hear of either.
-bool Worker::CancelPin(uint64_t region) {
+bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE &&
            effect._u.note.kind == static_cast<uint32_t>(NoteKind::kPin) &&
@@ -128,7 +128,7 @@ bool Worker::CancelPin(uint64_t region) {
 
 void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
   const Indivisible indivisible;
-  if (is_over_ || (kind == NoteKind::kUnpin && CancelPin(numbers.front()))) return;
+  if (is_shutting_down_ || (kind == NoteKind::kUnpin && CancelPendingPin(numbers.front()))) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
   effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(numbers), arena_.Text(text)};
@@ -137,13 +137,13 @@ void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view
 
 Answer Worker::Ask(const Question& question) {
   const Indivisible indivisible;
-  if (is_over_) return {};
+  if (is_shutting_down_) return {};
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
   to_master.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                 static_cast<uint32_t>(question.kind),
                                 arena_.Numbers(question.numbers), arena_.Text(question.text),
                                 WireArena::View(question.bytes.data(), question.bytes.size())};
-  TakeEffects(&to_master);
+  MoveEffectsTo(&to_master);
   Send(to_master);
   return WaitForAnswer();
 }
@@ -155,7 +155,7 @@ Answer Worker::WaitForAnswer() {
       return {answer.status, VectorOf(answer.numbers), StringOf(answer.bytes)};
     }
   } catch (const std::exception& error) {
-    GiveUp(fmt::format("could not hear the run: {}", error.what()));
+    ExitWithError(fmt::format("could not hear the run: {}", error.what()));
   }
   options_.say("the master is gone");
   _exit(1);  // in the middle of a handler, which cannot go on

@@ -97,7 +97,7 @@ void DistributedRun::Begin(Simulation* simulation, RunPlan* plan) {
 
 void DistributedRun::AfterFrame() {
   if (workers_ != nullptr) workers_->CheckWorkers();
-  if (monitor_ != nullptr) monitor_->Look();
+  if (monitor_ != nullptr) monitor_->PublishIfDue();
   if (ros2_ != nullptr) ros2_->AfterFrame();
 }
 

@@ -123,7 +123,7 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
   const LastWords last_words([&worker](Ending* ending) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
-    worker->TellCrash(ending->finding.text());
+    worker->ReportCrash(ending->finding.text());
   });
   const std::string problem = worker->Run();
   return {problem, worker->is_refused()};
@@ -254,7 +254,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);
   command->callback([flags, exit_code] {
-    flags->worker.is_patient = flags->restarts;
+    flags->worker.waits_for_predecessor = flags->restarts;
     const int code = flags->restarts ? JoinAgainAndAgain(*flags) : Join(*flags);
     *exit_code = code == kRefused && !flags->restarts ? kExitWrong : code;
   });

@@ -52,21 +52,21 @@ TEST_F(BothLostTest, WhoComesBackFirstKeepsItsChance) {
 
 // Two runs of one name: one has its processes, and a clock that is ahead of the other's.
 TEST_F(BothLostTest, ARunThatHasBegunGivesWayToNobody) {
-  ProgramRun elder({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--placement",
-                    folder_.File("where.cfg"), "--run-name", name_});
-  ASSERT_TRUE(elder.WaitFor("waiting for process"));
+  ProgramRun earlier_run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--placement",
+                          folder_.File("where.cfg"), "--run-name", name_});
+  ASSERT_TRUE(earlier_run.WaitFor("waiting for process"));
   BusOptions options;
   options.run = name_;
   Bus bus(options);
   NameClaim claim(&bus);
-  for (int ms = 0; claim.Elder().empty() && ms < 60'000; ++ms) usleep(1000);
-  ASSERT_THAT(claim.Elder(), HasSubstr("pid " + std::to_string(elder.pid())));
-  elder.Signal(SIGSTOP);  // it would end
-  claim.Settle();
-  EXPECT_EQ(claim.Elder(), "");
-  elder.Signal(SIGCONT);
-  EXPECT_EQ(elder.Finish().status, 1);
-  EXPECT_THAT(elder.heard(), HasSubstr("there is a run of the name '" + name_ + "' already"));
+  for (int ms = 0; claim.EarlierRun().empty() && ms < 60'000; ++ms) usleep(1000);
+  ASSERT_THAT(claim.EarlierRun(), HasSubstr("pid " + std::to_string(earlier_run.pid())));
+  earlier_run.Signal(SIGSTOP);  // it would end
+  claim.MakePermanent();
+  EXPECT_EQ(claim.EarlierRun(), "");
+  earlier_run.Signal(SIGCONT);
+  EXPECT_EQ(earlier_run.Finish().status, 1);
+  EXPECT_THAT(earlier_run.heard(), HasSubstr("there is a run of the name '" + name_ + "' already"));
 }
 
 }  // namespace

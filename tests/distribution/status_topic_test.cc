@@ -97,7 +97,7 @@ TEST(MonitorTest, ARunThatEndsSaysItsRatesOfBefore) {
   system.RunFor(1000);
   std::vector<RunStatus> said;
   WaitUntil("what it says", [&] {
-    monitor.Look();
+    monitor.PublishIfDue();
     said = reader.Take();
     return !said.empty();
   });
