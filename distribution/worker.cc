@@ -172,7 +172,7 @@ std::string Worker::Run() {
     goodbye = "could not go on: " + problem;
   }
   if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
-  if (is_refused_) goodbye = "has come in vain: " + problem;
+  if (is_refused_) goodbye = "could not take part: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;
 }
