@@ -47,18 +47,18 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
 }
 
 ChildProcess::~ChildProcess() {
-  if (Look(false)) return;
+  if (UpdateStatus(false)) return;
   kill(pid_, SIGKILL);
-  Look(true);
+  UpdateStatus(true);
 }
 
-bool ChildProcess::Look(bool waits) {
+bool ChildProcess::UpdateStatus(bool waits) {
   if (!ended_ && waitpid(pid_, &status_, waits ? 0 : WNOHANG) == pid_) ended_ = true;
   return ended_;
 }
 
 std::string ChildProcess::HowItEnded() {
-  if (!Look(false)) return "";
+  if (!UpdateStatus(false)) return "";
   if (WIFSIGNALED(status_))
     return fmt::format("process '{}' (pid {}) was killed by signal {} ({})", name_, pid_,
                        WTERMSIG(status_), strsignal(WTERMSIG(status_)));
@@ -68,11 +68,11 @@ std::string ChildProcess::HowItEnded() {
 
 void ChildProcess::WaitForEnd(int64_t limit_ms) {
   for (int64_t waited_ms = 0; waited_ms < limit_ms; waited_ms += 2) {
-    if (Look(false)) return;
+    if (UpdateStatus(false)) return;
     usleep(2000);
   }
   kill(pid_, SIGKILL);
-  Look(true);
+  UpdateStatus(true);
 }
 
 }  // namespace openr_host

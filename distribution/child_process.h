@@ -27,7 +27,7 @@ class ChildProcess {
   void WaitForEnd(int64_t limit_ms);
 
  private:
-  bool Look(bool waits);
+  bool UpdateStatus(bool waits);
 
   const std::string name_;
   pid_t pid_ = -1;

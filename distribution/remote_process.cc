@@ -231,7 +231,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     marshaller_->CompleteSend(message);
   }
   for (;;) {
-    const std::optional<Stop> stop = is_free_ ? AwaitStop(object) : WaitForStop(object);
+    const std::optional<Stop> stop = is_free_ ? WaitForStopInFreeRun(object) : WaitForStop(object);
     if (!stop) return false;
     if (stop->kind == openr_wire_STOP_DONE) return true;
     if (stop->kind == openr_wire_STOP_READS) {
@@ -283,7 +283,7 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
 }
 
 // Nothing when the process was lost meanwhile.
-std::optional<RemoteProcess::Stop> RemoteProcess::AwaitStop(RemoteObject* object) {
+std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.insert(box);
@@ -393,15 +393,15 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
 
 void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session) {
   char line[Message::kPayloadMax];
-  const auto is_known = [this, session] { return is_lost_ || session != session_; };
+  const auto is_obsolete = [this, session] { return is_lost_ || session != session_; };
   std::string problem;
   const auto is_gone = [&] {
-    if (!is_known()) problem = FindProblem();
-    return is_known() || !problem.empty();
+    if (!is_obsolete()) problem = FindProblem();
+    return is_obsolete() || !problem.empty();
   };
   const size_t size = system_->console_input().Read(
       line, std::min<size_t>(std::max<uint32_t>(stop.size, 1), sizeof line), is_gone);
-  if (is_known()) return;
+  if (is_obsolete()) return;
   if (!problem.empty()) throw ProcessLost(problem);
   WireArena arena;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);

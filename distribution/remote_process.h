@@ -160,7 +160,7 @@ class RemoteProcess {
   void CheckGoodbye(const openr_wire_ToMaster& to_master) const;
   void ReportSilence();
   std::optional<Stop> WaitForStop(RemoteObject* object);
-  std::optional<Stop> AwaitStop(RemoteObject* object);
+  std::optional<Stop> WaitForStopInFreeRun(RemoteObject* object);
   Stop ApplyStop(const openr_wire_ToMaster& to_master);
   void RecordHeap(int robot, uint64_t bytes);
   void HandleFreeSample(const openr_wire_ToMaster& to_master);
