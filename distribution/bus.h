@@ -1,9 +1,9 @@
-// The only place where Cyclone DDS is set up and spoken to.
+// Sets up Cyclone DDS and sends samples over it.
 //
-// A process that takes part in a distributed run has one participant.  Master and process talk over
-// a Channel of their own: two topics in a partition with the names of run, process and session,
-// reliable, nothing thrown away.  Participants find each other at addresses that were given to
-// them, without multicast; the default is this machine alone (127.0.0.1).
+// A process that takes part in a distributed run has one DDS participant.  The master and each
+// worker talk over a Channel of their own: two topics in a partition named RUN/PROCESS/SESSION,
+// reliable, with all history.  Participants find each other without multicast, at addresses given
+// to them; the default is 127.0.0.1, this host alone.
 #pragma once
 
 #include <dds/dds.h>
@@ -18,36 +18,43 @@
 
 namespace openr_host {
 
-// The lease of processes whose end somebody sees: stopped or in a debugger they are not gone.  The
-// most there is.  If they may come back often: until its lease is over every participant of the
-// domain takes one that was killed for a reader that is slow, and keeps for it what it announces.
-// And of others.
+// Lease of a process: the time without a sign of life after which the others take the process for
+// dead.
+//
+// kWatchedLease_s is for workers that the master started itself.  The master sees their end at
+// once, and a worker that is stopped or in a debugger must not be taken for dead, so they have the
+// longest lease that Cyclone DDS accepts.
+//
+// kReturningLease_s is for the same workers if they may be restarted.  Until the lease of a killed
+// process is over, every participant of the domain takes it for a slow reader and keeps data for
+// it, which makes each restart slower; so the lease is shorter.
+//
+// kLease_s is for all other processes.
 constexpr int kWatchedLease_s = 3600;
 constexpr int kReturningLease_s = 60;
 constexpr int kLease_s = 10;
 
 struct BusOptions {
-  std::string run;                    // name of the run, the first part of partitions
+  std::string run;                    // name of the run, the first part of every partition name
   int domain = 0;                     // DDS domain
   std::string address = "127.0.0.1";  // of this host's network interface
-  std::vector<std::string> peers;     // addresses of other hosts; this one's is known
-  std::string config_file;            // settings of Cyclone DDS that are added (security)
+  std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
+  std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
   int participants_max = 120;         // on one host
-  // After this long without a sign of life from a process, others hold it for gone; 0: as suits
-  // the run.
+  // The lease of this process (see above); 0: kLease_s.
   int lease_s = 0;
-  bool has_large_history = false;  // nobody waits who writes to a process that is stopped
+  bool has_large_history = false;  // writes do not block while a reader is stopped
 };
 
 class Bus {
  public:
-  // Throws std::runtime_error that says what Cyclone DDS says.
+  // Throws std::runtime_error with the message of Cyclone DDS.
   explicit Bus(const BusOptions& options);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  // Waits until a Channel of this bus has something to take, at most `timeout_us`.
+  // Waits until a Channel of this bus has a sample to receive, at most `timeout_us`.
   void Wait(int64_t timeout_us);
 
   dds_entity_t participant() const { return participant_; }
@@ -59,16 +66,16 @@ class Bus {
   void AnnounceLiveliness(int lease_s);
 
   const std::string run_;
-  const int number_;  // of the domain
+  const int number_;  // of the DDS domain
   dds_entity_t domain_ = 0;
   dds_entity_t participant_ = 0;
-  dds_entity_t waitset_ = 0;  // of all lines
+  dds_entity_t waitset_ = 0;  // wakes when any Channel of this bus has a sample
 };
 
-// One direction of a Channel.
+// The side of a Channel that this process is.
 enum class ChannelEnd { kMaster, kWorker };
 
-// What the two directions carry.
+// The types and names of the two topics of a Channel.
 struct ChannelTopics {
   const dds_topic_descriptor_t* to_worker;
   const char* to_worker_name;
@@ -78,56 +85,60 @@ struct ChannelTopics {
 constexpr ChannelTopics kRunTopics = {&openr_wire_ToWorker_desc, "openr_to_worker",
                                       &openr_wire_ToMaster_desc, "openr_to_master"};
 
-// A sample is refused that is larger.
+// The largest sample in MB; a larger one is refused by Send().
 constexpr size_t kSampleMax_MB = 64;
 
-// Samples with so many bytes have packets of their own and are taken one at a time: the next one
-// finds the same memory in the processor's cache.
+// Samples with this many bytes or more are sent in packets of their own and received one at a time,
+// because the next sample then reuses memory that is still in the processor's cache.
 constexpr size_t kBulkBytes = 16 << 10;
 
-// Untyped half of Channel.
+// The part of Channel that does not depend on its sample types.
 class ChannelBase {
  public:
-  // `place`: of the process or its session.
+  // `place` is PROCESS or PROCESS/SESSION, the end of the partition name.
   ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
               const ChannelTopics& topics = kRunTopics);
   ~ChannelBase();
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
 
-  // Whether the other end is there.
+  // Whether the other end has its reader and its writer.
   bool IsConnected() const;
 
-  // Waits until the other end has all that was sent, which is lost with the line otherwise.
+  // Waits until the other end has received all that was sent, at most `timeout_ms`.  What it has
+  // not received is lost when the channel is destroyed.
   void WaitForAcks(int timeout_ms);
 
-  // Now what SendBatched() has kept.
+  // Sends the samples that SendBatched() has kept.
   void FlushBatch();
 
-  // Whether the next sample has been taken from DDS already.
+  // Whether the next sample is here already, so that Receive() does not ask DDS.
   bool has_received() const { return !received_.empty(); }
 
  protected:
+  // Sends the sample now, with all that WriteBatched() has kept.
   void Write(const void* sample);
   void WriteBatched(const void* sample);
-  // The next sample, to be given to Return(); null when none came within `timeout_ms`.
+  // Returns the next sample, which the caller gives back to Return(); null when none came within
+  // `timeout_ms`.
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
-  // Bytes of the data of regions in the sample that was taken last.
+  // Sets the bytes of region data in the sample received last.
   void set_last_bulk_bytes(size_t bytes) { last_bulk_bytes_ = bytes; }
 
  private:
   void ReceiveMore();
 
-  const dds_topic_descriptor_t* const type_;  // of what comes in
+  const dds_topic_descriptor_t* const type_;  // type of the incoming samples
   dds_entity_t writer_ = 0;
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
-  std::vector<dds_entity_t> owned_;  // with all that belongs to them
+  // The topics, the publisher, the subscriber and the wait set, deleted with the channel.
+  std::vector<dds_entity_t> owned_;
   int batched_count_ = 0;
   size_t last_bulk_bytes_ = 0;
   std::deque<void*> received_;
-  std::vector<void*> free_samples_;  // samples to take into
+  std::vector<void*> free_samples_;  // memory for samples to be received
 };
 
 template <typename Out, typename In>
@@ -136,13 +147,14 @@ class Channel : public ChannelBase {
   using ChannelBase::ChannelBase;
 
   void Send(const Out& sample) { Write(&sample); }
-  // In one packet with what is sent next, unless it fills one: when this end finds nothing to take,
-  // at the latest.
+  // Sends the sample together with the next ones, in one packet.  A sample of kBulkBytes or more
+  // goes at once, and all kept samples go at the latest when this end has nothing to receive.
   void SendBatched(const Out& sample) {
     BulkBytesOf(sample) < kBulkBytes ? WriteBatched(&sample) : Write(&sample);
   }
 
-  // A sample on loan.
+  // A sample received from the other end.  Its memory goes back to the channel when this is
+  // destroyed.
   class ReceivedSample {
    public:
     ReceivedSample(Channel* channel, In* sample) : channel_(channel), sample_(sample) {}

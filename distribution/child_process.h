@@ -1,4 +1,4 @@
-// A process of this host that belongs to the run: started, watched, ended with it.
+// A process of this host that the run starts, watches and ends.
 #pragma once
 
 #include <sys/types.h>
@@ -10,23 +10,25 @@ namespace openr_host {
 
 class ChildProcess {
  public:
-  // Starts `command`, whose first word is looked for in PATH; what it prints goes to standard
-  // error.  `is_interactive`: it shares the terminal, as a debugger does.  Throws
-  // std::runtime_error.
+  // Starts `command`; its first word is searched for in PATH.  Standard output of the process goes
+  // to standard error of this one.  An interactive process, such as a debugger, shares the terminal
+  // and its process group.  Throws std::runtime_error.
   ChildProcess(std::string name, const std::vector<std::string>& command, bool is_interactive);
-  ~ChildProcess();  // kills it if it has not ended
+  ~ChildProcess();  // kills the process if it has not ended
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t pid() const { return pid_; }
 
-  // "process 'vision' (pid 123) was killed by signal 9 (Killed)", or "" while it runs.
+  // Describes the end, such as "process 'vision' (pid 123) was killed by signal 9 (Killed)"; ""
+  // while the process runs.
   std::string HowItEnded();
 
-  // Waits for its end; kills it when that takes longer.
+  // Waits for the end of the process, and kills it after `limit_ms`.
   void WaitForEnd(int64_t limit_ms);
 
  private:
+  // Asks the kernel whether the process has ended.
   bool UpdateStatus(bool waits);
 
   const std::string name_;

@@ -1,4 +1,4 @@
-// Calls of Cyclone DDS that fail.
+// Error handling for calls of Cyclone DDS.
 #pragma once
 
 #include <dds/dds.h>
@@ -9,7 +9,8 @@
 
 namespace openr_host {
 
-// `result` of a call, or a std::runtime_error with `what` was called and what Cyclone DDS says.
+// Returns `result` if the call succeeded; throws a std::runtime_error that names `what` and the
+// error otherwise.
 inline dds_entity_t Check(dds_entity_t result, std::string_view what) {
   if (result >= 0) return result;
   throw std::runtime_error(fmt::format("Cyclone DDS: {}: {}", what, dds_strretcode(-result)));

@@ -1,13 +1,16 @@
-// Files with settings of Cyclone DDS (--dds-config), as far as it does not say what is wrong.
+// Checks a file with settings of Cyclone DDS (--dds-config) for an error that Cyclone DDS does not
+// report.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// Cyclone DDS leaves settings for another domain out, without a word: a run would be open that
-// somebody believes to be protected.  "" or which domains the settings of this file are for, none
-// of them `domain`, and what to do.  A file that cannot be read is left to Cyclone DDS.
+// Returns why the settings in `file` do not apply to `domain`, with advice; "" if they do.
+//
+// Cyclone DDS silently ignores settings for another domain, so a run could be unprotected although
+// the user gave security settings.  A file that cannot be read returns "", since Cyclone DDS
+// reports that itself.
 std::string WhyNotForDomain(const std::string& file, int domain);
 
 }  // namespace openr_host

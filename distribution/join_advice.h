@@ -1,4 +1,4 @@
-// How a process that somebody else starts is started.
+// The command line for a worker that the user starts.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace openr_host {
 
-// "start it on HOST with: openr join --process vision ...", with all that differs from what openr
-// join assumes.  `bus`: of the run; `host`: address of the process.
+// Returns "start it on HOST with: openr join --process vision ...", with every flag whose value
+// differs from the default of openr join.  `bus` are the options of the run, `host` is the address
+// of the worker.
 std::string JoinAdvice(const std::string& process, const std::string& host, const BusOptions& bus);
 
 }  // namespace openr_host

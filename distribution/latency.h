@@ -1,4 +1,4 @@
-// How long things took on the wall clock, for the report.
+// A histogram of durations on the wall clock, for reports.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,13 @@ namespace openr_host {
 
 class Latency {
  public:
-  // The time of a clock that only goes forward, with an arbitrary origin.
+  // Returns the time of a monotonic clock with an arbitrary origin.
   static int64_t NowNs();
   static int64_t NowMs() { return NowNs() / 1'000'000; }
 
-  // From its making to its end.
+  // Measures from its construction to its destruction, and adds the time to two histograms.
   class Timer {
    public:
-    // Both get it.
     Timer(Latency* first, Latency* second) : first_(first), second_(second), begin_ns_(NowNs()) {}
     ~Timer() {
       const int64_t ns = NowNs() - begin_ns_;
@@ -34,19 +33,21 @@ class Latency {
   void Add(int64_t ns);
 
   uint64_t count() const { return count_; }
-  // The time, in microseconds, that a share `p` of 0..1 was not above; within 1/16 of it.
+  // Returns the time in microseconds that the share `p` (0 to 1) of all durations did not exceed,
+  // at most 1/16 too high.
   double PercentileUs(double p) const;
   double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
   double MeanUs() const;
 
-  // What has come to `before`, an earlier copy of this; its maximum within 1/16.
+  // Returns the durations added after `before`, an earlier copy of this histogram.  The maximum is
+  // exact within 1/16, because it is taken from the buckets.
   Latency Since(const Latency& before) const;
 
  private:
   uint64_t count_ = 0;
   int64_t max_ns_ = 0;
   double sum_ns_ = 0;
-  std::vector<uint64_t> buckets_;  // 16 to each power of two of nanoseconds
+  std::vector<uint64_t> buckets_;  // 16 for each power of two of nanoseconds
 };
 
 }  // namespace openr_host

@@ -1,12 +1,13 @@
-// Messages to and from another process.
+// Converts messages to samples of openr_wire.idl and back.
 //
-// Most of a message is bytes.  What is not: the RCRegions of notifications and readies, which
-// travel as tokens with the memory's bytes beside them, and pointers of network messages into
-// shared buffers, which travel as region and offset.
+// Most payloads are plain bytes.  Two kinds contain pointers.  Notifications and readies refer to
+// RCRegions, which are sent as a token and the bytes of the memory.  Messages of the network stack
+// point into shared buffers; the pointer is sent as region id and offset.
 //
-// For a region that came in, a stand-in is made here: an RCRegion of the same memory id.
-// Readies give it back, and it goes the way it came.  Tokens are counted up and looked up, so that
-// nothing from the network is ever taken for an address.
+// Each process has a Marshaller for its peer.  A region that it sends is exported until a ready of
+// the peer gives it back.  For a region that it receives (imported) it creates an RCRegion with the
+// same memory id, until a ready of this process gives that back.  Tokens are numbers that are
+// looked up in a table, so data from the network are never used as an address.
 #pragma once
 
 #include <cstdint>
@@ -26,56 +27,61 @@ class System;
 
 class Marshaller {
  public:
-  // What the other side has: regions whose bytes need not be sent.  Null: none.
+  // Tells which regions the peer has in memory; their bytes are not sent.  Null: none.
   using PeerHasMemory = std::function<bool(uint32_t region)>;
 
-  // `makes_copies`: memory that comes in may be new to the region table.
+  // `makes_copies`: received memory may be new to the region table, which then gets a copy.  This
+  // is so in workers; the master, which assigns region ids, knows every region.
   Marshaller(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
   Marshaller(const Marshaller&) = delete;
   Marshaller& operator=(const Marshaller&) = delete;
 
-  // `out` points into `arena` and into the memory of regions.
+  // Encodes `message`.  `out` points into `arena` and into the memory of regions.
   void Encode(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
               openr_wire_Message* out);
 
-  // `message` has been taken by the other side: what a ready gave back is not here any more.
+  // Completes sending: the peer has accepted `message`.  If it is a ready, this drops the imported
+  // regions that it gives back.
   void CompleteSend(const Message& message);
 
-  // Fills `out`, which is fresh, but for class and due time.  "" or what is wrong with `in`, which
-  // stays until ReleaseSample().
+  // Decodes `in` into the fresh message `out`, except for class and due time.  Returns "" or what
+  // is wrong with `in`.  `in` must stay valid until ReleaseSample().
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
-  // Whether data of this region came in and have not been given back: it is the newer memory.
+  // Whether data of this region were received and not given back.  If so, the memory here is newer
+  // than that of the peer.
   bool HasImported(uint32_t region) const;
 
-  // Whether this region went over there and may be there still.
+  // Whether this region was sent to the peer, which may still use it.
   bool HasExported(uint32_t region) const;
 
-  // Something that went over there and has not come back.
+  // A region that was sent to the peer and has not been given back.
   struct ExportedRegion {
     RCRegion* region;
     size_t size;
-    int32_t subject;  // who sent it: object and selector of the subject
+    int32_t subject;  // object and selector of the sending subject
     uint32_t subject_selector;
-    int32_t observer;  // and to whom
+    int32_t observer;  // object and selector of the receiving observer
     uint32_t observer_selector;
   };
-  // All of it; it is not exported any more.
+  // Removes all exported regions from the table and returns them.
   std::vector<ExportedRegion> TakeExported();
-  // The regions of what subjects of one object had sent.
+  // Does the same for the regions that subjects of one object have sent, since that object was
+  // replaced.  The peer may still use these regions.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
-  // By tokens of the other side: what no ready will give back, since it was taken back here and
-  // nobody has it any more.
+  // Returns the peer's tokens of regions that no ready will give back, because they were released
+  // here without one and nothing here uses their memory.
   std::vector<uint64_t> TakeDroppedTokens();
-  // The same, said by the other side.
+  // Handles the list of TakeDroppedTokens() that the peer has sent.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // The other side is gone: what came from there is nobody's any more when it is given back.
+  // Handles the end of the peer: regions imported from it belong to nobody, and their ready will
+  // not be sent.
   void PeerIsLost();
 
-  // What came in comes back otherwise than by a ready.
+  // Releases an imported region that is not given back by a ready.
   void ReleaseImported(RCRegion* region);
 
  private:
@@ -93,21 +99,24 @@ class Marshaller {
   System* const system_;
   const bool makes_copies_;
   struct ImportedRegion {
-    uint64_t token;  // theirs; 0: they are gone
-    // The bytes as they came, while they are there; then their hash.
+    uint64_t token;  // of the peer; 0: the peer is lost
+    // The bytes as received, as long as the sample is valid; afterwards their hash.  See
+    // IsChanged().
     const uint8_t* bytes;
     uint64_t hash;
   };
 
+  // Whether the observer has written into the region.
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, ExportedRegion> exported_;  // by our token
-  // By TakeExportedBy(): the regions of tokens that may still be given back.
+  std::map<uint64_t, ExportedRegion> exported_;  // by token of this process
+  // Regions removed by TakeExportedBy() that the peer may still give back, by token.
   std::map<uint64_t, uint32_t> withdrawn_;
-  std::map<RCRegion*, ImportedRegion> imported_;  // looked up only, by stand-in
-  std::map<uint64_t, uint32_t> dropped_;          // regions by token: see TakeDroppedTokens()
-  std::vector<RCRegion*> sample_regions_;         // whose bytes are there still
+  // Never iterated where the order matters, because the order of pointers differs from run to run.
+  std::map<RCRegion*, ImportedRegion> imported_;
+  std::map<uint64_t, uint32_t> dropped_;   // region by token, see TakeDroppedTokens()
+  std::vector<RCRegion*> sample_regions_;  // imported regions whose ImportedRegion::bytes is set
 };
 
 }  // namespace openr_host

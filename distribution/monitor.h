@@ -1,6 +1,7 @@
-// Says about once a second of the wall clock how a run is, for openr top and others who listen.
+// Publishes the status of a run about once a second of the wall clock, for openr top and other
+// listeners.
 //
-// It only looks: what it says, or whether anybody hears it, changes nothing of the run.
+// It only reads the run: publishing, or somebody listening, changes nothing in it.
 #pragma once
 
 #include <chrono>
@@ -21,13 +22,13 @@ class System;
 
 class Monitor {
  public:
-  // Of a run whose processes are those of `workers`; null: it is all in this one.
+  // `workers` are those of the run; null: all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
-  // Speaks if it is time.  Not from a handler.
+  // Publishes the status if a second has passed.  Not from a handler.
   void PublishIfDue();
 
-  // The run is over.
+  // Publishes the last status: the run has ended.
   void End();
 
  private:
@@ -41,11 +42,11 @@ class Monitor {
   const std::string run_;
   StatusWriter writer_;
   const Clock::time_point begin_ = Clock::now();
-  // When it spoke last, and how things were.
+  // The time of the last status and the counters at that time, from which rates are computed.
   Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
-  RunStatus last_status_;  // the last time
+  RunStatus last_status_;  // the last one published
   std::map<ObjectId, uint64_t> messages_of_;
   std::map<ObjectId, Latency> latency_of_;
 };

@@ -1,4 +1,5 @@
-// That a run is the only one of its name, as far as it hears others: openr join goes by the name.
+// A run's claim to its name.  openr join finds a run by its name, so two runs that hear each other
+// must not share one.
 #pragma once
 
 #include <string>
@@ -9,14 +10,14 @@ namespace openr_host {
 
 class NameClaim {
  public:
-  // Of the bus's run.
+  // Claims the name of the bus's run.
   explicit NameClaim(Bus* bus);
 
-  // "pid 12 on host": a run that has had the name for longer; "".
+  // Returns the run that has claimed the name earlier, as "pid 12 on host", or "".
   std::string EarlierRun() const;
 
-  // Somebody has joined: from now on every run that still waits is the younger one, whatever the
-  // clocks of the hosts say.
+  // Makes this claim the earliest of all, because a worker has joined: every run that still waits
+  // for workers has to give way, whatever the clocks of the hosts say.
   void MakePermanent();
 
  private:

@@ -1,4 +1,5 @@
-// Where each object of a run lives.  The wiring does not say it, and objects do not know.
+// The placement: which object of a run is in which process.  CONNECT.CFG does not tell, and objects
+// do not know.
 #pragma once
 
 #include <map>
@@ -10,22 +11,22 @@
 
 namespace openr_host {
 
-// "" or why this is no name for a process, or a run.
+// Returns "", or why `name` is no valid name; `what` is "process" or "run".
 std::string WhyNoName(const std::string& what, const std::string& name);
 
 struct Placement {
-  // Name of an object -> name of a process; who is not named is in the program itself.
+  // Name of an object -> name of its process.  Objects that are not listed are in openr run itself.
   std::map<std::string, std::string> process_of;
-  // Processes that somebody starts on another host (openr join), and its address.
+  // Name of a process that a user starts (openr join) -> address of its host.
   std::map<std::string, std::string> host_of;
-  std::map<std::string, Place> host_lines;  // where the file says so
+  std::map<std::string, Place> host_lines;  // lines of the file that define host_of
 
   bool empty() const { return process_of.empty(); }
-  // In order of their names, each once.
+  // Returns the names of all processes, sorted, each once.
   std::vector<std::string> Processes() const;
 };
 
-// A placement file has a line per object, and one per process of another host:
+// Parses a placement file.  It has a line per object, and one per process on another host:
 //
 //   # object        process
 //   RCServer        network
@@ -33,15 +34,15 @@ struct Placement {
 //   # process       host
 //   @vision         192.168.1.7
 //
-// What is wrong is added to `diagnostics`.
+// Errors are added to `diagnostics`.
 Placement ParsePlacement(const std::string& file, std::string_view text,
                          std::vector<Diagnostic>* diagnostics);
 
-// What is wrong with the hosts: they cannot be found, or could not reach a run at this address
-// (--dds-address).  Asks the name service.
+// Returns errors about the hosts: a host that is not found, or one that cannot reach a run at
+// `own_address` (--dds-address).  Queries the name service.
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
-// "RCServer=network" of the command line.  "" or what is wrong with it.
+// Adds "RCServer=network" from the command line.  Returns "" or what is wrong with it.
 std::string AddPlace(const std::string& text, Placement* placement);
 
 }  // namespace openr_host

@@ -1,9 +1,10 @@
-// The place of one process in a run, seen from the master: who may come, who is there.
+// The master's place for one worker process: which process may join, and which one has joined.
 //
-// Each that comes has a session, with a Line of its own in the partition RUN/PROCESS/SESSION, so
-// that samples of one that is gone never reach its successor.  A process that the run has started
-// is told its session.  One that somebody else starts knocks at the door, two topics in the
-// partition RUN/PROCESS, and hears which session is its own, or why there is none.
+// Each process that joins has a session of its own.  Its Channel is in the partition
+// RUN/PROCESS/SESSION, so samples for a lost process never reach the next one.  A worker that the
+// master has started gets the session on its command line.  An external worker, which a user starts
+// with openr join, sends a JoinRequest on two topics in the partition RUN/PROCESS.  The JoinAnswer
+// has the session, or the reason why there is none.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@
 
 namespace openr_host {
 
-// The process is gone or talks nonsense; what() says so to people.
+// The worker has ended or cannot be reached, or it has sent something invalid.  what() is a message
+// for the user.
 struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -27,51 +29,56 @@ constexpr ChannelTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_
 using MasterJoinChannel = Channel<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
 using WorkerJoinChannel = Channel<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
-// Instead of a session: none, as long as somebody else is there.
+// Stands in JoinAnswer::session while another process has the slot.
 constexpr const char* kTakenSession = "taken";
 
-// "host-1234-5": no two of a run are equal.
+// Returns a name such as "host-1234-5", unique in the run.
 std::string NewSessionName();
 std::string HostName();
-// "pid 1234 on host": who has made the name of a session.
+// Returns "pid 1234 on host" for the session "host-1234-5": the process that has made the name.
 std::string MakerOf(const std::string& session);
 
+// The slot of one worker.  At any time at most one process has joined.
 class ProcessSlot {
  public:
-  struct Identity {  // as who sits there says of itself
+  struct Identity {  // as the worker reports itself in its Hello
     std::string host;
     int64_t pid = 0;
   };
 
-  // `is_external`: somebody else starts the process.
+  // `is_external`: a user starts the worker with openr join.
   ProcessSlot(Bus* bus, std::string process, bool is_external);
 
-  // From now on one with this session may come.
+  // Abandons the present worker and lets a process with this session join.
   void OpenSession(const std::string& session);
 
-  // Does what there is to do for one to come, waiting at most `timeout_ms`.  True when it is
-  // there: it has said its name and hears.  Throws ProcessLost when it is of another version.
+  // Advances the handshake with a joining worker, for at most `timeout_ms`.  Returns true when it
+  // is complete: the worker has sent its Hello and can receive.  Throws ProcessLost if the worker
+  // has another wire version.
   bool AwaitJoin(int timeout_ms);
   bool has_joined() const { return has_joined_; }
 
-  // Whether who is there has been killed, or has ended, as far as that is seen from here.
+  // Whether the joined process has ended, as far as this machine can tell (LivenessCheck).
   bool HasEnded() const;
 
-  // Answers whoever else knocks: that somebody is there, or that nobody may come.
+  // Answers join requests of further processes: the slot is taken, or the run accepts no more
+  // workers.
   void RefuseOtherRequests();
-  // Nobody may come any more.
+  // Refuses all later join requests.
   void Close() { is_closed_ = true; }
 
-  // Whoever is there is not heard any more; told so as soon as it can be reached again.
+  // Gives up the joined worker.  An external worker that cannot be reached now is told as soon as
+  // it can be reached again.
   void Abandon();
 
-  // Of who is there or is coming; null: nobody.
+  // The channel to the joined or joining worker; null if there is none.
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
-  // Of who was there last.
+  // The identity of the present worker, or of the last one if none has reported yet.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
+  // The steps of AwaitJoin() and RefuseOtherRequests().
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
   void AnswerJoinRequest(const openr_wire_JoinRequest& request);
@@ -80,21 +87,21 @@ class ProcessSlot {
   const std::string process_;
   std::unique_ptr<MasterJoinChannel> join_channel_;
   std::unique_ptr<MasterChannel> channel_;
-  // To those that were abandoned because they could not be reached, and may not have noticed.
+  // An abandoned external worker that may not have noticed it.
   struct Abandoned {
     std::unique_ptr<MasterChannel> channel;
     bool is_notified = false;
   };
   std::vector<Abandoned> abandoned_;
-  std::string requester_id_;  // who was given the session
+  std::string requester_id_;  // of the process that was given the session
   std::string session_;
-  int64_t session_opened_ms_ = 0;  // when
+  int64_t session_opened_ms_ = 0;  // when the external worker was given its session
   bool is_closed_ = false;
   bool has_joined_ = false;
   Identity identity_;
   Identity previous_;
   LivenessCheck liveness_;
-  mutable int64_t next_check_ms_ = 0;  // after the process
+  mutable int64_t next_check_ms_ = 0;  // the time of the next liveness check
 };
 
 }  // namespace openr_host

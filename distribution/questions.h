@@ -1,4 +1,4 @@
-// What the master does with questions of objects in other processes.
+// The master's answers to questions of objects in workers (runtime/core/uplink.h).
 #pragma once
 
 #include "distribution/wire.h"
@@ -11,13 +11,13 @@ class Object;
 class RemoteObject;
 class System;
 
-// REQUIRES: `self`, who asks, is the current object.
+// Answers a question of `self`.  REQUIRES: `self` is the current object.
 Answer AnswerQuestion(System* system, Object* self, const Question& question);
 
-// The network stack of the robot of `self` takes or gives back a shared buffer.
+// Maps or unmaps a shared buffer in the network stack of the robot of `self`.
 void MapBuffer(Object* self, uint32_t cookie, uint32_t region, bool mapped);
 
-// What a process says of an object that it has loaded.
+// Copies what a worker reports of an object that it has loaded to the stand-in.
 void ApplyDescription(const openr_wire_LoadedObject& in, RemoteObject* object);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Stands in the master's System for an object whose code runs in another process.
+// The stand-in: the master's object for one whose code runs in a worker.
 #pragma once
 
 #include <OPENR/ObjcommTypes.h>
@@ -20,9 +20,10 @@ class RemoteProcess;
 
 class RemoteObject : public Object {
  public:
-  // How a process was lost; kAtEnd: when all that was wanted of it was what it had come to.
+  // The kind of a loss: the worker has gone, a handler has crashed, or the worker was lost after
+  // the run when only its state was wanted.
   enum class Loss { kGone, kCrashed, kAtEnd };
-  // Hears of it, in the handler that found out.
+  // Called when a handler finds that its worker is lost.
   using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
 
   RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process, LossListener lost)
@@ -31,24 +32,24 @@ class RemoteObject : public Object {
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
 
-  // Messages that came, or were to come, when the process was lost; nobody heard them.
+  // Messages that were delivered while the worker was lost, or when it was.
   uint64_t unheard_count = 0;
-  // Notifications that waited in its subjects when its last handler ended.
+  // Notifications that waited in the object's subjects when its last handler ended.
   uint64_t pending_count = 0;
-  uint64_t heap_max = 0;  // bytes that it had at most
+  uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
-  // One in its place, for a process that has come back.
+  // Makes the stand-in that replaces this one when its worker is restarted.
   std::unique_ptr<RemoteObject> NewInstance() const;
 
-  // A subject there has sent to an observer that was ready.
+  // Notes that a subject of the object has notified this observer, which is not ready any more.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
 
-  // The object `observer` has been replaced.
+  // Forgets the readiness of an object that has been replaced.
   void ForgetObserver(ObjectId observer);
 
   std::vector<StandingReady> StandingReadies() const override;
   void TakeBack(RCRegion* region) override;
-  void Unheard(const Message& message) override;  // and who waits for an answer need not
+  void Unheard(const Message& message) override;  // also sends an empty reply if one is awaited
   bool IsLost() const override;
   bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
@@ -63,7 +64,7 @@ class RemoteObject : public Object {
   RemoteProcess* const process_;
   const LossListener lost_;
   std::set<uint32_t> selectors_;
-  // Who asserted ready for a subject there and has been sent nothing since.
+  // Observers that have asserted ready to a subject of this object and were not notified since.
   std::set<StandingReady> readies_;
 };
 

@@ -1,8 +1,8 @@
-// The master's side of one process of a distributed run.
+// The master's side of one worker process.
 //
-// Handlers of its objects are run one at a time, each to its end or to where it waits; what they
-// did is done here again, in the same order, as by their stand-ins (RemoteObject).  So numbers,
-// order and trace are those of a run in one process.
+// The worker runs one handler at a time, until the handler returns or waits.  What the handler did
+// comes back as a list of effects; the master applies them in the same order, in the name of the
+// object's stand-in (RemoteObject).  So numbers, order and trace are those of a run in one process.
 #pragma once
 
 #include <cstdint>
@@ -30,20 +30,21 @@ class RemoteObject;
 class System;
 struct RunEnd;
 
-// The same, by the fault of the object whose handler ran.
+// The worker was brought down by the handler of one of its objects.
 struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
-// It went before it took part: another one of its name may do better.
+// The worker has refused the run before it took part.  Another process of the same name may take
+// part.
 struct ProcessRefused : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
 class RemoteProcess {
  public:
-  // `is_external`: somebody else starts it.  `health` says what is wrong with the process, or "";
-  // `say` speaks to people.
+  // `is_external`: a user starts the worker.  `health` returns what is wrong with the process, or
+  // "".  `say` prints a line for the user.
   RemoteProcess(Bus* bus, std::string name, bool is_external, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
 
@@ -53,98 +54,104 @@ class RemoteProcess {
   bool is_lost() const { return is_lost_; }
   void set_lost() { is_lost_ = true; }
 
-  // Everything here throws ProcessLost.
+  // All functions below may throw ProcessLost, except where noted.
 
-  // The process has come, within `limit_ms` and before the run is to end.  `advice` is what people
-  // are to do for one that they have to start; "" for others.
+  // Waits until the worker has joined, at most `limit_ms` and only until the run is to end.
+  // `advice` tells the user how to start an external worker; "" for others.
   void WaitForJoin(int64_t limit_ms, const std::string& advice,
                    const std::function<bool()>& is_ending);
 
-  // Bytes of heap that are in use on a robot, but for those of the objects there.
+  // Returns the bytes of heap used on a robot, without those of this worker's objects.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
-  // What holds for the whole run.
+  // Sends what holds for the whole run.
   void Welcome(System* system, const openr_wire_Welcome& welcome);
 
-  // It takes over what is new in the master's tables and loads those of its objects.
+  // Sends new entries of the master's tables, and waits until the worker has loaded its objects
+  // among them.
   void Load(const openr_wire_Load& load);
-  // The stand-in of one of its objects, before that is loaded.
+  // Adds the stand-in of one of the worker's objects, before the object is loaded.
   void Add(RemoteObject* object);
 
-  // The same for one that comes back, without waiting: it is is_reported; true when it is done.  It
-  // is lost still, until Rejoin().
+  // Does the same for a restarted worker without waiting: BeginLoad() sends the entries,
+  // HasLoaded() returns true when the worker has loaded them.  The worker counts as lost until
+  // Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
-  // The new stand-ins, which have taken the place of the old ones.
+  // Ends a restart: `objects` are the new stand-ins, which have replaced the old ones.
   void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
 
-  // Object `id` of another process, or of this one, has been replaced.
+  // Makes the worker drop its connections to object `id`, which has been replaced.
   void Forget(ObjectId id);
 
-  // From now on nobody waits for a handler but its object: what it did comes when it comes, and
-  // HandleReceived() does it.  For runs whose clock is that on the wall.
+  // Switches to free running: only the stand-in of the object waits for its handler, and
+  // HandleReceived() applies effects when they arrive.
   void RunFree() { is_free_ = true; }
 
-  // In a free run: a handler of the object is under way, and not waiting for anybody.
+  // Whether, in a free run, a handler of the object runs in the worker and does not wait.
   bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
-  // Messages in its objects' hands in a free run, but for what comes back when it is lost, and for
-  // that of the handler that brought it down.
+  // Returns the number of messages that are lost with the worker in a free run.  Not counted are
+  // data, which go back to their subjects, and the message whose handler brought the worker down.
   size_t CountUndelivered() const;
 
-  // Of what the handlers of other objects are to do nothing is kept back any more.
+  // Sends the samples that were kept to share a packet.
   void FlushBatch();
 
-  // Does what has come since.  Not from a handler.  True when something had.
+  // Handles the samples that have arrived; true if there were any.  Not from a handler.  A loss is
+  // kept in loss(), not thrown.
   bool HandleReceived();
-  // Whether it is there at all.
+  // Checks that the worker still exists.  A loss is kept in loss(), not thrown.
   void CheckHealth();
 
-  // Times from handing a message over to hearing that its handler is done.
+  // Times from sending a message to the worker until its handler is known to be done.
   const Latency& latency() const { return latency_; }
   Latency LatencyOf(ObjectId object) const {
     const auto found = latency_of_.find(object);
     return found == latency_of_.end() ? Latency() : found->second;
   }
 
-  // Runs the handler of `message`, which is being delivered to `object`.
-  // False when its process was lost before the end of the handler.
+  // Runs the handler of `message`, which is being delivered to `object`.  Returns false if the
+  // worker was lost before the handler ended.
   bool RunHandler(RemoteObject* object, const Message& message);
 
-  // From now on it is soon given up when it does not answer.
+  // Shortens the time after which a worker that does not answer is given up.
   void ShortenTimeouts() { has_short_timeout_ = true; }
 
-  // Bytes of the state hash of the subjects of `object`; its regions become as they are there.
+  // Returns the worker's state of `object` for the state hash, and copies the bytes of the object's
+  // regions here.
   std::string FetchState(ObjectId object);
 
-  // It is lost, and the run goes on: what is lent there goes back to whom it belongs, handlers that
-  // wait end.
+  // Releases everything that belongs to the lost worker while the run goes on: exported regions go
+  // back to their subjects, and waiting handlers of its objects end.
   void ReleaseAll();
 
-  // Why it is gone, as the two above found out, which do not throw; "" while it is not.
+  // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
   const std::string& loss() const { return loss_; }
-  // Whose handler brought it down, as far as that is known.
+  // Whether a handler brought the worker down, and of which object if that is known.
   bool has_crashed() const { return crashed_; }
   ObjectId crashed_object() const { return crashed_object_; }
 
-  // What a subject of the object that was lost had sent comes back.
+  // Releases an imported region: the lost object whose subject has sent it expects no ready.
   void TakeBack(RCRegion* region);
-  // A message that the process did not hear any more: what it gives back is here.
+  // Handles a message that the lost worker did not receive: the regions that it gives back are
+  // released.
   void Unheard(const Message& message);
 
-  // Says it of a process that has nothing to do at the moment, too.
+  // Returns what is wrong with the worker, or ""; also for a worker that has nothing to do.
   std::string FindProblem() const;
-  // The same, or what its last word says.
+  // Does the same, but prefers the reason in the worker's goodbye, if one has arrived.
   std::string FindLoss();
 
-  // Lets the process end and tells it why the run ended (DescribeEnd(), or "").  Called before the
-  // System is destroyed.
+  // Ends the worker and tells it why the run ended (DescribeEnd(), or "").  REQUIRES: the System
+  // still exists.
   void End(const std::string& why);
 
  private:
   using ReceivedSample = MasterChannel::ReceivedSample;
 
-  // What RunHandler() came to.
+  // The reason why a handler has stopped: it returned, or waits for a reply or a line of the
+  // console.
   struct Stop {
     openr_wire_StopKind kind = openr_wire_STOP_DONE;
     uint64_t box = 0;
@@ -192,28 +199,30 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string wait_reason_;  // what a proxy waits for
+  const std::string wait_reason_;  // what a waiting stand-in is said to wait for
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
   std::map<ObjectId, RemoteObject*> objects_;
-  std::set<ObjectId> awaited_objects_;     // to be loaded there
-  uint64_t session_ = 0;                   // counts on when it comes back
-  std::map<uint32_t, int> pins_;           // that objects there have, by region
-  std::map<ObjectId, uint64_t> dropped_;   // as it counts them
-  std::map<int, uint64_t> heap_by_robot_;  // bytes in use by its objects, by robot
+  std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
+  uint64_t session_ = 0;                // of this slot; counts the restarts
+  std::map<uint32_t, int> pins_;        // references that the worker's objects have, by region
+  // Last counter of dropped messages that the worker reported.
+  std::map<ObjectId, uint64_t> dropped_;
+  std::map<int, uint64_t> heap_by_robot_;  // bytes used by the worker's objects, by robot
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
-  // Of free runs: handlers under way, by object, and the box by which their proxy waits.
+  // For free runs: the box by which the stand-in of each object waits for its handler.
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;  // that there were
+  uint64_t wake_box_count_ = 0;  // number of such boxes so far
   std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;
-  int64_t last_heard_ms_ = 0;  // the last time, or when it was given something to do
+  // When the worker last sent something, or was given work after a pause.
+  int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
-  bool is_silent_ = false;  // people have been is_reported
-  std::string loss_;        // why the process is gone
+  bool is_silent_ = false;  // the user has been told
+  std::string loss_;        // see loss()
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;
 };

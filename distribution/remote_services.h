@@ -1,5 +1,5 @@
-// The OPENR:: functions about devices, for objects in another process: each call is a question to
-// the master, whose robot answers at once.
+// The OPENR:: functions about devices for objects in a worker: each call is a question to the
+// master, whose robot answers it.
 #pragma once
 
 #include "runtime/core/robot_services.h"
@@ -47,9 +47,9 @@ class RemoteServices : public RobotServices {
   System* const system_;
 };
 
-// Whether a QuestionKind::kService is SetCdtVectorData(), whose bytes go into the region.
+// Whether the question is a SetCdtVectorData(), whose bytes are copied to a region.
 bool IsSetCdt(const Question& question);
-// What the master does for one of an object of `robot`.
+// Answers such a question in the master, for an object of `robot`.
 Answer ServeRobotCall(System* system, int robot, const Question& question);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// What a run says of itself, as plain data; openr_status.idl says what each part is.
+// The status of a run as plain data; openr_status.idl describes the fields.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// The topic on which runs say how they are: written by openr run, read by openr top.
+// The DDS topic with the status of runs: openr run writes it, openr top reads it.
 //
-// Best effort and the newest only: nobody who listens slowly, or not at all, holds a run up.
+// Delivery is best effort with the newest sample only, so a slow listener never delays a run.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace openr_host {
 
 class StatusWriter {
  public:
-  // In the partition of the bus's run.  Throws std::runtime_error.
+  // Writes in the partition of the bus's run.  Throws std::runtime_error.
   explicit StatusWriter(Bus* bus);
 
-  // Never waits; a sample that cannot be sent is left out.
+  // Sends the status if that is possible without waiting; else drops it.
   void Write(const RunStatus& status);
 
  private:
@@ -25,11 +25,12 @@ class StatusWriter {
 
 class StatusReader {
  public:
-  // Of the run of the bus, or of "*": all there are.
+  // Reads the status of the bus's run, or of all runs if the bus's run is "*".
   explicit StatusReader(Bus* bus);
 
-  // What has come since the last time, the newest of each run; a run that went without a word is
-  // one that has ended.  Texts are printable and at most as long as in openr_status.idl.
+  // Returns what has arrived since the last call, the newest status of each run.  A run that has
+  // gone without notice is reported as ended.  Texts are made printable and are at most as long as
+  // in openr_status.idl.
   std::vector<RunStatus> Take();
 
  private:

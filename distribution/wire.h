@@ -1,4 +1,4 @@
-// The generated types of openr_wire.idl, and what makes them bearable in C++.
+// The generated types of openr_wire.idl, with helpers for C++.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace openr_host {
 
-// Keeps what a sample points to until it has been written.
+// Owns the memory that a sample points to until the sample has been written.
 class WireArena {
  public:
-  // A sequence of the generated type Seq over `items`.
+  // Copies `items` and returns them as a sequence of the generated type Seq.
   template <typename Seq, typename T>
   Seq Sequence(const std::vector<T>& items) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -31,6 +31,7 @@ class WireArena {
 
   char* Text(std::string_view text) {
     static char nothing[] = "";
+    // Strings of the wire end at the first zero.
     text = text.substr(0, text.find('\0'));
     if (text.empty()) return nothing;
     auto* const kept = static_cast<char*>(memory_.allocate(text.size() + 1, 1));
@@ -50,7 +51,8 @@ class WireArena {
     return View(kept, size);
   }
 
-  // Bytes that stay where they are until the sample has been written.
+  // Returns bytes that are not copied: `data` must stay unchanged until the sample has been
+  // written.
   static openr_wire_Bytes View(const void* data, size_t size) {
     const auto count = static_cast<uint32_t>(size);
     return {count, count, static_cast<uint8_t*>(const_cast<void*>(data)), false};
@@ -59,7 +61,7 @@ class WireArena {
   void Clear() { memory_.release(); }
 
  private:
-  char first_[1024];  // enough for most samples
+  char first_[1024];  // enough for most samples, so they need no allocation
   std::pmr::monotonic_buffer_resource memory_{first_, sizeof first_};
 };
 
@@ -69,16 +71,16 @@ inline std::vector<uint64_t> VectorOf(const openr_wire_Numbers& numbers) {
 inline std::string StringOf(const openr_wire_Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes._buffer), bytes._length};
 }
-// Of a string member, which may be null.
+// Converts a string member, which may be null.
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
 
-// Bytes of the data of regions that go with a sample.
+// Returns the bytes of region data in a sample.
 template <typename Sample>
 size_t BulkBytesOf(const Sample&) {
   return 0;
 }
 inline size_t BulkBytesOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
-// Of the `bytes` of each.
+// Adds up the lengths of `bytes` in all items.
 template <typename Seq>
 size_t BytesIn(const Seq& items) {
   return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},

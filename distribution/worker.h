@@ -1,8 +1,9 @@
-// A process that runs the handlers of some objects for a master elsewhere.
+// A worker process: it runs the handlers of some objects for a master in another process.
 //
-// It has a System whose tables name all objects of the run under the same ids; only its own have
-// code.  One thing is done at a time: the master delivers a message, the handler runs, what it did
-// goes back in one sample.  Questions in between are answered before the handler goes on.
+// Its System has the objects of the whole run in its tables, under the same ids, but code only for
+// its own.  It does one thing at a time: the master delivers a message, the handler runs, and all
+// its effects go back in one sample.  If a handler needs an answer of the master, the worker waits
+// for that before the handler goes on.
 #pragma once
 
 #include <cstdint>
@@ -25,17 +26,17 @@ namespace openr_host {
 
 struct WorkerOptions {
   BusOptions bus;
-  std::string process;                               // its name in the placement
-  std::string session;                               // given by the run; "": it has to knock
-  std::string stick;                                 // instead of the master's path; "": that one
-  int64_t master_wait_ms = 60'000;                   // for the master to show up
-  bool waits_for_predecessor = false;                // it waits until the one before it is gone
-  std::function<bool()> is_ended;                    // somebody ends it; null: nobody does
-  std::function<void(const std::string& line)> say;  // for people
-  // A folder to look at where that of the run is not on this host, "" for none; may be null.  It is
-  // used if its files are those of the run.
+  std::string process;                 // its name in the placement
+  std::string session;                 // given by the run; "": to be requested
+  std::string stick;                   // instead of the master's path; "": that path
+  int64_t master_wait_ms = 60'000;     // to find the master
+  bool waits_for_predecessor = false;  // wait while another process has the slot
+  std::function<bool()> is_ended;      // whether the user ends this process; may be null
+  std::function<void(const std::string& line)> say;  // prints a line for the user
+  // Returns a folder to use if the run's stick is not on this host and the folder has the same
+  // files; "": none.  May be null.
   std::function<std::string()> own_stick;
-  // Called before objects are loaded, with the folder of the stick.
+  // Called with the folder of the stick, before objects are loaded.
   std::function<void(const std::string& stick)> begins;
 };
 
@@ -44,14 +45,14 @@ class Worker : public Uplink {
   explicit Worker(WorkerOptions options);
   ~Worker() override;
 
-  // Until the master says that it is over.  "" or what went wrong.
+  // Runs until the master ends it.  Returns "" or what went wrong.
   std::string Run();
 
-  // Whether that would be so the next time as well: another version, another stick, no place.
+  // Whether Run() would fail again: another wire version, another stick, or no slot.
   bool is_refused() const { return is_refused_; }
 
-  // Tells the master that the handler that runs ends this process; from a signal handler on top of
-  // the object's code, but not while it is Indivisible.
+  // Tells the master that the present handler ends this process.  Called by a signal handler on top
+  // of the object's code, but not inside a section that is Indivisible.
   void ReportCrash(std::string_view text);
 
   // ---- Uplink
@@ -73,6 +74,7 @@ class Worker : public Uplink {
     std::string why;
   };
 
+  // Joins the run: session, Hello, Welcome.
   std::string Join();
   std::string RequestSession();
   bool IsEndRequested() const { return options_.is_ended && options_.is_ended(); }
@@ -87,6 +89,7 @@ class Worker : public Uplink {
   void AddObject(const openr_wire_ObjectEntry& entry, std::vector<openr_wire_LoadedObject>* loaded);
   openr_wire_LoadedObject Describe(const Object& object);
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
+  // Handles samples of the master until the end.
   std::string Serve();
   void ReportJoined();
   void ReportRunEnded(const openr_wire_End& end);
@@ -101,12 +104,13 @@ class Worker : public Uplink {
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void ExitWithError(const std::string& why);
-  // What handlers did since the last sample goes with `up`.
+  // Moves what handlers did since the last sample to `to_master`.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
-  // The next sample, of the kind given if it is an answer that is waited for; empty when the
-  // master is gone.
+  // Returns the next sample.  If `answer`, waits for an answer and keeps other samples for later.
+  // Empty if the master is lost or the user ends this process.
   ReceivedSample Next(bool answer);
   Answer WaitForAnswer();
+  // See worker_uplink.cc.
   bool MayBeRefused(const Message& message);
   bool CancelPendingPin(uint64_t region);
   void TrackSharedBuffers(const Object& object, const Message& message);
@@ -121,22 +125,23 @@ class Worker : public Uplink {
   std::unique_ptr<Marshaller> marshaller_;
   std::string session_;
   bool is_refused_ = false;
-  std::string stick_;                       // its folder
-  bool has_called_begins_ = false;          // `begins` has been called
-  std::set<std::string> own_object_names_;  // of its objects
+  std::string stick_;                       // folder of the stick
+  bool has_called_begins_ = false;          // see WorkerOptions
+  std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
-  std::map<int, uint64_t> heap_elsewhere_;  // bytes in other processes, by robot
-  bool is_free_ = false;                    // the run goes by the clock on the wall
-  std::set<ObjectId> fast_objects_;         // whose last handler was
-  bool is_shutting_down_ = false;           // nobody listens: objects are being unloaded
-  std::set<std::pair<ObjectId, uint32_t>> known_entries_;  // that there are, as far as asked for
-  std::deque<ReceivedSample> deferred_;                    // came while an answer was waited for
-  // Of the handler that runs.
+  std::map<int, uint64_t> heap_elsewhere_;  // heap bytes used in other processes, by robot
+  bool is_free_ = false;                    // free-running
+  std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
+  bool is_shutting_down_ = false;    // handlers run no more; objects are being unloaded
+  // Entries that exist, as answered by the master.
+  std::set<std::pair<ObjectId, uint32_t>> known_entries_;
+  std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
+  // The effects of the present handler.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;
-  std::vector<uint32_t> pinned_;  // regions whose bytes are to be sent
+  std::vector<uint32_t> pinned_;  // regions kept until their bytes have been sent
   std::map<uint32_t, openr_wire_NotifiedRegion>
-      parts_in_sample_;  // whose bytes go with the next sample
+      parts_in_sample_;  // data sent with the next sample, by region
   std::map<ObjectId, Wait> waits_;
 };
 

@@ -1,4 +1,5 @@
-// All processes of a distributed run, seen from the master: started, greeted, watched, ended.
+// All worker processes of a distributed run, as the master sees them: it starts, watches, restarts
+// and ends them.
 #pragma once
 
 #include <cstdint>
@@ -21,116 +22,120 @@ namespace openr_host {
 struct WorkerGroupOptions {
   BusOptions bus;
   Placement placement;
-  // Command line of a process here, to which its name is added.
+  // Command line that starts a worker on this host; the name of the process is appended.
   std::vector<std::string> command;
-  // What it begins with, for a debugger or Valgrind.
+  // Command line that precedes it, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
-  std::string stick;         // folder of the master's stick
-  bool is_free = false;      // the clock on the wall rules, see RemoteProcess::RunFree()
-  int64_t wait_ms = 60'000;  // for a process to come
-  int restarts = 0;          // how often each process of this host is started again
-  std::function<void(const std::string& line)> say;  // for people
-  // How often the run was asked to end: once, nobody is waited for who is away; twice, it ends at
-  // once.  Null: never.
+  std::string stick;                                 // folder of the master's stick
+  bool is_free = false;                              // free-running, see RemoteProcess::RunFree()
+  int64_t wait_ms = 60'000;                          // for a worker to join
+  int restarts = 0;                                  // for each worker
+  std::function<void(const std::string& line)> say;  // prints a line for the user
+  // How often the user asked the run to end.  After the first time no lost worker is waited for;
+  // after the second the run ends at once.  Null: never.
   std::function<int()> interrupts;
 };
 
 class WorkerGroup {
  public:
-  // Starts the processes of this host.  Throws std::runtime_error.
+  // Starts the workers of this host.  Throws std::runtime_error.
   explicit WorkerGroup(WorkerGroupOptions options);
-  ~WorkerGroup();  // whoever has not ended yet is killed
+  ~WorkerGroup();  // kills the workers that have not ended
   WorkerGroup(const WorkerGroup&) = delete;
   WorkerGroup& operator=(const WorkerGroup&) = delete;
 
   Bus* bus() { return &bus_; }
 
-  // For System::LoadStick(): stand-ins for the objects that live elsewhere.
+  // Makes stand-ins for the objects that are placed in workers, for System::LoadStick().
   System::StandIns StandInsFor(System* system, int robot);
 
-  // What is wrong with the names of a placement, when all robots have been loaded; "".
+  // Returns what is wrong with the object names of the placement, or "".  REQUIRES: all robots are
+  // loaded.
   std::string UnknownObjects() const;
 
-  // Before Boot(), when all robots have been loaded: tells all processes of the rest.  "" or what
-  // went wrong, here or in a stand-in.
+  // Sends the rest of the tables to all workers.  Returns "" or the first error, which may have
+  // come up in a stand-in before.  REQUIRES: all robots are loaded, Boot() has not been called.
   std::string Connect();
 
+  // What the report says of a worker.
   struct ProcessFacts {
     std::string name;
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;  // why it is not there any more; ""; host and pid are those it had
-    int losses = 0;    // how often it was lost, and came back
-    int returns = 0;
-    uint64_t handlers = 0;  // run there; and how long each took, with the way there and back
+    std::string lost;       // the reason of the loss, "" while it runs; host and pid are kept
+    int losses = 0;         // how often it was lost
+    int returns = 0;        // how often it was restarted
+    uint64_t handlers = 0;  // handlers run; the times include the way there and back
     double median_us = 0;
     double p99_us = 0;
     double max_us = 0;
   };
   std::vector<ProcessFacts> Describe() const;
 
-  // Bytes of heap that each object elsewhere had at most.
+  // Returns for each object of a worker the most bytes of heap that it has used.
   std::map<ObjectId, uint64_t> HeapMax() const;
 
-  // `listener` hears of each object of a process that is gone, if the run goes on without, and of
-  // each that has come back.
+  // Sets a listener for each object of a worker that is lost while the run goes on, and for each
+  // object of a worker that is restarted.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
   void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
-  // `listener` hears which process is gone, at the moment when the run sees it.
+  // Sets a listener for the name of each lost worker, called when the master notices the loss.
   void OnLoss(std::function<void(const std::string& process)> listener) {
     loss_listener_ = std::move(listener);
   }
 
-  // Looks at processes that have nothing to do, and lets those that were lost come back.  Not from
-  // a handler.
+  // Checks the workers that have nothing to do, and advances restarts.  Not from a handler.
   void CheckWorkers();
 
-  // In a free run: waits at most `timeout_us` for news of the processes and does them.  Not from a
-  // handler.
+  // In a free run: waits at most `timeout_us` for samples of the workers and handles them.  Not
+  // from a handler.
   void Pump(int64_t timeout_us);
 
-  // From now on a process that does not answer is soon given up.
+  // Shortens the time after which a worker that does not answer is given up; for a run that is
+  // being brought down.
   void ShortenTimeouts();
 
-  // Findings about messages that nobody heard.
+  // Adds findings about messages that arrived for lost workers.
   void ReportLosses();
 
-  // The run is over: the processes end.  Before the System does.
+  // Ends the workers.  REQUIRES: the System still exists.
   void End();
 
  private:
-  // Where a process is that was lost.
+  // The stage of a worker in a loss and restart.
   enum class Stage {
-    kRunning,       // it was not
-    kNotRestarted,  // for good
-    kCleaningUp,    // its objects' things are being put away; what remains of it ends
-    kJoining,       // a new one, which has not said its name
-    kLoading,       // its images
-    kReplacing,     // its objects are about to take their places
+    kRunning,       // not lost
+    kNotRestarted,  // lost, and not to be restarted
+    kCleaningUp,    // its objects are cleaned up; what remains of the process ends
+    kJoining,       // the new process has been started and has not joined yet
+    kLoading,       // the new process loads its images
+    kReplacing,     // its new stand-ins are about to replace the old ones
   };
+  // A worker of the group.
   struct Member {
     std::string name;
-    std::unique_ptr<ChildProcess> child;  // null: on another host
+    std::unique_ptr<ChildProcess> child;  // null: external
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
-    bool is_external = false;  // somebody else starts it
+    bool is_external = false;  // a user starts it with openr join
     bool is_welcomed = false;
-    size_t robots = 0;  // that it knows of, and objects
+    size_t robots = 0;  // robots and objects of the master's tables that it has been told of
     size_t known = 0;
-    // For its return.
+    // For a restart.
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
-    bool attempt_failed = false;  // the last attempt
-    int64_t since_ms = 0;         // it has been in this stage
-    bool is_reported = false;     // that this takes long
+    bool attempt_failed = false;  // the last attempt to restart it
+    int64_t since_ms = 0;         // when `stage` began
+    bool is_reported = false;     // the user has been told that the stage takes long
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
-    uint64_t unheard_before = 0;
+    uint64_t unheard_before = 0;  // unheard messages of its objects at the loss
+    // Stand-ins for the restarted worker: `new_objects` owns them until they replace the old ones.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
     std::map<ObjectId, RemoteObject*> successors;
   };
@@ -142,13 +147,14 @@ class WorkerGroup {
   void LoadNewObjects(Member* member);
   void SendNextLoad(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
+  // The user has asked the run to end, once or twice.
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
   bool HandleReceived();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopRun(const RunEnd& why);
 
-  // worker_group_restart.cc
+  // The restart of a lost worker: worker_group_restart.cc.
   bool MayRestart(const Member& member) const;
   void CleanUp(Member* member);
   void EnterStage(Member* member, Stage stage);
@@ -165,15 +171,15 @@ class WorkerGroup {
 
   const WorkerGroupOptions options_;
   Bus bus_;
-  std::unique_ptr<NameClaim> claim_;  // if somebody else starts processes
+  std::unique_ptr<NameClaim> claim_;  // null without external workers
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  int64_t next_check_ns_ = 0;  // after processes, in a free run
-  std::string problem_;        // the first, before Boot()
+  int64_t next_check_ns_ = 0;  // of the next health check in a free run
+  std::string problem_;        // the first problem before Boot()
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;
-  std::vector<std::string> placed_;  // objects that were found
+  std::vector<std::string> placed_;  // names of placed objects that were found
 };
 
 }  // namespace openr_host

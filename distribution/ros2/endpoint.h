@@ -1,5 +1,5 @@
-// A writer and a reader of topics that ROS 2 understands: named and typed as its mapping to DDS
-// has it, in the partition of everybody.
+// Writers and readers of ROS 2 topics.  Names and types follow the mapping of ROS 2 to DDS; the
+// partition is the default one.
 #pragma once
 
 #include <dds/dds.h>
@@ -10,11 +10,11 @@
 
 namespace openr_host {
 
-// Reliable, so that it suits readers of both kinds, with the newest `depth` samples.  A write never
-// waits: what a reader does not take in time is lost to it.
+// A writer that is reliable, so that reliable and best-effort readers both match it, with the
+// newest `depth` samples.  Writing never waits: a slow reader loses samples.
 class Ros2Writer {
  public:
-  // `name` as ROS 2 has it, without the slash in front: "aibo/joint_states".  Throws
+  // `name` is the ROS 2 name without the leading slash: "aibo/joint_states".  Throws
   // std::runtime_error.
   Ros2Writer(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth);
   ~Ros2Writer();
@@ -22,7 +22,7 @@ class Ros2Writer {
   Ros2Writer& operator=(const Ros2Writer&) = delete;
 
   bool HasReaders() const;
-  // Nothing without readers.
+  // Writes a sample if there are readers.
   void Write(const void* sample);
 
  private:
@@ -30,7 +30,7 @@ class Ros2Writer {
   dds_entity_t writer_ = 0;
 };
 
-// Reliable, with the newest `depth` samples of each writer together.
+// A reader that is reliable, with the newest `depth` samples of all writers together.
 class Ros2Reader {
  public:
   Ros2Reader(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth);
@@ -38,10 +38,10 @@ class Ros2Reader {
   Ros2Reader(const Ros2Reader&) = delete;
   Ros2Reader& operator=(const Ros2Reader&) = delete;
 
-  // Somebody writes who does not go with this reader: best-effort.
+  // Whether there is a writer that does not match: one that is best-effort.
   bool HasMisfit() const;
 
-  // The next sample, to be given to Return(); null when there is none.
+  // Returns the next sample, which the caller gives back to Return(); null when there is none.
   void* Take();
   void Return(void* sample);
 

@@ -1,8 +1,8 @@
-// What a robot tells on topics of ROS 2, and what it hears: plain data in, messages out.
+// What a robot publishes on ROS 2 topics and what it receives, as plain data.
 //
-// Times are virtual, in microseconds since the boot; angles radians, the rest SI units; axes x
-// forward, y left, z up.  Topics are named without the slash in front: "aibo/imu".  The types are
-// those of idl/.
+// Times are virtual, in microseconds since the boot.  Angles are in radians, all else in SI units;
+// x is forward, y left, z up.  Topics are named without the leading slash: "aibo/imu".  The message
+// types are in idl/.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace openr_host {
 
-// rosgraph_msgs/Clock
+// Publishes rosgraph_msgs/Clock.
 class Ros2Clock {
  public:
   Ros2Clock(Bus* bus, const std::string& topic);
@@ -26,11 +26,11 @@ class Ros2Clock {
   Ros2Writer writer_;
 };
 
-// sensor_msgs/JointState; efforts are not known.
+// Publishes sensor_msgs/JointState without efforts, which are not known.
 class Ros2JointStates {
  public:
   Ros2JointStates(Bus* bus, const std::string& topic, std::vector<std::string> joints);
-  // In the order of the names.
+  // The values are in the order of the joint names.
   void Publish(int64_t time_us, const std::vector<double>& position_rad,
                const std::vector<double>& velocity_rad_s);
 
@@ -39,7 +39,8 @@ class Ros2JointStates {
   const std::vector<std::string> joints_;
 };
 
-// sensor_msgs/Imu of an accelerometer alone: orientation and rates are marked as not measured.
+// Publishes sensor_msgs/Imu of an accelerometer alone: orientation and angular rates are marked as
+// not measured.
 class Ros2Imu {
  public:
   Ros2Imu(Bus* bus, const std::string& topic, std::string frame_id);
@@ -50,12 +51,12 @@ class Ros2Imu {
   const std::string frame_id_;
 };
 
-// sensor_msgs/Image, "rgb8"
+// Publishes sensor_msgs/Image with encoding "rgb8".
 class Ros2Image {
  public:
   Ros2Image(Bus* bus, const std::string& topic, std::string frame_id);
   bool HasReaders() const { return writer_.HasReaders(); }
-  // REQUIRES: 3 * width * height bytes, row by row from the top left.
+  // REQUIRES: `rgb` has 3 * width * height bytes, row by row from the top left.
   void Publish(int64_t time_us, int width, int height, const std::vector<uint8_t>& rgb);
 
  private:
@@ -63,7 +64,7 @@ class Ros2Image {
   const std::string frame_id_;
 };
 
-// std_msgs/Bool
+// Publishes std_msgs/Bool.
 class Ros2Switch {
  public:
   Ros2Switch(Bus* bus, const std::string& topic);
@@ -73,7 +74,7 @@ class Ros2Switch {
   Ros2Writer writer_;
 };
 
-// std_msgs/Float32
+// Publishes std_msgs/Float32.
 class Ros2Number {
  public:
   Ros2Number(Bus* bus, const std::string& topic);
@@ -83,23 +84,23 @@ class Ros2Number {
   Ros2Writer writer_;
 };
 
-// What somebody wants joints to do: as it came, not looked at.
+// A received command for joints; its values are not checked.
 struct Ros2JointCommand {
   std::vector<std::string> joints;
   std::vector<double> position_rad;
   std::vector<double> velocity_rad_s;
 };
 
-// sensor_msgs/JointState
+// Receives sensor_msgs/JointState.
 class Ros2JointCommands {
  public:
-  static constexpr int kWaitingMax = 32;     // messages; older ones are lost
-  static constexpr size_t kJointsMax = 256;  // of a message; the rest is left out
-  static constexpr size_t kNameMax = 256;    // characters; the same
+  static constexpr int kWaitingMax = 32;     // messages; the oldest are lost
+  static constexpr size_t kJointsMax = 256;  // of a message; the rest is ignored
+  static constexpr size_t kNameMax = 256;    // characters; the rest is ignored
 
   Ros2JointCommands(Bus* bus, const std::string& topic);
   bool HasMisfit() const { return reader_.HasMisfit(); }
-  // The next one; nullopt when there is none.
+  // Returns the next command; nullopt when there is none.
   std::optional<Ros2JointCommand> Take();
 
  private:
