@@ -17,20 +17,23 @@
 namespace openr_host {
 namespace {
 
-// Samples in a packet, and taken at once.  With more, the end that gets them has nothing to do
-// while the other one makes them.
+// Samples sent in one packet, and received in one call.  With more, the receiver would be idle
+// while the sender still produces them.
 constexpr int kSamplesPerPacketMax = 4;
+// See KeepFreedMemory().
 constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
-// There is one message under way for each object.  With so much room Cyclone DDS asks for
-// acknowledgements at this interval only.
+// Settings of Cyclone DDS for a history that holds more than a run ever has in flight (one message
+// for each object), so that no write blocks.  Cyclone DDS then asks for acknowledgements only by
+// its periodic heartbeat, hence the short interval.
 constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
     "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>";
 
-// Signals of the program are for its own thread, not for those of the library.
+// Blocks all signals while the threads of Cyclone DDS are created.  They inherit the mask, so
+// signals of the program are handled by its own thread.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -46,14 +49,15 @@ class SignalsBlocked {
   sigset_t before_;
 };
 
-// Samples of images come and go: the pages of one are for the next, not for the kernel to take back
-// and fill with zeros again.
+// Keeps freed memory in the process.  Images come as large samples; the memory of one is for the
+// next.  If it went back to the kernel, each sample would pay for pages filled with zeros.
 void KeepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, kTrimThresholdBytes);
   mallopt(M_MMAP_THRESHOLD, kMmapThresholdBytes);
 }
 
-// An address that cannot be reached is news once, not with each packet to it.
+// Prints a message of Cyclone DDS, a failed send only the first time: an address that cannot be
+// reached would be reported with every packet to it.
 void Log(void*, const dds_log_data_t* data) {
   static std::atomic<bool> told = false;
   std::string_view text(data->message, data->size);
@@ -62,8 +66,10 @@ void Log(void*, const dds_log_data_t* data) {
   fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
 }
 
+// The lease in seconds.
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
+// Makes the configuration of Cyclone DDS from the options.
 std::string SettingsXml(const BusOptions& options) {
   std::string peers = fmt::format("<Peer address=\"{}\"/>", options.address);
   for (const std::string& peer : options.peers)
@@ -85,7 +91,7 @@ std::string SettingsXml(const BusOptions& options) {
   return text;
 }
 
-// Reliable, in order, nothing thrown away; in the partition of run and process.
+// The quality of service of all channels: reliable, in order, with all history.
 dds_qos_t* ChannelQos(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(10));
@@ -104,16 +110,20 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
   const auto domain = static_cast<dds_domainid_t>(options.domain);
   domain_ = Check(dds_create_domain(domain, SettingsXml(options).c_str()), "domain");
   participant_ = dds_create_participant(domain, nullptr, nullptr);
+  // The destructor does not run when the constructor throws, so the domain is deleted here.
   if (participant_ < 0) dds_delete(domain_);
   Check(participant_, "participant");
   waitset_ = Check(dds_create_waitset(participant_), "wait set");
   AnnounceLiveliness(LeaseOf(options));
 }
 
-// Cyclone DDS says of a participant that it lives when four fifths of its lease are over: in a
-// quiet process a network that is away for two seconds would be taken for the end of it.  The
-// shortest lease of its writers decides; this one has no reader whom it could disturb.  It is told
-// to every participant, so no more often than need be: 32 processes of one host have long leases.
+// Makes this participant announce itself at least five times within its lease.
+//
+// Cyclone DDS by itself announces a participant when four fifths of its lease are over, so a quiet
+// process would be taken for dead after a network failure of two seconds.  The interval follows
+// from the shortest liveliness lease of a participant's writers; so we create a writer with a fifth
+// of the lease, on a topic that nobody reads.  Every participant receives the announcement, so the
+// interval is no shorter than that.
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
@@ -146,7 +156,7 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  dds_write_set_batch(true);  // of writers that are made from now on
+  dds_write_set_batch(true);  // of writers that are created from now on; WriteBatched() needs it
   writer_ = dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   dds_write_set_batch(false);
   reader_ = dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
@@ -164,12 +174,15 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
 ChannelBase::~ChannelBase() {
   for (void* const sample : received_) dds_sample_free(sample, type_, DDS_FREE_ALL);
   for (void* const sample : free_samples_) dds_sample_free(sample, type_, DDS_FREE_ALL);
+  // Entities are deleted in the reverse order of their creation, since later ones use earlier ones.
   for (auto entity = owned_.rbegin(); entity != owned_.rend(); ++entity) dds_delete(*entity);
 }
 
 bool ChannelBase::IsConnected() const {
   dds_publication_matched_status_t readers;
   dds_subscription_matched_status_t writers;
+  // Both directions are needed: DDS finds the reader and the writer of the other end separately,
+  // and a sample sent to an end without a reader is lost.
   return dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
          dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&
          readers.current_count > 0 && writers.current_count > 0;
@@ -201,6 +214,7 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
       received_.pop_front();
       return sample;
     }
+    // This end is about to wait, so nothing it has kept may wait any longer.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
@@ -215,10 +229,12 @@ void ChannelBase::ReceiveMore() {
   void* samples[kSamplesPerPacketMax];
   dds_sample_info_t infos[kSamplesPerPacketMax];
   std::copy_n(free_samples_.rbegin(), kSamplesPerPacketMax, samples);
+  // After a large sample the next one is received alone (see kBulkBytes).
   const uint32_t wanted = last_bulk_bytes_ < kBulkBytes ? kSamplesPerPacketMax : 1;
   const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
+    // A sample without valid data tells that a writer has gone.  It carries no content.
     if (infos[i].valid_data) {
       received_.push_back(samples[i]);
     } else {

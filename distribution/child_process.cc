@@ -28,14 +28,17 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // A pipe that nobody reads ends a debugger, as it expects; this program ignores such signals.
+  // This program ignores SIGPIPE and SIGXFSZ, and children inherit that.  Other programs, debuggers
+  // for instance, expect that SIGPIPE ends them, so the child gets the default action.
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGPIPE);
   sigaddset(&signals, SIGXFSZ);
   posix_spawnattr_setsigdefault(&attributes, &signals);
   short flags = POSIX_SPAWN_SETSIGDEF;
-  if (!is_interactive) flags |= POSIX_SPAWN_SETPGROUP;  // Ctrl-C is for the program alone
+  // With a process group of its own, the child gets no Ctrl-C from the terminal: this program ends
+  // it in its turn.
+  if (!is_interactive) flags |= POSIX_SPAWN_SETPGROUP;
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes, flags);
   const int error = posix_spawnp(&pid_, words[0], &actions, &attributes, words.data(), environ);

@@ -18,11 +18,12 @@ namespace {
 
 bool IsSame(const char* name, const char* other) { return strcasecmp(name, other) == 0; }
 
+// A <Domain> element of the file.
 struct DomainElement {
   std::string id = "any";
   bool has_security = false;
 
-  // As Cyclone DDS compares.
+  // Compares ids as Cyclone DDS does, since the answer must be the one Cyclone DDS will come to.
   bool IsFor(int domain) const {
     if (IsSame(id.c_str(), "any")) return true;
     char* end = nullptr;
@@ -31,7 +32,7 @@ struct DomainElement {
   }
 };
 
-// What the parser of Cyclone DDS finds in a file.
+// Reads a file with the parser of Cyclone DDS.
 class SettingsFile {
  public:
   SettingsFile(const std::string& name, int domain) : domain_(domain) {
@@ -44,7 +45,8 @@ class SettingsFile {
   }
 
   bool is_read() const { return is_read_; }
-  // Besides those of domains: of older versions, for all domains.
+  // Whether there are settings outside <Domain>: files of older versions have them, for all
+  // domains.
   bool has_others() const { return has_others_; }
   const std::vector<DomainElement>& domains() const { return domains_; }
 
@@ -60,7 +62,7 @@ class SettingsFile {
       file->domains_.emplace_back();
     } else if (parent == kRoot) {
       file->has_others_ = true;
-    } else if (parent == kDomain && IsSame(name, "Id")) {  // of older versions
+    } else if (parent == kDomain && IsSame(name, "Id")) {  // older files have the id as an element
       *element = kDomainId;
     } else if (parent == kDomain && (IsSame(name, "Security") || IsSame(name, "DDSSecurity"))) {
       file->domains_.back().has_security = true;
@@ -79,6 +81,7 @@ class SettingsFile {
   static void Error(void*, const char*, int) {}
 
   void SetId(const char* text) {
+    // Ids may contain environment variables, which Cyclone DDS expands.
     char* const id = ddsrt_expand_envvars(text, static_cast<uint32_t>(domain_));
     if (id != nullptr) domains_.back().id = id;
     ddsrt_free(id);

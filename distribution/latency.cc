@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kBucketsPerOctave = 16;
 
+// Returns the bucket of a duration: the power of two and the four bits below the highest one.
 size_t BucketOf(int64_t ns) {
   const auto value = static_cast<uint64_t>(std::max<int64_t>(ns, kBucketsPerOctave));
   const int octave = std::bit_width(value) - 1;
@@ -17,6 +18,7 @@ size_t BucketOf(int64_t ns) {
   return static_cast<size_t>(octave) * kBucketsPerOctave + step;
 }
 
+// Returns the upper limit of a bucket, in nanoseconds.
 double UpperNs(size_t bucket) {
   const double octave = std::ldexp(1.0, static_cast<int>(bucket / kBucketsPerOctave));
   return octave * (1 + static_cast<double>(bucket % kBucketsPerOctave + 1) / kBucketsPerOctave);

@@ -13,11 +13,12 @@ namespace openr_host {
 namespace {
 
 struct ProcessStat {
-  std::string state;  // "": hidden, or it is not there
+  std::string state;  // one letter of proc(5); "": hidden, or no such process
   std::string start_time;
 };
 
-// The name, in parentheses, may have spaces and parentheses of its own.
+// Reads /proc/PID/stat.  The name of the program stands in parentheses and may itself contain
+// spaces and parentheses, so fields are counted from the last ')'.
 ProcessStat ProcessStatOf(int64_t pid) {
   std::ifstream file(fmt::format("/proc/{}/stat", pid));
   std::string line;
@@ -32,6 +33,7 @@ ProcessStat ProcessStatOf(int64_t pid) {
   return status;
 }
 
+// EPERM counts as existing: the process belongs to another user.
 bool Exists(int64_t pid) { return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH; }
 
 }  // namespace
@@ -55,7 +57,10 @@ bool LivenessCheck::HasEnded() const {
   if (pid_ == 0) return false;
   if (!Exists(pid_)) return true;
   const ProcessStat now = ProcessStatOf(pid_);
+  // With hidden /proc entries (hidepid) we know only that the id is in use, so we do not report an
+  // end.
   if (now.state.empty() || start_time_.empty()) return false;
+  // A zombie (Z) has ended; its parent has not read its status yet.
   return now.state == "Z" || now.state == "X" || now.start_time != start_time_;
 }
 

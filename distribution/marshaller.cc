@@ -19,11 +19,13 @@
 namespace openr_host {
 namespace {
 
+// Whether object `id` is the network stack.
 bool IsStack(const System& system, ObjectId id) {
   const Object* const object = system.object(id);
   return object != nullptr && object->name == IpStack::kName;
 }
 
+// Returns how the payload of `message` is sent.
 openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
   switch (message.kind) {
     case PayloadKind::kNotify:
@@ -92,6 +94,7 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
+    // SizeOf() is 0 for a region that has been deleted, but the receiver refuses data beyond it.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))
@@ -101,7 +104,9 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
   out->parts = arena->Sequence<decltype(out->parts)>(parts);
 }
 
-// An observer may write into what it received.  Most give it back in the handler that got it.
+// Compares the region with what was received.  Most observers give a region back in the handler
+// that received it; then the bytes of the sample are still valid and we compare with them, which
+// needs no hash.  Later we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;
@@ -111,7 +116,8 @@ bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& importe
 void Marshaller::ReleaseSample() {
   for (RCRegion* const region : sample_regions_) {
     const auto found = imported_.find(region);
-    if (found == imported_.end() || found->second.bytes == nullptr) continue;  // given back
+    // Regions without `bytes` are skipped: an observer has given them back already.
+    if (found == imported_.end() || found->second.bytes == nullptr) continue;
     ImportedRegion& imported = found->second;
     imported.hash = HashBytes(std::exchange(imported.bytes, nullptr), region->Size());
   }
@@ -127,7 +133,8 @@ void Marshaller::EncodeReady(const Message& message, WireArena* arena, openr_wir
   std::vector<openr_wire_ReturnedRegion> regions;
   for (int i = 0; i < ready.numOfData; ++i) {
     const auto found = imported_.find(ready.rcRegion[i]);
-    // Of a subject that was replaced meanwhile.
+    // An unknown region or token 0 means that the subject was replaced or its process lost.  Nobody
+    // expects the region back.
     if (found == imported_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_ReturnedRegion returned{found->second.token, {}};
@@ -159,7 +166,8 @@ std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
 std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
-    if (system_->regions().BaseOf(entry.second) != nullptr) return false;  // it may be handed on
+    // As long as the region table has the memory, an object may still pass it on.
+    if (system_->regions().BaseOf(entry.second) != nullptr) return false;
     tokens.push_back(entry.first);
     return true;
   });
@@ -276,7 +284,8 @@ std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) 
   return "";
 }
 
-// Where the bytes of `in` belong; null when they have no place.
+// Returns the memory for the bytes of `in`, null if the region or the range is not acceptable.  A
+// range is computed in 64 bits, because offset plus size overflows 32 bits in a forged message.
 char* Marshaller::MemoryFor(const openr_wire_NotifiedRegion& in) {
   RegionTable& regions = system_->regions();
   const uint64_t end = uint64_t{in.offset} + in.size;
@@ -294,6 +303,7 @@ std::string Marshaller::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion
   if (in.bytes._length != 0 && in.bytes._length != in.size) return "a part of another size";
   if (in.bytes._length != 0) std::memcpy(memory, in.bytes._buffer, in.size);
   *region = new RCRegion(in.region, in.offset, memory, in.size);
+  // The imported region holds its memory even if the region is deleted meanwhile.
   system_->regions().KeepCopy(in.region);
   if (in.bytes._length != 0) {
     imported_[*region] = {in.token, in.bytes._buffer, 0};
@@ -316,6 +326,7 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
+    // A withdrawn region has gone back to its subject already, so its token is only removed.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";
@@ -336,9 +347,12 @@ std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   std::memcpy(out->payload, in.message._buffer, in.message._length);
   out->size = in.message._length;
   auto* const ant = reinterpret_cast<antEnvMsg*>(out->payload);
-  if (out->size < AntMessageSize(*ant)) return "";  // the stack complains
+  // Not refused here: the network stack itself reports a message that is too short.
+  if (out->size < AntMessageSize(*ant)) return "";
   const AntBuffer buffer = BufferOf(ant);
   if (buffer.pointer == nullptr) return "";
+  // The received pointer is an address of the sender.  It is replaced, or cleared if the region is
+  // unknown.
   *buffer.pointer = nullptr;
   char* const base = in.region == 0 ? nullptr : system_->regions().BaseOf(in.region);
   const size_t size = system_->regions().SizeOf(in.region);

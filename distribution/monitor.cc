@@ -15,9 +15,10 @@ namespace openr_host {
 namespace {
 
 constexpr auto kInterval = std::chrono::seconds(1);
-constexpr double kIntervalMin_s = 1e-3;  // time that rates are made of
+constexpr double kIntervalMin_s = 1e-3;  // the shortest time that rates are computed over
 
-// Of the moment between the last word but one and the end rates say nothing.
+// Keeps the rates of the last status for the final one, because the time between the two can be too
+// short for a rate.
 void KeepRates(const RunStatus& before, RunStatus* status) {
   status->x_real_time = before.x_real_time;
   status->messages_per_s = before.messages_per_s;
@@ -44,7 +45,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     return std::chrono::duration<double>(time).count();
   };
   const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
-  // A process that came back has objects that count anew.
+  // A restarted object counts from 0 again; then the whole count is new.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
     return static_cast<double>(count < old ? count : count - old) / passed_s;
@@ -87,7 +88,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
   last_status_ = std::move(status);
 }
 
-// Since it spoke last.
+// Returns the handler times since the last status.
 RunStatus::Times Monitor::TimesOf(const RemoteObject& object) {
   Latency& before = latency_of_[object.id];
   const Latency now = object.process()->LatencyOf(object.id);

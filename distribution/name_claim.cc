@@ -13,18 +13,20 @@
 namespace openr_host {
 namespace {
 
-constexpr char kClaimTopic[] = "openr_run";  // nothing is ever sent
+constexpr char kClaimTopic[] = "openr_run";  // no sample is ever sent on it
+// Nanoseconds since 1970 with leading zeros, so that comparing claims as text compares times.
 constexpr size_t kSinceDigits = 20;
-constexpr size_t kClaimsMax = 64;  // that are looked at
+constexpr size_t kClaimsMax = 64;  // other runs of the name that are looked at
 
-// "since pid on host"; as long as both wait, hosts whose clocks differ agree who gives up.
+// Returns a claim "since pid on host".  While both of two runs wait for workers, they compare the
+// same two texts, so even with different clocks they agree which one gives way.
 std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
   return fmt::format("{:0{}} pid {} on {}", since, kSinceDigits, getpid(), HostName());
 }
 
-// In the partition of the run.
+// The partition of the run's name.  Claims of this participant are ignored.
 dds_qos_t* ClaimQos(const Bus& bus) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
@@ -33,6 +35,7 @@ dds_qos_t* ClaimQos(const Bus& bus) {
   return qos;
 }
 
+// Returns the claim in the user data of a writer; "" if it has none.
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
   dds_builtintopic_endpoint_t* const endpoint = dds_get_matched_publication_data(reader, writer);
   if (endpoint == nullptr) return "";
@@ -60,7 +63,8 @@ NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
   Announce(own_);
 }
 
-// A writer whose user data is the claim; claims that were announced before stay.
+// Creates a writer with the claim as its user data.  DDS announces the user data of each writer, so
+// no sample need be sent.  Earlier claims of this run stay announced.
 void NameClaim::Announce(const std::string& claim) {
   dds_qos_t* const qos = ClaimQos(*bus_);
   dds_qset_userdata(qos, claim.data(), claim.size());
@@ -72,6 +76,7 @@ void NameClaim::Announce(const std::string& claim) {
 
 void NameClaim::MakePermanent() {
   if (std::exchange(is_permanent_, true)) return;
+  // Zeros sort before every time.
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 

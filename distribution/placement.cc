@@ -14,13 +14,14 @@
 namespace openr_host {
 namespace {
 
-// Names of runs and processes become partitions of DDS, where '*' and '?' stand for others.
+// Whether `text` is a valid name.  Names become DDS partitions, in which '*' and '?' are wildcards.
 bool IsName(std::string_view text) {
   return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
   });
 }
 
+// Places an object in a process.  Returns "" or what is wrong.
 std::string Add(const std::string& object, const std::string& process, Placement* placement) {
   const std::string no_name = WhyNoName("process", process);
   if (!no_name.empty()) return no_name;
@@ -29,6 +30,7 @@ std::string Add(const std::string& object, const std::string& process, Placement
   return fmt::format("{} is placed in '{}' already", object, known->second);
 }
 
+// The result of a query to the name service.
 struct Resolved {
   std::string problem;
   bool is_loopback = false;

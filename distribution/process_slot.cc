@@ -11,9 +11,11 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSessionClaimMs = 5'000;  // for one that has been given a session to take it
+constexpr int64_t kSessionClaimMs = 5'000;  // after it the session goes to another requester
+// Longer ids of requesters are ignored, since they come from the network.
 constexpr size_t kRequesterIdMax = 256;
-constexpr int64_t kLivenessIntervalMs = 100;  // between looks at a process
+constexpr int64_t kLivenessIntervalMs = 100;  // between two liveness checks
+// Abandoned workers that are remembered; beyond it the oldest is dropped.
 constexpr size_t kAbandonedMax = 4;
 
 }  // namespace
@@ -26,7 +28,7 @@ std::string HostName() {
 std::string NewSessionName() {
   static int count = 0;
   std::string host = HostName();
-  // Partitions have wildcards.
+  // Partition names may contain the wildcards '*' and '?', so only harmless characters are kept.
   std::erase_if(host, [](unsigned char c) {
     return std::isalnum(c) == 0 && c != '-' && c != '.' && c != '_';
   });
@@ -34,6 +36,7 @@ std::string NewSessionName() {
 }
 
 std::string MakerOf(const std::string& session) {
+  // Searched from the end, because host names may contain '-'.
   const size_t count = session.rfind('-');
   const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
   if (count == std::string::npos || pid == std::string::npos) return session;
@@ -56,6 +59,7 @@ void ProcessSlot::OpenSession(const std::string& session) {
 }
 
 void ProcessSlot::Abandon() {
+  // Workers that the master has started need no notice: they end with the master, or it kills them.
   if (has_joined_ && join_channel_ != nullptr && !channel_->IsConnected() &&
       !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
@@ -65,7 +69,8 @@ void ProcessSlot::Abandon() {
   has_joined_ = false;
 }
 
-// One that has been away for less time than the run has is still there, and waits for ever.
+// Tells abandoned workers that the run goes on without them.  Such a worker was unreachable for
+// less time than its own lease of the master; it would wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const Abandoned& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();
@@ -79,20 +84,22 @@ void ProcessSlot::NotifyAbandoned() {
     abandoned.is_notified = true;
     try {
       abandoned.channel->Send(to_worker);
-    } catch (const std::runtime_error&) {  // it is away again; who sits here now is not
+    } catch (const std::runtime_error&) {
+      // The worker is unreachable again.  That must not end the worker that has the slot now.
     }
   }
 }
 
-// The kernel is not asked in each frame of a run that is fast.
+// Asks the kernel only every kLivenessIntervalMs: a fast run calls this in each frame.
 bool ProcessSlot::HasEnded() const {
   if (!has_joined_ || Latency::NowMs() < next_check_ms_) return false;
   next_check_ms_ = Latency::NowMs() + kLivenessIntervalMs;
   return liveness_.HasEnded();
 }
 
-// Who knocks does so again and again until it hears; another one waits until the first has come or
-// has not made it.
+// Answers one join request.  A requester repeats its request until it has an answer, so a request
+// may also be ignored for now: a second requester waits until the first has joined or its session
+// has expired.
 void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   WireArena arena;
   openr_wire_JoinAnswer answer{};
@@ -109,14 +116,15 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    if (liveness_.HasEnded()) return;  // the run is about to see it; this one will knock again
+    if (liveness_.HasEnded()) return;  // the master will notice soon; the requester asks again
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              Latency::NowMs() - session_opened_ms_ < kSessionClaimMs) {
-    return;  // it will knock again
+    return;  // another requester holds the session; this one asks again
   } else {
+    // A repeated request of the same requester gets the same session again.
     if (channel_ == nullptr || requester_id_ != id) {
       session_ = NewSessionName();
       OpenSession(session_);
@@ -141,7 +149,7 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = to_master->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
-  // Who was started by the run is watched by its parent, which knows more.
+  // A process that the master has started is watched as its child, which tells more.
   if (join_channel_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)
@@ -152,7 +160,8 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
   return true;
 }
 
-// Its writer may be known here before its reader is; what is sent in between is lost.
+// Waits after the Hello until both directions are connected: DDS may find the worker's writer
+// before its reader, and a sample sent in between is lost.
 bool ProcessSlot::AwaitJoin(int timeout_ms) {
   if (has_joined_) return true;
   if (join_channel_ != nullptr) {

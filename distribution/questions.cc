@@ -20,14 +20,14 @@
 namespace openr_host {
 namespace {
 
-// Longer than a RelativeTime can say.
+// Longer times are refused; a RelativeTime cannot hold them anyway.
 constexpr uint64_t kTimeMaxUs = uint64_t{1} << 53;
 
 uint64_t Number(const Question& question, size_t i) {
   return i < question.numbers.size() ? question.numbers[i] : 0;
 }
 
-// Whether object `id` is in the process of `self`, which asks.
+// Whether object `id` is in the same process as `self`.
 bool IsBeside(const System& system, const Object* self, ObjectId id) {
   const auto* const asker = dynamic_cast<const RemoteObject*>(self);
   const auto* const other = dynamic_cast<const RemoteObject*>(system.object(id));
@@ -42,15 +42,17 @@ Answer NewRegion(System* system, const Object* self, const Question& question) {
   return {0, {system->regions().New(Number(question, 0), owner)}};
 }
 
-// Whether it was done.  Regions of other processes are none of its business.
+// Resizes a region; false if that failed or the region belongs to another process.
 bool ResizeRegion(System* system, const Object* self, const Question& question) {
   const auto region = static_cast<uint32_t>(Number(question, 0));
   return IsBeside(*system, self, system->regions().OwnerOf(region)) &&
          system->regions().Resize(region, Number(question, 1));
 }
 
-// Whether the bytes of a colour table, which go into its region, are for one of another process.
+// Whether the question sets a colour table in memory of another process, which is an error finding.
 bool IsCdtOfAnother(System* system, const Object* self, const Question& question) {
+  // The bytes of a colour table are copied to its region, so the region must be one that the worker
+  // may write.
   if (!IsSetCdt(question)) return false;
   const auto region = static_cast<uint32_t>(Number(question, 1));
   const RegionTable& regions = system->regions();
@@ -65,7 +67,7 @@ bool IsCdtOfAnother(System* system, const Object* self, const Question& question
   return true;
 }
 
-// As OObject::RegisterServiceEntry().
+// Does what OObject::RegisterServiceEntry() does.
 Answer RegisterService(System* system, Object* self, const Question& question) {
   const auto target = static_cast<ObjectId>(Number(question, 0));
   const auto selector = static_cast<uint32_t>(Number(question, 1));
@@ -93,6 +95,7 @@ Answer AnswerEvents(System* system, Object* self, const Question& question) {
       return {0,
               {events.AddTimed(LetterOf(self, question), static_cast<int64_t>(Number(question, 2)),
                                static_cast<int64_t>(Number(question, 3)))}};
+    // The reply may have arrived before the question about it.
     case QuestionKind::kReplyEvent: {
       const uint64_t box = Number(question, 2);
       const uint32_t event = events.AddReply(LetterOf(self, question), box);

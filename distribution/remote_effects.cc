@@ -1,4 +1,7 @@
-// What handlers in another process did and asked, done and answered here.
+// Applies the effects of handlers in a worker and answers its questions.
+//
+// Everything is checked before it is applied: a worker may only speak for its own objects, regions
+// and robots.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,11 +15,12 @@
 namespace openr_host {
 namespace {
 
+// Longer delays and timeouts are refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
 }  // namespace
 
-// What does not end a turn.  True when `up` was that.
+// Handles a sample that does not end a handler.  Returns false if it is none of these.
 bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
   switch (to_master.body._d) {
     case openr_wire_TO_MASTER_CONSOLE:
@@ -79,25 +83,28 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
   }
 }
 
-// Whether `message` answers what the handler of `self` was asked, or hands that on.
+// Whether `message` answers the request that the handler of `self` is serving, or forwards that
+// request to another object.
 bool RemoteProcess::Answers(const Message& message, const Object* self) {
   const Message* const request = self == nullptr ? nullptr : self->running;
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Whether the bytes of `region` may come from there: it is its own, or it was lent there.
+// Whether the worker may send bytes of `region`: it is one of its own, or was sent to it.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return IsOwn(region) || marshaller_->HasExported(region);
 }
 
-// An object may have made a region and given it to another one.
+// Whether an object of the worker owns the region or has made it.  An object may make a region and
+// give it to another one.
 bool RemoteProcess::IsOwn(uint32_t region) const {
   const RegionTable& regions = system_->regions();
   return objects_.contains(regions.OwnerOf(region)) || objects_.contains(regions.MakerOf(region));
 }
 
-// Who `in` says it is from, before it is believed.
+// Checks that the sender of `in` is an object of this worker, and also the subject or observer.  A
+// forwarded request keeps the name of the original sender.
 void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
@@ -106,7 +113,8 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
-  // Ends that were given no entry are nobody's.
+  // An object id that no object has is accepted: a subject or observer without an entry sends such
+  // ids.
   const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
     Refuse("a notification of another object's subject");
@@ -136,10 +144,12 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
+  // The System gives its own number and cause, as it does for an object in this process.
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;
   if (message->is_reply) {
+    // A reply to a box that has been closed meanwhile is refused, as in one process.
     const Object* const asker = system_->object(message->target);
     if (asker == nullptr || !asker->boxes.contains(message->reply_box)) {
       system_->queue().Release(message);
@@ -151,7 +161,8 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
   const int32_t error = system_->Post(message, posted.delay_us);
-  // Should the process be lost now, nobody else is to answer.
+  // The request has its answer.  If the worker is lost later, the stand-in must not send an empty
+  // one.
   if (answers && error == sSUCCESS) self->running->reply_box = 0;
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
@@ -159,6 +170,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
 
 void RemoteProcess::Unpin(uint32_t region) {
   const auto pins = pins_.find(region);
+  // Each unpin must have its pin, or a worker could free regions of other objects.
   if (pins == pins_.end()) Refuse("a region given back twice");
   if (--pins->second == 0) pins_.erase(pins);
   system_->regions().Unpin(region);
@@ -179,7 +191,7 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
   Object* const self = t_current.object;
   switch (kind) {
     case NoteKind::kFinding:
-      // A number that names no severity is taken for an error.
+      // An unknown severity is taken for an error.
       system_->AddFindingAbout(system_->object(static_cast<ObjectId>(number(1)) - 1),
                                number(0) <= static_cast<uint64_t>(Severity::kNote)
                                    ? static_cast<Severity>(number(0))

@@ -1,4 +1,4 @@
-// What becomes of what a process had when it is lost, and of what others had of it.
+// What happens to the regions, messages and connections of a lost worker.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -12,10 +12,12 @@
 
 namespace openr_host {
 
-// To each subject as from its observer, which will not be ready any more.
+// Returns the exported regions to their subjects.  They come with a deassert in the name of the
+// observer, which will not be ready any more.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
-  std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;  // by observer and subject
+  // Keyed by observer and subject.
+  std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;
   for (const Marshaller::ExportedRegion& exported : marshaller_->TakeExported())
     regions[{{exported.observer, exported.observer_selector},
              {exported.subject, exported.subject_selector}}]
@@ -24,6 +26,7 @@ void RemoteProcess::ReturnExported() {
     const auto& [observer, subject] = ends;
     const auto found = objects_.find(observer.first);
     if (found == objects_.end()) continue;
+    // A ready message has room for MAX_NUM_DATA regions.
     for (size_t i = 0; i < exported.size(); i += MAX_NUM_DATA) {
       const auto begin = exported.begin() + static_cast<ptrdiff_t>(i);
       const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, exported.end() - begin);
@@ -45,10 +48,13 @@ size_t RemoteProcess::CountUndelivered() const {
 }
 
 void RemoteProcess::ReleaseAll() {
+  // Set first: what follows posts messages to the stand-ins, which must not send them to the
+  // worker.
   is_lost_ = true;
   ReturnExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
+    // A waiting stand-in would otherwise wait for ever.
     if (object->blocked != nullptr) WakeHandler(id, object->blocked_box);
   }
   for (const auto& [region, count] : pins_) {
@@ -84,6 +90,7 @@ void RemoteProcess::Forget(ObjectId id) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
   Send(to_worker);
+  // In a free run the answer comes like any other sample, see HandleFreeSample().
   if (is_free_) return;
   const ReceivedSample to_master = Next();
   if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)

@@ -30,7 +30,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
   return true;
 }
 
-// False when the process was lost.
+// Runs the handler in the worker; false if the worker was lost.
 bool RemoteObject::Run() {
   try {
     return process_->RunHandler(this, *running);
@@ -43,6 +43,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
+  // Readiness is kept here because it must survive the worker: a restarted one is told which
+  // observers are ready.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(running->payload);
   const StandingReady standing = {running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
@@ -65,7 +67,8 @@ void RemoteObject::TakeBack(RCRegion* region) { process_->TakeBack(region); }
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
-// The end of a run has its time, whoever is at work.
+// Whether a handler of the object runs in its worker, which may take any time in a free run.
+// DoStop and DoDestroy do not count: the end of a run has its time limit, whatever a worker does.
 bool RemoteObject::IsAtWorkElsewhere() const {
   return process_->IsAtWork(id) && running->selector != oentrySTOP &&
          running->selector != oentryDESTROY;
@@ -78,8 +81,8 @@ void RemoteObject::Unheard(const Message& message) {
   SendEmptyReply(message);
 }
 
-// Nobody need wait for what cannot come: the object manager is told that all is well, others get
-// an empty answer.
+// Sends an empty reply in place of the lost worker, so that nobody waits for ever.  The object
+// manager gets the status oSUCCESS.
 void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);

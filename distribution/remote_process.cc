@@ -16,13 +16,15 @@
 namespace openr_host {
 namespace {
 
-constexpr int kWorkerPollMs = 10;         // between looks at the process
-constexpr int64_t kJoinNoticeMs = 300;    // for one that is there to be heard
-constexpr int kGoodbyeWaitMs = 50;        // for what it said before its end to come
-constexpr int64_t kShortTimeoutMs = 500;  // for an answer when the run is being brought down
-constexpr int kEndFlushMs = 1'000;        // for a process to hear that the run is over
-constexpr int64_t kSilenceMs = 2'000;     // before people are is_reported
-// Boxes by which proxies wait for handlers of free runs; those of objects count from 1.
+constexpr int kWorkerPollMs = 10;  // between health checks while the master waits for the worker
+// Until the user is told to start an external worker; one that runs already joins faster.
+constexpr int64_t kJoinNoticeMs = 300;
+constexpr int kGoodbyeWaitMs = 50;        // for samples sent before the worker's end to arrive
+constexpr int64_t kShortTimeoutMs = 500;  // for an answer while the run is brought down
+constexpr int kEndFlushMs = 1'000;        // for the worker to receive the end of the run
+constexpr int64_t kSilenceMs = 2'000;     // until the user is told that the worker is silent
+// The first box by which a stand-in waits for a handler of a free run.  Boxes of objects count from
+// 1, so the two never meet.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
@@ -53,7 +55,7 @@ void RemoteProcess::Send(const openr_wire_ToWorker& to_worker, bool batched) {
   try {
     if (batched) return slot_.channel()->SendBatched(to_worker);
     slot_.channel()->Send(to_worker);
-  } catch (const std::runtime_error& error) {  // nobody takes it, or DDS has no room
+  } catch (const std::runtime_error& error) {  // a write timed out, or DDS is out of memory
     throw ProcessLost(fmt::format("process '{}' (pid {}) takes nothing any more: {}", name_,
                                   identity().pid, error.what()));
   }
@@ -63,7 +65,8 @@ void RemoteProcess::FlushBatch() {
   if (slot_.channel() != nullptr) slot_.channel()->FlushBatch();
 }
 
-// What is done next is sent to a process, too, and does not keep what is sent now waiting.
+// Whether the next message to be delivered also goes to a worker.  If so, the present sample may
+// wait for it and share its packet; else it must go now, since nothing follows soon.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -71,6 +74,7 @@ bool RemoteProcess::WillSendMore() const {
   return target != nullptr && target->blocked == nullptr && !target->is_busy;
 }
 
+// Waits for the next sample of the worker.  Throws ProcessLost if the worker is lost.
 RemoteProcess::ReceivedSample RemoteProcess::Next() {
   bool is_reported = false;
   for (int64_t silent_ms = 0;; silent_ms += kWorkerPollMs) {
@@ -81,7 +85,7 @@ RemoteProcess::ReceivedSample RemoteProcess::Next() {
       return to_master;
     }
     const std::string problem = FindProblem();
-    if (!problem.empty()) {  // its last word may be on the way still
+    if (!problem.empty()) {  // the last sample may still be on its way
       ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs);
       if (last) {
         CheckGoodbye(*last);
@@ -125,7 +129,7 @@ std::string RemoteProcess::FindLoss() {
   return problem;
 }
 
-// Its goodbye comes at any time.
+// Throws if the sample is the worker's goodbye, which may arrive at any time.
 void RemoteProcess::CheckGoodbye(const openr_wire_ToMaster& to_master) const {
   if (to_master.body._d != openr_wire_TO_MASTER_GOODBYE) return;
   const openr_wire_Goodbye& goodbye = to_master.body._u.goodbye;
@@ -215,7 +219,7 @@ void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   const uint64_t session = session_;
-  // With the sending: the process may have run before that returns.
+  // Started before sending, because the worker may already run before Send() returns.
   const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   {
     WireArena arena;
@@ -223,6 +227,9 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
+    // The bytes of a region are in the process of the object that made it, whoever owns it now.  A
+    // restarted worker has none of the bytes of its predecessor: the regions' makers are then
+    // unloaded.
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -239,6 +246,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
+    // While the stand-in waited, the worker may have been lost, or lost and restarted.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -277,16 +285,19 @@ uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
 }
 
 void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
-  constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;  // more is not believed
+  // A larger number is taken for an error of the worker.
+  constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
   if (bytes > kHeapMaxBytes) Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
 }
 
-// Nothing when the process was lost meanwhile.
+// Lets the stand-in of `object` wait until HandleFreeSample() has the end of its handler.  Other
+// objects are served meanwhile.  Returns nullopt if the worker was lost.
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.insert(box);
+  // The silence of an idle worker does not count, so the time starts anew.
   if (running_.empty()) last_heard_ms_ = Latency::NowMs();
   running_[object->id] = box;
   bool timed_out = false;
@@ -298,7 +309,8 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   return stop;
 }
 
-// What `action` throws is why the process is gone.
+// Calls `action` and keeps the reason if it throws ProcessLost.  The caller is no handler, so
+// nothing could catch the exception.
 template <typename Action>
 void RemoteProcess::RecordLoss(const Action& action) {
   try {
@@ -317,7 +329,8 @@ bool RemoteProcess::HandleReceived() {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
       HandleFreeSample(*to_master);
-      if (!slot_.channel()->has_received()) break;  // what comes meanwhile is for the next time
+      // Samples that arrive meanwhile are left for the next call.
+      if (!slot_.channel()->has_received()) break;
     }
   });
   if (!came) return false;
@@ -326,7 +339,7 @@ bool RemoteProcess::HandleReceived() {
   return true;
 }
 
-// Of one that has something to do.
+// Tells the user of a worker that has work and sends nothing.
 void RemoteProcess::ReportSilence() {
   if (running_.empty() || is_silent_ || Latency::NowMs() - last_heard_ms_ < kSilenceMs) return;
   is_silent_ = true;
@@ -342,7 +355,7 @@ void RemoteProcess::CheckHealth() {
     const std::string problem = FindProblem();
     if (problem.empty()) return;
     if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
-      return HandleFreeSample(*last);  // its last word
+      return HandleFreeSample(*last);  // perhaps its goodbye
     throw ProcessLost(problem);
   });
 }
@@ -362,6 +375,7 @@ void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
   running_.erase(object);
 }
 
+// Ends the wait of the stand-in of `object`.
 void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   Message* const wake = system_->NewMessage(object, 0);
   wake->message_class = MessageClass::kInput;
@@ -370,13 +384,14 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   system_->Post(wake);
 }
 
-// The proxy's handler waits as the real one does; what comes meanwhile is other objects' turn.
+// Waits in the stand-in as the real handler waits, so that other objects are served meanwhile; then
+// sends the reply to the worker.
 void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
   Message* const reply =
       system_->AwaitReply(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  if (is_lost_ || session != session_) {  // another object brought the process down meanwhile
+  if (is_lost_ || session != session_) {  // another object's handler brought the worker down
     system_->queue().Release(reply);
     return;
   }
@@ -418,7 +433,7 @@ void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint6
 }
 
 std::string RemoteProcess::FetchState(ObjectId object) {
-  if (is_free_) return "";  // it has gone on meanwhile
+  if (is_free_) return "";  // the object has gone on, so its state does not belong to this instant
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ASK_STATE);
   to_worker.body._u.state_of = object;
   Send(to_worker);
@@ -427,6 +442,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
+    // Imported data are newer here than in the worker.
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
@@ -439,8 +455,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End(const std::string& why) {
-  marshaller_.reset();              // what it has borrowed is the System's
-  if (!slot_.has_joined()) return;  // nobody is there; one that is coming back is
+  marshaller_.reset();  // before the System, because imported regions belong to the System's table
+  if (!slot_.has_joined()) return;  // no worker, or one that is just being restarted
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;
   to_worker.body._u.ended = {false, arena.Text(why)};

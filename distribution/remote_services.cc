@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-// Function by function; the first number of the question.  What follows it are the arguments.
+// The functions; the number is the first one of a question, the arguments follow it.
 enum class RobotCall : uint64_t {
   kOpenPrimitive,      // locator -> id
   kClosePrimitive,     // id
@@ -43,7 +43,7 @@ enum class RobotCall : uint64_t {
   kGetVolume,          // -> switch
 };
 
-constexpr size_t kResultMax = 1024;  // no request of ControlPrimitive() answers more
+constexpr size_t kResultMax = 1024;  // bytes; more than any request of ControlPrimitive() returns
 
 template <typename T>
 std::string BytesOf(const T& value) {
@@ -51,12 +51,14 @@ std::string BytesOf(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
+// Copies bytes of the wire to a struct, if they have its size.
 template <typename T>
 void Copy(const std::string& bytes, T* value) {
   static_assert(std::is_trivially_copyable_v<T>);
   if (bytes.size() == sizeof(T)) std::memcpy(static_cast<void*>(value), bytes.data(), sizeof(T));
 }
 
+// Asks the master, and waits for the answer.
 Answer Ask(System* system, RobotCall call, std::vector<uint64_t> numbers, std::string text = "",
            std::string bytes = "") {
   numbers.insert(numbers.begin(), static_cast<uint64_t>(call));
@@ -204,7 +206,7 @@ OStatus RemoteServices::GetVolumeSwitch(OVolumeSwitch* volume) {
 
 namespace {
 
-// The master's side of one call.
+// Executes one call in the master.
 class RobotCallServer {
  public:
   RobotCallServer(System* system, int robot, const Question& question)

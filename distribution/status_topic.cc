@@ -10,7 +10,7 @@ namespace openr_host {
 namespace {
 
 constexpr char kStatusTopic[] = "openr_status";
-constexpr int kStatusRunsMax = 256;  // of which the newest is kept
+constexpr int kStatusRunsMax = 256;  // runs of which the newest status is kept
 
 dds_qos_t* StatusQos(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();
@@ -26,8 +26,8 @@ using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_list
 using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
                                 const dds_listener_t*);
 
-// An end of the topic in the partition of the bus's run.  The group has the partition, which is a
-// publisher's or subscriber's.
+// Creates a reader or writer of the topic.  A partition is a property of a publisher or subscriber,
+// so `new_group` creates one of these first.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = dds_create_topic(bus->participant(), &openr_status_Status_desc,
                                               kStatusTopic, nullptr, nullptr);
@@ -39,7 +39,7 @@ dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   return Check(end, kStatusTopic);
 }
 
-// As much of it as the type has room for.
+// Copies as much of `text` as fits into a bounded string.
 template <size_t N>
 void Put(const std::string& text, char (*out)[N]) {
   const size_t size = std::min({text.size(), text.find('\0'), N - 1});
@@ -47,7 +47,7 @@ void Put(const std::string& text, char (*out)[N]) {
   (*out)[size] = '\0';
 }
 
-// What comes from the network is shown on terminals.
+// Replaces control characters, since the text comes from the network and is shown on terminals.
 std::string Printable(const char* text) {
   std::string printable = text;
   for (char& c : printable) {
@@ -56,6 +56,7 @@ std::string Printable(const char* text) {
   return printable;
 }
 
+// Limits a number from the network to what a table can show.
 double FiniteFigure(double value) {
   return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0;
 }
@@ -135,6 +136,7 @@ RunStatus Decode(const openr_status_Status& in) {
   return out;
 }
 
+// Lets a sequence point to `items`.
 template <typename Seq, typename T>
 void SetSequence(std::vector<T>* items, Seq* sequence) {
   const auto count = static_cast<uint32_t>(items->size());
@@ -163,6 +165,7 @@ StatusReader::StatusReader(Bus* bus)
     : reader_(Open(bus, &dds_create_subscriber, &dds_create_reader)) {
   const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
+  // Bus::Wait() then also returns when a status arrives.
   Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 
@@ -176,7 +179,7 @@ std::vector<RunStatus> StatusReader::Take() {
     if (info.valid_data) {
       all.push_back(Decode(status));
     } else {
-      RunStatus gone;  // of such a sample only the key is there
+      RunStatus gone;  // a sample without valid data contains only the key
       gone.run = Printable(status.run);
       gone.host = Printable(status.host);
       gone.pid = status.pid;

@@ -19,11 +19,13 @@
 namespace openr_host {
 namespace {
 
-constexpr int kMasterPollMs = 100;          // between looks at whether the master is there
-constexpr int kGoodbyeFlushMs = 1'000;      // for the master to hear it
-constexpr int kCrashFlushMs = 3'000;        // the same: it is not known otherwise
-constexpr int64_t kFastHandlerNs = 50'000;  // of a handler for which the news of others may wait
-constexpr int kJoinRetryMs = 1'000;         // between join requests
+constexpr int kMasterPollMs = 100;      // between checks that the master still exists
+constexpr int kGoodbyeFlushMs = 1'000;  // for the master to receive the goodbye
+// For the master to receive a crash, which it cannot learn otherwise.
+constexpr int kCrashFlushMs = 3'000;
+// Effects of other handlers may wait for a handler faster than this.
+constexpr int64_t kFastHandlerNs = 50'000;
+constexpr int kJoinRetryMs = 1'000;  // between join requests
 
 constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 
@@ -34,7 +36,7 @@ Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(optio
 Worker::~Worker() {
   is_shutting_down_ = true;
   marshaller_.reset();
-  system_.reset();  // destructors of images may still call
+  system_.reset();  // destructors of images may still call the marshaller's functions
 }
 
 openr_wire_ToMaster Worker::NewToMaster(openr_wire_ToMasterKind kind) {
@@ -72,7 +74,7 @@ Worker::ReceivedSample Worker::Next(bool answer) {
   }
 }
 
-// For the master's end; false when it did not come in time.
+// Waits for the other end of the channel; false if it did not come in time.
 bool Worker::WaitFor(const ChannelBase& channel) const {
   for (int64_t waited_ms = 0; !channel.IsConnected(); waited_ms += 5) {
     if (waited_ms > options_.master_wait_ms || IsEndRequested()) return false;
@@ -86,7 +88,7 @@ std::string Worker::NoRunFound() const {
                      options_.bus.run, options_.process, options_.master_wait_ms / 1000);
 }
 
-// Asks for the session, unless the run has given one.
+// Requests a session, unless the run has given one.  Returns "" or why there is none.
 std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
@@ -95,11 +97,12 @@ std::string Worker::RequestSession() {
   WireArena arena;
   const openr_wire_JoinRequest request = {openr_wire_VERSION, arena.Text(id),
                                           arena.Text(HostName()), getpid()};
-  std::string taken;  // why it has to wait
+  std::string taken;  // the last answer that the slot is taken
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
     if (!WaitFor(join_channel)) return NoRunFound();
-    join_channel.Send(request);  // again and again: whom it hears may be at its end
+    // Repeated, because a run that is ending may have received the last one.
+    join_channel.Send(request);
     const auto answer = join_channel.Receive(kJoinRetryMs);
     if (!answer || StringOf(answer->id) != id) continue;
     session_ = StringOf(answer->session);
@@ -145,9 +148,10 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.guard_regions = welcome.guard;
   options.measure_stacks = welcome.measure;
   options.log_level = welcome.log_level;
-  options.free_deliveries = INT64_MAX;  // the master counts them
+  options.free_deliveries = INT64_MAX;  // the master counts deliveries
   options.uplink = this;
   options.console = [this](std::string_view text) {
+    // The watchdog must not interrupt a call of Cyclone DDS, whose locks ReportCrash() needs.
     const Indivisible indivisible;
     WireArena arena;
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CONSOLE);
@@ -156,7 +160,7 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   };
   is_free_ = welcome.free_running;
   system_ = std::make_unique<System>(std::move(options));
-  system_->trace().set_hashing(false);  // the trace is the master's
+  system_->trace().set_hashing(false);  // the master has the trace
   marshaller_ = std::make_unique<Marshaller>(system_.get(), true);
   stick_ = options_.stick.empty() ? StringOf(welcome.stick) : options_.stick;
   return "";
@@ -172,6 +176,7 @@ std::string Worker::Run() {
     goodbye = "could not go on: " + problem;
   }
   if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
+  // A refusal takes precedence: the master then waits for another process.
   if (is_refused_) goodbye = "could not take part: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;
@@ -184,11 +189,12 @@ void Worker::SayGoodbye(const std::string& text) {
   try {
     channel_->Send(to_master);
     channel_->WaitForAcks(kGoodbyeFlushMs);
-  } catch (const std::exception&) {  // the run sees that this process ends
+  } catch (const std::exception&) {  // the master notices that this process ends
   }
 }
 
-// Of one that the run has started the run says what there is to say.
+// Tells the user that the worker has joined.  If the master has started it, the master reports
+// that.
 void Worker::ReportJoined() {
   if (!options_.session.empty()) return;
   options_.say(fmt::format("has joined run '{}' ({}) with {}", options_.bus.run, MakerOf(session_),
@@ -255,6 +261,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
   }
+  // The message is due at once: the master delivers it at its time.
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
   waits_.erase(object->id);
@@ -268,7 +275,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   SendStopped(object);
 }
 
-// What other handlers did is sent with what this one does, unless that may take long.
+// Runs a handler in a free run.  Effects of earlier handlers share a packet with those of this one,
+// unless this handler may take long: then they must not wait for it.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = Latency::NowNs();
@@ -280,8 +288,8 @@ void Worker::RunTimed(ObjectId id) {
   }
 }
 
-// Shared buffers are made and destroyed by the master's network stack; its stand-in here knows them
-// from the answers.
+// Follows the shared buffers of the network stack.  The master's stack creates and destroys them;
+// the stack in this process learns of them from its answers to objects.
 void Worker::TrackSharedBuffers(const Object& object, const Message& message) {
   const Object* const sender = system_->object(message.sender);
   if (sender == nullptr || sender->name != IpStack::kName || message.size < sizeof(antEnvMsg))
@@ -326,6 +334,7 @@ void Worker::SendStopped(Object* object) {
   }
   MoveEffectsTo(&to_master);
   Send(to_master, is_free_);
+  // DDS has copied the bytes, so the regions may go.
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
@@ -337,7 +346,7 @@ void Worker::ReportCrash(std::string_view text) {
   to_master.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                arena.Text(text)};
   Send(to_master);
-  channel_->WaitForAcks(kCrashFlushMs);  // nobody sends it again when this process is gone
+  channel_->WaitForAcks(kCrashFlushMs);  // nobody can send it again when this process has ended
 }
 
 void Worker::SendState(ObjectId id) {
@@ -358,7 +367,8 @@ void Worker::SendState(ObjectId id) {
   Send(to_master);
 }
 
-// It has been replaced where it is; what is connected to it here hears of the new one as of any.
+// Disconnects the objects of this worker from `id`, which has been replaced.  They connect with the
+// new object like with any other.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });

@@ -16,11 +16,14 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kHealthIntervalNs = 10'000'000;  // between looks at processes in a free run
-constexpr int64_t kExitWaitMs = 5'000;             // for a process to end when it is told
+// Between health checks of the workers in a free run.
+constexpr int64_t kHealthIntervalNs = 10'000'000;
+constexpr int64_t kExitWaitMs = 5'000;  // for a worker to end after it was told
+// The same after a second Ctrl-C: the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
-// In lockstep the run waits for a process that is stopped.
+// A large history is used in free runs only: there no write may block on a stopped worker.  In
+// lockstep the run waits for a stopped worker anyway.
 BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;
   bus.has_large_history = options.is_free;
@@ -44,7 +47,8 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
   }
 }
 
-// Until one that somebody else starts has come it may go to another run of the same name.
+// Returns what is wrong with a worker, or "".  As long as an external worker has not joined, it
+// could as well join an earlier run of the same name, so that is an error.
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
@@ -114,7 +118,8 @@ std::string WorkerGroup::UnknownObjects() const {
 }
 
 std::string WorkerGroup::Connect() {
-  if (options_.is_free) system_->trace().set_hashing(false);  // no two of them are alike
+  // No two free runs are alike, so a hash says nothing.
+  if (options_.is_free) system_->trace().set_hashing(false);
   for (auto& [name, member] : members_) {
     LoadNewObjects(&member);
     if (problem_.empty() && options_.is_free) member.process->RunFree();
@@ -139,7 +144,8 @@ void WorkerGroup::Welcome(Member* member) {
   if (member->is_external) claim_->MakePermanent();
 }
 
-// What has come to the tables since the last time.
+// Returns the entries of the master's tables that the worker has not been told of, and counts them
+// as told.
 openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   openr_wire_Load load{};
   std::vector<openr_wire_RobotEntry> robots;
@@ -150,7 +156,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     for (const auto& [keyword, path] : robot.design_data)
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
-    // Objects may have written files since, and a new image may be the reason for a return.
+    // The hash is not compared at a restart: objects may have written files since, and the user may
+    // have replaced an image in order to try new code.
     const uint64_t stick_hash = member->stage == Stage::kRunning ? robot.stick_hash : 0;
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
@@ -162,6 +169,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.last_box});
   }
+  // Sent for all robots each time, since heap use of the other processes changes all the time.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -172,7 +180,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   return load;
 }
 
-// The object that is loaded is the last of the news.
+// Sends the worker the new table entries; loads the object that was added last, which is the last
+// entry.
 void WorkerGroup::SendNextLoad(Member* member) {
   WireArena arena;
   const openr_wire_Load load = NextLoadFor(member, &arena);
@@ -204,7 +213,8 @@ void WorkerGroup::LoadNewObjects(Member* member) {
   }
 }
 
-// With another stick than that of the run, say: somebody may have the right one.
+// Lets another process join in place of one that has refused the run, because of a wrong stick for
+// instance: the user may start one with the right stick.
 void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
   member->process->slot().Abandon();
@@ -212,14 +222,16 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   member->robots = member->known = 0;
 }
 
-// Without a process that is gone a run in lockstep cannot go on: its clock would have to stop for
-// ever.  A crash is something else: the object's own end, known to the message.
+// Handles the loss of a worker.  A crash is the end of an object, at a message that is the same in
+// every run, so the run can go on without the worker.  Any other loss stops a lockstep run, whose
+// clock would have to wait for ever, unless the worker may be restarted.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
+  // After a second Ctrl-C workers may end at any time; that is no loss to report.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
     process.set_lost();
     return StopRun(
@@ -228,6 +240,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
+  // The run is over, so there is nothing to clean up or to restart.
   if (loss == RemoteObject::Loss::kAtEnd) {
     process.set_lost();
     system_->AddFindingAbout(about, Severity::kError, why);
@@ -247,7 +260,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
-  if (member->crashed)  // else it is named already
+  if (member->crashed)  // else `why` names it already
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);
   text += waits ? "; the run waits for it to come back" : "; the others go on";
@@ -275,6 +288,7 @@ void WorkerGroup::Pump(int64_t timeout_us) {
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
+    // The wait may have been ended by Ctrl-C; the workers then end, which is no loss.
     if (IsInterrupted()) return;
     HandleReceived();
   }
@@ -296,7 +310,8 @@ void WorkerGroup::Pump(int64_t timeout_us) {
 }
 
 void WorkerGroup::CheckWorkers() {
-  if (options_.is_free || IsInterrupted()) return;  // Pump() does; the run ends anyway
+  // Pump() checks free runs; an interrupted run ends anyway.
+  if (options_.is_free || IsInterrupted()) return;
   for (auto& [name, member] : members_) {
     if (!IsRestarting(member)) AdvanceRestart(&member);
     if (member.process->is_lost()) continue;
@@ -356,7 +371,8 @@ void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
-    // One that has not come yet has not heard it.
+    // A worker that has not joined has not been told that the run is over, so it is killed without
+    // waiting.
     const bool has_come = member.process->identity().pid != 0;
     const int64_t limit_ms = IsInterrupted() ? kInterruptedExitWaitMs : kExitWaitMs;
     if (member.child != nullptr) member.child->WaitForEnd(has_come ? limit_ms : 0);

@@ -1,6 +1,7 @@
-// How a process that was lost comes back into a run: as a new one, with its objects as at the
-// beginning.  One step of it at each look; in lockstep the run waits for all of them, so that it
-// takes no virtual time and happens at the same instant in every run.
+// The restart of a lost worker: a new process, whose objects begin anew.
+//
+// Each call of AdvanceRestart() does one step.  In lockstep the run waits for all restarts at the
+// next frame, so a restart takes no virtual time and happens at the same instant in every run.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,14 +13,16 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kCrashRecordMs = 5'000;   // for a process that crashed to write its record
-constexpr int64_t kRetryPauseMs = 1'000;    // after an attempt that failed
-constexpr int64_t kReturnNoticeMs = 2'000;  // before people are told
+constexpr int64_t kCrashRecordMs = 5'000;   // for a crashed process to write its crash record
+constexpr int64_t kRetryPauseMs = 1'000;    // after a failed attempt
+constexpr int64_t kReturnNoticeMs = 2'000;  // after it the user is told
+// Between two steps of the restarts in lockstep.
 constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
 
-// One that somebody else starts may come at any time, which lockstep cannot have unasked.
+// Whether the worker may be restarted.  An external worker may join again at any time in a free
+// run.  In lockstep that needs --restart, since the run would have to wait for it.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
@@ -30,7 +33,8 @@ void WorkerGroup::EnterStage(Member* member, Stage stage) {
   member->is_reported = false;
 }
 
-// Messages of its objects that are on their way are delivered first.
+// Cleans up after the objects of a lost worker.  This is a task of the System, so messages to these
+// objects that are due already are delivered first and counted as unheard.
 void WorkerGroup::CleanUp(Member* member) {
   member->is_cleaned_up = false;
   member->unheard_before = 0;
@@ -42,8 +46,8 @@ void WorkerGroup::CleanUp(Member* member) {
   });
 }
 
-// In lockstep a run that is ending takes nobody back: it would have to wait.  `may_load`: it may
-// begin with its images, if it is there.
+// Advances the restart of one worker by a step.  `may_load`: a worker that has joined may load its
+// images now.  In lockstep a run that is ending restarts nothing, because it would have to wait.
 void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kRunning) return;
@@ -72,10 +76,11 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   }
 }
 
-// Throws ProcessLost when one that is coming back has ended, or has had its time.
+// Throws ProcessLost if the restarted process has ended or its time is over.
 void WorkerGroup::CheckRestart(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
+  // A free run goes on meanwhile, so an external worker may take any time.
   if (member->stage == Stage::kJoining && member->is_external && options_.is_free) return;
   const int64_t waited_ms = Latency::NowMs() - member->since_ms;
   if (waited_ms > options_.wait_ms)
@@ -89,7 +94,8 @@ void WorkerGroup::CheckRestart(Member* member) {
                   member->name, kReturnNoticeMs / 1000, options_.wait_ms / 1000));
 }
 
-// It did not make it this time.
+// Ends an attempt to restart the worker.  Stage kCleaningUp comes next, which starts the next
+// attempt.
 void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   options_.say(why);
   member->lost = why;
@@ -99,12 +105,15 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   EnterStage(member, Stage::kCleaningUp);
 }
 
+// Starts the process again when the old one has ended, or closes the slot if it may not be
+// restarted.
 void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
   if (member->attempt_failed && Latency::NowMs() - member->since_ms < kRetryPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
+    // A crashed process is given time to write its record on the stick.
     if (member->crashed && Latency::NowMs() - member->since_ms < kCrashRecordMs) return;
-    member->child.reset();  // cut off, or stopped
+    member->child.reset();  // the old process was cut off or stopped; it is killed here
   }
   if (!MayRestart(*member)) {
     if (options_.restarts > 0)
@@ -120,7 +129,8 @@ void WorkerGroup::Restart(Member* member) {
   EnterStage(member, Stage::kJoining);
 }
 
-// As at the beginning of a run, but all at once.
+// Sends a joined process all tables at once.  At the beginning of a run they are sent object by
+// object.
 void WorkerGroup::BeginLoading(Member* member) {
   member->robots = member->known = 0;
   member->new_objects.clear();
@@ -135,6 +145,7 @@ void WorkerGroup::BeginLoading(Member* member) {
   EnterStage(member, Stage::kLoading);
 }
 
+// Lets the new stand-ins replace the old ones in the System.
 void WorkerGroup::ReplaceObjects(Member* member) {
   std::vector<std::unique_ptr<Object>> new_objects;
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
@@ -143,10 +154,11 @@ void WorkerGroup::ReplaceObjects(Member* member) {
   system_->Return(std::move(new_objects));
 }
 
-// Whoever is connected with it elsewhere forgets the old one.  The new one is there when all of its
-// process are.
+// Handles the replacement of stand-in `id`.  First the other workers disconnect their objects from
+// it.  The worker counts as running when the last of its objects has been replaced.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
+    // The worker of the object itself is new, and a lost worker has no connections.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);
@@ -178,13 +190,15 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
 }
 
+// Whether a restart is in a stage that needs another step.
 bool WorkerGroup::IsRestarting(const Member& member) const {
   return member.stage == Stage::kJoining || member.stage == Stage::kLoading ||
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);
 }
 
-// One step of each that is under way; true when one is still.  They come in any order, and take
-// their places in that of their names, so that every run is the same.
+// Advances all restarts by one step; returns true while one is under way.  Processes join in any
+// order, but load and replace their objects in the order of their names, so that every run is the
+// same.
 bool WorkerGroup::AdvanceRestarts() {
   bool is_first = true;
   for (auto& [name, member] : members_) {
@@ -194,7 +208,8 @@ bool WorkerGroup::AdvanceRestarts() {
   return !is_first;
 }
 
-// In lockstep.  Not for news: those of the others are not read here.
+// Waits in lockstep until all restarts are complete or given up.  It polls and does not wait for
+// samples, because those of the other workers are not read here and would wake it at once.
 void WorkerGroup::WaitForRestarts() {
   while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {

@@ -1,4 +1,4 @@
-// What a worker loads and keeps of the run: robots, objects, and how much of their memory is used.
+// How a worker loads its part of the run: robots, stick, objects, and the heap they use.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -55,7 +55,8 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
   return "";
 }
 
-// The run's, or one of this host with the same files.
+// Uses a folder of this host as the stick if the run's folder is not here and the files are the
+// same.
 void Worker::FindStick(uint64_t hash) {
   if (IsFolder(stick_) || !options_.own_stick) return;
   const std::string own = options_.own_stick();
@@ -87,11 +88,12 @@ void Worker::CheckRobot(int robot) const {
     throw std::runtime_error("something of a robot that is not there");
 }
 
-// In the order of ids, so that each object gets its own.
+// Adds an object of the master's tables.  Ids are given in order, so that each object has the same
+// id here and in the master.
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const auto next = static_cast<ObjectId>(system_->objects().size());
-  if (entry.id < next) return;  // the object manager, which every system has
+  if (entry.id < next) return;  // the object manager, which every System has
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
   if (entry.is_stack) {
@@ -149,7 +151,8 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
   arena_.Clear();
 }
 
-// Objects of a robot share its memory, in whichever process they run.
+// Sets the heap bytes used on `robot` by other processes.  All objects of a robot share its memory,
+// whatever process they are in.
 void Worker::SetHeapElsewhere(int robot, uint64_t bytes) {
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_elsewhere_[robot], bytes);
 }

@@ -1,4 +1,5 @@
-// What handlers here ask and do that concerns others, told to the master.
+// The Uplink of a worker: what handlers do and ask that concerns other processes goes to the
+// master.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
@@ -14,8 +15,8 @@
 
 namespace openr_host {
 
-// Nothing is thrown: it would go through the code of an object, which may catch it, or be blamed
-// for it.
+// Sends a sample, or ends the process.  It must not throw: an exception would pass through the code
+// of the object that runs, which might catch it or be blamed for it.
 void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   try {
     batched ? channel_->SendBatched(to_master) : channel_->Send(to_master);
@@ -30,20 +31,21 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   }
 }
 
-// What the handler did is lost, and it cannot go on.
+// Ends this process in the middle of a handler: what the handler did is lost, so it cannot go on.
 void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);
   _exit(1);
 }
 
+// Keeps the memory of a region that the object may release before the sample is sent.
 void Worker::KeepUntilSent(uint32_t region) {
   system_->regions().KeepCopy(region);
   pinned_.push_back(region);
 }
 
-// However many observers a region is for, its bytes go with the first notification of a sample; the
-// master has them when it comes to the next.
+// Removes the bytes of `part` if the sample has them already.  A region goes only once with a
+// sample, however many observers it is for; the master copies the bytes at the first notification.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
@@ -69,8 +71,8 @@ openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us
   return posted;
 }
 
-// Replies, whose boxes may have been given up; full queues, which refuse with --strict only; and
-// entries that are not there.
+// Whether the master may refuse the message: a reply, whose box may be closed; any message with
+// --strict, which limits queues; and a message to an entry that does not exist.
 bool Worker::MayBeRefused(const Message& message) {
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
@@ -92,8 +94,8 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   const bool may_be_refused = MayBeRefused(*message);
   const openr_wire_PostedMessage posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
-  // Where it may be refused, the sender has to know at once; else it goes with everything else the
-  // handler does.
+  // If the message may be refused, the sender must know at once; otherwise it goes with the other
+  // effects of the handler.
   if (may_be_refused) {
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_POST);
     to_master.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id,
@@ -112,8 +114,8 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   return error;
 }
 
-// A region that was taken and given back with nothing told in between: the usual case of an
-// observer.  The master need not hear of either.
+// Removes the pin of `region` if it has not been sent yet, together with which the unpin need not
+// be sent.  Most observers take a region and give it back in one handler.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE &&

@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// One of ours: a message of ROS 2 is "plain CDR" (XCDR version 1), and nothing is kept for readers
-// that come later.
+// The quality of service of our endpoints.  ROS 2 messages are "plain CDR" (XCDR version 1).
+// Nothing is kept for readers that come later.
 class Qos {
  public:
   explicit Qos(int depth) : qos_(dds_create_qos()) {
@@ -25,7 +25,7 @@ class Qos {
   dds_qos_t* const qos_;
 };
 
-// Topics of ROS 2 have this in front on DDS.
+// Converts a ROS 2 topic name to the one on DDS.
 std::string OnDds(const std::string& name) { return "rt/" + name; }
 
 dds_entity_t TopicOf(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name) {
@@ -55,8 +55,8 @@ bool Ros2Writer::HasReaders() const {
 
 void Ros2Writer::Write(const void* sample) {
   if (!HasReaders()) return;
-  // Where that fails readers miss this one: they have not yet acknowledged as much as Cyclone DDS
-  // keeps, say.  The run does not care.
+  // A failed write is ignored: readers miss this sample, for instance because they have not
+  // acknowledged as much as Cyclone DDS keeps.  The run must not depend on readers.
   static_cast<void>(dds_write(writer_, sample));
 }
 
@@ -82,6 +82,7 @@ void* Ros2Reader::Take() {
     void* sample = nullptr;
     dds_sample_info_t info;
     if (dds_take(reader_, &sample, &info, 1, 1) <= 0) return nullptr;
+    // A sample without valid data tells that a writer has gone.
     if (info.valid_data) return sample;
     Return(sample);
   }

@@ -13,7 +13,8 @@
 namespace openr_host {
 namespace {
 
-// Messages kept for a reader that is slow: as ROS 2 has it for sensors, and fewer of large ones.
+// Messages kept for a slow reader: 5 is the depth of ROS 2 for sensor data; large messages get
+// less.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;
@@ -25,7 +26,7 @@ builtin_interfaces_msg_dds__Time_ TimeOf(int64_t time_us) {
           static_cast<uint32_t>(time_us % kUsPerSecond * 1000)};
 }
 
-// Writers only read what samples point to.
+// Casts away const, which is safe because writers only read a sample.
 char* Text(const std::string& text) { return const_cast<char*>(text.c_str()); }
 
 template <typename Sequence, typename Element>
@@ -34,12 +35,12 @@ Sequence Borrowed(const std::vector<Element>& elements) {
   return {count, count, const_cast<Element*>(elements.data()), false};
 }
 
-// `frame_id` outlives the header.
+// Makes a header.  `frame_id` must outlive it.
 std_msgs_msg_dds__Header_ HeaderOf(int64_t time_us, const char* frame_id) {
   return {TimeOf(time_us), const_cast<char*>(frame_id)};
 }
 
-// What came over the network may be of any length.
+// Returns the length of a received sequence, limited since it comes from the network.
 template <typename Sequence>
 size_t CountOf(const Sequence& sequence) {
   return std::min(size_t{sequence._length}, Ros2JointCommands::kJointsMax);
@@ -93,6 +94,7 @@ void Ros2Imu::Publish(int64_t time_us, const std::array<double, 3>& acceleration
   sensor_msgs_msg_dds__Imu_ sample{};
   sample.header_ = HeaderOf(time_us, frame_id_.c_str());
   sample.orientation_.w_ = 1;
+  // sensor_msgs/Imu: a covariance that begins with -1 means "not measured".
   sample.orientation_covariance_[0] = -1;
   sample.angular_velocity_covariance_[0] = -1;
   sample.linear_acceleration_ = {acceleration_m_s2[0], acceleration_m_s2[1], acceleration_m_s2[2]};
