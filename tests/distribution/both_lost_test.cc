@@ -30,7 +30,7 @@ class BothLostTest : public testing::Test {
 
 // In lockstep both are waited for at the same time, whatever their names: "brain" needs two
 // chances.
-TEST_F(BothLostTest, WhoComesBackFirstKeepsItsChance) {
+TEST_F(BothLostTest, AWorkerThatReturnsFirstKeepsItsRestarts) {
   const auto brain = Join("brain"), net = Join("net");
   ProgramRun run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--rate", "1",
                   "--placement", folder_.File("where.cfg"), "--run-name", name_, "--restart", "2",
@@ -51,7 +51,7 @@ TEST_F(BothLostTest, WhoComesBackFirstKeepsItsChance) {
 }
 
 // Two runs of one name: one has its processes, and a clock that is ahead of the other's.
-TEST_F(BothLostTest, ARunThatHasBegunGivesWayToNobody) {
+TEST_F(BothLostTest, ARunThatHasBegunKeepsItsName) {
   ProgramRun earlier_run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--placement",
                           folder_.File("where.cfg"), "--run-name", name_});
   ASSERT_TRUE(earlier_run.WaitFor("waiting for process"));

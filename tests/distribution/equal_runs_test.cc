@@ -62,33 +62,33 @@ TEST_F(EqualRunsTest, AProgramThatSendsAddressesIsTheSameRunThreeTimes) {
   EXPECT_EQ(Run(), HashesOf(report));
 }
 
-TEST_F(EqualRunsTest, AndInOtherProcesses) {
+TEST_F(EqualRunsTest, TheRunIsTheSameInOtherProcesses) {
   const std::string alone = Run();
   EXPECT_EQ(Run({"--isolate", "Mirror"}), alone);
   EXPECT_EQ(Run({"--isolate", "Revealer"}), alone);
   EXPECT_EQ(Run({"--isolate", "Revealer", "--isolate", "Mirror"}), alone);
 }
 
-TEST_F(EqualRunsTest, AndWithReceivedDataOnPagesOfTheirOwn) {
+TEST_F(EqualRunsTest, TheRunIsTheSameWithReceivedDataOnPagesOfTheirOwn) {
   const std::string strict = Run({"--strict"});
   EXPECT_EQ(Run({"--strict"}), strict);
   EXPECT_EQ(Run({"--strict", "--isolate", "Revealer", "--isolate", "Mirror"}), strict);
 }
 
-TEST_F(EqualRunsTest, AndWithoutAddressRandomisation) {
+TEST_F(EqualRunsTest, TheRunIsTheSameWithoutAddressRandomisation) {
   if (Start({"/usr/bin/setarch", "-R", "/bin/true"}).status != 0)
     GTEST_SKIP() << "this machine does not let a program switch address randomisation off";
   EXPECT_EQ(RunBy({"/usr/bin/setarch", "-R"}), Run());
 }
 
-TEST_F(EqualRunsTest, AndWithAnotherEnvironmentAndLessAddressSpace) {
+TEST_F(EqualRunsTest, TheRunIsTheSameWithAnotherEnvironmentAndLessAddressSpace) {
   const std::string plain = Run();
   EXPECT_EQ(RunBy({"/usr/bin/env", "-i", "A=" + std::string(10'000, 'a')}), plain);
   EXPECT_EQ(RunBy({"/bin/bash", "-c", "ulimit -v 4000000; exec \"$0\" \"$@\""}), plain);
   EXPECT_EQ(RunBy({"/bin/bash", "-c", "ulimit -s unlimited; exec \"$0\" \"$@\""}), plain);
 }
 
-TEST_F(EqualRunsTest, AndFromAnotherFolderByAnotherUser) {
+TEST_F(EqualRunsTest, TheRunIsTheSameFromAnotherFolderByAnotherUser) {
   const std::string plain = Run();
   const ScratchFolder other;
   const std::string copy = other.File("a/much/longer/name/of/the/same/stick");

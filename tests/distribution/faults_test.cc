@@ -88,7 +88,7 @@ TEST_F(FaultsTest, ARecordingIsReplayedUpToTheLoss) {
 }
 
 // Once with its name, and with what the run does then.
-TEST_F(FaultsTest, ALossIsSaidInOneBreath) {
+TEST_F(FaultsTest, ALossIsReportedInOneLine) {
   for (const bool is_free : {false, true}) {
     const std::unique_ptr<ProgramRun> run =
         Start(Words{"--for", "10min", "--isolate", "JointMover"} +
@@ -109,7 +109,7 @@ TEST_F(FaultsTest, ALossIsSaidInOneBreath) {
 }
 
 // Nothing else is wrong, and no report given.
-TEST_F(FaultsTest, AnObjectThatIsNotThereIsAllThatIsNamed) {
+TEST_F(FaultsTest, AMissingObjectIsTheOnlyErrorReported) {
   const Words run = kQuickly + Words{"--for", "1s", "--body", "ideal", "--isolate", "Controller"};
   const ProgramResult nobody = RunProgram(run + Words{"--place", "JointMovr=legs"});
   EXPECT_EQ(nobody.status, 1);
@@ -126,7 +126,7 @@ TEST_F(FaultsTest, AnObjectThatIsNotThereIsAllThatIsNamed) {
                                    "openr run, with body and clock; "));
 }
 
-TEST_F(FaultsTest, TheOthersEndWithTheRun) {
+TEST_F(FaultsTest, TheOtherWorkersEndWithTheRun) {
   const std::unique_ptr<ProgramRun> run =
       Start({"--for", "10min", "--isolate", "JointMover", "--isolate", "Controller"});
   const std::vector<pid_t> children = ChildrenOf(run->pid());
@@ -137,7 +137,7 @@ TEST_F(FaultsTest, TheOthersEndWithTheRun) {
 }
 
 // What matters is that it is said and that nothing else happens; the run waits as long as it takes.
-TEST_F(FaultsTest, AStoppedProcessIsNamedAndChangesNothing) {
+TEST_F(FaultsTest, AStoppedProcessIsNamedAndTheRunIsTheSame) {
   const Words flags = {"--for", "3s", "--seed", "3", "--json", "--rate", "3"};
   const json alone = json::parse(RunProgram(kRun + flags).out);
   const std::unique_ptr<ProgramRun> run = Start(flags + Isolated({"JointMover"}));
@@ -155,7 +155,7 @@ TEST_F(FaultsTest, AStoppedProcessIsNamedAndChangesNothing) {
   EXPECT_EQ(report["trace_hash"], alone["trace_hash"]);
 }
 
-TEST_F(FaultsTest, TheProcessesGoWithAKilledRun) {
+TEST_F(FaultsTest, TheWorkersEndWithAKilledRun) {
   const std::unique_ptr<ProgramRun> run =
       Start({"--for", "10min", "--isolate", "JointMover", "--isolate", "Controller"});
   const std::vector<pid_t> children = ChildrenOf(run->pid());
@@ -168,7 +168,7 @@ TEST_F(FaultsTest, TheProcessesGoWithAKilledRun) {
   }
 }
 
-TEST_F(FaultsTest, ControlCIsThePauseButtonHereAsWell) {
+TEST_F(FaultsTest, ControlCIsThePauseButtonInADistributedRun) {
   const std::unique_ptr<ProgramRun> run = Start({"--isolate", "JointMover"});
   run->Signal(SIGINT);
   const ProgramResult& result = run->Finish();
@@ -188,7 +188,7 @@ TEST_F(FaultsTest, ASecondControlCEndsARunThatWaitsForAProcess) {
   EXPECT_THAT(result.err, Not(HasSubstr("again to end at once")));
 }
 
-TEST_F(FaultsTest, ASecondControlCDuringTheBootIsNoFault) {
+TEST_F(FaultsTest, ASecondControlCDuringTheBootIsNoFinding) {
   const ScratchFolder stick;
   stick.MakeTrouble("hang");
   ProgramRun run(kRun +
@@ -214,7 +214,7 @@ TEST_F(FaultsTest, ControlCEndsARunThatWaitsForItsProcesses) {
   EXPECT_THAT(result.err, Not(HasSubstr("the robot does not boot")));
 }
 
-TEST_F(FaultsTest, AWrongPlacementFileIsAComplaintWithItsLine) {
+TEST_F(FaultsTest, AnErrorInThePlacementFileIsReportedWithItsLine) {
   const ScratchFolder folder;
   folder.Write("where.cfg", "JointMover legs\nController\n");
   const ProgramResult result =
@@ -227,7 +227,7 @@ TEST_F(FaultsTest, AWrongPlacementFileIsAComplaintWithItsLine) {
   EXPECT_THAT(missing.err, HasSubstr("nothing.cfg: No such file or directory"));
 }
 
-TEST_F(FaultsTest, AFlagThatWouldMeanNothingIsRefused) {
+TEST_F(FaultsTest, AFlagWithoutEffectIsRefused) {
   const ProgramResult dds = RunProgram(kQuickly + Words{"--for", "1s", "--dds-lease", "3"});
   EXPECT_EQ(dds.status, 2);
   EXPECT_THAT(dds.err, HasSubstr("--dds-lease: no object is placed in another process (--place)"));
@@ -241,7 +241,7 @@ TEST_F(FaultsTest, AFlagThatWouldMeanNothingIsRefused) {
             0);
 }
 
-TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {
+TEST_F(FaultsTest, AProcessThatNeverJoinsIsNamedWithAdvice) {
   const ScratchFolder folder;
   folder.Write("where.cfg", "JointMover legs\n@legs 127.0.0.1\n");
   const ProgramResult result =
@@ -255,7 +255,7 @@ TEST_F(FaultsTest, AProcessThatNeverComesIsNamedWithWhatToDo) {
   EXPECT_THAT(result.err, HasSubstr("did not come within 1 s" + advice));
 }
 
-TEST_F(FaultsTest, ANameThatWouldStandForOthersIsRefused) {
+TEST_F(FaultsTest, ANameWithWildcardsIsRefused) {
   for (const char* const name : {"", "*", "a?", "a/b"}) {
     const ProgramResult run =
         RunProgram(kQuickly + Words{"--for", "1s", "--isolate", "JointMover", "--run-name", name});

@@ -6,7 +6,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST_F(ForgedTest, WhatIsInOrderIsNoLoss) {
+TEST_F(ForgedTest, ValidSamplesCauseNoLoss) {
   EXPECT_EQ(LossBy(Stopped()), "");
   EXPECT_EQ(LossBy(Note(NoteKind::kDeleteRegion, {region_there_})), "");
   EXPECT_EQ(system_.regions().BaseOf(region_there_), nullptr);
@@ -36,7 +36,7 @@ TEST_F(ForgedTest, AMessageInTheNameOfNobody) {
   EXPECT_THAT(LossBy(to_master), HasSubstr("a request of an object that is not its own"));
 }
 
-TEST_F(ForgedTest, ANoteThatIsNone) {
+TEST_F(ForgedTest, AnUnknownNote) {
   EXPECT_THAT(LossBy(Note(static_cast<NoteKind>(77), {})), HasSubstr("note 77"));
 }
 
@@ -46,7 +46,7 @@ TEST_F(ForgedTest, TheRegionOfAnother) {
   EXPECT_NE(system_.regions().BaseOf(region_here_), nullptr);
 }
 
-TEST_F(ForgedTest, TheRegionOfAnotherIsTaken) {
+TEST_F(ForgedTest, TakingTheRegionOfAnother) {
   const auto self = static_cast<uint64_t>(remote_->id);
   EXPECT_THAT(LossBy(Note(NoteKind::kOwner, {region_here_, self})),
               HasSubstr("a region that is not its own"));
@@ -88,7 +88,7 @@ TEST_F(ForgedTest, ANotificationWithBytesOfAnotherSize) {
               HasSubstr("a part of another size"));
 }
 
-TEST_F(ForgedTest, ANotificationOfTooMuch) {
+TEST_F(ForgedTest, ANotificationOfTooManyRegions) {
   const openr_wire_NotifiedRegion part = {1, region_there_, kBytes, 0, kBytes, {}};
   EXPECT_THAT(LossBy(Notify(std::vector<openr_wire_NotifiedRegion>(1000, part))),
               HasSubstr("a notification of 1000 data"));
@@ -102,7 +102,7 @@ TEST_F(ForgedTest, AReadyWithATokenOfItsOwnMaking) {
   EXPECT_THAT(LossBy(Ready({{99, {}}})), HasSubstr("a ready with an unknown region"));
 }
 
-TEST_F(ForgedTest, AReadyWithTooMuch) {
+TEST_F(ForgedTest, AReadyWithTooManyRegions) {
   EXPECT_THAT(LossBy(Ready(std::vector<openr_wire_ReturnedRegion>(1000))),
               HasSubstr("a ready with 1000 regions"));
 }
@@ -141,7 +141,7 @@ TEST_F(ForgedTest, AWaitUntilTheEndOfTime) {
 
 // ---- what changes nothing
 
-TEST_F(ForgedTest, MessagesToNobodyAndRepliesToNobodyAreLeftOut) {
+TEST_F(ForgedTest, MessagesAndRepliesToNobodyAreIgnored) {
   openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);
   message.target = kNobody;
   EXPECT_EQ(LossBy(Post(message)), "");

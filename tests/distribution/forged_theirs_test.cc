@@ -119,7 +119,7 @@ TEST_F(ForgedTheirsTest, ANewRegionForAnother) {
   EXPECT_EQ(system_.regions().CountOf(sender_->host().id), count);
 }
 
-TEST_F(ForgedTheirsTest, AServiceOfNobody) {
+TEST_F(ForgedTheirsTest, AServiceOfAnUnknownObject) {
   for (const int32_t target : {kNobody, sender_->host().id}) {
     const auto number = static_cast<uint64_t>(target);
     Deliver(
@@ -141,7 +141,7 @@ TEST_F(ForgedTheirsTest, AColourTableInTheRegionOfAnother) {
 
 // ---- of the state, and of what was loaded
 
-TEST_F(ForgedTheirsTest, TheStateIsTaken) {
+TEST_F(ForgedTheirsTest, AValidStateIsAccepted) {
   const std::string bytes(kBytes, 'x');
   EXPECT_EQ(LossByState(State(region_there_, bytes)), "");
   EXPECT_EQ(std::string(system_.regions().BaseOf(region_there_), kBytes), bytes);
@@ -160,7 +160,7 @@ TEST_F(ForgedTheirsTest, AStateOfAnotherSize) {
 
 TEST_F(ForgedTheirsTest, NoState) { EXPECT_THAT(LossByState(Stopped()), HasSubstr("no state")); }
 
-TEST_F(ForgedTheirsTest, WhatWasLoadedIsTaken) {
+TEST_F(ForgedTheirsTest, AValidListOfLoadedObjectsIsAccepted) {
   EXPECT_EQ(LossByLoaded(Loaded({remote_->id})), "");
   EXPECT_FALSE(remote_->HasEntry(kEntry));
 }

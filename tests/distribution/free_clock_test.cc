@@ -79,7 +79,7 @@ class FreeWorkerGroupTest : public ConformTest {
 };
 
 // To load a model, say.
-TEST_F(FreeWorkerGroupTest, ADoInitElsewhereHasItsTime) {
+TEST_F(FreeWorkerGroupTest, ADoInitInAWorkerMayTakeLong) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   system->RunFor(int64_t{3600} * 1'000'000);
   ASSERT_TRUE(PumpUntil([&] { return system->booted(); }));
@@ -88,7 +88,7 @@ TEST_F(FreeWorkerGroupTest, ADoInitElsewhereHasItsTime) {
   EXPECT_EQ(Findings(), "");
 }
 
-TEST_F(FreeWorkerGroupTest, AStoppedProcessHoldsNobodyUp) {
+TEST_F(FreeWorkerGroupTest, AStoppedWorkerDelaysNoOtherObject) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   ASSERT_TRUE(PumpUntil([&] { return system->booted(); })) << Findings();
   Hear("assert");
@@ -107,7 +107,7 @@ TEST_F(FreeWorkerGroupTest, AStoppedProcessHoldsNobodyUp) {
   EXPECT_EQ(Findings(), "");
 }
 
-TEST_F(FreeWorkerGroupTest, WhatItHadBeenHandedIsLostWithIt) {
+TEST_F(FreeWorkerGroupTest, MessagesInAKilledWorkerAreCountedAsLost) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   ASSERT_TRUE(PumpUntil([&] { return system->booted(); })) << Findings();
   const auto pid = static_cast<pid_t>(Process().pid);

@@ -32,7 +32,7 @@ TEST(FreeRunningTest, ObjectsElsewhereDoTheirWork) {
   EXPECT_THAT(result.err, HasSubstr("state: gains"));  // of JointMover: its handlers have run
 }
 
-TEST(FreeRunningTest, ItNeedsAClockAndAPlace) {
+TEST(FreeRunningTest, FreeRunningNeedsARateAndAPlacement) {
   EXPECT_THAT(
       RunProgram(kQuickly + Words{"--for", "1s", "--free-running", "--isolate", "RCServer"}).err,
       HasSubstr("--rate max has none"));

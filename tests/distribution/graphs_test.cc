@@ -48,7 +48,7 @@ TEST_F(GraphsTest, WithEachObjectAlone) {
   }
 }
 
-TEST_F(GraphsTest, OfTwoDogsTheHashes) {
+TEST_F(GraphsTest, TwoDogsHaveTheSameHashes) {
   const Words flags = kQuickly + Words{"--for", "5s", "--body", "ideal", "--robots", "2"};
   const json one = json::parse(RunProgram(flags).out);
   for (const Words& places : {kTwo, kFive}) {
@@ -128,7 +128,7 @@ TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
 }
 
 // A megabyte goes to two others and to the sender, whose buffers and counts are in three processes.
-TEST_F(GraphsTest, AMegabyteForSeveral) {
+TEST_F(GraphsTest, AMegabyteForSeveralObservers) {
   const ScratchFolder stick;
   MakeBulkStick(stick);
   const Words flags = {"--for", "2s", "--stick", stick.path()};

@@ -54,7 +54,7 @@ TEST_F(HostsTest, TwoHostsAreOneRun) {
   EXPECT_GT(cable().counts().passed, 100u);
 }
 
-TEST_F(HostsTest, BadWeatherChangesNothing) {
+TEST_F(HostsTest, ABadNetworkChangesNothing) {
   cable().set_weather({.loss = 0.05, .doubling = 0.05, .delay_us = 2000, .jitter_us = 3000});
   const Words flags = {"--for", "400ms"};
   const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
@@ -66,7 +66,7 @@ TEST_F(HostsTest, BadWeatherChangesNothing) {
 }
 
 // A megabyte is many packets, of which some are lost each time.
-TEST_F(HostsTest, BadWeatherChangesNothingOfMegabytes) {
+TEST_F(HostsTest, ABadNetworkChangesNoLargeSample) {
   cable().set_weather({.loss = 0.03, .doubling = 0.03, .delay_us = 1000, .jitter_us = 1000});
   const ScratchFolder stick;
   MakeBulkStick(stick);
@@ -89,7 +89,7 @@ TEST_F(HostsTest, TopHearsARunOnAnotherHost) {
   EXPECT_EQ(runs[0]["processes"][1]["pid"], join->pid());
 }
 
-TEST_F(HostsTest, AShortPartitionIsRiddenOut) {
+TEST_F(HostsTest, AShortNetworkFailureIsNoLoss) {
   cable().set_weather({.delay_us = 2000});  // or it would be over too soon
   const Words flags = {"--for", "5s"};
   const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
@@ -103,7 +103,7 @@ TEST_F(HostsTest, AShortPartitionIsRiddenOut) {
 }
 
 // Of a process that has nothing to say, nothing is heard but that it lives.
-TEST_F(HostsTest, APartitionIsRiddenOutByAProcessThatIsIdle) {
+TEST_F(HostsTest, AShortNetworkFailureIsNoLossOfAnIdleWorker) {
   const ScratchFolder stick;
   stick.MakeTrouble("nothing");
   folder.Write("where.cfg", "Trouble vision\n@vision " + std::string(kThere) + "\n");
@@ -121,7 +121,7 @@ TEST_F(HostsTest, APartitionIsRiddenOutByAProcessThatIsIdle) {
   ExpectGood(run.get(), join.get(), Record(flags + Words{"--body", "ideal"}));
 }
 
-TEST_F(HostsTest, ALongPartitionEndsTheRunAndNamesProcessAndHost) {
+TEST_F(HostsTest, ALongNetworkFailureEndsTheRunAndNamesProcessAndHost) {
   const auto join = Join(), run = Run({"--for", "10min"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
   Cut();
@@ -144,7 +144,7 @@ TEST_F(HostsTest, ALongPartitionEndsTheRunAndNamesProcessAndHost) {
   EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
 }
 
-TEST_F(HostsTest, WhoIsFreeGoesOnWithoutALostHost) {
+TEST_F(HostsTest, AFreeRunGoesOnWithoutALostHost) {
   const auto join = Join(kShortLease), run = Run(kShortLease + Words{"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
   Cut();
@@ -168,7 +168,7 @@ TEST_F(HostsTest, WhoIsFreeGoesOnWithoutALostHost) {
 }
 
 // A handler elsewhere is a packet there and one back.
-TEST_F(HostsTest, ALongCableIsInTheLatency) {
+TEST_F(HostsTest, TheDelayOfTheNetworkIsInTheLatency) {
   cable().set_weather({.delay_us = 20'000});
   const auto join = Join(), run = Run({"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();

@@ -34,7 +34,7 @@ class JoinRestartTest : public testing::Test, public TwoHosts {
   const ScratchFolder folder_;
 };
 
-TEST_F(JoinRestartTest, ItIsThereAgainWhenItsInterfaceIs) {
+TEST_F(JoinRestartTest, AWorkerJoinsAgainWhenItsInterfaceReturns) {
   if (!Connect()) GTEST_SKIP() << kNoHosts;
   const auto join = StartThere({"join", "--process", "vision", "--restart", "--dds-lease", "2"});
   const auto first = Run({"--for", "10min"});
@@ -63,7 +63,7 @@ TEST(JoinRestartFlagTest, AnAddressThatIsNotOfThisHostIsRefusedAtOnce) {
 }
 
 // The master is played by the test.
-TEST(JoinRestartFlagTest, WhatAMasterSaysAmissIsNotItsEnd) {
+TEST(JoinRestartFlagTest, AnInvalidSampleOfAMasterDoesNotEndJoin) {
   BusOptions options;
   options.run = RunName("amiss");
   Bus bus(options);

@@ -18,7 +18,7 @@ class JoinTest : public testing::Test {
   const ScratchFolder folder;
 };
 
-TEST_F(JoinTest, ByHandOnThisHostWhoComesFirstWaits) {
+TEST_F(JoinTest, AWorkerThatIsStartedFirstWaitsForTheRun) {
   const RecordedRun one = Record(kFlags);
   const std::string name = RunName("hand");
   ProgramRun join({"join", "--process", "vision", "--run-name", name});
@@ -31,7 +31,7 @@ TEST_F(JoinTest, ByHandOnThisHostWhoComesFirstWaits) {
   EXPECT_EQ(join.Finish().status, 0) << join.heard();
 }
 
-TEST_F(JoinTest, WhoComesLateIsWaitedFor) {
+TEST_F(JoinTest, TheRunWaitsForALateWorker) {
   const std::string name = RunName("late");
   const RecordedRun one = Record(kFlags);
   const std::string recording = folder.File("r");

@@ -36,7 +36,7 @@ class JoinedTest : public testing::Test {
   const std::string name_ = RunName(testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(JoinedTest, AKilledOneIsSeenAtOnceAndComesAgain) {
+TEST_F(JoinedTest, AKilledWorkerIsNoticedAtOnceAndJoinsAgain) {
   const auto join = Join({"--restart"});
   const auto run = Run({"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -51,7 +51,7 @@ TEST_F(JoinedTest, AKilledOneIsSeenAtOnceAndComesAgain) {
   EXPECT_EQ(join->Finish().status, 0) << join->heard();
 }
 
-TEST_F(JoinedTest, AKilledOneStopsLockstepAtOnce) {
+TEST_F(JoinedTest, AKilledWorkerStopsLockstepAtOnce) {
   const auto join = Join();
   const auto run = Run({});
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -62,7 +62,7 @@ TEST_F(JoinedTest, AKilledOneStopsLockstepAtOnce) {
 }
 
 // The run cannot say that it is over.
-TEST_F(JoinedTest, WithoutItsMasterItEnds) {
+TEST_F(JoinedTest, AWorkerWithoutItsMasterEnds) {
   const auto join = Join(kShortLease);
   const auto run = Run(kShortLease);
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -71,7 +71,7 @@ TEST_F(JoinedTest, WithoutItsMasterItEnds) {
   EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
 }
 
-TEST_F(JoinedTest, WithoutItsMasterItWaitsForTheNext) {
+TEST_F(JoinedTest, AWorkerWithoutItsMasterWaitsForTheNextRun) {
   const auto join = Join(kShortLease + Words{"--restart"});
   const auto run = Run(kShortLease);
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -86,7 +86,7 @@ TEST_F(JoinedTest, WithoutItsMasterItWaitsForTheNext) {
   EXPECT_EQ(join->Finish().status, 0) << join->heard();
 }
 
-TEST_F(JoinedTest, ItSaysWhichRunItHasJoined) {
+TEST_F(JoinedTest, AWorkerSaysWhichRunItHasJoined) {
   const auto join = Join();
   const auto run = Run({});
   EXPECT_TRUE(join->WaitFor("openr: process 'vision': has joined run '" + name_ + "' (pid " +
@@ -97,7 +97,7 @@ TEST_F(JoinedTest, ItSaysWhichRunItHasJoined) {
   EXPECT_THAT(run->heard(), Not(HasSubstr("has joined")));
 }
 
-TEST_F(JoinedTest, ItSaysWhyTheRunEnded) {
+TEST_F(JoinedTest, AWorkerSaysWhyTheRunEnded) {
   const auto join = Join();
   const auto run = Run({});
   ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
@@ -108,7 +108,7 @@ TEST_F(JoinedTest, ItSaysWhyTheRunEnded) {
                                        "PowerMonitor shut the robot down after the pause button"));
 }
 
-TEST_F(JoinedTest, ALostOneIsTheEndOfTheRun) {
+TEST_F(JoinedTest, ALostWorkerEndsTheRunAndIsReported) {
   const auto join = Join();
   const auto run = Run({"--report", folder_.File("r.json")});
   ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
@@ -118,7 +118,7 @@ TEST_F(JoinedTest, ALostOneIsTheEndOfTheRun) {
   EXPECT_THAT(folder_.Read("r.json"), HasSubstr("\"ended_by\": \"lost-process\""));
 }
 
-TEST_F(JoinedTest, ASecondRunOfTheNameGivesUp) {
+TEST_F(JoinedTest, ASecondRunOfTheNameGivesWay) {
   const auto first = Run({});  // which waits
   ASSERT_TRUE(first->WaitFor("waiting for process 'vision'"));
   const auto begun = [&] {
@@ -156,7 +156,7 @@ TEST_F(JoinedTest, ACrashSaysWhereItsRecordIs) {
   EXPECT_EQ(stick.Read("OPEN-R/EMON.LOG"), "");
 }
 
-TEST_F(JoinedTest, WhoEndsOneTellsTheRun) {
+TEST_F(JoinedTest, AWorkerThatIsEndedTellsTheRun) {
   const auto join = Join();
   const auto run = Run({});
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -168,7 +168,7 @@ TEST_F(JoinedTest, WhoEndsOneTellsTheRun) {
   EXPECT_EQ(join->Finish().status, 128 + SIGTERM) << join->heard();
 }
 
-TEST_F(JoinedTest, ASecondOneTakesThePlaceOfOneThatWasEnded) {
+TEST_F(JoinedTest, AWorkerTakesTheSlotOfOneThatWasEnded) {
   const auto first = Join({"--restart"});
   const auto run = Run({"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -185,7 +185,7 @@ TEST_F(JoinedTest, ASecondOneTakesThePlaceOfOneThatWasEnded) {
   EXPECT_EQ(second->Finish().status, 0) << second->heard();
 }
 
-TEST_F(JoinedTest, AStoppedOneIsNamedInAFreeRun) {
+TEST_F(JoinedTest, AStoppedWorkerIsNamedInAFreeRun) {
   const auto join = Join();
   const auto run = Run({"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -200,7 +200,7 @@ TEST_F(JoinedTest, AStoppedOneIsNamedInAFreeRun) {
   EXPECT_EQ(join->Finish().status, 0) << join->heard();
 }
 
-TEST_F(JoinedTest, AfterOneWithAnotherStickTheRunWaitsForTheRightOne) {
+TEST_F(JoinedTest, AfterAWorkerWithAnotherStickTheRunWaitsForTheRightOne) {
   std::filesystem::copy(OPENR_STICK, folder_.File("other"),
                         std::filesystem::copy_options::recursive);
   folder_.Write("other/OPEN-R/NEW.TXT", "not on the other one");

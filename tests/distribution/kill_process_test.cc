@@ -8,7 +8,7 @@ namespace openr_host {
 namespace {
 
 // With signal 0 nobody is hurt if it does.
-TEST(KillProcessTest, NoProcessIsNotAll) {
+TEST(KillProcessTest, AnUnknownProcessIdIsRefused) {
   for (const int64_t pid : {-1, 0, 1}) EXPECT_THROW(KillProcess(pid, 0), std::runtime_error) << pid;
   EXPECT_THROW(KillProcess(0x7fff'ffff, 0), std::runtime_error);
   KillProcess(getpid(), 0);

@@ -166,7 +166,7 @@ class LeftBehindTest : public ConformTest {
   Asker* asker_ = nullptr;
 };
 
-TEST_F(LeftBehindTest, OneThatReadTheConsoleTakesNoLine) {
+TEST_F(LeftBehindTest, ALostReaderOfTheConsoleTakesNoLine) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Tell("gets");
@@ -178,7 +178,7 @@ TEST_F(LeftBehindTest, OneThatReadTheConsoleTakesNoLine) {
   EXPECT_THAT(reader_->lines, ElementsAre("one\n", "two\n"));
 }
 
-TEST_F(LeftBehindTest, ALineOnItsWayToOneThatIsLostIsTheNextReaders) {
+TEST_F(LeftBehindTest, ALineForALostReaderGoesToTheNextReader) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Tell("gets");
@@ -192,7 +192,7 @@ TEST_F(LeftBehindTest, ALineOnItsWayToOneThatIsLostIsTheNextReaders) {
 }
 
 // It dies when the run has looked, and before the line enters.
-TEST_F(LeftBehindTest, ALineDoesNotGoToOneWhoseEndNobodyHasSeen) {
+TEST_F(LeftBehindTest, ALineDoesNotGoToAKilledReaderBeforeTheLossIsNoticed) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   Tell("gets");
@@ -205,14 +205,14 @@ TEST_F(LeftBehindTest, ALineDoesNotGoToOneWhoseEndNobodyHasSeen) {
 }
 
 // Who asked gets the answer that was given, not that of the run in the name of the lost one.
-TEST_F(LeftBehindTest, WhatItAnsweredStands) {
+TEST_F(LeftBehindTest, AnAnswerBeforeTheLossIsKept) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   EXPECT_EQ(AnswerTo("answer and die", false), std::string("an answer", 10));
   EXPECT_EQ(Process("acting").losses, 1);
 }
 
-TEST_F(LeftBehindTest, WhatItHandedOnIsAnsweredByTheOther) {
+TEST_F(LeftBehindTest, AForwardedRequestIsAnsweredByItsReceiver) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
   EXPECT_EQ(AnswerTo("bequeath", true), std::string("42", 3));
@@ -220,7 +220,7 @@ TEST_F(LeftBehindTest, WhatItHandedOnIsAnsweredByTheOther) {
 }
 
 // More than wait for one object, all of one subject.
-TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
+TEST_F(LeftBehindTest, RegionsOfALostObserverComeBackInFewMessages) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
   Settle();
@@ -244,7 +244,7 @@ TEST_F(LeftBehindTest, WhatItHeldComesBackInFewMessages) {
   EXPECT_EQ(sender_->out->ReadyStatus(sender_->out->begin()->GetObserverID()), -1);
 }
 
-TEST_F(LeftBehindTest, WhatWaitedInsideItIsCounted) {
+TEST_F(LeftBehindTest, NotificationsWaitingInALostSubjectAreCounted) {
   Place({{"teller", "acting"}, {"hearer", "hearing"}});
   Settle();
   Tell("send 5");  // for an observer that is not ready
@@ -253,7 +253,7 @@ TEST_F(LeftBehindTest, WhatWaitedInsideItIsCounted) {
 }
 
 // As the robot does with frame numbers.
-TEST_F(LeftBehindTest, WhatAnObserverWroteIntoARegionComesBackWithIt) {
+TEST_F(LeftBehindTest, BytesThatAnObserverWroteComeBackWithTheRegion) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
   Settle();
@@ -273,7 +273,7 @@ TEST_F(LeftBehindTest, WhatAnObserverWroteIntoARegionComesBackWithIt) {
   EXPECT_EQ(std::string(region->Base(), sizeof(int)), std::string(sizeof(int), '\0'));
 }
 
-TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
+TEST_F(LeftBehindTest, ARegionMadeBeforeTheRestartIsSentWithItsBytes) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Receiver.In.Number.O\nSender.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "both"}, {"hearer", "both"}}));
@@ -297,7 +297,7 @@ TEST_F(LeftBehindTest, ARegionOfItsLifeBeforeIsSentWithItsBytes) {
   EXPECT_EQ(Process("both").losses, 1) << Process("both").lost;
 }
 
-TEST_F(LeftBehindTest, LostDuringTheBootItsServicesAreNotMissed) {
+TEST_F(LeftBehindTest, ServicesOfAnObjectLostDuringTheBootAreNoFinding) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}, {"hearer", "hearing"}}));
   Kill("acting");
   Settle();
@@ -309,7 +309,7 @@ TEST_F(LeftBehindTest, LostDuringTheBootItsServicesAreNotMissed) {
   EXPECT_THAT(printed, HasSubstr("H in 5 ")) << "its line of CONNECT.CFG is there again";
 }
 
-TEST_F(LeftBehindTest, AWrongLineIsReportedAllTheSame) {
+TEST_F(LeftBehindTest, AWrongConnectionIsReportedDespiteTheLoss) {
   Config("CONNECT.CFG",
          "Teller.Out.Number.S Hearer.In.Number.O\nTeller.Out.Number.S Receiver.On.Number.O\n"
          "Teller.Out.Number.S reader.In.Number.O\n");
@@ -321,7 +321,7 @@ TEST_F(LeftBehindTest, AWrongLineIsReportedAllTheSame) {
 }
 
 // When it is back it is known what it has not.
-TEST_F(LeftBehindTest, AWrongLineOfALostOneIsReportedWhenItIsBack) {
+TEST_F(LeftBehindTest, AWrongConnectionOfALostObjectIsReportedAfterItsRestart) {
   Config("CONNECT.CFG",
          "Teller.Ot.Number.S Hearer.In.Number.O\nTelller.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}, {"hearer", "hearing"}}));
@@ -337,7 +337,7 @@ TEST_F(LeftBehindTest, AWrongLineOfALostOneIsReportedWhenItIsBack) {
 }
 
 // The observer's process comes first.
-TEST_F(LeftBehindTest, WhenBothEndsAreLostTheFirstIsNotRefused) {
+TEST_F(LeftBehindTest, BothEndsOfAConnectionMayBeRestarted) {
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
   Settle();
   Lose("a");
@@ -363,7 +363,7 @@ class AwayTest : public LeftBehindTest {
   std::string Second() const { return root / "second"; }
 };
 
-TEST_F(AwayTest, AfterControlCNobodyIsWaitedForAndTheReportSaysWhereItWas) {
+TEST_F(AwayTest, AfterControlCNoRestartIsAwaitedAndTheReportNamesTheOldProcess) {
   options_.wait_ms = 5'000;
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
@@ -379,7 +379,7 @@ TEST_F(AwayTest, AfterControlCNobodyIsWaitedForAndTheReportSaysWhereItWas) {
   EXPECT_EQ(Process("acting").host, before.host);
 }
 
-TEST_F(AwayTest, OneThatDoesNotComeIsNamedAndGivenUp) {
+TEST_F(AwayTest, AWorkerThatDoesNotJoinIsNamedAndGivenUp) {
   std::string said;
   options_.say = [&said](const std::string& line) { said += line + "\n"; };
   options_.wait_ms = 4'000;

@@ -92,7 +92,7 @@ class LostObserverTest : public ::testing::Test {
   RemoteObject* remote_;
 };
 
-TEST_F(LostObserverTest, WhatWasSentComesBackAndNobodyIsReady) {
+TEST_F(LostObserverTest, RegionsComeBackAndNoObserverIsReady) {
   ASSERT_EQ(sender_->out->NumberOfObservers(), 1);
   ASSERT_EQ(sender_->out->IsReady(), 1);
   RCRegion* region = nullptr;
@@ -110,7 +110,7 @@ TEST_F(LostObserverTest, WhatWasSentComesBackAndNobodyIsReady) {
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 
-TEST_F(LostObserverTest, NobodySaysThatItHasDeasserted) {
+TEST_F(LostObserverTest, NoFindingSaysThatTheObserverDeasserted) {
   RunAs(sender_, [&] { sender_->Send(1); });
   system_.RunFor(1000);
   ASSERT_EQ(sender_->readies.back(), "deassert");
@@ -118,7 +118,7 @@ TEST_F(LostObserverTest, NobodySaysThatItHasDeasserted) {
   EXPECT_TRUE(system_.findings().all().empty()) << system_.findings().all()[0].text;
 }
 
-TEST_F(LostObserverTest, WhatWasToComeLaterIsNotForgottenWhenItIsReplaced) {
+TEST_F(LostObserverTest, DelayedMessagesToAReplacedObserverAreCounted) {
   late_.target = remote_->id;
   RCRegion* region = nullptr;
   RunAs(sender_, [&] {
@@ -141,7 +141,7 @@ TEST_F(LostObserverTest, WhatWasToComeLaterIsNotForgottenWhenItIsReplaced) {
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 
-TEST_F(LostObserverTest, TheObjectManagerDoesNotWaitForIt) {
+TEST_F(LostObserverTest, TheObjectManagerDoesNotWaitForALostObject) {
   EXPECT_TRUE(system_.booted());
   EXPECT_TRUE(system_.findings().all().empty());
 }

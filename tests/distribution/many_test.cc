@@ -61,7 +61,7 @@ TEST_F(ManyTest, ThirtyTwoParticipantsAreOneRun) {
     EXPECT_GT(process["handlers"], 200) << process;
 }
 
-TEST_F(ManyTest, ThreeRunsAtATimeDoNotHearEachOther) {
+TEST_F(ManyTest, ThreeRunsAtTheSameTimeDoNotHearEachOther) {
   MakeRing(4);
   const Words flags = kQuickly + Flags("1s");
   const RecordedRun one = Record(Flags("1s"));

@@ -146,7 +146,7 @@ TEST_F(MarshallerTest, BytesArriveWithNumberCauseAndHash) {
   EXPECT_EQ(std::string(reinterpret_cast<char*>(out.payload), out.size), std::string("h\0llo", 5));
 }
 
-TEST_F(MarshallerTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
+TEST_F(MarshallerTest, ANotificationBringsItsMemoryAndTheReadyReturnsIt) {
   RCRegion* const small = NewRegion("words");
   RCRegion* const large = NewRegion("picture", 1 << 20);
   Message out;
@@ -182,7 +182,7 @@ TEST_F(MarshallerTest, ANotificationBringsItsMemoryAndTheReadyGivesItBack) {
 }
 
 // The other side may hand on what it has, also when the subject that sent it is gone.
-TEST_F(MarshallerTest, WhatASubjectThatIsGoneHadSentIsOverThereStill) {
+TEST_F(MarshallerTest, ARegionOfAReplacedSubjectStaysExported) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -199,7 +199,7 @@ TEST_F(MarshallerTest, WhatASubjectThatIsGoneHadSentIsOverThereStill) {
 }
 
 // Nobody there has it any more, and no ready gives it back.
-TEST_F(MarshallerTest, WhatTheOtherSideDroppedIsNotThere) {
+TEST_F(MarshallerTest, ARegionThatThePeerDroppedIsNotExported) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -212,7 +212,7 @@ TEST_F(MarshallerTest, WhatTheOtherSideDroppedIsNotThere) {
 }
 
 // An object there has taken it, and may hand it on.
-TEST_F(MarshallerTest, WhatIsKeptThereIsDroppedWhenItIsNot) {
+TEST_F(MarshallerTest, APinnedRegionIsDroppedAfterItsUnpin) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -224,7 +224,7 @@ TEST_F(MarshallerTest, WhatIsKeptThereIsDroppedWhenItIsNot) {
   LetGo(region);
 }
 
-TEST_F(MarshallerTest, AnotherProcessHasNothingOfTheOneBefore) {
+TEST_F(MarshallerTest, ANewPeerHasNoRegionOfTheLostOne) {
   RCRegion* const region = NewRegion("before");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -234,7 +234,7 @@ TEST_F(MarshallerTest, AnotherProcessHasNothingOfTheOneBefore) {
   LetGo(region);
 }
 
-TEST_F(MarshallerTest, ADeassertForOneThatIsLostSaysSo) {
+TEST_F(MarshallerTest, ADeassertForALostObserverIsMarked) {
   Message answer = Answer({});
   const_cast<OReadyMessage&>(ReadyOf(answer)).msgType = kDeassertOfLost;
   openr_wire_Message back{};
@@ -245,7 +245,7 @@ TEST_F(MarshallerTest, ADeassertForOneThatIsLostSaysSo) {
 }
 
 // In the handler that got it: compared with the sample, which is there still.
-TEST_F(MarshallerTest, WhatIsGivenBackAtOnceIsComparedAsWell) {
+TEST_F(MarshallerTest, ARegionReturnedInTheSameHandlerIsCompared) {
   RCRegion* const written = NewRegion("before");
   RCRegion* const read = NewRegion("before");
   openr_wire_Message in{};
@@ -271,7 +271,7 @@ TEST_F(MarshallerTest, WhatIsGivenBackAtOnceIsComparedAsWell) {
   LetGo(read);
 }
 
-TEST_F(MarshallerTest, WhatTheObserverWroteComesBackAndOnlyThat) {
+TEST_F(MarshallerTest, OnlyRegionsThatTheObserverChangedComeBackWithBytes) {
   RCRegion* const written = NewRegion("before");
   RCRegion* const read = NewRegion("before");
   Message out;
@@ -292,7 +292,7 @@ TEST_F(MarshallerTest, WhatTheObserverWroteComesBackAndOnlyThat) {
   LetGo(read);
 }
 
-TEST_F(MarshallerTest, MemoryThatTheOtherSideHasIsNotSent) {
+TEST_F(MarshallerTest, MemoryThatThePeerHasIsNotSent) {
   RCRegion* const region = NewRegion("known");
   ours.Encode(
       Notification({region}), [](uint32_t) { return true; }, &arena, &wire);
@@ -315,7 +315,7 @@ TEST_F(MarshallerTest, ARegionSentTwiceIsExportedTwice) {
 
 // ---- from somebody who is not what he says
 
-TEST_F(MarshallerTest, AReadyWithATokenNobodyHasIsRefused) {
+TEST_F(MarshallerTest, AReadyWithAnUnknownTokenIsRefused) {
   openr_wire_Message in{};
   in.payload._d = openr_wire_PAYLOAD_READY;
   auto& regions = in.payload._u.ready.regions;
@@ -325,7 +325,7 @@ TEST_F(MarshallerTest, AReadyWithATokenNobodyHasIsRefused) {
   EXPECT_EQ(ours.Decode(in, &out), "a ready with an unknown region");
 }
 
-TEST_F(MarshallerTest, ATokenIsGoodOnce) {
+TEST_F(MarshallerTest, ATokenIsAcceptedOnce) {
   RCRegion* const region = NewRegion("once");
   Message out;
   ASSERT_EQ(Carry(Notification({region}), &out), "");
@@ -361,7 +361,7 @@ TEST_F(MarshallerTest, APartBeyondItsRegionIsRefused) {
   EXPECT_EQ(there.regions().live_count(), 0);
 }
 
-TEST_F(MarshallerTest, TheSideThatGivesIdsTakesNoneFromOutside) {
+TEST_F(MarshallerTest, TheSideThatAssignsIdsAcceptsNoUnknownId) {
   openr_wire_Message in = Forged({1, 0x10005, 8, 0, 8, {}});
   Message out = Blank();
   EXPECT_EQ(ours.Decode(in, &out), "8 bytes in region 0x10005");
@@ -378,7 +378,7 @@ TEST_F(MarshallerTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
 }
 
 // The subject was replaced, and somebody got its region's place before the observer answered.
-TEST_F(MarshallerTest, WhatIsStillReadOutlivesItsRegion) {
+TEST_F(MarshallerTest, ImportedDataOutliveTheirRegion) {
   Message first = Blank(), second = Blank();
   ASSERT_EQ(theirs.Decode(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("the old.", 8)}), &first), "");
   ASSERT_EQ(theirs.Decode(Forged({2, 0x20005, 8, 0, 8, arena.Bytes("the new.", 8)}), &second), "");

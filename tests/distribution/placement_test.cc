@@ -43,14 +43,14 @@ TEST(PlacementTest, AnEmptyFilePlacesNothing) {
   EXPECT_TRUE(diagnostics.empty());
 }
 
-TEST(PlacementTest, ALineThatIsNoPairIsShown) {
+TEST(PlacementTest, ALineWithoutTwoWordsIsReported) {
   EXPECT_EQ(Complaints("Camera vision\nRCServer\n"),
             "where.cfg:2: a line has two words: an object and its process, or @process and the "
             "address of its host\nRCServer\n^\n");
   EXPECT_THAT(Complaints("Camera vision now\n"), ::testing::StartsWith("where.cfg:1: a line has"));
 }
 
-TEST(PlacementTest, NamesThatWouldMeanOthersAreRefusedWithACaret) {
+TEST(PlacementTest, NamesWithWildcardsAreRefusedWithACaret) {
   EXPECT_EQ(
       Complaints("Camera vi*\n"),
       "where.cfg:1: 'vi*' is no name for a process: up to 64 letters, digits, '_', '-' and '.'\n"
@@ -99,7 +99,7 @@ TEST(PlacementTest, AHostThatNobodyKnowsIsRefused) {
                                              "        ^\n"));
 }
 
-TEST(PlacementTest, TheCommandLineAddsToIt) {
+TEST(PlacementTest, TheCommandLineAddsToTheFile) {
   Placement placement;
   EXPECT_EQ(AddPlace("Camera=vision", &placement), "");
   EXPECT_EQ(AddPlace("Camera=eyes", &placement), "Camera is placed in 'vision' already");
@@ -109,7 +109,7 @@ TEST(PlacementTest, TheCommandLineAddsToIt) {
   EXPECT_THAT(placement.process_of, ElementsAre(Pair("Camera", "vision")));
 }
 
-TEST(JoinAdviceTest, ItHasTheFlagsThatAreNeeded) {
+TEST(JoinAdviceTest, TheAdviceHasTheFlagsThatAreNeeded) {
   BusOptions bus;
   bus.run = "openr";
   EXPECT_EQ(JoinAdvice("vision", "127.0.0.1", bus),

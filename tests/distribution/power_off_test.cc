@@ -85,7 +85,7 @@ class PowerOffTest : public testing::Test {
   std::string said_, printed_;
 };
 
-TEST_F(PowerOffTest, OnlyTheOtherRobotsObjectStartsAgain) {
+TEST_F(PowerOffTest, OnlyObjectsOfTheRunningRobotAreRestarted) {
   ASSERT_NO_FATAL_FAILURE(Begin(2));
   EXPECT_EQ(StartCount(), 2);
   Kill();
@@ -102,7 +102,7 @@ TEST_F(PowerOffTest, OnlyTheOtherRobotsObjectStartsAgain) {
 }
 
 // One that is off when its process is lost, and comes back with it.
-TEST_F(PowerOffTest, NobodyStartsWhatWasOffBefore) {
+TEST_F(PowerOffTest, AnObjectThatWasOffIsNotStarted) {
   ASSERT_NO_FATAL_FAILURE(Begin(2));
   system().PowerOff(1);
   Kill();
@@ -113,7 +113,7 @@ TEST_F(PowerOffTest, NobodyStartsWhatWasOffBefore) {
   EXPECT_FALSE(payee(0).is_off);
 }
 
-TEST_F(PowerOffTest, ARunThatIsOverWaitsForNobody) {
+TEST_F(PowerOffTest, ARunThatIsOverRestartsNoWorker) {
   ASSERT_NO_FATAL_FAILURE(Begin(1));
   const int64_t pid = Kill();
   system().PowerOff(0);
@@ -126,7 +126,7 @@ TEST_F(PowerOffTest, ARunThatIsOverWaitsForNobody) {
 }
 
 // What is asked to stop is gone already: nobody waits for its answer.
-TEST_F(PowerOffTest, ARobotShutsDownWithoutTheLostOne) {
+TEST_F(PowerOffTest, ARobotShutsDownWithoutItsLostObject) {
   ASSERT_NO_FATAL_FAILURE(Begin(1));
   system().Shutdown();
   Kill();

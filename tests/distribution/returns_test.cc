@@ -87,7 +87,7 @@ const json& Process(const json& report, const std::string& name) {
   return none;
 }
 
-TEST_F(ReturnsTest, AfterACrashAtTheSameInstantInEveryRun) {
+TEST_F(ReturnsTest, ARestartAfterACrashIsTheSameInEveryRun) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   const Words flags = OnStick({"--for", "2s", "--isolate", "Payee", "--restart", "1"});
@@ -118,7 +118,7 @@ TEST_F(ReturnsTest, TheBooksAreRightAfterwards) {
 }
 
 // What Register() gave to the one that is gone.
-TEST_F(ReturnsTest, ANameEndsWithItsObject) {
+TEST_F(ReturnsTest, ARegisteredNameEndsWithItsObject) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   ProgramRun run(RunAt("20", OnStick({"--isolate", "Payee"})));
@@ -130,7 +130,7 @@ TEST_F(ReturnsTest, ANameEndsWithItsObject) {
   EXPECT_THAT(run.heard(), HasSubstr("Purse is gone"));
 }
 
-TEST_F(ReturnsTest, ANameIsThereAgainWithItsObject) {
+TEST_F(ReturnsTest, ARegisteredNameReturnsWithItsObject) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   ProgramRun run(RunAt("20", OnStick({"--isolate", "Payee", "--restart", "1"})));
@@ -145,7 +145,7 @@ TEST_F(ReturnsTest, ANameIsThereAgainWithItsObject) {
 }
 
 // Both objects of a process begin anew, and what was connected between them is again.
-TEST_F(ReturnsTest, AllObjectsOfAProcess) {
+TEST_F(ReturnsTest, AllObjectsOfAWorkerAreRestarted) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   const Words flags = OnStick({"--for", "2s", "--place", "Payer=shop", "--place", "Payee=shop"});
@@ -157,7 +157,7 @@ TEST_F(ReturnsTest, AllObjectsOfAProcess) {
 }
 
 // What came while an object had the processor goes to the new one when that is free.
-TEST_F(ReturnsTest, WhenHandlersTakeTime) {
+TEST_F(ReturnsTest, ARestartWorksWhenHandlersTakeTime) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
   stick_.Write("slow.cost", "Payer * 3000\nPayee * 3000\n");
@@ -169,7 +169,7 @@ TEST_F(ReturnsTest, WhenHandlersTakeTime) {
   EXPECT_EQ(one.recording, Record(flags).recording);
 }
 
-TEST_F(ReturnsTest, OneThatCrashesAgainAndAgainIsGivenUp) {
+TEST_F(ReturnsTest, AWorkerThatKeepsCrashingIsGivenUp) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   const ScratchFolder stick;
   stick.MakeTrouble("crash");
@@ -192,7 +192,7 @@ TEST_F(ReturnsTest, OneThatCrashesAgainAndAgainIsGivenUp) {
   EXPECT_EQ(records(), 1) << "each run begins afresh";
 }
 
-TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {
+TEST_F(ReturnsTest, LockstepWaitsForAKilledWorker) {
   ProgramRun run(
       RunAt("20", OnStick({"--place", "Payer=payer", "--place", "Payee=payee", "--restart", "1"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
@@ -208,7 +208,7 @@ TEST_F(ReturnsTest, KilledInLockstepItIsWaitedFor) {
   EXPECT_THAT(result.err, HasSubstr("the run stops here"));
 }
 
-TEST_F(ReturnsTest, TheDogStandsAgain) {
+TEST_F(ReturnsTest, TheDogStandsAfterARestart) {
   ProgramRun run(RunAt("10", {"--body", "ideal", "--isolate", "JointMover", "--restart", "3"}));
   ASSERT_TRUE(run.WaitFor("state: accepting-commands"));
   const size_t before = run.heard().size();
@@ -222,7 +222,7 @@ TEST_F(ReturnsTest, TheDogStandsAgain) {
   EXPECT_TRUE(report["robots"][0]["standing"].get<bool>());
 }
 
-TEST_F(ReturnsTest, FreeRunningTheOthersGoOnMeanwhile) {
+TEST_F(ReturnsTest, AFreeRunGoesOnDuringARestart) {
   ProgramRun run(RunAt("1", OnStick({"--place", "Payer=payer", "--place", "Payee=payee",
                                      "--restart", "9", "--free-running"})));
   ASSERT_TRUE(run.WaitFor("Payee, edition one"));
@@ -237,7 +237,7 @@ TEST_F(ReturnsTest, FreeRunningTheOthersGoOnMeanwhile) {
   ExpectGoodBooks(run.heard());
 }
 
-TEST_F(ReturnsTest, ASecondProcessOfANameIsSentAway) {
+TEST_F(ReturnsTest, ASecondProcessOfANameIsRefused) {
   const std::string name = RunName("second");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
   ProgramRun first({"join", "--process", "payee", "--run-name", name});
@@ -253,7 +253,7 @@ TEST_F(ReturnsTest, ASecondProcessOfANameIsSentAway) {
   EXPECT_EQ(first.Finish().status, 0) << first.heard();
 }
 
-TEST_F(ReturnsTest, OneOfAnotherHostComesByItself) {
+TEST_F(ReturnsTest, AnExternalWorkerJoinsAgainByItself) {
   const std::string name = RunName("again");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
   ProgramRun join({"join", "--process", "payee", "--run-name", name, "--restart"});
@@ -269,7 +269,7 @@ TEST_F(ReturnsTest, OneOfAnotherHostComesByItself) {
 }
 
 // Nobody is asked for ever.
-TEST_F(ReturnsTest, InLockstepOneOfAnotherHostHasItsChancesToo) {
+TEST_F(ReturnsTest, LockstepWaitsForAnExternalWorkerOnlyForJoinWait) {
   const std::string name = RunName("chances");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
   ProgramRun join({"join", "--process", "payee", "--run-name", name});
@@ -283,7 +283,7 @@ TEST_F(ReturnsTest, InLockstepOneOfAnotherHostHasItsChancesToo) {
   EXPECT_THAT(result.err, HasSubstr("the run stops here"));
 }
 
-TEST_F(ReturnsTest, AJoinerThatIsRefusedDoesNotComeAgain) {
+TEST_F(ReturnsTest, AWorkerThatIsRefusedDoesNotJoinAgain) {
   const std::string name = RunName("strange");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
   const ScratchFolder other;
@@ -339,7 +339,7 @@ TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
 }
 
 // That it has been given up.
-TEST_F(ReturningHostTest, AHostThatHasNotNoticedComesBackAsWell) {
+TEST_F(ReturningHostTest, AnAbandonedHostIsToldAndComesBack) {
   ASSERT_NO_FATAL_FAILURE(Start("60", "3"));
   Mend();
   EXPECT_TRUE(join_->WaitFor("the run could not reach it and goes on without"))

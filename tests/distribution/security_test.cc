@@ -60,14 +60,14 @@ class SecurityTest : public testing::Test {
   const std::string name = "secret-" + std::to_string(getpid());
 };
 
-TEST_F(SecurityTest, WhoIsOfOneAuthorityIsOneRun) {
+TEST_F(SecurityTest, ProcessesOfOneAuthorityMakeOneRun) {
   const auto join = Join("ours/beta", "60s");
   const RecordedRun run = RunWithJoiner("60s");
   EXPECT_EQ(join->Finish().status, 0) << join->heard();
   ExpectSame(Record(kFlags), run);
 }
 
-TEST_F(SecurityTest, OthersAreNotLetIn) {
+TEST_F(SecurityTest, AProcessOfAnotherAuthorityCannotJoin) {
   const auto open = Join("", "3s"), other = Join("theirs/beta", "3s");
   const RecordedRun run = RunWithJoiner("3s");
   EXPECT_EQ(run.status, 1);
@@ -78,7 +78,7 @@ TEST_F(SecurityTest, OthersAreNotLetIn) {
   }
 }
 
-TEST_F(SecurityTest, OthersDoNotHear) {
+TEST_F(SecurityTest, AProcessOfAnotherAuthorityCannotListen) {
   ProgramRun run(Words{"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--monitor",
                        "--run-name", name, "--dds-config", Settings("ours/alpha")});
   ASSERT_TRUE(run.WaitFor("state: listening"));
@@ -93,7 +93,7 @@ TEST_F(SecurityTest, OthersDoNotHear) {
 }
 
 // Topics of ROS 2 are protected as well.
-TEST_F(SecurityTest, Ros2IsAllowed) {
+TEST_F(SecurityTest, Ros2TopicsAreProtectedAsWell) {
   const ProgramResult result =
       RunProgram(kQuickly + Words{"--for", "1s", "--body", "ideal", "--ros2", "--dds-config",
                                   Settings("ours/alpha")});
@@ -101,7 +101,7 @@ TEST_F(SecurityTest, Ros2IsAllowed) {
 }
 
 // Without the file a run would not be protected.
-TEST(SettingsTest, AreAFileThatIsThere) {
+TEST(SettingsTest, AMissingSettingsFileIsRefused) {
   const ScratchFolder folder;
   for (const std::string& file : {folder.path(), folder.File("nothing.xml")}) {
     const ProgramResult result =
@@ -120,7 +120,7 @@ class SettingsForADomainTest : public testing::Test {
   const ScratchFolder folder;
 };
 
-TEST_F(SettingsForADomainTest, AreReadInThatOneOnly) {
+TEST_F(SettingsForADomainTest, SettingsForAnotherDomainAreReported) {
   const std::string seven =
       "<?xml version=\"1.0\"?><!-- <Domain id=\"0\"/> --><CycloneDDS>"
       "<Domain Id='7'><Tracing/></Domain></CycloneDDS>";
@@ -136,7 +136,7 @@ TEST_F(SettingsForADomainTest, AreReadInThatOneOnly) {
     EXPECT_EQ(Why(nothing, 0), "there are no settings in it");
 }
 
-TEST_F(SettingsForADomainTest, ProtectThatOneOnly) {
+TEST_F(SettingsForADomainTest, SecurityForAnotherDomainIsReported) {
   const std::string two =
       "<CycloneDDS><Domain><Tracing/></Domain>"
       "<Domain id=\"7\"><Security/></Domain></CycloneDDS>";
@@ -149,12 +149,12 @@ TEST_F(SettingsForADomainTest, ProtectThatOneOnly) {
                                      "would not be protected"));
 }
 
-TEST_F(SettingsForADomainTest, ThatCannotBeReadAreLeftToCyclone) {
+TEST_F(SettingsForADomainTest, AnUnreadableFileIsLeftToCyclone) {
   EXPECT_EQ(Why("<CycloneDDS><Domain id=\"7\">", 0), "");
   EXPECT_EQ(WhyNotForDomain(folder.File("nothing.xml"), 0), "");
 }
 
-TEST_F(SettingsForADomainTest, AreRefusedByAllWhoTakeThem) {
+TEST_F(SettingsForADomainTest, AllCommandsRefuseSettingsForAnotherDomain) {
   folder.Write("s.xml", "<CycloneDDS><Domain id=\"7\"/></CycloneDDS>");
   const Words flags = {"--dds-config", folder.File("s.xml"), "--dds-domain", "3"};
   for (const Words& command : {Words{"run", "--for", "1s", "--isolate", "JointMover"},

@@ -36,7 +36,7 @@ class StatusTopicTest : public testing::Test {
   StatusWriter writer_{&bus_};
 };
 
-TEST_F(StatusTopicTest, WhatIsSaidIsHeard) {
+TEST_F(StatusTopicTest, AStatusArrivesAsItWasWritten) {
   RunStatus status;
   status.host = "den";
   status.pid = 7;
@@ -62,14 +62,14 @@ TEST_F(StatusTopicTest, OnlyTheNewestIsKept) {
   EXPECT_EQ(Sent(status).messages, 100u);
 }
 
-TEST_F(StatusTopicTest, WhatATerminalWouldObeyIsNotHeard) {
+TEST_F(StatusTopicTest, ControlCharactersAreReplaced) {
   RunStatus status;
   status.objects = {{}};
   status.objects[0].name = "\x1b[2J\n\xc2\x9b";
   EXPECT_EQ(Sent(status).objects[0].name, "?[2J???");
 }
 
-TEST_F(StatusTopicTest, WhatIsTooLongIsCut) {
+TEST_F(StatusTopicTest, LongTextsAreCut) {
   RunStatus status;
   status.host = std::string(1000, 'h');
   status.processes = {{"", "", 0, std::string(1000, 'l')}};
@@ -84,7 +84,7 @@ TEST_F(StatusTopicTest, WhatIsTooLongIsCut) {
 }
 
 // The last rates are not those of an instant.
-TEST(MonitorTest, ARunThatEndsSaysItsRatesOfBefore) {
+TEST(MonitorTest, TheFinalStatusRepeatsTheLastRates) {
   BusOptions options;
   options.run = "monitor-" + std::to_string(getpid());
   Bus bus(options);
@@ -113,7 +113,7 @@ TEST(MonitorTest, ARunThatEndsSaysItsRatesOfBefore) {
   EXPECT_EQ(at_end[0].objects[1].messages_per_s, said[0].objects[1].messages_per_s);
 }
 
-TEST(LatencyTest, SinceAnEarlierCopyIsWhatCameToIt) {
+TEST(LatencyTest, SinceReturnsTheDurationsAddedToACopy) {
   Latency latency;
   for (int i = 0; i < 100; ++i) latency.Add(1'000'000);
   const Latency before = latency;

@@ -52,7 +52,7 @@ bool IsSaidToHaveEnded(const std::string& run, const std::string& table) {
   return false;
 }
 
-TEST(TopTest, NamesTheObjectsAndProcessesOfARunUnderWay) {
+TEST(TopTest, TopNamesTheObjectsAndProcessesOfARun) {
   const std::string name = RunName("busy");
   const auto run =
       StartRun(name, {"--isolate", "JointMover", "--place", "RCServer=net", "--rate", "2"});
@@ -101,7 +101,7 @@ TEST(TopTest, ALostProcessIsShownAsLost) {
   EXPECT_THAT(table.out, HasSubstr("lost: " + lost));
 }
 
-TEST(TopTest, AProcessThatIsBackIsShownWithItsNewId) {
+TEST(TopTest, ARestartedProcessIsShownWithItsNewId) {
   const std::string name = RunName("back");
   const auto run = StartRun(name, {"--isolate", "JointMover", "--restart", "1"});
   const pid_t child = ObjectNamed(Top(name), "JointMover")["pid"];
@@ -115,7 +115,7 @@ TEST(TopTest, AProcessThatIsBackIsShownWithItsNewId) {
   }
 }
 
-TEST(TopTest, ARunInOneProcessSpeaksWithMonitorOnly) {
+TEST(TopTest, ARunInOneProcessIsShownWithMonitorOnly) {
   {
     ProgramRun silent({"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--for", "10min"});
     EXPECT_TRUE(silent.WaitFor("state: listening")) << silent.Finish().err;
@@ -151,7 +151,7 @@ TEST(TopTest, AllRunsThatAreHeardAreShownUntilControlC) {
 }
 
 // One listener that takes everything and one that has stopped.
-TEST(TopTest, WhoWatchesChangesNothing) {
+TEST(TopTest, WatchingChangesNothing) {
   const Words flags = {"--for", "6s", "--body", "ideal"};
   const RecordedRun one = Record(flags);
   ProgramRun quick(
@@ -232,7 +232,7 @@ TEST(TopViewTest, AnObjectThatIsLostHasNoOtherState) {
   EXPECT_THAT(TopText({run}, 1), Not(HasSubstr("standing")));
 }
 
-TEST(TopViewTest, WhatThereWasNoRoomForIsCounted) {
+TEST(TopViewTest, ObjectsWithoutRoomAreCounted) {
   RunsHeard::Run run = MadeUp();
   EXPECT_THAT(TopText({run}, 1), Not(HasSubstr("more objects")));
   run.status.objects_left_out = 904;
@@ -240,13 +240,13 @@ TEST(TopViewTest, WhatThereWasNoRoomForIsCounted) {
   EXPECT_EQ(TopJson({run}, 1)["runs"][0]["objects_left_out"], 904);
 }
 
-TEST(TopViewTest, ARunThatSaysNothingIsSilent) {
+TEST(TopViewTest, ARunWithoutNewStatusIsShownAsSilent) {
   EXPECT_THAT(TopText({MadeUp()}, 2), Not(HasSubstr("silent")));
   EXPECT_THAT(TopText({MadeUp()}, 5), HasSubstr("; silent for 5 s: "));
   EXPECT_EQ(TopJson({MadeUp()}, 5)["runs"][0]["silent_s"], 5);
 }
 
-TEST(TopViewTest, ARunThatWentWithoutAWordHasEndedAndIsForgotten) {
+TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
   RunsHeard runs;
   runs.Take({MadeUp().status}, 1);
   RunStatus gone;
@@ -264,7 +264,7 @@ TEST(TopViewTest, ARunThatWentWithoutAWordHasEndedAndIsForgotten) {
   EXPECT_TRUE(runs.empty());
 }
 
-TEST(TopViewTest, TheScreenHasNoMoreLinesThanItHas) {
+TEST(TopViewTest, TheTableFitsTheScreen) {
   EXPECT_EQ(OnScreen("one\ntwo\nthree\n", 3, 4), "one\x1b[K\r\ntwo\x1b[K\r\nthre\x1b[K\x1b[J");
   EXPECT_EQ(OnScreen("one\ntwo\nthree\n", 2, 80), "one\x1b[K\r\n... 2 more lines\x1b[K\x1b[J");
 }

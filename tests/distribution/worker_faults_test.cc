@@ -17,7 +17,7 @@ const Words kIdeal = {"--body", "ideal"};
 // ---- 64 MB are the most in one sample
 
 // A region of 25 MB for three observers.
-TEST(WorkerFaultsTest, ARegionGoesOnceHoweverManyItIsFor) {
+TEST(WorkerFaultsTest, ARegionIsSentOnceForAllItsObservers) {
   const ScratchFolder stick;
   MakeBulkStick(stick);
   stick.Write("OPEN-R/MW/DATA/P/BULK.TXT", "25000000 1 1");
@@ -26,7 +26,7 @@ TEST(WorkerFaultsTest, ARegionGoesOnceHoweverManyItIsFor) {
 }
 
 // Each has bytes of its own.
-TEST(WorkerFaultsTest, RegionsThatAreTooMuchAreNamed) {
+TEST(WorkerFaultsTest, ASampleThatIsTooLargeIsReported) {
   const ScratchFolder stick;
   MakeBulkStick(stick);
   stick.Write("OPEN-R/MW/DATA/P/BULK.TXT", "25000000 3 1");
@@ -45,7 +45,7 @@ TEST(WorkerFaultsTest, RegionsThatAreTooMuchAreNamed) {
 // ---- a handler that does not return
 
 // It is mostly found while it speaks to the run.  Others go on until the end.
-TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamedAsItself) {
+TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamed) {
   const ScratchFolder stick;
   stick.MakeTrouble("flood");
   const ProgramResult result =
@@ -144,7 +144,7 @@ class OtherHostTest : public testing::Test, public TwoHosts {
 };
 
 // The packet with the last word is lost.
-TEST_F(OtherHostTest, ALastWordIsSentUntilItIsHeard) {
+TEST_F(OtherHostTest, ACrashReportIsSentUntilItIsReceived) {
   Begin("hang", {"--handler-limit", "4s", "--dds-lease", "60"},
         {"--for", "1s", "--dds-lease", "60"});
   if (run_ == nullptr) return;
@@ -159,7 +159,7 @@ TEST_F(OtherHostTest, ALastWordIsSentUntilItIsHeard) {
 }
 
 // Between its handlers: lockstep hears of it at the next frame, not when the lease is over.
-TEST_F(OtherHostTest, AnIdleOneThatIsEndedLeavesAtOnce) {
+TEST_F(OtherHostTest, AnIdleWorkerThatIsEndedLeavesAtOnce) {
   Begin("nothing", {}, {"--for", "8s"});
   if (run_ == nullptr) return;
   ASSERT_TRUE(run_->WaitFor("Trouble is running")) << run_->heard();

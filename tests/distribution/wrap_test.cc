@@ -45,7 +45,7 @@ bool MayDebug() {
              .out.find("exited normally") != std::string::npos;
 }
 
-TEST(WrapTest, UnderGdbAHandlerIsStoppedAtAndTheRunIsTheSame) {
+TEST(WrapTest, UnderGdbABreakpointStopsAndTheRunIsTheSame) {
   if (!MayDebug()) GTEST_SKIP() << "gdb is not installed, or may not debug";
   const ScratchFolder folder;
   folder.Write("commands",
@@ -79,7 +79,7 @@ TEST(WrapTest, UnderAScriptTheObjectDoesTheSame) {
   EXPECT_EQ(told.find("-word of " + process["pid"].dump() + ": -word "), 0u) << told;
 }
 
-TEST(WrapTest, AToolThatIsNotThereIsNamed) {
+TEST(WrapTest, AMissingToolIsNamed) {
   const ProgramResult result = RunProgram(
       kQuickly + Words{"--for", "1s", "--isolate", "JointMover", "--wrap", "no-such-tool -q"});
   EXPECT_EQ(result.status, 1);

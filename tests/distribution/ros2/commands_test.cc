@@ -54,7 +54,7 @@ TEST(Ros2CommandsTest, LimitsOfTheRobotHold) {
   EXPECT_NEAR(WaitForJoint(run, "aibo", "neck_pan", pan.soft_rad.max), pan.soft_rad.max, 0.03);
 }
 
-TEST(Ros2CommandsTest, WhatMakesNoSenseIsRefusedOnceByName) {
+TEST(Ros2CommandsTest, AnInvalidCommandIsRefusedOnceByName) {
   Ros2Run run({});
   run.WaitForStanding();
   for (int i = 0; i < 3; ++i) {
@@ -70,7 +70,7 @@ TEST(Ros2CommandsTest, WhatMakesNoSenseIsRefusedOnceByName) {
   EXPECT_EQ(CountOf("1 names, 0 positions", result.err), 1u);
 }
 
-TEST(Ros2CommandsTest, NoFloodOfComplaints) {
+TEST(Ros2CommandsTest, AfterTwentyComplaintsTheRestIsCounted) {
   Ros2Run run({});
   for (int i = 0; i < 25; ++i) run.peer().Do({"command", kTopic, "j" + std::to_string(i) + "=0"});
   ASSERT_TRUE(run.program().WaitFor("ROS 2: no more of this is said of /aibo"));
@@ -92,7 +92,7 @@ TEST(Ros2ComplaintsTest, EachOnceAndTheRestIsCounted) {
   EXPECT_EQ(said.back(), "ROS 2: /aibo: 6 more complaints were not said");
 }
 
-TEST(Ros2ComplaintsTest, NothingIsSaidOfNothing) {
+TEST(Ros2ComplaintsTest, WithoutComplaintsNothingIsPrinted) {
   std::vector<std::string> said;
   Ros2Complaints complaints("aibo", [&](const std::string& line) { said.push_back(line); });
   complaints.Add("text");
@@ -131,7 +131,7 @@ TEST(Ros2CommandsTest, TheRemoteControlMayBeInAnotherProcess) {
   EXPECT_EQ(RunProgram({"replay", folder.File("r")}).status, 0);
 }
 
-TEST(Ros2CommandsTest, WithoutRemoteControlItIsSaid) {
+TEST(Ros2CommandsTest, AMissingRemoteControlIsReported) {
   const ScratchFolder stick;
   stick.MakeTrouble("nothing");
   Ros2Run run({"--stick", stick.path()});

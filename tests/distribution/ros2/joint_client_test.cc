@@ -66,7 +66,7 @@ std::string Packet(int command, int joint, int value) {
   return bytes;
 }
 
-TEST_F(JointClientTest, NothingIsThereWithoutACommand) {
+TEST_F(JointClientTest, WithoutACommandThereIsNoConnection) {
   EXPECT_TRUE(client_.Poll().empty());
   EXPECT_FALSE(client_.IsWaiting());
 }
@@ -113,7 +113,7 @@ TEST_F(JointClientTest, ASpeedHoldsForWhatComesAfterIt) {
   EXPECT_EQ(Read(kFirst), Packet(rcSPEED, 1, 11459) + Packet(rcMOVE, 1, 1146));
 }
 
-TEST_F(JointClientTest, WhatIsGivenUpIsNotSentLater) {
+TEST_F(JointClientTest, AnAbandonedCommandIsNotSentLater) {
   client_.Want({{1, {0.1, 0}}});
   client_.Poll();
   EXPECT_EQ(Read(kFirst), Packet(rcMOVE, 1, 573));
@@ -152,7 +152,7 @@ TEST_F(JointClientTest, ARefusalIsHeard) {
   EXPECT_THAT(refusals_, ElementsAre("a motion plays"));
 }
 
-TEST_F(JointClientTest, WhatIsNoAnswerEndsTheConnection) {
+TEST_F(JointClientTest, AnInvalidAnswerEndsTheConnection) {
   client_.Want({{1, {0.1, 0}}});
   client_.Poll();
   client_.Receive(kFirst, 100);

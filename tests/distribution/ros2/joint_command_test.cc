@@ -36,7 +36,7 @@ TEST_F(JointCommandTest, AVelocityIsALimitWithoutSign) {
   EXPECT_EQ(targets_[model_.FindJoint("neck_pan")].speed_rad_s, 2);
 }
 
-TEST_F(JointCommandTest, WhatIsWrongIsNamed) {
+TEST_F(JointCommandTest, AnErrorIsNamed) {
   EXPECT_EQ(Read({{}, {}, {}}), "names no joint");
   EXPECT_EQ(Read({{"neck_pan"}, {kNan}, {}}), "the position of neck_pan is no number");
   EXPECT_EQ(Read({{"neck_pan"}, {-kInfinity}, {}}), "the position of neck_pan is no number");
@@ -57,13 +57,13 @@ TEST_F(JointCommandTest, ANameFromTheNetworkIsShownShortAndHarmless) {
       << text;
 }
 
-TEST(TopicPartTest, IsTheNameOfTheSensorInSmallLetters) {
+TEST(TopicPartTest, TheTopicPartIsTheSensorNameInLowerCase) {
   EXPECT_EQ(TopicPart("Paw sensor (left fore leg)"), "paw_sensor_left_fore_leg");
   EXPECT_EQ(TopicPart("Chin switch"), "chin_switch");
   EXPECT_EQ(TopicPart(" Head - 2 "), "head_2");
 }
 
-TEST(NamespaceTest, WordsWithSlashesBetween) {
+TEST(NamespaceTest, ANamespaceIsWordsWithSlashesBetween) {
   EXPECT_EQ(WrongNamespace("aibo"), "");
   EXPECT_EQ(WrongNamespace("team/aibo_2"), "");
   EXPECT_EQ(WrongNamespace(std::string(64, 'a')), "");

@@ -36,7 +36,7 @@ std::vector<Move> MovesIn(const std::string& recording) {
 }
 
 // A publisher does not wait for the robot: of each joint the newest is taken, in their order.
-TEST(Ros2StreamTest, ManyInARowAreTakenInOrderAndAReplayIsEqual) {
+TEST(Ros2StreamTest, ManyCommandsAreReadInOrderAndAReplayIsEqual) {
   const RobotModel model = LoadRobotModel(OPENR_MODEL_DIR "/ers210.json");
   const ScratchFolder folder;
   Ros2Run run({"--record", folder.File("r")});
@@ -87,7 +87,7 @@ class LostRemoteControlTest : public testing::Test {
   }
 };
 
-TEST_F(LostRemoteControlTest, CommandsAfterItCameBackWork) {
+TEST_F(LostRemoteControlTest, CommandsWorkAfterARestart) {
   Ros2Run run({"--isolate", "RCServer", "--restart", "1"});
   run.WaitForStanding();
   ProgramRun stream(Words{run.domain()} + Stream(), ROS2_PEER);
@@ -100,7 +100,7 @@ TEST_F(LostRemoteControlTest, CommandsAfterItCameBackWork) {
   EXPECT_EQ(run.End().status, 1);  // for the loss
 }
 
-TEST_F(LostRemoteControlTest, ARunWithoutItGoesOnAndSaysWhatIsMissing) {
+TEST_F(LostRemoteControlTest, ARunWithoutRemoteControlGoesOnAndReportsIt) {
   Ros2Run run({"--isolate", "RCServer", "--free-running"}, "5");
   run.WaitForStanding();
   ProgramRun stream(Words{run.domain()} + Stream(), ROS2_PEER);

@@ -37,7 +37,7 @@ TEST(Ros2TopicsTest, TopicsAndTypesAreNamedAsRos2HasThem) {
   EXPECT_EQ(topics["rt/aibo/joint_states"]["kind"], "writer");
 }
 
-TEST(Ros2TopicsTest, AStandingDogTellsSo) {
+TEST(Ros2TopicsTest, TheTopicsShowAStandingDog) {
   const Ros2Run run({});
   run.WaitForStanding();
   const RobotModel model = Model();
