@@ -1,4 +1,4 @@
-// The conformance tests once more, with Teller and Hearer each in a process of its own.
+// Runs the conformance tests once more, with Teller and Hearer each in a worker of its own.
 #include <unistd.h>
 
 #include <set>
@@ -43,15 +43,15 @@ class TwoProcesses : public Elsewhere {
     return std::make_unique<TwoProcesses>(stick);
   };
   here_only = {
-      // The crash is the other process's (faults_test.cc).
+      // A crash in a worker is not one of this process; faults_test.cc tests it.
       "DataReadAfterAssertReadyCrashInTheCheckingMode",
       "WritingToReceivedDataCrashesInTheCheckingMode",
       "StrictlyWritingToReceivedDataCrashes",
-      // Sticks without the objects that are placed, or changed behind the run's back.
+      // These sticks lack the placed objects, or are changed without the run's knowledge.
       "AnObjectThatIsNotInObjectCfgIsNotFound",
       "AWriteProtectedStickRefusesWritersAndSaysSo",
-      // Not the same there: waiting for a
-      // ready is not named, and of two objects of one name both are replaced.
+      // In workers, an observer that never asserts ready is not named, and of two objects of one
+      // name both are replaced by stand-ins.
       "AnObserverThatNeverAssertsIsNamed",
       "TwoObjectsOfOneNameAreRefused",
       "ADoStartThatDoesNotReturnIsReportedWithError28",

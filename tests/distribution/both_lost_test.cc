@@ -1,4 +1,4 @@
-// Two processes that somebody else has started, lost at the same time; two runs of one name.
+// Two external workers that are lost at the same time; two runs of one name.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <unistd.h>
@@ -28,8 +28,8 @@ class BothLostTest : public testing::Test {
   const std::string name_ = RunName("both");
 };
 
-// In lockstep both are waited for at the same time, whatever their names: "brain" needs two
-// chances.
+// In lockstep both workers are waited for at the same time: the one that needs two attempts
+// ("brain") costs the other no attempt.
 TEST_F(BothLostTest, AWorkerThatReturnsFirstKeepsItsRestarts) {
   const auto brain = Join("brain"), net = Join("net");
   ProgramRun run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--rate", "1",
@@ -44,13 +44,13 @@ TEST_F(BothLostTest, AWorkerThatReturnsFirstKeepsItsRestarts) {
   EXPECT_TRUE(run.WaitFor("process 'brain' is back")) << run.heard();
   EXPECT_TRUE(run.WaitFor("process 'net' is back")) << run.heard();
   run.Signal(SIGINT);
-  EXPECT_EQ(run.Finish().status, 1);  // two losses
+  EXPECT_EQ(run.Finish().status, 1);  // for the two losses
   EXPECT_THAT(run.heard(), Not(HasSubstr("process 'net' did not come back")));
   EXPECT_EQ(second_brain->Finish().status, 0) << second_brain->heard();
   EXPECT_EQ(second_net->Finish().status, 0) << second_net->heard();
 }
 
-// Two runs of one name: one has its processes, and a clock that is ahead of the other's.
+// The claim of a run whose worker has joined beats an earlier claim.
 TEST_F(BothLostTest, ARunThatHasBegunKeepsItsName) {
   ProgramRun earlier_run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--placement",
                           folder_.File("where.cfg"), "--run-name", name_});
@@ -61,7 +61,7 @@ TEST_F(BothLostTest, ARunThatHasBegunKeepsItsName) {
   NameClaim claim(&bus);
   for (int ms = 0; claim.EarlierRun().empty() && ms < 60'000; ++ms) usleep(1000);
   ASSERT_THAT(claim.EarlierRun(), HasSubstr("pid " + std::to_string(earlier_run.pid())));
-  earlier_run.Signal(SIGSTOP);  // it would end
+  earlier_run.Signal(SIGSTOP);  // stopped, or it would notice and end before the next check
   claim.MakePermanent();
   EXPECT_EQ(claim.EarlierRun(), "");
   earlier_run.Signal(SIGCONT);

@@ -1,5 +1,5 @@
-// The same input is the same run, also for programs that send addresses and bytes which they never
-// set.
+// The same input gives the same run, also for programs that send addresses and bytes that they
+// never set.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 namespace openr_host {
 namespace {
 
-// What a run says of itself, when it is started by another program or in another environment.
+// Compares the hashes of runs that are started by another program or in another environment.
 class EqualRunsTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -27,7 +27,7 @@ class EqualRunsTest : public testing::Test {
     return kQuickly + Words{"--stick", stick, "--for", "1s"} + more;
   }
 
-  // Runs another program than ours.
+  // Runs the first word as the program, which starts openr.
   static ProgramResult Start(const Words& words) {
     ProgramRun run({words.begin() + 1, words.end()}, words[0]);
     return run.Finish();
@@ -46,7 +46,7 @@ class EqualRunsTest : public testing::Test {
     return HashesOf(ReportOf(RunProgram(Flags(more))));
   }
 
-  // The same, started by another program.
+  // The hashes of the same run, started by another program.
   std::string RunBy(const Words& starter) const {
     return HashesOf(ReportOf(Start(starter + Words{OPENR_PROGRAM} + Flags())));
   }

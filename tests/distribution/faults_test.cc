@@ -1,4 +1,4 @@
-// Processes that are killed, stopped, never come, or are not what they should be.
+// Workers that are killed, stopped, never join, or are the wrong ones.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -26,13 +26,13 @@ bool IsAlive(pid_t process) {
 
 class FaultsTest : public testing::Test {
  protected:
-  // A run that has come as far as its objects saying what they do.
+  // Starts a run and waits until its objects report their state.
   std::unique_ptr<ProgramRun> Start(const Words& flags) {
     auto run = std::make_unique<ProgramRun>(kRun + flags);
     EXPECT_TRUE(run->WaitFor("state: listening")) << run->Finish().err;
     return run;
   }
-  // -1 if there is none, or more.
+  // Returns the only child of the run; -1 if it has none, or more than one.
   static pid_t OnlyChildOf(const ProgramRun& run) {
     const std::vector<pid_t> children = ChildrenOf(run.pid());
     EXPECT_EQ(children.size(), 1u);
@@ -87,7 +87,7 @@ TEST_F(FaultsTest, ARecordingIsReplayedUpToTheLoss) {
   }
 }
 
-// Once with its name, and with what the run does then.
+// The loss is reported once, with the name of the process and what the run does then.
 TEST_F(FaultsTest, ALossIsReportedInOneLine) {
   for (const bool is_free : {false, true}) {
     const std::unique_ptr<ProgramRun> run =
@@ -108,7 +108,7 @@ TEST_F(FaultsTest, ALossIsReportedInOneLine) {
   }
 }
 
-// Nothing else is wrong, and no report given.
+// The error is the only output: there is no report of a run that did not begin.
 TEST_F(FaultsTest, AMissingObjectIsTheOnlyErrorReported) {
   const Words run = kQuickly + Words{"--for", "1s", "--body", "ideal", "--isolate", "Controller"};
   const ProgramResult nobody = RunProgram(run + Words{"--place", "JointMovr=legs"});
@@ -136,7 +136,7 @@ TEST_F(FaultsTest, TheOtherWorkersEndWithTheRun) {
   for (const pid_t child : children) EXPECT_FALSE(IsAlive(child));
 }
 
-// What matters is that it is said and that nothing else happens; the run waits as long as it takes.
+// The worker is named, and nothing else changes; the run waits as long as the worker is stopped.
 TEST_F(FaultsTest, AStoppedProcessIsNamedAndTheRunIsTheSame) {
   const Words flags = {"--for", "3s", "--seed", "3", "--json", "--rate", "3"};
   const json alone = json::parse(RunProgram(kRun + flags).out);
@@ -181,7 +181,7 @@ TEST_F(FaultsTest, ASecondControlCEndsARunThatWaitsForAProcess) {
   KillProcess(OnlyChildOf(*run), SIGSTOP);
   ASSERT_TRUE(run->WaitFor("has not answered for 2 s"));
   run->Signal(SIGINT);
-  run->Signal(SIGTERM);  // counts as well, and cannot melt into the one before
+  run->Signal(SIGTERM);  // SIGTERM counts like SIGINT; two signals of one kind could merge into one
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("error: ")));
@@ -292,7 +292,7 @@ TEST_F(FaultsTest, AJoinerWithAnotherStickIsRefused) {
   EXPECT_THAT(run.heard(), HasSubstr("process 'legs' had not come when the run was interrupted"));
 }
 
-// In one process a crash is the robot's.  Here the robot stands, and the object is named.
+// In one process a crash stops the robot.  In a worker it does not, and the object is named.
 TEST_F(FaultsTest, AnObjectThatCrashesIsNamed) {
   const ScratchFolder stick;
   stick.MakeTrouble("crash");
@@ -301,7 +301,7 @@ TEST_F(FaultsTest, AnObjectThatCrashesIsNamed) {
   EXPECT_EQ(result.status, 1) << result.err;
   EXPECT_THAT(result.err, HasSubstr("process 'Trouble' (pid "));
   ASSERT_TRUE(json::accept(result.out)) << result.out;
-#if !defined(__SANITIZE_ADDRESS__)  // it reports such things itself
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer reports such errors itself
   const std::string log = stick.Read("OPEN-R/EMON.LOG");
   EXPECT_THAT(log, ContainsRegex("OBJECT Trouble, DoStart .selector 1., message [0-9]+, t=0 us\n"));
   EXPECT_THAT(log, HasSubstr("STACK\n  #0 TROUBLE.BIN+0x"));

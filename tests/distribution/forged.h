@@ -1,4 +1,4 @@
-// A process that is played by a test, which says in its place what no process of ours would.
+// A worker played by the test, which sends what no real worker would.
 #pragma once
 
 #include <OPENR/RCRegion.h>
@@ -21,13 +21,13 @@
 
 namespace openr_host {
 
-constexpr uint32_t kEntry = 9;  // of the object that is elsewhere
+constexpr uint32_t kEntry = 9;  // an entry of the remote object
 constexpr uint32_t kBytes = 16;
 constexpr int32_t kNobody = 4242;
 constexpr uint32_t kNoRegion = 0x70007;
 constexpr ObjectId kObjectManager = 0;
 
-// A booted system with one object here and one in a process that is played by the test.
+// A booted System with one object in this process and one in a worker that the test plays.
 class ForgedTest : public ::testing::Test {
  protected:
   ForgedTest() {
@@ -74,7 +74,7 @@ class ForgedTest : public ::testing::Test {
     to_master.body._d = kind;
     return to_master;
   }
-  // The handler's end, as it should be.
+  // The regular end of a handler.
   openr_wire_ToMaster Stopped() {
     openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_STOPPED);
     openr_wire_Stopped& stopped = to_master.body._u.stopped;
@@ -137,7 +137,7 @@ class ForgedTest : public ::testing::Test {
     return to_master;
   }
 
-  // Hands a message to the process, which has sent `ups`.
+  // Lets the worker send `samples`, then delivers a message to its object.
   void Deliver(const std::vector<openr_wire_ToMaster>& samples) {
     for (const openr_wire_ToMaster& to_master : samples) channel_->Send(to_master);
     {
@@ -147,14 +147,15 @@ class ForgedTest : public ::testing::Test {
     system_.RunFor(1'000'000);
     arena_.Clear();
   }
-  // Why the process was lost; "": it was not.
+  // Returns the reason of the loss after the worker has sent `to_master` in a handler; "" without a
+  // loss.
   std::string LossBy(const openr_wire_ToMaster& to_master) {
     Deliver({to_master});
     EXPECT_LE(losses_.size(), 1u);
     return losses_.empty() ? "" : losses_[0];
   }
 
-  // The same by `action`, when the process has sent `up`.
+  // Does the same for any action that reads the sample.
   std::string LossBy(const openr_wire_ToMaster& to_master, const std::function<void()>& action) {
     channel_->Send(to_master);
     arena_.Clear();
@@ -187,7 +188,7 @@ class ForgedTest : public ::testing::Test {
     objects = arena_.Sequence<std::remove_reference_t<decltype(objects)>>(loaded);
     return to_master;
   }
-  // To the order to load the object that is elsewhere.
+  // Does the same for an answer to the order to load the remote object.
   std::string LossByLoaded(const openr_wire_ToMaster& to_master) {
     return LossBy(to_master, [this] {
       openr_wire_ObjectEntry entry{};

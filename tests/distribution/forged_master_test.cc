@@ -1,4 +1,4 @@
-// openr join hears what no master of ours would say: it ends with a reason.
+// A forged master sends what no real one would: openr join ends with a reason.
 #include <gmock/gmock.h>
 
 #include <limits>
@@ -37,7 +37,7 @@ class ForgedMasterTest : public testing::Test {
     to_worker.body._u.welcome.stick = arena_.Text(OPENR_STICK);
     slot_.channel()->Send(to_worker);
   }
-  // To the object manager, which every process has.
+  // Makes a message to the object manager, which every System has.
   static openr_wire_ToWorker Deliver(openr_wire_PayloadKind kind) {
     openr_wire_ToWorker to_worker = New(openr_wire_TO_WORKER_DELIVER);
     openr_wire_Message& message = to_worker.body._u.deliver.message;
@@ -52,7 +52,7 @@ class ForgedMasterTest : public testing::Test {
     return to_worker;
   }
   char* Nothing() { return arena_.Text(""); }
-  // What it says when it has heard `down`.
+  // Returns what openr join prints when it has received `to_worker`.
   std::string EndBy(const openr_wire_ToWorker& to_worker) {
     Welcome();
     slot_.channel()->Send(to_worker);
@@ -100,7 +100,7 @@ TEST_F(ForgedMasterTest, AReadyWithATokenOfItsOwnMaking) {
   EXPECT_THAT(EndBy(to_worker), HasSubstr("a malformed message: a ready with an unknown region"));
 }
 
-// No memory is taken for it.
+// No memory is allocated for the region.
 TEST_F(ForgedMasterTest, ARegionLargerThanTheRobot) {
   openr_wire_ToWorker to_worker = Deliver(openr_wire_PAYLOAD_NOTIFY);
   auto& parts = to_worker.body._u.deliver.message.payload._u.notify.parts;

@@ -1,4 +1,4 @@
-// A process that sends what no process of ours would: the run loses it by name and goes on.
+// A forged worker sends what no real one would: the run reports the loss and goes on.
 #include "tests/distribution/forged.h"
 
 namespace openr_host {
@@ -74,7 +74,7 @@ TEST_F(ForgedTest, ANotificationFromBeyondItsRegion) {
               HasSubstr("2 bytes in region"));
 }
 
-// Offset and size together are 0 in 32 bits.
+// Offset plus size is 0 in 32 bits.
 TEST_F(ForgedTest, ANotificationFromFarBeyondItsRegion) {
   const uint32_t offset = 0xfffffff0;
   EXPECT_THAT(LossBy(Notify({{1, region_there_, 0xffffffff, offset, 0x10, {}}})),
@@ -139,7 +139,7 @@ TEST_F(ForgedTest, AWaitUntilTheEndOfTime) {
   EXPECT_THAT(LossBy(to_master), HasSubstr("a wait until another time"));
 }
 
-// ---- what changes nothing
+// ---- Samples that change nothing
 
 TEST_F(ForgedTest, MessagesAndRepliesToNobodyAreIgnored) {
   openr_wire_Message message = Message(openr_wire_PAYLOAD_BYTES);

@@ -1,4 +1,5 @@
-// A process that speaks in the name of others, or means what is theirs; and what it says of itself.
+// A forged worker speaks in the name of other objects or names regions of others; and its state and
+// list of loaded objects.
 #include <OPENR/ObjcommMessages.h>
 
 #include "tests/distribution/forged.h"
@@ -12,7 +13,7 @@ constexpr uint64_t kSetCdt = 15;  // RobotCall of SetCdtVectorData()
 
 class ForgedTheirsTest : public ForgedTest {
  protected:
-  // Notifies the object that is elsewhere of region_here_.
+  // Sends the worker's object a notification with region_here_.
   void Lend() {
     const CurrentScope scope(&system_, &sender_->host());
     auto* const message = system_.NewMessage(remote_->id, kEntry);
@@ -64,7 +65,7 @@ TEST_F(ForgedTheirsTest, ANotificationWithTheRegionOfAnother) {
               HasSubstr("which it has not"));
 }
 
-// It was lent there; when its subject was replaced the process dropped it.
+// The region was sent to the worker.  When its subject was replaced, the worker dropped it.
 TEST_F(ForgedTheirsTest, ANotificationWithARegionThatItHasDropped) {
   const ObjectId sender = sender_->host().id;
   for (const bool is_dropped : {false, true}) {
@@ -139,7 +140,7 @@ TEST_F(ForgedTheirsTest, AColourTableInTheRegionOfAnother) {
   EXPECT_EQ(std::string(system_.regions().BaseOf(region_there_), kBytes), bytes);
 }
 
-// ---- of the state, and of what was loaded
+// ---- The state and the loaded objects
 
 TEST_F(ForgedTheirsTest, AValidStateIsAccepted) {
   const std::string bytes(kBytes, 'x');

@@ -1,5 +1,5 @@
-// The clock on the wall does not wait for anybody: not for a run that cannot keep up with it, nor
-// for a process that is stopped.
+// In a free run the wall clock does not wait: not for a run that cannot keep up with it, and not
+// for a stopped worker.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A second of the wall is more of the run's time than DoInit or the run itself can do.
+// At this rate a second of the wall clock is more virtual time than DoInit or the run can use.
 TEST(FreeClockTest, ARunThatCannotKeepUpHearsItsProcesses) {
   const ProgramResult result =
       RunProgram(Words{"run", "--rate", "1000", "--for", "200s", "--body", "ideal", "--no-panel",
@@ -28,7 +28,7 @@ TEST(FreeClockTest, ARunThatCannotKeepUpHearsItsProcesses) {
   EXPECT_THAT(result.err, HasSubstr("state: gains"));
 }
 
-// Teller and Hearer in one process, for which the run does not wait.
+// A free run with Teller and Hearer in one worker.
 class FreeWorkerGroupTest : public ConformTest {
  protected:
   FreeWorkerGroupTest() {
@@ -54,7 +54,7 @@ class FreeWorkerGroupTest : public ConformTest {
     ASSERT_EQ(workers_->Connect(), "");
     system->Boot();
   }
-  // Virtual time goes on as fast as it can; until `done`, or for too long.
+  // Lets virtual time pass as fast as it can until `done`.  Returns false if that takes too long.
   template <typename Done>
   bool PumpUntil(const Done& done) {
     for (int i = 0; i < 100'000 && !done(); ++i) {
@@ -78,7 +78,7 @@ class FreeWorkerGroupTest : public ConformTest {
   SubjectProbe* sender_ = nullptr;
 };
 
-// To load a model, say.
+// A DoInit may take long to load a model, for instance.
 TEST_F(FreeWorkerGroupTest, ADoInitInAWorkerMayTakeLong) {
   ASSERT_NO_FATAL_FAILURE(SwitchOn());
   system->RunFor(int64_t{3600} * 1'000'000);

@@ -1,4 +1,4 @@
-// --free-running: the wall clock rules.
+// Free-running: openr run --free-running.
 #include <gmock/gmock.h>
 
 #include <chrono>
@@ -29,7 +29,8 @@ TEST(FreeRunningTest, ObjectsElsewhereDoTheirWork) {
     EXPECT_LE(times["median"], times["p99"]);
     EXPECT_LE(times["p99"], times["max"]);
   }
-  EXPECT_THAT(result.err, HasSubstr("state: gains"));  // of JointMover: its handlers have run
+  // JointMover has printed this, so its handlers have run.
+  EXPECT_THAT(result.err, HasSubstr("state: gains"));
 }
 
 TEST(FreeRunningTest, FreeRunningNeedsARateAndAPlacement) {

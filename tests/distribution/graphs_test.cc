@@ -1,5 +1,5 @@
-// The default stick in one process, in two, and with a process for each object: the same bytes.
-// The examples are compared by tests/examples, other people's objects by apart_test.cc.
+// The default stick in one process, in two processes, and with a worker for each object gives the
+// same bytes.  tests/examples compares the examples, apart_test.cc other objects.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -13,7 +13,7 @@ const Words kFive = Isolated({"PowerMonitor", "JointMover", "RCServer", "Control
 
 class GraphsTest : public testing::Test {
  protected:
-  // In every distribution.
+  // Compares the run in one process with each placement.
   static void Compare(const Words& flags) {
     const RecordedRun one = Record(flags);
     EXPECT_EQ(one.status, 0) << one.err;
@@ -107,7 +107,7 @@ TEST_F(GraphsTest, ARecordingOfManyProcessesIsReplayedInOne) {
   EXPECT_EQ(replay.status, 0) << replay.out << replay.err;
 }
 
-// The keeper has a map on its heap, a static, a connection to itself, and a file.
+// Keeper has a map on its heap, a static variable, a connection to itself, and a file.
 TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
   const auto run = [](const Words& places) {
     const ScratchFolder stick;
@@ -127,7 +127,8 @@ TEST_F(GraphsTest, AnObjectKeepsItsMemoryAndItsFile) {
   EXPECT_EQ(run({}), run(Isolated({"Keeper"})));
 }
 
-// A megabyte goes to two others and to the sender, whose buffers and counts are in three processes.
+// A megabyte goes to two other objects and to the sender itself, so buffers and counts are in three
+// processes.
 TEST_F(GraphsTest, AMegabyteForSeveralObservers) {
   const ScratchFolder stick;
   MakeBulkStick(stick);

@@ -1,4 +1,5 @@
-// Two network namespaces for two hosts, and a cable between them that can be bad (relay.h).
+// Two network namespaces that stand for two hosts, and a cable between them that can fail
+// (relay.h).
 #pragma once
 
 #include <unistd.h>
@@ -13,7 +14,7 @@
 
 namespace openr_host {
 
-// "name-1234": no two runs of one machine disturb each other.
+// Returns "name-1234", unique on this machine.
 inline std::string RunName(const std::string& name) {
   return name + "-" + std::to_string(getpid());
 }
@@ -31,13 +32,14 @@ class TwoHosts {
     Do("ip netns del " + there_);
   }
 
-  // False when this machine does not let us.
+  // Connects the two hosts.  Returns false when this machine does not allow network namespaces.
   bool Connect(uint32_t seed = 1) {
     const int left = Make(here_, kHere), right = Make(there_, kThere);
     if (left >= 0 && right >= 0) cable_ = std::make_unique<Relay>(left, right, seed);
     return cable_ != nullptr;
   }
-  // For a SetUp().  Where changes are accepted nothing may go untested unseen.
+  // Does the same for SetUp().  Where changes are accepted (CI), a test must not be skipped
+  // unnoticed.
   void ConnectOrSkip() {
     if (Connect()) return;
     const char* const ci = std::getenv("CI");
@@ -47,10 +49,10 @@ class TwoHosts {
   Relay& cable() { return *cable_; }
   void Cut() { cable_->Cut(); }
   void Mend() { cable_->Mend(); }
-  // As Cut(), but who sends here is told.
+  // Cuts the cable so that senders on the host get errors, unlike Cut().
   void Unplug() { Do("ip -n " + here_ + " link set cable down"); }
 
-  // The program with these arguments, and the addresses of the two.
+  // Starts openr on a host, with `arguments` and the addresses of both hosts.
   std::unique_ptr<ProgramRun> StartHere(const Words& arguments) {
     return StartIn(here_, "here", arguments + Words{"--dds-address", kHere, "--dds-peer", kThere});
   }
@@ -63,7 +65,7 @@ class TwoHosts {
   static int Do(const std::string& command) {
     return std::system(("(" + command + ") 2>/dev/null").c_str());
   }
-  // Makes a host and returns the other end of its interface; -1 when that cannot be.
+  // Makes a host.  Returns the other end of its interface; -1 on failure.
   static int Make(const std::string& host, const std::string& address) {
     std::string name;
     const int end = OpenTun(&name);
@@ -78,7 +80,7 @@ class TwoHosts {
     close(end);
     return -1;
   }
-  // In a process that knows its host by this name.
+  // Starts openr in a process whose host name is `name`.
   static std::unique_ptr<ProgramRun> StartIn(const std::string& host, const std::string& name,
                                              const Words& arguments) {
     return std::make_unique<ProgramRun>(Words{"-c",

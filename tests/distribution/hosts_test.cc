@@ -1,4 +1,4 @@
-// Runs over two hosts, and what the cable between them may do.
+// Runs on two hosts, with failures of the cable between them.
 #include "tests/distribution/hosts.h"
 
 #include <gmock/gmock.h>
@@ -13,9 +13,10 @@ namespace {
 using ::testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
 
-// What docs/distribution.md states, and some for a busy machine: the lease is 10 s.
+// The time that docs/distribution.md states, with a margin for a busy machine; the lease is 10 s.
 constexpr auto kNamedWithin = std::chrono::seconds(15);
-// For tests of what comes after: longer than the 2 s after which a silent process is named.
+// Shortens tests of what happens after a loss.  The lease is still longer than the 2 s after which
+// a silent worker is named.
 const Words kShortLease = {"--dds-lease", "4"};
 
 class HostsTest : public testing::Test, public TwoHosts {
@@ -26,7 +27,7 @@ class HostsTest : public testing::Test, public TwoHosts {
                                   std::string(kThere) + "\n");
   }
 
-  // The master, with processes legs here and vision there.
+  // Starts a run with worker "legs" on its own host and "vision" on the other.
   std::unique_ptr<ProgramRun> Run(const Words& flags) {
     return StartHere(Words{"run", "--body", "ideal", "--no-panel", "--rc-port", "0", "--json",
                            "--placement", folder.File("where.cfg"), "--record", folder.File("r")} +
@@ -36,7 +37,7 @@ class HostsTest : public testing::Test, public TwoHosts {
     return StartThere(Words{"join", "--process", "vision"} + flags);
   }
 
-  // EXPECTs that both end well and have done what one process does.
+  // EXPECTs that both programs end well and that the run is the same as in one process.
   void ExpectGood(ProgramRun* run, ProgramRun* join, const RecordedRun& one) {
     const ProgramResult& result = run->Finish();
     EXPECT_EQ(join->Finish().status, 0) << join->heard();
@@ -65,7 +66,7 @@ TEST_F(HostsTest, ABadNetworkChangesNothing) {
   EXPECT_GT(counts.overtaken, 0u);
 }
 
-// A megabyte is many packets, of which some are lost each time.
+// A megabyte is sent in many packets, and some of them are lost each time.
 TEST_F(HostsTest, ABadNetworkChangesNoLargeSample) {
   cable().set_weather({.loss = 0.03, .doubling = 0.03, .delay_us = 1000, .jitter_us = 1000});
   const ScratchFolder stick;
@@ -90,7 +91,7 @@ TEST_F(HostsTest, TopHearsARunOnAnotherHost) {
 }
 
 TEST_F(HostsTest, AShortNetworkFailureIsNoLoss) {
-  cable().set_weather({.delay_us = 2000});  // or it would be over too soon
+  cable().set_weather({.delay_us = 2000});  // slows the run down, or it would be over too soon
   const Words flags = {"--for", "5s"};
   const auto join = Join(), run = Run(flags + Words{"--rate", "max"});
   ASSERT_TRUE(run->WaitFor("state: listening"));
@@ -102,7 +103,7 @@ TEST_F(HostsTest, AShortNetworkFailureIsNoLoss) {
   EXPECT_GT(cable().counts().cut, 0u);
 }
 
-// Of a process that has nothing to say, nothing is heard but that it lives.
+// An idle worker sends nothing but its announcements, so those must be frequent enough.
 TEST_F(HostsTest, AShortNetworkFailureIsNoLossOfAnIdleWorker) {
   const ScratchFolder stick;
   stick.MakeTrouble("nothing");
@@ -110,8 +111,9 @@ TEST_F(HostsTest, AShortNetworkFailureIsNoLossOfAnIdleWorker) {
   const Words flags = {"--for", "8s", "--stick", stick.path()}, lease = {"--dds-lease", "5"};
   const auto join = Join(lease), run = Run(flags + lease);
   ASSERT_TRUE(run->WaitFor("Trouble is running"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // its handler has ended
-  // Two of half the lease, so that one of them meets what is said every four fifths of it.
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the handler has ended
+  // Two failures of half the lease each, so that one of them would meet the announcement that
+  // Cyclone DDS sends after four fifths of the lease.
   for (int i = 0; i < 2; ++i) {
     Cut();
     std::this_thread::sleep_for(std::chrono::milliseconds(2500));
@@ -167,12 +169,12 @@ TEST_F(HostsTest, AFreeRunGoesOnWithoutALostHost) {
   EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
 }
 
-// A handler elsewhere is a packet there and one back.
+// Each handler in a worker takes a packet there and one back.
 TEST_F(HostsTest, TheDelayOfTheNetworkIsInTheLatency) {
   cable().set_weather({.delay_us = 20'000});
   const auto join = Join(), run = Run({"--free-running"});
   ASSERT_TRUE(run->WaitFor("state: listening")) << run->heard();
-  std::this_thread::sleep_for(std::chrono::seconds(1));  // sensors come to it
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // so that some sensor data arrive
   run->Signal(SIGINT);
   const ProgramResult& result = run->Finish();
   EXPECT_EQ(result.status, 0) << result.err;
@@ -187,7 +189,7 @@ TEST_F(HostsTest, TheDelayOfTheNetworkIsInTheLatency) {
   EXPECT_GT(cable().counts().bytes, 100 * vision["handlers"].get<uint64_t>());
 }
 
-// Whoever sends hears of it from his own interface.
+// When its own interface is down, the sender gets an error.
 TEST_F(HostsTest, APulledCableIsALostHost) {
   const auto join = Join(kShortLease), run = Run(kShortLease + Words{"--for", "10min"});
   ASSERT_TRUE(run->WaitFor("state: listening"));

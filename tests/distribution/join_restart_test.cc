@@ -1,4 +1,4 @@
-// openr join --restart: what it tries again after, and what not.
+// openr join --restart: after which errors it tries again.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -20,7 +20,7 @@ int CountOf(const std::string& text, const std::string& in) {
 
 class JoinRestartTest : public testing::Test, public TwoHosts {
  protected:
-  // The interface of the other host.
+  // Sets the interface of the other host "up" or "down".
   static void SetThere(const std::string& state) {
     const std::string command = "ip -n " + RunName("openr-b") + " link set cable " + state;
     EXPECT_EQ(std::system(command.c_str()), 0);
@@ -44,7 +44,7 @@ TEST_F(JoinRestartTest, AWorkerJoinsAgainWhenItsInterfaceReturns) {
   const std::string words = "openr: process 'vision': tries again until it can\n";
   ASSERT_TRUE(join->WaitFor(words)) << join->heard();
   EXPECT_THAT(join->heard(), HasSubstr("the master is gone"));
-  sleep(3);  // some attempts
+  sleep(3);  // for some attempts to fail
   SetThere("up");
   const auto second = Run({"--for", "100ms"});
   EXPECT_EQ(second->Finish().status, 0) << second->heard();
@@ -62,7 +62,7 @@ TEST(JoinRestartFlagTest, AnAddressThatIsNotOfThisHostIsRefusedAtOnce) {
   EXPECT_THAT(result.err, Not(HasSubstr("tries again")));
 }
 
-// The master is played by the test.
+// The test plays the master.
 TEST(JoinRestartFlagTest, AnInvalidSampleOfAMasterDoesNotEndJoin) {
   BusOptions options;
   options.run = RunName("amiss");

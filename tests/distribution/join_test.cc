@@ -1,4 +1,4 @@
-// openr join by hand, on this host; hosts_test.cc has two.
+// openr join on this host; hosts_test.cc tests two hosts.
 #include "tests/distribution/hosts.h"
 #include "tests/distribution/same_run.h"
 #include "tests/distribution/wait_until.h"
@@ -10,7 +10,7 @@ const Words kFlags = {"--for", "5s", "--body", "ideal"};
 
 class JoinTest : public testing::Test {
  protected:
-  // Where the body is moved and where it is told to.
+  // Places JointMover, which moves the body, and Controller, which commands it, in workers.
   std::string PlacementWithHost(const std::string& address) {
     folder.Write("where.cfg", "Controller vision\nJointMover legs\n@vision " + address + "\n");
     return folder.File("where.cfg");
@@ -23,7 +23,7 @@ TEST_F(JoinTest, AWorkerThatIsStartedFirstWaitsForTheRun) {
   const std::string name = RunName("hand");
   ProgramRun join({"join", "--process", "vision", "--run-name", name});
   const std::string threads = "/proc/" + std::to_string(join.pid()) + "/task";
-  WaitUntil("its DDS", [&] {  // which has some
+  WaitUntil("its DDS", [&] {  // DDS creates threads
     return std::distance(std::filesystem::directory_iterator(threads), {}) > 3;
   });
   ExpectSame(one, Record(kFlags +

@@ -1,4 +1,4 @@
-// Processes that somebody else has started: killed, stopped, ended there, or with another stick.
+// External workers that are killed, stopped, ended by their user, or have another stick.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -27,7 +27,7 @@ class JoinedTest : public testing::Test {
     return std::make_unique<ProgramRun>(Words{"join", "--process", "vision", "--run-name", name_} +
                                         flags);
   }
-  // What it says of the process when its lease is over, which is after 10 s only.
+  // The message about a loss that is noticed by the lease only, after 10 s.
   static constexpr const char* kLate = "cannot be reached any more";
 
   inline static const Words kShortLease = {"--dds-lease", "4"};
@@ -61,7 +61,7 @@ TEST_F(JoinedTest, AKilledWorkerStopsLockstepAtOnce) {
   EXPECT_THAT(run->heard(), HasSubstr("the run stops here"));
 }
 
-// The run cannot say that it is over.
+// A killed run cannot tell its worker that it is over.
 TEST_F(JoinedTest, AWorkerWithoutItsMasterEnds) {
   const auto join = Join(kShortLease);
   const auto run = Run(kShortLease);
@@ -119,7 +119,7 @@ TEST_F(JoinedTest, ALostWorkerEndsTheRunAndIsReported) {
 }
 
 TEST_F(JoinedTest, ASecondRunOfTheNameGivesWay) {
-  const auto first = Run({});  // which waits
+  const auto first = Run({});  // waits for its worker
   ASSERT_TRUE(first->WaitFor("waiting for process 'vision'"));
   const auto begun = [&] {
     return "there is a run of the name '" + name_ + "' already (pid " +
@@ -130,7 +130,7 @@ TEST_F(JoinedTest, ASecondRunOfTheNameGivesWay) {
   EXPECT_THAT(second->heard(), HasSubstr(begun()));
   const auto join = Join();
   ASSERT_TRUE(first->WaitFor("state: listening")) << first->heard();
-  const auto third = Run({});  // now that the first is under way
+  const auto third = Run({});  // the first run has begun now
   EXPECT_EQ(third->Finish().status, 1);
   EXPECT_THAT(third->heard(), HasSubstr(begun()));
   first->Signal(SIGINT);
@@ -138,7 +138,7 @@ TEST_F(JoinedTest, ASecondRunOfTheNameGivesWay) {
   EXPECT_EQ(join->Finish().status, 0) << join->heard();
 }
 
-// The run does not see the stick that the record is on.
+// The master cannot read the stick on which the crash record is.
 TEST_F(JoinedTest, ACrashSaysWhereItsRecordIs) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "crashes are reported by the sanitizer";

@@ -1,4 +1,4 @@
-// Signals to one process.
+// Sends signals to a single process.
 #pragma once
 
 #include <signal.h>
@@ -12,9 +12,11 @@
 
 namespace openr_host {
 
-// Sends `signal` to the process `pid`.  What helpers return for one that they have not found, -1 or
-// 0, would be every process of this machine, or of this group: those, and a process that is gone,
-// end the test by an exception, which a helper in between cannot swallow as it does an ASSERT.
+// Sends `signal` to the process `pid`.
+//
+// A search for a process that finds none returns -1 or 0.  For kill() these mean every process of
+// the machine or of the group, so they throw, as does a process that is gone.  An exception ends
+// the test also from a helper function, where an ASSERT would only leave the helper.
 inline void KillProcess(int64_t pid, int signal) {
   if (pid <= 1) throw std::runtime_error("no signal to process " + std::to_string(pid));
   if (kill(static_cast<pid_t>(pid), signal) == 0) return;

@@ -1,4 +1,4 @@
-// That a test never signals more than one process.
+// KillProcess() never signals more than one process.
 #include "tests/distribution/kill_process.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace openr_host {
 namespace {
 
-// With signal 0 nobody is hurt if it does.
+// Signal 0 harms no process, should the test fail.
 TEST(KillProcessTest, AnUnknownProcessIdIsRefused) {
   for (const int64_t pid : {-1, 0, 1}) EXPECT_THROW(KillProcess(pid, 0), std::runtime_error) << pid;
   EXPECT_THROW(KillProcess(0x7fff'ffff, 0), std::runtime_error);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Kills processes of a distributed run and lets them come back, again and again.
+"""Kills workers of a distributed run, which restarts them, again and again.
 
-Payer, Payee and Ledger (tests/images/Coins) count what is paid and got.  Payer or Payee, in
-processes of their own, is killed with SIGKILL at a random moment and started again by the run;
-then the next round.  In the end no coin may have come twice, and none may be missing that was
-acknowledged by a ready.  Last line: "N passed, N failed", a check each.
+Payer and Payee are in workers; with Ledger (tests/images/Coins) they count the coins that are paid
+and received.  In each round one of them is killed with SIGKILL at a random moment and restarted by
+the run.  In the end no coin may have arrived twice, and no coin that a ready has acknowledged may
+be missing.  The last line is "N passed, N failed", with one check for each property.
 
     kill_rounds.py --build build/release --rounds 10000 [--free-running] [--seed 1]
 """
@@ -27,13 +27,13 @@ Payer.Book.Entry.S Ledger.Paid.Entry.O
 Payee.Book.Entry.S Ledger.Got.Entry.O
 """
 GONE = re.compile(r"; (the others go on|the run waits for it to come back)( \(\d+ times\))?$")
-# In the words of Payer and Payee, once in a life: a coin has gone all the way to Ledger.
+# Printed by Payer and Payee once in each life: a coin has gone all the way to Ledger.
 WORKS = re.compile(r"(Payer)'s first coin has been got|(Payee) has booked its first coin")
 BACK = re.compile(r"process '(\w+)' is back \(pid (\d+)")
 SUM = re.compile(r"got (\d+) twice (\d+) missed (\d+) lost (\d+) series (\d+)")
-WAIT_S = 120  # for what must happen: a machine may be slow
-# Not that of other tests: they kill processes with a lease of an hour, for which this run would
-# keep what it has announced since, and send all of it to each process that comes back.
+WAIT_S = 120  # a generous limit, since a machine may be slow
+# A domain of its own.  Other tests kill processes with a lease of an hour; this run would keep data
+# for them, and send all of it to each worker that is restarted.
 DOMAIN = 77
 
 
@@ -61,7 +61,7 @@ def children_of(pid):
                     words = line.read().split("\0")
                 found[words[words.index("--process") + 1]] = int(child)
             except (OSError, ValueError, IndexError):
-                pass  # it has just ended, or is just beginning
+                pass  # the process has just ended, or is just starting
     return found
 
 
@@ -78,8 +78,8 @@ class Run:
                                         text=True, errors="replace")
         self.changed = threading.Condition()
         self.returns = 0
-        self.working = set()  # processes whose first coin has been got since they came
-        self.lives = 0  # of Payer, that have paid
+        self.working = set()  # workers whose first coin has arrived since their last start
+        self.lives = 0  # lives of Payer in which it has paid
         self.lines = []
         self.has_ended = False
         threading.Thread(target=self.listen, daemon=True).start()

@@ -1,5 +1,6 @@
-// What a lost process leaves behind in a run that goes on: readers of the console, regions, lines
-// of CONNECT.CFG, its place in the report.  Teller and Hearer are elsewhere, probes are here.
+// What a lost worker leaves behind in a run that goes on: reads of the console, regions,
+// connections, its entry in the report.  Teller and Hearer are in workers; the probes are in this
+// process.
 #include <MCOOP.h>
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -32,7 +33,7 @@ class Reader : public CodeObject {
   std::vector<std::string> lines;
 };
 
-// Answers what it is asked.
+// Answers each question with "42".
 class Asked : public CodeObject {
  public:
   Asked() {
@@ -43,7 +44,7 @@ class Asked : public CodeObject {
   }
 };
 
-// Asks Teller, and looks at what it says when it is told to.
+// Sends Teller a question ("Ask"), and reads the answer when told to ("Look").
 class Asker : public CodeObject {
  public:
   Asker() {
@@ -108,7 +109,7 @@ class LeftBehindTest : public ConformTest {
     return {};
   }
   void Kill(const std::string& process) const { KillProcess(Process(process).pid, SIGKILL); }
-  // With all its threads.
+  // Whether the process has ended with all its threads; a killed one may be a zombie.
   bool HasEnded(const std::string& process) const {
     namespace fs = std::filesystem;
     const std::string folder = "/proc/" + std::to_string(Process(process).pid);
@@ -118,7 +119,7 @@ class LeftBehindTest : public ConformTest {
     const fs::directory_iterator threads(folder + "/task");
     return state == "Z" && std::distance(begin(threads), end(threads)) == 1;
   }
-  // And the run hears of it.
+  // Kills the process and waits until the run has noticed the loss.
   void Lose(const std::string& process) const {
     const int before = Process(process).losses;
     Kill(process);
@@ -131,7 +132,8 @@ class LeftBehindTest : public ConformTest {
     system->RunFor(system->frame_us());
     workers_->CheckWorkers();
   }
-  // Until it is there, which takes no virtual time but that to find out.
+  // Runs frames until the worker is restarted.  A restart takes no virtual time, but the run
+  // notices it at a frame only.
   void ComeBack(const std::string& process) const {
     const auto is_away = [&] { return Process(process).returns < Process(process).losses; };
     for (int i = 0; i < 10'000 && is_away(); ++i) Frame();
@@ -141,7 +143,8 @@ class LeftBehindTest : public ConformTest {
     system->Post(system->NewMessage(reader_->host().id, reader_->read));
     system->RunFor(1000);
   }
-  // What Teller, or whoever it was, answered to one who waits, or looks later.
+  // Returns the answer to a question for Teller; the asker waits for it, or reads it after it has
+  // arrived.
   std::string AnswerTo(const std::string& question, bool waits) {
     asker_->teller = OidOf(IdOf("teller"));
     asker_->entry = EntryOf("teller", "Ask");
@@ -186,12 +189,12 @@ TEST_F(LeftBehindTest, ALineForALostReaderGoesToTheNextReader) {
   system->FeedConsole(0, "mine");
   const int64_t frame_us = system->frame_us();
   EXPECT_TRUE(system->RunUntil([&] { return system->now_us() == frame_us; }, frame_us));
-  Lose("acting");  // the line has entered, and nobody has it yet
+  Lose("acting");  // the line is in the System and has not been delivered
   system->RunFor(1000);
   EXPECT_THAT(reader_->lines, ElementsAre("mine\n"));
 }
 
-// It dies when the run has looked, and before the line enters.
+// The reader is killed after the run has checked it, and before the line arrives.
 TEST_F(LeftBehindTest, ALineDoesNotGoToAKilledReaderBeforeTheLossIsNoticed) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
@@ -204,7 +207,7 @@ TEST_F(LeftBehindTest, ALineDoesNotGoToAKilledReaderBeforeTheLossIsNoticed) {
   EXPECT_EQ(Process("acting").losses, 1);
 }
 
-// Who asked gets the answer that was given, not that of the run in the name of the lost one.
+// Asker gets the answer that Teller gave, not the empty reply that the run sends for a lost object.
 TEST_F(LeftBehindTest, AnAnswerBeforeTheLossIsKept) {
   ASSERT_NO_FATAL_FAILURE(Place({{"teller", "acting"}}));
   Settle();
@@ -219,7 +222,7 @@ TEST_F(LeftBehindTest, AForwardedRequestIsAnsweredByItsReceiver) {
   EXPECT_EQ(Process("acting").losses, 1);
 }
 
-// More than wait for one object, all of one subject.
+// One subject has sent more regions than may wait for one object.
 TEST_F(LeftBehindTest, RegionsOfALostObserverComeBackInFewMessages) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
@@ -247,12 +250,12 @@ TEST_F(LeftBehindTest, RegionsOfALostObserverComeBackInFewMessages) {
 TEST_F(LeftBehindTest, NotificationsWaitingInALostSubjectAreCounted) {
   Place({{"teller", "acting"}, {"hearer", "hearing"}});
   Settle();
-  Tell("send 5");  // for an observer that is not ready
+  Tell("send 5");  // the observer is not ready, so a notification waits in the subject
   Lose("acting");
   EXPECT_TRUE(Found("; 1 notifications that waited in it are lost; ")) << Findings();
 }
 
-// As the robot does with frame numbers.
+// The robot does this with frame numbers in command vectors.
 TEST_F(LeftBehindTest, BytesThatAnObserverWroteComeBackWithTheRegion) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
@@ -320,7 +323,7 @@ TEST_F(LeftBehindTest, AWrongConnectionIsReportedDespiteTheLoss) {
   EXPECT_TRUE(Found("reader.In.Number.O NOT FOUND")) << Findings();
 }
 
-// When it is back it is known what it has not.
+// Which services an object has is known only after its restart.
 TEST_F(LeftBehindTest, AWrongConnectionOfALostObjectIsReportedAfterItsRestart) {
   Config("CONNECT.CFG",
          "Teller.Ot.Number.S Hearer.In.Number.O\nTelller.Out.Number.S Hearer.In.Number.O\n");
@@ -336,7 +339,7 @@ TEST_F(LeftBehindTest, AWrongConnectionOfALostObjectIsReportedAfterItsRestart) {
   EXPECT_EQ(system->findings().all().size(), count + 1) << "said once";
 }
 
-// The observer's process comes first.
+// Process "a" has the observer and is restarted first, when the subject is still lost.
 TEST_F(LeftBehindTest, BothEndsOfAConnectionMayBeRestarted) {
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "a"}, {"teller", "b"}}));
   Settle();
@@ -350,7 +353,7 @@ TEST_F(LeftBehindTest, BothEndsOfAConnectionMayBeRestarted) {
   EXPECT_THAT(printed, HasSubstr("H in 5 "));
 }
 
-// A process whose second start comes to nothing.
+// A worker whose second start never joins.
 class AwayTest : public LeftBehindTest {
  protected:
   AwayTest() {

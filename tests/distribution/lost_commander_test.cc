@@ -1,4 +1,5 @@
-// A free run whose JointMover is killed: what becomes of the joints, and of messages to it.
+// A free run whose JointMover is killed: the joints hold and then move to the sleeping posture;
+// messages to JointMover are counted.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -11,14 +12,14 @@
 namespace openr_host {
 namespace {
 
-// As docs/distribution.md has them; in the beginning a vector may still be under way.
+// The times of docs/distribution.md; at first a vector may still be on its way.
 constexpr int64_t kUnderWay_us = 300'000;
 constexpr int64_t kHold_us = 2'000'000;
 constexpr int64_t kAtRest_us = 6'000'000;
 
 class LostCommanderTest : public testing::Test {
  protected:
-  // Positions by the virtual time at which the robot had them, up to some time behind `begin_us`.
+  // Returns positions by virtual time, read until some time after `begin_us`.
   std::map<int64_t, std::vector<double>> PositionsUntil(int64_t begin_us, int64_t length_us) {
     std::map<int64_t, std::vector<double>> heard;
     while (heard.empty() || heard.rbegin()->first < begin_us + length_us) {
@@ -34,7 +35,7 @@ class LostCommanderTest : public testing::Test {
 };
 
 TEST_F(LostCommanderTest, JointsHoldAndThenGoToTheSleepingPosture) {
-  run_.WaitUntil(12'000'000);  // it stands
+  run_.WaitUntil(12'000'000);  // the dog stands by then
   const std::vector<pid_t> children = ChildrenOf(run_.program().pid());
   ASSERT_EQ(children.size(), 1u);
   KillProcess(children[0], SIGKILL);

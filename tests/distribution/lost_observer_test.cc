@@ -1,5 +1,5 @@
-// A subject whose observer is gone with its process: it gets back what it sent and hears that
-// nobody is ready.
+// A subject whose observer is lost with its worker gets its regions back and hears that no observer
+// is ready.
 #include <OPENR/ObjcommMessages.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint32_t kNotifyEntry = 9;
 
-// Delays what is sent to one object.
+// Delays the notifications for one object.
 class Late : public Schedule {
  public:
   size_t Choose(Question, const std::vector<ObjectId>&) override { return 0; }
@@ -53,7 +53,7 @@ class LostObserverTest : public ::testing::Test {
   }
   OServiceEntry Observer() const { return {OidOf(remote_->id), kNotifyEntry}; }
 
-  // As an observer's side of the connection does.
+  // Sends the control message that an observer sends to connect.
   void Control() {
     const CurrentScope scope(&system_, remote_);
     const auto entry = system_.robot(0).directory.at("Sender.Out.Number.S");
@@ -106,7 +106,7 @@ TEST_F(LostObserverTest, RegionsComeBackAndNoObserverIsReady) {
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(sender_->readies.back(), "deassert");
   EXPECT_EQ(sender_->out->IsReady(), 0);
-  EXPECT_EQ(remote_->unheard_count, 3u);  // DoInit, DoStart, the notification
+  EXPECT_EQ(remote_->unheard_count, 3u);  // DoInit, DoStart and the notification
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 

@@ -1,5 +1,5 @@
-// Many processes: a ring of objects of which each is one, and several such runs on one host and in
-// one DDS domain.
+// Many workers: a ring of objects, each in a worker of its own, and several such runs on one host
+// and in one DDS domain.
 #include <fmt/format.h>
 
 #include "tests/distribution/same_run.h"
@@ -12,14 +12,14 @@ void Replace(const std::string& from, const std::string& to, std::string* bytes)
     bytes->replace(at, from.size(), to);
 }
 
-// They get to know each other slowly where others compile.
+// Discovery is slow on a machine that compiles at the same time.
 const Words kPatiently = {"--join-wait", "110s"};
 
 class ManyTest : public testing::Test {
  protected:
   static std::string Name(int i, int count) { return fmt::format("Passer{:02}", i % count); }
 
-  // `count` objects out of one image, each under a name of the same length.
+  // Makes a stick with `count` objects of one image, whose names have the same length.
   void MakeRing(int count) {
     const ScratchFolder source;
     std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/PASSER00.BIN", source.File("image"));

@@ -1,4 +1,4 @@
-// Messages between two Systems without a network: what goes through, and what is refused.
+// Messages between two Systems without a network: what arrives, and what is refused.
 #include "distribution/marshaller.h"
 
 #include <OPENR/ObjcommMessages.h>
@@ -18,7 +18,7 @@
 namespace openr_host {
 namespace {
 
-// A subject's side and an observer's.
+// A System with the subject and one with the observer.
 class MarshallerTest : public testing::Test {
  protected:
   MarshallerTest() {
@@ -46,7 +46,7 @@ class MarshallerTest : public testing::Test {
     return message;
   }
 
-  // A notification of these regions.
+  // Makes a notification with these regions.
   static Message Notification(const std::vector<RCRegion*>& regions) {
     Message message = Blank();
     auto& notify = *new (message.payload) ONotifyMessage;
@@ -66,7 +66,7 @@ class MarshallerTest : public testing::Test {
     return message;
   }
 
-  // What the observer sends to give these back.
+  // Makes the ready that gives these regions back.
   static Message Answer(const std::vector<RCRegion*>& regions) {
     Message message = Blank();
     auto& ready = *new (message.payload) OReadyMessage;
@@ -87,7 +87,7 @@ class MarshallerTest : public testing::Test {
     return *reinterpret_cast<const OReadyMessage*>(message.payload);
   }
 
-  // Through the wire, from here to there.
+  // Encodes the message here and decodes it there.
   std::string Carry(const Message& message, Message* out,
                     const Marshaller::PeerHasMemory& has = nullptr) {
     ours.Encode(message, has, &arena, &wire);
@@ -97,7 +97,7 @@ class MarshallerTest : public testing::Test {
     return problem;
   }
 
-  // One part of a notification, as somebody may send it.
+  // Makes a notification with `count` copies of a part, as a forged sample could have it.
   openr_wire_Message Forged(openr_wire_NotifiedRegion part, uint32_t count = 1) {
     openr_wire_Message message{};
     message.payload._d = openr_wire_PAYLOAD_NOTIFY;
@@ -181,7 +181,7 @@ TEST_F(MarshallerTest, ANotificationBringsItsMemoryAndTheReadyReturnsIt) {
   LetGo(large);
 }
 
-// The other side may hand on what it has, also when the subject that sent it is gone.
+// The peer may pass a region on, also after the subject that sent it was replaced.
 TEST_F(MarshallerTest, ARegionOfAReplacedSubjectStaysExported) {
   RCRegion* const region = NewRegion("before");
   Message out;
@@ -198,7 +198,7 @@ TEST_F(MarshallerTest, ARegionOfAReplacedSubjectStaysExported) {
   LetGo(region);
 }
 
-// Nobody there has it any more, and no ready gives it back.
+// No object of the peer has the region, and no ready will return it.
 TEST_F(MarshallerTest, ARegionThatThePeerDroppedIsNotExported) {
   RCRegion* const region = NewRegion("before");
   Message out;
@@ -211,7 +211,7 @@ TEST_F(MarshallerTest, ARegionThatThePeerDroppedIsNotExported) {
   LetGo(region);
 }
 
-// An object there has taken it, and may hand it on.
+// An object of the peer holds the region and may pass it on.
 TEST_F(MarshallerTest, APinnedRegionIsDroppedAfterItsUnpin) {
   RCRegion* const region = NewRegion("before");
   Message out;
@@ -244,13 +244,13 @@ TEST_F(MarshallerTest, ADeassertForALostObserverIsMarked) {
   EXPECT_EQ(ReadyOf(ready).msgType, kDeassertOfLost);
 }
 
-// In the handler that got it: compared with the sample, which is there still.
+// In the handler that received the region, the comparison is with the sample, which is still valid.
 TEST_F(MarshallerTest, ARegionReturnedInTheSameHandlerIsCompared) {
   RCRegion* const written = NewRegion("before");
   RCRegion* const read = NewRegion("before");
   openr_wire_Message in{};
   ours.Encode(Notification({written, read}), nullptr, &arena, &in);
-  std::vector<std::vector<uint8_t>> samples;  // as Cyclone DDS has them, apart from the regions
+  std::vector<std::vector<uint8_t>> samples;  // the bytes of the samples, apart from the regions
   for (uint32_t i = 0; i < 2; ++i) {
     openr_wire_Bytes& bytes = in.payload._u.notify.parts._buffer[i].bytes;
     samples.emplace_back(bytes._buffer, bytes._buffer + bytes._length);
@@ -313,7 +313,7 @@ TEST_F(MarshallerTest, ARegionSentTwiceIsExportedTwice) {
   LetGo(region);
 }
 
-// ---- from somebody who is not what he says
+// ---- Forged samples
 
 TEST_F(MarshallerTest, AReadyWithAnUnknownTokenIsRefused) {
   openr_wire_Message in{};
@@ -367,7 +367,7 @@ TEST_F(MarshallerTest, TheSideThatAssignsIdsAcceptsNoUnknownId) {
   EXPECT_EQ(ours.Decode(in, &out), "8 bytes in region 0x10005");
 }
 
-// The number of a region that is in use here, with another generation.
+// The id is that of a region in use here, with another generation.
 TEST_F(MarshallerTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
   const uint32_t mine = there.regions().New(16, 1);
   char* const base = there.regions().BaseOf(mine);
@@ -377,7 +377,8 @@ TEST_F(MarshallerTest, AForgedIdDoesNotTakeAwayMemoryThatIsInUse) {
   EXPECT_STREQ(base, "still mine");
 }
 
-// The subject was replaced, and somebody got its region's place before the observer answered.
+// The subject was replaced, and a new region got the slot of its region before the observer
+// answered.
 TEST_F(MarshallerTest, ImportedDataOutliveTheirRegion) {
   Message first = Blank(), second = Blank();
   ASSERT_EQ(theirs.Decode(Forged({1, 0x10005, 8, 0, 8, arena.Bytes("the old.", 8)}), &first), "");

@@ -1,4 +1,4 @@
-// The placement file and --place: where objects live, and what is said of wrong lines.
+// The placement file and --place, and the errors reported for wrong lines.
 #include "distribution/placement.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::Pair;
 
-// All complaints about a file "where.cfg" of this text.
+// Returns all errors in a file "where.cfg" with this text.
 std::string Complaints(const std::string& text) {
   std::vector<Diagnostic> diagnostics;
   ParsePlacement("where.cfg", text, &diagnostics);

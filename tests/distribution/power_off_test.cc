@@ -1,4 +1,4 @@
-// A robot is switched off while the process of one of its objects is away.
+// A robot is switched off while the worker of one of its objects is lost.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -18,7 +18,7 @@ constexpr int64_t kFrame_us = 8000;
 
 class PowerOffTest : public testing::Test {
  protected:
-  // Payee in a process that may come back once.
+  // Begins a run with Payee in a worker that may be restarted once.
   void Begin(int robots) {
     MakeStick(stick_, {"LEDGER.BIN", "PAYER.BIN", "PAYEE.BIN"},
               "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S "
@@ -55,14 +55,14 @@ class PowerOffTest : public testing::Test {
   System& system() { return simulation_->system(); }
   Object& payee(int robot) { return *system().FindObject(robot, "Payee"); }
 
-  // As openr run does.
+  // Runs frames like openr run does.
   void Run(int frames) {
     for (int i = 0; i < frames && !system().powered_off(); ++i) {
       system().RunUntil(system().now_us() + kFrame_us);
       workers_->CheckWorkers();
     }
   }
-  // Until the run has heard of it; whom.
+  // Kills the worker and waits until the run has noticed; returns the killed process's id.
   int64_t Kill() {
     const int64_t pid = workers_->Describe()[0].pid;
     KillProcess(pid, SIGKILL);
@@ -101,7 +101,7 @@ TEST_F(PowerOffTest, OnlyObjectsOfTheRunningRobotAreRestarted) {
   EXPECT_THAT(system().findings().all()[0].text, HasSubstr("was killed"));
 }
 
-// One that is off when its process is lost, and comes back with it.
+// The robot is off when the worker is lost, and still off when it is restarted.
 TEST_F(PowerOffTest, AnObjectThatWasOffIsNotStarted) {
   ASSERT_NO_FATAL_FAILURE(Begin(2));
   system().PowerOff(1);
@@ -125,7 +125,7 @@ TEST_F(PowerOffTest, ARunThatIsOverRestartsNoWorker) {
   EXPECT_EQ(system().findings().all().size(), 1u);
 }
 
-// What is asked to stop is gone already: nobody waits for its answer.
+// The shutdown asks a lost object to stop and does not wait for its answer.
 TEST_F(PowerOffTest, ARobotShutsDownWithoutItsLostObject) {
   ASSERT_NO_FATAL_FAILURE(Begin(1));
   system().Shutdown();
@@ -135,7 +135,7 @@ TEST_F(PowerOffTest, ARobotShutsDownWithoutItsLostObject) {
   EXPECT_TRUE(system().powered_off());
   EXPECT_LT(system().now_us(), before_us + 100'000);
   EXPECT_THAT(said_, Not(HasSubstr("is back")));
-  EXPECT_THAT(printed_, HasSubstr("got "));  // Ledger was asked as ever
+  EXPECT_THAT(printed_, HasSubstr("got "));  // Ledger was asked to stop in the usual way
   EXPECT_EQ(system().findings().all().size(), 1u);
 }
 

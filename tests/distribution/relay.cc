@@ -16,7 +16,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kLookNs = 20'000'000;  // between looks at whether it is over
+constexpr int64_t kLookNs = 20'000'000;  // between checks whether the relay ends
 constexpr size_t kPacketMax = 65536;
 
 int64_t NowNs() {
@@ -81,7 +81,7 @@ void Relay::Run() {
   }
 }
 
-// All there is.  False when the interface has gone.
+// Reads all packets that have arrived at this end.  False when the interface is gone.
 bool Relay::TakeFrom(size_t end) {
   for (;;) {
     std::vector<char> bytes(kPacketMax);

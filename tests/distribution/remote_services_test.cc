@@ -1,4 +1,4 @@
-// Every function about devices, called in one System, answered by the robot of another.
+// Every function about devices is called in one System and answered by the robot of another.
 #include "distribution/remote_services.h"
 
 #include <fmt/format.h>
@@ -13,14 +13,14 @@
 namespace openr_host {
 namespace {
 
-constexpr OStatus kStatus = 4711;  // of every function; nothing else gives it
+constexpr OStatus kStatus = 4711;  // the status that every function of the fake robot returns
 
 std::string GainsOf(const word gains[6]) {
   return fmt::format("{} {} {} {} {} {}", gains[0], gains[1], gains[2], gains[3], gains[4],
                      gains[5]);
 }
 
-// Writes down what it is asked, and answers with numbers of its own.
+// Records its calls, and returns values of its own.
 class NotingRobot : public RobotServices {
  public:
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override {
@@ -122,7 +122,7 @@ class NotingRobot : public RobotServices {
   std::string heard;
 };
 
-// Answers questions at once, as the master does.
+// Answers questions at once, like the master does.
 class StraightUplink : public Uplink {
  public:
   explicit StraightUplink(System* master) : master_(master) {}
@@ -152,7 +152,7 @@ class RemoteServicesTest : public testing::Test {
     options.uplink = uplink;
     return options;
   }
-  // What the robot was asked by a call whose result is this.
+  // Returns what the robot was asked by a call with this result.
   std::string Heard(OStatus status) {
     EXPECT_EQ(status, kStatus);
     return std::exchange(robot->heard, "(nothing)");
@@ -266,7 +266,7 @@ TEST_F(RemoteServicesTest, ClockAndVolume) {
   EXPECT_EQ(volume, ovolumeSW2);
 }
 
-// The first number names the function; nobody else's number is taken for one.
+// The first number selects the function; an unknown one selects none.
 TEST_F(RemoteServicesTest, AFunctionThatIsNoneIsNotSupported) {
   EXPECT_EQ(ServeRobotCall(&master, 0, {QuestionKind::kService, {999}}).status, oNOT_SUPPORTED);
   EXPECT_EQ(ServeRobotCall(&master, 0, {QuestionKind::kService, {}, "PRM:/x"}).status, kStatus)

@@ -1,4 +1,4 @@
-// A process that was lost comes back, with its objects as at the beginning.
+// A lost worker is restarted, and its objects begin anew.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -17,7 +17,7 @@ using ::testing::Not;
 
 class ReturnsTest : public testing::Test {
  protected:
-  // A stick with Payer, Payee and Ledger (tests/images/Coins).
+  // Makes a stick with Payer, Payee and Ledger (tests/images/Coins).
   ReturnsTest() {
     stick_.Write("OPEN-R/MW/CONF/OBJECT.CFG",
                  "/MS/OPEN-R/MW/OBJS/LEDGER.BIN\n/MS/OPEN-R/MW/OBJS/PAYER.BIN\n"
@@ -33,7 +33,7 @@ class ReturnsTest : public testing::Test {
       std::filesystem::copy_file(std::string(OPENR_IMAGES) + "/" + name, Image(name));
   }
   std::string Image(const std::string& name) const { return stick_.File("OPEN-R/MW/OBJS/" + name); }
-  // AddressSanitizer ends a process at a crash before the run can hear of it.
+  // AddressSanitizer ends a crashing process before the run can receive a report.
   static constexpr const char* kNoCrashes = "crashes are reported by the sanitizer";
 #if defined(__SANITIZE_ADDRESS__)
   static constexpr bool kHasCrashes = false;
@@ -43,11 +43,11 @@ class ReturnsTest : public testing::Test {
   Words OnStick(const Words& flags) const {
     return Words{"--stick", stick_.path(), "--body", "ideal"} + flags;
   }
-  // At a pace at which somebody can do something meanwhile.
+  // Runs slowly enough for the test to act meanwhile.
   static Words RunAt(const std::string& rate, const Words& flags) {
     return Words{"run", "--no-panel", "--rc-port", "0", "--json", "--rate", rate} + flags;
   }
-  // -1 if there is none.
+  // Returns the worker's process id; -1 if there is none.
   static int PidOf(const ProgramRun& run, const std::string& process) {
     for (const pid_t child : ChildrenOf(run.pid())) {
       std::ifstream file("/proc/" + std::to_string(child) + "/cmdline");
@@ -56,7 +56,7 @@ class ReturnsTest : public testing::Test {
     }
     return -1;
   }
-  // New code of Payee, by another word in its image.
+  // Replaces Payee's image by one with other code, by changing a word in it.
   void NewEdition() const {
     std::ifstream file(Image("PAYEE.BIN"), std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -70,7 +70,7 @@ class ReturnsTest : public testing::Test {
   const ScratchFolder stick_;
 };
 
-// "got 12 twice 0 missed 0 ..." of Ledger.
+// EXPECTs a line like "got 12 twice 0 missed 0 ..." of Ledger.
 void ExpectGoodBooks(const std::string& err) {
   EXPECT_THAT(err, HasSubstr(" twice 0 missed 0 "));
   EXPECT_THAT(err, Not(HasSubstr("got 0 ")));
@@ -114,10 +114,10 @@ TEST_F(ReturnsTest, TheBooksAreRightAfterwards) {
   run.Signal(SIGINT);
   EXPECT_EQ(run.Finish().status, 1);
   ExpectGoodBooks(run.heard());
-  EXPECT_THAT(run.heard(), HasSubstr(" lost 1 series 1"));  // coin 30
+  EXPECT_THAT(run.heard(), HasSubstr(" lost 1 series 1"));  // coin 30 was lost in the crash
 }
 
-// What Register() gave to the one that is gone.
+// A name that the lost object gave to Register() is removed.
 TEST_F(ReturnsTest, ARegisteredNameEndsWithItsObject) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
@@ -139,12 +139,12 @@ TEST_F(ReturnsTest, ARegisteredNameReturnsWithItsObject) {
   run.Signal(SIGINT);
   run.Finish();
   const std::string& heard = run.heard();
-  const std::string word = "Payee registers Purse: 0";  // it was free again
+  const std::string word = "Payee registers Purse: 0";  // status 0: the name was free again
   EXPECT_NE(heard.find(word, heard.find(word) + 1), std::string::npos) << heard;
   EXPECT_THAT(heard, HasSubstr("Purse is there"));
 }
 
-// Both objects of a process begin anew, and what was connected between them is again.
+// Both objects of a worker begin anew, and their connection to each other is restored.
 TEST_F(ReturnsTest, AllObjectsOfAWorkerAreRestarted) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
@@ -156,7 +156,8 @@ TEST_F(ReturnsTest, AllObjectsOfAWorkerAreRestarted) {
   EXPECT_DOUBLE_EQ(run.report["virtual_time_s"].get<double>(), 2);
 }
 
-// What came while an object had the processor goes to the new one when that is free.
+// Messages that arrived while the lost object had the processor go to the new object, when the
+// processor is free.
 TEST_F(ReturnsTest, ARestartWorksWhenHandlersTakeTime) {
   if (!kHasCrashes) GTEST_SKIP() << kNoCrashes;
   stick_.Write("OPEN-R/MW/DATA/P/FRAGILE.TXT", "");
@@ -200,7 +201,7 @@ TEST_F(ReturnsTest, LockstepWaitsForAKilledWorker) {
   KillProcess(PidOf(run, "payee"), SIGKILL);
   ASSERT_TRUE(run.WaitFor("process 'payee' is back")) << run.heard();
   EXPECT_TRUE(run.WaitFor("Payee, edition two")) << "new code";
-  KillProcess(PidOf(run, "payee"), SIGKILL);  // once was what it may
+  KillProcess(PidOf(run, "payee"), SIGKILL);  // the worker has used its one restart
   const ProgramResult& result = run.Finish();
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err,
@@ -268,7 +269,7 @@ TEST_F(ReturnsTest, AnExternalWorkerJoinsAgainByItself) {
   EXPECT_EQ(join.Finish().status, 0) << join.heard();
 }
 
-// Nobody is asked for ever.
+// An external worker in lockstep is waited for only as long as --join-wait says.
 TEST_F(ReturnsTest, LockstepWaitsForAnExternalWorkerOnlyForJoinWait) {
   const std::string name = RunName("chances");
   stick_.Write("where.cfg", "Payee payee\n@payee 127.0.0.1\n");
@@ -302,7 +303,7 @@ TEST_F(ReturnsTest, AWorkerThatIsRefusedDoesNotJoinAgain) {
   EXPECT_THAT(join.heard(), Not(HasSubstr("another one comes")));
 }
 
-// ---- the cable between two hosts
+// ---- Failures of the cable between two hosts
 
 class ReturningHostTest : public ReturnsTest, public TwoHosts {
  protected:
@@ -338,7 +339,7 @@ TEST_F(ReturningHostTest, AHostThatWasCutOffComesBack) {
   ExpectToComeBack();
 }
 
-// That it has been given up.
+// The worker has not noticed that the run has given it up; the run tells it.
 TEST_F(ReturningHostTest, AnAbandonedHostIsToldAndComesBack) {
   ASSERT_NO_FATAL_FAILURE(Start("60", "3"));
   Mend();

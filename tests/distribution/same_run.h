@@ -1,5 +1,4 @@
-// A run with its objects in one process and the same one with them in several: the recordings and
-// the reports have to say the same.
+// Compares a run in one process with the same run in several: recordings and reports must be equal.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,14 +22,14 @@ inline Words operator+(Words words, const Words& more) {
   return words;
 }
 
-// --isolate for each.
+// Returns --isolate for each of the objects.
 inline Words Isolated(const Words& objects) {
   Words flags;
   for (const std::string& object : objects) flags = flags + Words{"--isolate", object};
   return flags;
 }
 
-// Process ids of the children of `parent`.
+// Returns the process ids of the children of `parent`.
 inline std::vector<pid_t> ChildrenOf(pid_t parent) {
   std::vector<pid_t> children;
   const std::string id = std::to_string(parent);
@@ -52,15 +51,15 @@ struct RecordedRun {
 
 inline const Words kQuickly = {"run", "--rate", "max", "--no-panel", "--rc-port", "0", "--json"};
 
-// `openr run` with these flags, as fast as it goes.
+// Runs `openr run` with these flags, as fast as it goes.
 inline RecordedRun Record(const Words& flags) {
   const ScratchFolder folder;
   const ProgramResult result = RunProgram(kQuickly + Words{"--record", folder.File("r")} + flags);
   return {result.status, result.err, folder.Read("r"), json::parse(result.out, nullptr, false)};
 }
 
-// Of a report: what it says of the objects, but for what depends on where they are: the wall time
-// and the memory they took.
+// Returns what a report says of the objects, without the wall time and memory, which depend on the
+// placement.
 inline json WhatObjectsDid(const json& report) {
   json objects = report["objects"];
   for (json& object : objects) {
@@ -70,7 +69,7 @@ inline json WhatObjectsDid(const json& report) {
   return objects;
 }
 
-// EXPECTs that both did the same, byte by byte.
+// EXPECTs that both runs are equal, byte by byte.
 inline void ExpectSame(const RecordedRun& one, const RecordedRun& other) {
   ASSERT_TRUE(one.report.contains("messages")) << one.err;
   ASSERT_TRUE(other.report.contains("messages")) << other.err;

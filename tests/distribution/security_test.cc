@@ -1,4 +1,5 @@
-// DDS Security: who has settings of the same authority takes part, others neither do nor hear.
+// DDS Security: processes with certificates of one authority take part; others cannot join or
+// listen.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -16,7 +17,7 @@ const Words kFlags = {"--for", "3s", "--body", "ideal"};
 
 class SecurityTest : public testing::Test {
  protected:
-  // Keys take their time, and are the same for all tests.
+  // Made once for all tests, because making keys takes time.
   static void SetUpTestSuite() {
     keys = std::make_unique<ScratchFolder>();
     for (const char* authority : {"ours", "theirs"}) {
@@ -38,16 +39,16 @@ class SecurityTest : public testing::Test {
   }
 
   static std::string Settings(const std::string& of) { return keys->File(of + ".xml"); }
-  // "": without settings.
+  // The file of settings; "": none.
   static Words With(const std::string& settings) {
     return settings.empty() ? Words{} : Words{"--dds-config", Settings(settings)};
   }
-  // Controller's process.
+  // Starts the worker with Controller.
   std::unique_ptr<ProgramRun> Join(const std::string& settings, const std::string& wait) const {
     return std::make_unique<ProgramRun>(
         Words{"join", "--process", "vision", "--run-name", name, "--wait", wait} + With(settings));
   }
-  // With JointMover in a process that is started.
+  // Starts a run that itself starts a worker with JointMover.
   RecordedRun RunWithJoiner(const std::string& join_wait) const {
     return Record(kFlags + With("ours/alpha") +
                   Words{"--placement", folder.File("where.cfg"), "--run-name", name, "--join-wait",
@@ -100,7 +101,7 @@ TEST_F(SecurityTest, Ros2TopicsAreProtectedAsWell) {
   EXPECT_EQ(result.status, 0) << result.err;
 }
 
-// Without the file a run would not be protected.
+// A missing file must be an error, since the run would not be protected.
 TEST(SettingsTest, AMissingSettingsFileIsRefused) {
   const ScratchFolder folder;
   for (const std::string& file : {folder.path(), folder.File("nothing.xml")}) {
@@ -141,7 +142,7 @@ TEST_F(SettingsForADomainTest, SecurityForAnotherDomainIsReported) {
       "<CycloneDDS><Domain><Tracing/></Domain>"
       "<Domain id=\"7\"><Security/></Domain></CycloneDDS>";
   EXPECT_EQ(Why(two, 7), "");
-  EXPECT_EQ(Why("<CycloneDDS><Domain><DDSSecurity/></Domain>"  // its older name
+  EXPECT_EQ(Why("<CycloneDDS><Domain><DDSSecurity/></Domain>"  // an older name of <Security>
                 "<Domain id=\"7\"><Security/></Domain></CycloneDDS>",
                 0),
             "");

@@ -1,4 +1,4 @@
-// What a run says of itself on its topic, and the times in it.
+// The status of a run on its topic, and the durations in it.
 #include "distribution/status_topic.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class StatusTopicTest : public testing::Test {
     options.run = "status-" + std::to_string(getpid());
     return options;
   }
-  // What arrives of `status`.
+  // Returns what arrives of `status`.
   RunStatus Sent(RunStatus status) {
     status.run = Options().run;
     writer_.Write(status);
@@ -83,7 +83,7 @@ TEST_F(StatusTopicTest, LongTextsAreCut) {
   EXPECT_EQ(heard.messages_per_s, 0);
 }
 
-// The last rates are not those of an instant.
+// The final status must not have rates over a very short time.
 TEST(MonitorTest, TheFinalStatusRepeatsTheLastRates) {
   BusOptions options;
   options.run = "monitor-" + std::to_string(getpid());

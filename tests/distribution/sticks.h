@@ -1,4 +1,4 @@
-// Sticks of the images in tests/images.
+// Makes sticks with images of tests/images.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-// With these images and no other.
+// Makes a stick with these images only.
 inline void MakeStick(const ScratchFolder& stick, const Words& images, const std::string& wiring) {
   std::string list;
   stick.Write("OPEN-R/MW/OBJS/README.TXT", "");
@@ -21,7 +21,8 @@ inline void MakeStick(const ScratchFolder& stick, const Words& images, const std
   stick.Write("OPEN-R/MW/CONF/CONNECT.CFG", wiring);
 }
 
-// Bulk sends a megabyte twelve times to two others, who answer, and to itself.
+// Makes a stick on which Bulk sends a megabyte twelve times to two other objects, which answer, and
+// to itself.
 inline void MakeBulkStick(const ScratchFolder& stick) {
   MakeStick(stick, {"BULK.BIN", "TAKER1.BIN", "TAKER2.BIN"},
             "Bulk.Out.Bytes.S Taker1.In.Bytes.O\n"

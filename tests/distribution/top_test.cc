@@ -1,4 +1,4 @@
-// openr top, and that a run does not care who watches it.
+// openr top; watching a run changes nothing in it.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// What openr top says of the run of this name.
+// Returns what openr top prints about the run of this name.
 json Top(const std::string& name) {
   const ProgramResult result = RunProgram({"top", "--once", "--json", "--run-name", name});
   EXPECT_EQ(result.status, 0) << result.err;
@@ -43,7 +43,7 @@ std::unique_ptr<ProgramRun> StartRun(const std::string& name, const Words& flags
   return run;
 }
 
-// Runs of other tests may be heard as well.
+// Runs of other tests may be in the list as well.
 bool IsSaidToHaveEnded(const std::string& run, const std::string& table) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
@@ -107,7 +107,7 @@ TEST(TopTest, ARestartedProcessIsShownWithItsNewId) {
   const pid_t child = ObjectNamed(Top(name), "JointMover")["pid"];
   KillProcess(child, SIGKILL);
   ASSERT_TRUE(run->WaitFor("process 'JointMover' is back")) << run->heard();
-  for (int i = 0; i < 2; ++i) {  // counts that began anew are no great rates
+  for (int i = 0; i < 2; ++i) {  // counters that began anew must not give huge rates
     const json mover = ObjectNamed(Top(name), "JointMover");
     EXPECT_NE(mover["pid"], child);
     EXPECT_EQ(mover["lost"], "");
@@ -138,7 +138,7 @@ TEST(TopTest, AllRunsThatAreHeardAreShownUntilControlC) {
     return text.find(one + " on ") != std::string::npos &&
            text.find(two + " on ") != std::string::npos;
   };
-  std::string once;  // a busy machine is heard late
+  std::string once;  // a status may arrive late on a busy machine
   for (int i = 0; i < 20 && !has_both(once); ++i) once = RunProgram({"top", "--once"}).out;
   EXPECT_TRUE(has_both(once)) << once;
   ProgramRun top(Words{"-c", "exec \"$0\" \"$@\" >&2", OPENR_PROGRAM, "top"}, "/bin/sh");
@@ -150,7 +150,7 @@ TEST(TopTest, AllRunsThatAreHeardAreShownUntilControlC) {
   EXPECT_EQ(top.Finish().status, 0) << top.heard();
 }
 
-// One listener that takes everything and one that has stopped.
+// One listener reads everything, another one is stopped.
 TEST(TopTest, WatchingChangesNothing) {
   const Words flags = {"--for", "6s", "--body", "ideal"};
   const RecordedRun one = Record(flags);
@@ -159,7 +159,7 @@ TEST(TopTest, WatchingChangesNothing) {
       "/bin/sh");
   ProgramRun stopped({"top"});
   const std::string before = RunName("before");
-  {  // by which both have shown that they listen
+  {  // both listeners are known to listen after this
     const auto run = StartRun(before, {"--monitor"});
     ASSERT_TRUE(quick.WaitFor(before + " on "));
     ASSERT_TRUE(stopped.WaitForOutput(before + " on "));
@@ -204,7 +204,7 @@ TEST(TopViewTest, TheTableHasALineForEachObject) {
             "  Brain   -        den     7    64    0.0        -       -      0      0\n");
 }
 
-// 80 columns: what fits, whole.
+// 80 columns show only whole columns.
 TEST(TopViewTest, ANarrowScreenHasTheColumnsThatMatterMost) {
   RunsHeard::Run run = MadeUp();
   run.status.objects[0].state = "plays WALK.MTN for the third time";
@@ -254,7 +254,7 @@ TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
   gone.host = "den";
   gone.pid = 7;
   gone.has_ended = true;
-  runs.Take({gone}, 11);  // when its lease was over
+  runs.Take({gone}, 11);  // the lease of the run has ended
   ASSERT_EQ(runs.All().size(), 1u);
   EXPECT_THAT(TopText(runs.All(), 20), HasSubstr("; ended\n"));
   EXPECT_EQ(runs.All()[0].status.objects.size(), 2u) << "what was heard last is shown";

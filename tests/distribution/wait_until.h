@@ -1,4 +1,4 @@
-// Waiting for what another process or thread does.
+// Waits for something that another process or thread does.
 #pragma once
 
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// Asks again and again until `holds()`; after two minutes the test is over, by an exception.
+// Calls `holds()` until it is true; throws after two minutes, which ends the test.
 template <typename Condition>
 void WaitUntil(const std::string& what, const Condition& holds) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);

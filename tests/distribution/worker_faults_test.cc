@@ -1,4 +1,4 @@
-// What a placed process cannot do, and what becomes of it and of the run then.
+// Errors of objects in workers, and what becomes of the worker and of the run.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -14,9 +14,9 @@ using ::testing::Not;
 
 const Words kIdeal = {"--body", "ideal"};
 
-// ---- 64 MB are the most in one sample
+// ---- A sample may have 64 MB at most
 
-// A region of 25 MB for three observers.
+// A region of 25 MB goes to three observers.
 TEST(WorkerFaultsTest, ARegionIsSentOnceForAllItsObservers) {
   const ScratchFolder stick;
   MakeBulkStick(stick);
@@ -25,7 +25,7 @@ TEST(WorkerFaultsTest, ARegionIsSentOnceForAllItsObservers) {
   ExpectSame(Record(flags), Record(flags + Isolated({"Bulk"})));
 }
 
-// Each has bytes of its own.
+// Three regions of 25 MB have different bytes, so all are sent.
 TEST(WorkerFaultsTest, ASampleThatIsTooLargeIsReported) {
   const ScratchFolder stick;
   MakeBulkStick(stick);
@@ -42,9 +42,10 @@ TEST(WorkerFaultsTest, ASampleThatIsTooLargeIsReported) {
   EXPECT_THAT(report["processes"][0]["lost"].get<std::string>(), HasSubstr(words));
 }
 
-// ---- a handler that does not return
+// ---- A handler that does not return
 
-// It is mostly found while it speaks to the run.  Others go on until the end.
+// Mostly the watchdog finds the handler inside a call that sends to the run.  The other objects run
+// until the end.
 TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamed) {
   const ScratchFolder stick;
   stick.MakeTrouble("flood");
@@ -61,7 +62,7 @@ TEST(WorkerFaultsTest, AHandlerThatPrintsForEverIsNamed) {
             "time (--handler-limit)");
 }
 
-// ---- Trouble in openr run itself, which ends the run
+// ---- An object in openr run itself ends the run
 
 class EndingTest : public testing::Test {
  protected:
@@ -95,7 +96,7 @@ TEST_F(EndingTest, TheReportOfACrashKnowsTheProcesses) {
   }
 }
 
-// It would have the state of its objects.
+// The report contains the state of the worker's objects, which a stopped worker does not send.
 TEST_F(EndingTest, AStoppedProcessDoesNotCostTheReport) {
   ProgramRun run(RunThat("sayhang") + Words{"--handler-limit", "2s"});
   ASSERT_TRUE(run.WaitFor("it hangs now")) << run.heard();
@@ -110,11 +111,11 @@ TEST_F(EndingTest, AStoppedProcessDoesNotCostTheReport) {
   EXPECT_TRUE(report.contains("state_hash"));
 }
 
-// ---- on another host
+// ---- A worker on another host
 
 class OtherHostTest : public testing::Test, public TwoHosts {
  protected:
-  // Trouble is there and does `word`.
+  // Begins a run with Trouble on the other host; Trouble does what `word` says.
   void Begin(const std::string& word, const Words& join, const Words& run) {
     if (!Connect()) GTEST_SKIP() << kNoHosts;
     stick_.MakeTrouble(word);
@@ -125,14 +126,15 @@ class OtherHostTest : public testing::Test, public TwoHosts {
                      run);
   }
 
-  // The openr of join_.
+  // The openr process that join_ has started.
   pid_t Joined() const { return ChildrenOf(join_->pid()).at(0); }
 
   const ScratchFolder stick_;
   std::unique_ptr<ProgramRun> join_, run_;
 
  private:
-  // Where this one's process ids mean nothing: that it ends is known by what is heard of it.
+  // Starts openr in a PID namespace of its own, where process ids of this host mean nothing: its
+  // end can be known only by its silence or its goodbye.
   static std::unique_ptr<ProgramRun> StartFarAway(const Words& arguments) {
     const char* const command =
         "exec ip netns exec \"$0\" unshare --pid --fork --mount-proc \"$@\"";
@@ -143,7 +145,7 @@ class OtherHostTest : public testing::Test, public TwoHosts {
   }
 };
 
-// The packet with the last word is lost.
+// The packet with the crash report is lost at first.
 TEST_F(OtherHostTest, ACrashReportIsSentUntilItIsReceived) {
   Begin("hang", {"--handler-limit", "4s", "--dds-lease", "60"},
         {"--for", "1s", "--dds-lease", "60"});
@@ -158,7 +160,8 @@ TEST_F(OtherHostTest, ACrashReportIsSentUntilItIsReceived) {
   EXPECT_THAT(run_->heard(), Not(HasSubstr("cannot be reached")));
 }
 
-// Between its handlers: lockstep hears of it at the next frame, not when the lease is over.
+// The worker is ended between two handlers.  Lockstep receives the goodbye at the next frame and
+// need not wait for the end of the lease.
 TEST_F(OtherHostTest, AnIdleWorkerThatIsEndedLeavesAtOnce) {
   Begin("nothing", {}, {"--for", "8s"});
   if (run_ == nullptr) return;

@@ -1,4 +1,4 @@
-// --wrap: an isolated object under a tool of the developer.
+// --wrap: a worker under a tool of the developer.
 #include <gmock/gmock.h>
 
 #include "tests/distribution/same_run.h"
@@ -36,7 +36,7 @@ TEST(WrapTest, ValgrindReportsWhatAnObjectDoesWrong) {
 
 bool MayDebug() {
 #if defined(__SANITIZE_ADDRESS__)
-  return false;  // leaks are not looked for under a debugger
+  return false;  // leak checks do not work under a debugger
 #endif
   const std::string gdb = "/usr/bin/gdb";
   if (!std::filesystem::exists(gdb)) return false;
@@ -56,12 +56,13 @@ TEST(WrapTest, UnderGdbABreakpointStopsAndTheRunIsTheSame) {
              Words{"--handler-limit", "0s", "--stdin", "/dev/null", "--wrap",
                    "gdb -q -batch -x " + folder.File("commands") + " --args"});
   ExpectSame(Record(flags), debugged);
-  EXPECT_THAT(debugged.err, ::testing::HasSubstr("Breakpoint 1, "));  // the run may speak meanwhile
+  // The run may print between the two texts.
+  EXPECT_THAT(debugged.err, ::testing::HasSubstr("Breakpoint 1, "));
   EXPECT_THAT(debugged.err, ::testing::HasSubstr("JointMover::DoStart (this="));
   EXPECT_THAT(debugged.err, ::testing::HasSubstr("exited normally"));
 }
 
-// Whatever a tool is, it is started with the command of the process behind its own words.
+// A tool is started with its own words, followed by the command of the worker.
 TEST(WrapTest, UnderAScriptTheObjectDoesTheSame) {
   const ScratchFolder folder;
   folder.Write("tool", "#!/bin/sh\necho \"$1 of $$: $*\" >> " + folder.File("told") +

@@ -18,7 +18,7 @@ size_t CountOf(const std::string& part, const std::string& text) {
   return count;
 }
 
-// Waits for the joint to come there; where it was last.
+// Waits for the joint to reach `position_rad`; returns its last position.
 double WaitForJoint(const Ros2Run& run, const std::string& robot, const std::string& joint,
                     double position_rad) {
   double position = 0;
@@ -63,7 +63,8 @@ TEST(Ros2CommandsTest, AnInvalidCommandIsRefusedOnceByName) {
     run.peer().Do({"command", kTopic, "neck_pan"});
   }
   ASSERT_TRUE(run.program().WaitFor("1 names, 0 positions, 0 velocities"));
-  EXPECT_NEAR(run.peer().Position("aibo", "neck_pan"), 0, 0.02);  // not even the joint there is
+  // An invalid command moves no joint, nor the valid ones in it.
+  EXPECT_NEAR(run.peer().Position("aibo", "neck_pan"), 0, 0.02);
   const ProgramResult& result = run.End();
   EXPECT_EQ(CountOf("'nose' is no joint of the ERS-210; there are neck_tilt, ", result.err), 1u);
   EXPECT_EQ(CountOf("the position of neck_pan is no number", result.err), 1u);

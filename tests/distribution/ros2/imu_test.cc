@@ -1,4 +1,4 @@
-// What /imu says of a dog in motion, beside what its body does.
+// The data on /imu while the dog moves, compared with the motion of its body.
 #include <Eigen/Geometry>
 #include <chrono>
 #include <future>
@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int64_t kFrame_us = 8000;
-constexpr double kTop_m_s2 = 19;  // the accelerometer ends at 2 g
+constexpr double kTop_m_s2 = 19;  // the accelerometer measures up to 2 g
 
 Vector3d AccelerationOf(const json& imu) {
   const json& values = imu["acceleration"];
@@ -34,7 +34,7 @@ class Ros2ImuTest : public testing::Test {
     };
     simulation_ = std::make_unique<Simulation>(options);
     system().Boot();
-    system().RunUntil(15'000'000);  // it stands
+    system().RunUntil(15'000'000);  // the dog stands by then
     topics_ = std::make_unique<RobotTopics>(&bus_, "aibo", simulation_->robots()[0]);
   }
   static BusOptions OptionsOf(const std::string& domain) {
@@ -46,7 +46,7 @@ class Ros2ImuTest : public testing::Test {
   System& system() { return simulation_->system(); }
   const BodyState& body() const { return simulation_->robots()[0]->body().state(); }
 
-  // Knees of one side, of the other side, of the fore legs, of the hind legs: bent.
+  // Bent knees: of one side, of the other side, of the fore legs, of the hind legs.
   void Rock(int64_t turn) {
     constexpr const char* kBent[][2] = {
         {"LF_j3", "LH_j3"}, {"RF_j3", "RH_j3"}, {"LF_j3", "RF_j3"}, {"LH_j3", "RH_j3"}};
@@ -58,8 +58,8 @@ class Ros2ImuTest : public testing::Test {
     client_->Want(targets);
   }
 
-  // One frame; what an accelerometer in the body feels is remembered: the change of its velocity
-  // and what holds it against gravity.
+  // Runs one frame and keeps what an accelerometer in the body measures: the change of its velocity
+  // and the force against gravity.
   void Step() {
     const Vector3d before_W = body().v_WB;
     system().RunUntil(system().now_us() + kFrame_us);
@@ -85,7 +85,7 @@ TEST_F(Ros2ImuTest, ARockingDogFeelsWhatItsBodyDoes) {
        ++frame) {
     if (frame % kTurnFrames == 0) Rock(frame / kTurnFrames);
     Step();
-    usleep(1000);  // slow enough for a reader
+    usleep(1000);  // slow enough for a reader to receive every sample
   }
   Vector3d least = Vector3d::Constant(100), most = -least;
   for (const json& sample : reading.get()) {
@@ -102,7 +102,7 @@ TEST_F(Ros2ImuTest, ARockingDogFeelsWhatItsBodyDoes) {
   EXPECT_GT(range.minCoeff(), 0.1) << "it moves: " << range.transpose();
 }
 
-// The side that is lower pulls: x ahead, y to the left.
+// The lower side measures a part of gravity: x is forward, y left.
 TEST_F(Ros2ImuTest, ADogThatLeansTellsToWhichSide) {
   struct Lean {
     int axis;

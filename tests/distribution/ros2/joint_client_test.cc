@@ -27,7 +27,7 @@ class JointClientTest : public testing::Test {
     client_.Accept(kListener, kSecond);
   }
 
-  // What the robot reads at the next frame, all of it.
+  // Returns all that the robot reads at the next frame.
   std::string Read(NetHandle handle) {
     client_.Receive(handle, 4096);
     for (const NetworkEvent& event : client_.Poll()) {
@@ -36,7 +36,7 @@ class JointClientTest : public testing::Test {
     return "";
   }
 
-  // The robot answers one request.
+  // Lets the robot answer one request.
   void Answer(NetHandle handle, int status, const std::string& text = "") {
     uint8_t bytes[RC_MAX_PACKET];
     RcWriter writer(bytes, sizeof bytes);
@@ -53,12 +53,12 @@ class JointClientTest : public testing::Test {
     client_.Send(handle, bytes, static_cast<size_t>(writer.Size()));
   }
 
-  std::vector<NetworkEvent> outside_;  // for the next Poll()
+  std::vector<NetworkEvent> outside_;  // events for the next Poll()
   std::vector<std::string> refusals_;
   JointClient client_;
 };
 
-// A packet of one joint and one value in 0.01 degree.
+// Makes a packet with one joint and one value in 0.01 degree.
 std::string Packet(int command, int joint, int value) {
   std::string bytes = {
       'R', 'C', 13, 0, 1, static_cast<char>(command), 0, 0, static_cast<char>(joint)};

@@ -1,5 +1,5 @@
-// `openr run --ros2` beside a plain DDS participant (tests/ros2_peer) with the settings that
-// docs/ros2.md gives to people.
+// Runs `openr run --ros2` beside a plain DDS participant (tests/ros2_peer), which has the settings
+// that docs/ros2.md recommends.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -13,9 +13,9 @@
 
 namespace openr_host {
 
-// A domain that no other test uses at the same time: the shards of tools/run_tests.py have 48 each,
-// from 1, 121 and so on.  Neither 0 (most tests, and whoever runs openr), 77 (kill_rounds.py) nor
-// 101 to 112 (bench) is among them; the last one there is, is 232.
+// A domain that no other test uses at the same time.  Each shard of tools/run_tests.py has 48
+// domains, from 1, 121 and so on.  Not among them are 0 (most tests, and users of openr), 77
+// (kill_rounds.py) and 101 to 112 (bench); the largest is 232.
 inline std::string NewDomain() {
   constexpr int kFirst[] = {1, 121, 169, 49};
   constexpr int kCount[] = {48, 48, 48, 28};
@@ -46,7 +46,7 @@ class Ros2Peer {
   Ros2Peer(const Ros2Peer&) = delete;
   Ros2Peer& operator=(const Ros2Peer&) = delete;
 
-  // Lines of JSON.
+  // Runs a command of the peer; returns its output, lines of JSON.
   std::vector<json> Do(const Words& words) const {
     const ProgramResult result = ProgramRun(Words{domain_} + words, ROS2_PEER).Finish();
     EXPECT_EQ(result.status, 0) << result.err;
@@ -92,15 +92,15 @@ class Ros2Run {
   const std::string& domain() const { return domain_; }
   ProgramRun& program() { return run_; }
 
-  // Until virtual time `time_us`.
+  // Waits until virtual time `time_us`.
   void WaitUntil(int64_t time_us) const {
     while (peer_.ReadOne("rosgraph_msgs/Clock", "rt/clock").value("stamp_us", time_us) < time_us) {
     }
   }
-  // Until the dog stands.
+  // Waits until the dog stands.
   void WaitForStanding() const { WaitUntil(15'000'000); }
 
-  // At once; its report, if it was to be JSON.
+  // Ends the run at once; returns its output.
   const ProgramResult& End() {
     run_.Signal(SIGINT);
     run_.WaitFor("pause button");

@@ -1,4 +1,4 @@
-// Streams of joint commands, and a remote control whose process is lost under them.
+// Streams of joint commands, and the loss of the worker with the remote control during a stream.
 #include <signal.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct Move {
   int centideg;
 };
 
-// The MOVE packets that the robot read, as a recording has them.
+// Returns the MOVE packets that the robot has read, from a recording.
 std::vector<Move> MovesIn(const std::string& recording) {
   const std::string begin = {'R', 'C', 13, 0, RC_VERSION, rcMOVE, 0, 0};
   std::vector<Move> moves;
@@ -35,7 +35,8 @@ std::vector<Move> MovesIn(const std::string& recording) {
   return moves;
 }
 
-// A publisher does not wait for the robot: of each joint the newest is taken, in their order.
+// A publisher does not wait for the robot.  The newest command of each joint is used, in their
+// order.
 TEST(Ros2StreamTest, ManyCommandsAreReadInOrderAndAReplayIsEqual) {
   const RobotModel model = LoadRobotModel(OPENR_MODEL_DIR "/ers210.json");
   const ScratchFolder folder;
@@ -64,11 +65,11 @@ TEST(Ros2StreamTest, ManyCommandsAreReadInOrderAndAReplayIsEqual) {
   EXPECT_THAT(replay.out + replay.err, HasSubstr("to the end of the recording"));
 }
 
-// ---- RCServer in a process that is killed
+// ---- RCServer in a worker that is killed
 
 class LostRemoteControlTest : public testing::Test {
  protected:
-  // Commands without an end, 200 a second.
+  // Sends commands without end, 200 a second.
   static Words Stream() { return {"stream", kCommandTopic, "5", "neck_pan=0.3", "neck_pan=0.35"}; }
   static void KillRemoteControl(Ros2Run* run) {
     const std::vector<pid_t> children = ChildrenOf(run->program().pid());
@@ -97,7 +98,7 @@ TEST_F(LostRemoteControlTest, CommandsWorkAfterARestart) {
   stream.Signal(SIGTERM);
   EXPECT_EQ(stream.Finish().status, 128 + SIGTERM) << stream.heard();
   ExpectThatJointsObey(run);
-  EXPECT_EQ(run.End().status, 1);  // for the loss
+  EXPECT_EQ(run.End().status, 1);  // because of the loss
 }
 
 TEST_F(LostRemoteControlTest, ARunWithoutRemoteControlGoesOnAndReportsIt) {
@@ -118,7 +119,7 @@ TEST_F(LostRemoteControlTest, ARunWithoutRemoteControlGoesOnAndReportsIt) {
   EXPECT_THAT(result.err, Not(HasSubstr("crash")));
 }
 
-// ---- with the wall clock
+// ---- With the wall clock
 
 TEST(Ros2FreeRunningTest, TopicsComeAndTheClockGoesOn) {
   Ros2Run run({"--place", "RCServer=net", "--free-running", "--body", "ideal"}, "1");

@@ -1,4 +1,4 @@
-// What a plain DDS participant hears of a run.
+// The topics of a run, as a plain DDS participant receives them.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -48,14 +48,15 @@ TEST(Ros2TopicsTest, TheTopicsShowAStandingDog) {
   EXPECT_EQ(joints["frame_id"], "");
   for (size_t i = 0; i < model.joints.size(); ++i) {
     EXPECT_EQ(joints["name"][i], model.joints[i].name);
-    if (model.joints[i].name == "tail_pan") continue;  // its controller wags it
+    if (model.joints[i].name == "tail_pan") continue;  // its controller wags the tail
     EXPECT_NEAR(joints["position"][i], model.PostureAngles("stand")[i], 0.05) << joints["name"][i];
   }
   const json imu = run.peer().ReadOne("sensor_msgs/Imu", "rt/aibo/imu");
   EXPECT_EQ(imu["frame_id"], "aibo/base_link");
   EXPECT_NEAR(imu["acceleration"][2], 9.8, 0.1);
   EXPECT_NEAR(imu["acceleration"][1], 0, 0.1);
-  // The dog stands with its nose 2.6 degrees down: what holds it pushes a little backwards.
+  // The dog stands with its nose 2.6 degrees down, so the force against gravity points a little
+  // backwards.
   EXPECT_NEAR(imu["acceleration"][0], -9.8 * std::sin(2.6 * 3.14159265 / 180), 0.1);
   EXPECT_EQ(imu["orientation_covariance"][0], -1);
   EXPECT_EQ(imu["angular_velocity_covariance"][0], -1);
@@ -65,7 +66,7 @@ TEST(Ros2TopicsTest, TheTopicsShowAStandingDog) {
   }
   EXPECT_EQ(run.peer().ReadOne("std_msgs/Bool", "rt/aibo/touch/back_sensor"), false);
   const json far = run.peer().ReadOne("std_msgs/Float32", "rt/aibo/distance/distance_sensor_psd");
-  EXPECT_NEAR(far[0], 0.9, 0.09);  // nothing before it
+  EXPECT_NEAR(far[0], 0.9, 0.09);  // nothing is in front of the sensor
 }
 
 TEST(Ros2TopicsTest, TheCameraShowsItsPictureAtItsRate) {
@@ -80,7 +81,7 @@ TEST(Ros2TopicsTest, TheCameraShowsItsPictureAtItsRate) {
     EXPECT_EQ(image["bytes"], 3 * 352 * 288);
     EXPECT_EQ(image["encoding"], "rgb8");
     EXPECT_EQ(image["frame_id"], "aibo/camera_optical");
-    EXPECT_GT(image["colours"], 200);  // bars and a wedge of greys
+    EXPECT_GT(image["colours"], 200);  // colour bars and a wedge of greys
     const int64_t stamp_us = image["stamp_us"];
     EXPECT_GT(stamp_us, before_us);
     EXPECT_EQ(stamp_us % 40'000, 0) << "25 a second of virtual time";
@@ -88,7 +89,7 @@ TEST(Ros2TopicsTest, TheCameraShowsItsPictureAtItsRate) {
   }
 }
 
-// Red, green over blue, yellow: neither sides nor colours may be mixed up.
+// The picture is red, green over blue, yellow, so that swapped sides or colours show.
 TEST(Ros2TopicsTest, AnImageIsAsTheCameraSeesIt) {
   const std::string colours[2][2] = {{{'\xb4', '\x3c', '\x32'}, {'\x3c', '\xb4', '\x32'}},
                                      {{'\x3c', '\x32', '\xb4'}, {'\xc8', '\xc8', '\x28'}}};
@@ -130,7 +131,7 @@ TEST(Ros2TopicsTest, StampsOfAllTopicsAreOfOneClock) {
   EXPECT_LT(joints_us, after_us);
 }
 
-// A run of some seconds that others listen to.
+// A run of some seconds that several programs listen to.
 class Ros2ListenedToTest : public testing::Test {
  protected:
   static constexpr const char* kTime = "4s";
@@ -142,7 +143,7 @@ class Ros2ListenedToTest : public testing::Test {
     listeners_.push_back(
         std::make_unique<ProgramRun>(Words{domain_, "read", type, topic, "3"}, ROS2_PEER));
   }
-  // They are there first: a slow machine starts them later than the run ends.
+  // The listeners start first: on a slow machine they would start after the end of the run.
   void ExpectTheSameRun(const Words& flags) {
     const ScratchFolder folder;
     const ProgramResult result =
@@ -160,7 +161,7 @@ class Ros2ListenedToTest : public testing::Test {
 
   static inline std::unique_ptr<RecordedRun> alone;
   const std::string domain_ = NewDomain();
-  const Ros2Peer peer_{domain_};  // its settings
+  const Ros2Peer peer_{domain_};  // sets the environment of the listeners
   std::vector<std::unique_ptr<ProgramRun>> listeners_;
 };
 
@@ -180,7 +181,7 @@ TEST(Ros2TopicsTest, AReaderThatStopsStopsNeitherTheRunNorOtherReaders) {
   const Ros2Peer peer(domain);
   ProgramRun run({"run", "--rate", "2", "--no-panel", "--rc-port", "0", "--console", "/dev/null",
                   "--ros2", "--dds-domain", domain});
-  // It is not taken for dead.
+  // The stopped reader must not be taken for lost.
   std::string settings = DocumentedSettings();
   const std::string discovery = "<Discovery>";
   settings.insert(settings.find(discovery) + discovery.size(),
@@ -193,7 +194,7 @@ TEST(Ros2TopicsTest, AReaderThatStopsStopsNeitherTheRunNorOtherReaders) {
   EXPECT_EQ(peer.Read("sensor_msgs/Image", "rt/aibo/image_raw", 20).size(), 20u);
   EXPECT_EQ(peer.Read("rosgraph_msgs/Clock", "rt/clock", 200).size(), 200u);
   run.Signal(SIGINT);
-  const ProgramResult& result = run.Finish();  // ends it if it hangs
+  const ProgramResult& result = run.Finish();  // ends the run if it hangs
   EXPECT_EQ(result.status, 0) << result.err;
   reader.Signal(SIGKILL);
 }
