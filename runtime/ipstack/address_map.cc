@@ -18,7 +18,8 @@ uint32_t AddressMap::ToHost(uint32_t address) const {
 NetAddress AddressMap::ToHost(NetAddress peer) {
   const NetAddress host{ToHost(peer.ip), peer.port};
   if (!Has(peer.ip)) return host;
-  if (peers_.size() >= kPeersMax) peers_.clear();  // a scan of ports must not take memory
+  // Bounded, since a port scan makes an entry for each port.
+  if (peers_.size() >= kPeersMax) peers_.clear();
   peers_[{host.ip, host.port}] = peer.ip;
   return host;
 }

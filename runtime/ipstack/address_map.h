@@ -1,4 +1,4 @@
-// Addresses as programs know them, to those of the host and back (runtime/config/address_config.h).
+// Translates addresses between programs and the host (runtime/config/address_config.h).
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ class AddressMap {
  public:
   explicit AddressMap(std::vector<AddressPair> pairs) : pairs_(std::move(pairs)) {}
 
-  // Whether something is said of a program's address.
+  // Whether the configuration has an entry for a program's address.
   bool Has(uint32_t robot) const;
 
-  // Where a program's `address` is; itself when nothing is said of it.
+  // Returns the host's address for a program's `address`; the same address if there is no entry.
   uint32_t ToHost(uint32_t address) const;
 
-  // The same for a peer that a program speaks to.  It is kept, because several addresses of
-  // programs may be one of the host: FromHost() tells them apart by the port.
+  // Does the same for a peer that a program talks to, and remembers the peer: several addresses of
+  // programs may map to one of the host, and FromHost() tells them apart by the port.
   NetAddress ToHost(NetAddress peer);
 
-  // How programs know `host`: as the address under which a program spoke to it last, else as the
-  // first one given for it; itself when there is none.
+  // Returns the address under which programs know `host`: the one that a program last used for it,
+  // else the first entry for it, else the same address.
   NetAddress FromHost(NetAddress host) const;
   uint32_t FromHost(uint32_t host) const { return FromHost(NetAddress{host, 0}).ip; }
 
@@ -34,7 +34,7 @@ class AddressMap {
   static constexpr size_t kPeersMax = 1024;
 
   const std::vector<AddressPair> pairs_;
-  std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;  // host's address and port
+  std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;  // key: address and port on the host
 };
 
 }  // namespace openr_host

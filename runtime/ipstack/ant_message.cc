@@ -20,13 +20,13 @@ static_assert(sizeof(DNSEndpointGetHostByNameMsg) <= Message::kPayloadMax);
 
 using UnknownMsg = antOperationMsg<antError>;
 
-// `m` as what it is; M is antEnvMsg or const antEnvMsg.
+// Casts `m` to its type; M is antEnvMsg or const antEnvMsg.
 template <typename T, typename M>
 std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
   return static_cast<std::conditional_t<std::is_const_v<M>, const T, T>&>(m);
 }
 
-// Each calls visit(message as what it is, its name).
+// Both call visit(message cast to its type, its name).
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {
@@ -157,7 +157,7 @@ void Visit(M& m, V&& visit) {
   }
 }
 
-// ---- counts of what came in
+// ---- Counts of received data
 
 void Clear(antEnvMsg*) {}
 void Clear(TCPEndpointReceiveMsg* m) { m->sizeMin = m->sizeMax = 0; }
@@ -165,7 +165,7 @@ void Clear(UDPEndpointReceiveMsg* m) { m->size = 0; }
 void Clear(DNSEndpointGetHostByNameMsg* m) { m->n_address = m->n_alias = 0; }
 void Clear(DNSEndpointGetHostByAddrMsg* m) { m->n_address = m->n_alias = 0; }
 
-// ---- what of a message is hashed, beside what all have
+// ---- Fields that are hashed in addition to the common ones
 
 void Add(Hasher* h, const IPAddress& address) { h->Add(address.Address()); }
 template <size_t N>
@@ -196,8 +196,8 @@ void AddParameter(Hasher* h, const T& m) {
   if (m.paramType == antEnv_InitParam_String) Add(h, m.value.str);
 }
 
-// Close, queue and mode messages, and unknown ones: operation and error say it all, or
-// the stack does not know what they mean.
+// Close, queue and mode messages, whose operation and error are all they say, and unknown messages,
+// whose fields have no known meaning.
 void AddFields(Hasher*, const antEnvMsg&) {}
 
 void AddFields(Hasher* h, const TCPEndpointListenMsg& m) { AddFourAddresses(h, m); }

@@ -1,9 +1,8 @@
-// What the runtime has to know about every message to the network stack: how many
-// bytes it has, how it is called, what of it goes into a hash.
+// Properties of every message to the network stack: its size, its name, and what of it is hashed.
 //
-// The protocol is told from the endpoint's reference, which carries its number where
-// the robot has a pointer (MakeModuleRef), so that no table is needed to know the type of
-// a message, and no address is in it.
+// The protocol follows from the endpoint's reference: it contains the protocol number where the
+// robot has a pointer (MakeModuleRef).  So the type of a message is known without a table, and no
+// message contains an address of the host.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -15,37 +14,36 @@ namespace openr_host {
 
 antModuleRef MakeModuleRef(int32_t protocol, uint32_t index);
 
-// EndpointType_...; 0 for the null reference and for ones that no stack made.
+// Returns EndpointType_...; 0 for the null reference and for references that no stack has made.
 int32_t ProtocolOf(const antModuleRef& ref);
 
-// Bytes of the struct that selector, protocol and operation of `message` stand for.  What
-// Send() and Call() are told is not trusted: samples pass the size of another struct.
-// Base and error field only, when there is no such operation.
+// Returns the size of the struct that selector, protocol and operation of `message` stand for.  The
+// size given to Send() and Call() is not trusted, because Sony's samples pass that of another
+// struct.  Unknown operations have the base and the error field only.
 size_t AntMessageSize(const antEnvMsg& message);
 
-// "TCP Listen", for messages to people.
+// Returns a name such as "TCP Listen", for messages to the user.
 const char* AntMessageName(const antEnvMsg& message);
 
-// Sets the error field, wherever it lies.
+// Sets the error field, whose position depends on the type of the message.
 void SetAntError(antEnvMsg* message, int32_t error);
 
-// In an answer that is an error: nothing was received, nothing was found.  Programs look
-// at counts without looking at the error.
+// Sets the counts in an error answer to 0: programs look at counts without checking the error.
 void ClearCounts(antEnvMsg* message);
 
-// XXH3 over the fields that have a meaning, without addresses, continuation and padding, and
-// over the bytes transferred, if any.  Never 0.
+// Returns the XXH3 hash of the fields that have a meaning, without addresses, continuation and
+// padding, and of the bytes transferred.  Never 0.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
-// The bytes that a Send of TCP or UDP names; size 0 for other messages.
+// The bytes that a Send of TCP or UDP refers to; size 0 for other messages.
 struct AntData {
   const byte* begin = nullptr;
   int size = 0;
 };
 AntData DataToSend(const antEnvMsg& message);
 
-// Where `message` points into a shared buffer; null when it has no such pointer.  `sent` and
-// `received` are bytes there that belong to the request, and to the answer.
+// The pointer field of `message` that points into a shared buffer; null if it has none.  `sent` and
+// `received` are the bytes there that belong to the request and to the answer.
 struct AntBuffer {
   byte** pointer = nullptr;
   int sent = 0;

@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// Cuts what is too long and fills the rest with zeros.
+// Copies a name that is cut to the field's size; the rest of the field is zero.
 void CopyName(char (&to)[MAXDNAME], const std::string& from) {
   std::memset(to, 0, sizeof to);
   std::memcpy(to, from.data(), std::min(from.size(), sizeof to - 1));
@@ -89,7 +89,7 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Alias 0 is the official name, so there is one more of them than real ones.
+// Alias 0 is the official name, so there is one alias more than the host has.
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
   const size_t count = host_.addresses.empty() ? 0 : 1 + host_.aliases.size();
@@ -137,7 +137,8 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// The name asked for stays in a failing answer: NTP takes it for an address then.
+// Answers the query.  A failed answer keeps the name that was asked for: programs of NTP take it
+// for an address then.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   // Both questions have the same fields, but are different types.
   const auto fill = [&](auto& message) {

@@ -1,7 +1,8 @@
-// A DNS endpoint: names and addresses of hosts.
+// A DNS endpoint: answers questions for names and addresses of hosts.
 //
-// The network answers, from the host's resolver or a table; the list of servers is kept
-// for programs that set and read it, and the first of them is named as who answered.
+// The answers come from the Network: the host's resolver or a table.  The list of DNS servers is
+// kept only for programs that set and read it; the first one is named as the server that has
+// answered.
 #pragma once
 
 #include <DNSEndpointMsg.h>
@@ -18,8 +19,10 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  static constexpr size_t kAddressesMax = 16;       // kept of one answer; as many aliases
-  static constexpr int64_t kAnswerUs = 30'000'000;  // virtual; then DNS_TRY_AGAIN
+  // Addresses kept of one answer, and the same number of aliases.
+  static constexpr size_t kAddressesMax = 16;
+  // Virtual time; after it the answer is DNS_TRY_AGAIN.
+  static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
@@ -38,15 +41,15 @@ class DnsEndpoint : public Endpoint {
   void FinishQuery(DNSEndpointError error);
   void Refuse(Operation operation, DNSEndpointError error);
 
-  // What a program's name means: without its final dot, or in the default domain.
+  // Completes a program's name: without its final dot, or with the default domain.
   std::string FullName(const std::string& name) const;
 
-  std::string domain_;    // default domain, "" for none
-  NetHandle socket_ = 0;  // of the question that is out
+  std::string domain_;    // default domain; "": none
+  NetHandle socket_ = 0;  // of the question that is being answered
   int64_t asked_us_ = 0;
   std::optional<Operation> query_;  // GetHostByName or GetHostByAddr
   std::optional<NetworkEvent> answer_;
-  HostInfo host_;  // last one found
+  HostInfo host_;  // the last host found
 };
 
 }  // namespace openr_host

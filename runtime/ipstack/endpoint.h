@@ -1,4 +1,4 @@
-// What TCP, UDP and DNS endpoints have in common.
+// The common base of TCP, UDP and DNS endpoints.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,34 @@ namespace openr_host {
 class Hasher;
 class IpStack;
 
-// Something that owns sockets of the Network and hears of them.
+// An owner of sockets of the Network, which receives their events.
 class EventSink {
  public:
   virtual ~EventSink() = default;
 
-  // Notes what happened; answers nothing yet.
+  // Stores the event.  No operation is answered here.
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
-// One endpoint.  Operations come in with Start(), events with Take(); both leave what
-// can be answered to AnswerReady(), so that answers go out in a defined order: by
-// endpoint, then open, send, receive, close.
+// An endpoint.  Start() stores operations and Take() stores events; AnswerReady() answers what can
+// be answered.  So the order of answers is defined: by endpoint, then open, send, receive, close.
 class Endpoint : public EventSink {
  public:
   Endpoint(IpStack* stack, int32_t protocol, ObjectId owner, int32_t pool_bytes)
       : stack_(stack), protocol_(protocol), owner_(owner), pool_bytes_(pool_bytes) {}
 
-  // Takes a message, or answers it when it cannot be.
+  // Stores an operation, or answers it at once if it is not possible.
   virtual void Start(const Operation& operation) = 0;
 
   virtual void AnswerReady() = 0;
 
-  // Whether something is due from the network, so that it has to be polled.
+  // Whether an operation waits for the network, so that the stack has to poll.
   virtual bool WaitsForNetwork() const = 0;
 
-  // A poll begins.
+  // Called at the beginning of each poll.
   virtual void BeginFrame() {}
 
-  // Gives up all sockets; answers nothing.
+  // Releases all sockets without answering operations.
   virtual void Drop() = 0;
 
   virtual void HashState(Hasher* hasher) const = 0;
@@ -50,9 +49,10 @@ class Endpoint : public EventSink {
 
  protected:
   IpStack* const stack_;
-  const int32_t protocol_;    // EndpointType_...
-  const ObjectId owner_;      // who created it
-  const int32_t pool_bytes_;  // most bytes sent and not yet taken by the network; > 0
+  const int32_t protocol_;  // EndpointType_...
+  const ObjectId owner_;    // object that created it
+  // Limit of the bytes that are sent and not yet accepted by the network; > 0.
+  const int32_t pool_bytes_;
   bool dead_ = false;
 };
 

@@ -1,4 +1,4 @@
-// For tests: another network whose n-th command fails.
+// A Network for tests: wraps another one and lets its n-th command fail.
 #pragma once
 
 #include <memory>
@@ -37,13 +37,13 @@ class FailingNetwork : public Network {
   }
 
  private:
-  // Whether this command is the one that fails.
+  // Whether this command is the one to fail.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  NetHandle failed_ = 0;  // to be reported
+  NetHandle failed_ = 0;  // to be reported by Poll()
 };
 
 }  // namespace openr_host

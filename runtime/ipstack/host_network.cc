@@ -170,8 +170,8 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // A port that the stack chose belongs to a client, which has to reach other hosts; a socket bound
-  // to 127.0.0.1 could not.
+  // A port that the stack has chosen belongs to a client.  The client must reach other hosts, which
+  // a socket bound to 127.0.0.1 cannot; so it is bound to any address.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 
@@ -210,7 +210,7 @@ void HostNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
              error != NetError::kNone) {
     event = FailedEvent(handle, error);
   } else if (!event.host.addresses.empty()) {
-    event.host.addresses = {ip};  // as the program knows it
+    event.host.addresses = {ip};  // the address as the program has asked for it
   }
   events_.push_back(std::move(event));
 }
@@ -232,7 +232,8 @@ void HostNetwork::AcceptAll(Listener* listener) {
     NetAddress remote;
     Fd fd = AcceptFrom(listener->fd, &remote);
     if (!fd.valid()) {
-      if (errno == ECONNABORTED) continue;  // gone before we looked; the next one
+      // The client has closed it already; the next one may be there.
+      if (errno == ECONNABORTED) continue;
       if (!MustWait(errno)) {
         events_.push_back(NoteEvent(fmt::format("a connection waits: {}", std::strerror(errno))));
       }
@@ -281,7 +282,7 @@ void HostNetwork::Read(NetHandle handle, Connection* connection) {
   events_.push_back(std::move(event));
 }
 
-// Reads a closing connection to its end, a bounded piece at a time.
+// Reads and drops what arrives on a closing connection until its end, a bounded amount in one call.
 void HostNetwork::Discard(NetHandle handle, Connection* connection) {
   std::string bytes;
   for (size_t total = 0; total < kReadBytesMax * 4; total += bytes.size()) {
@@ -289,9 +290,9 @@ void HostNetwork::Discard(NetHandle handle, Connection* connection) {
     if (count < 0 && MustWait(errno)) return;
     if (count < 0) return Fail(handle, connection, errno);
     if (count > 0) continue;
-    if (!connection->ended) return;  // still sending
+    if (!connection->ended) return;  // this side still has data to send
     events_.push_back(EventOf(NetworkEvent::Kind::kClosed, handle));
-    connection->failed = true;  // nothing more to report
+    connection->failed = true;  // so that nothing more is reported
     return;
   }
 }

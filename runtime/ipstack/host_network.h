@@ -1,12 +1,12 @@
 // The robot's network over sockets of the host.
 //
-// A server port of the robot is bound to 127.0.0.1 unless the options say otherwise, under
-// its own number if that is free (host_ports.h).  The robot's own address means the robot
-// and reaches only ports that it listens on.  127.0.0.1 means the robot where it listens,
-// else this computer: its programs appear to objects under that address, and answers and
-// the data connections of FTP go back there.  Other addresses that programs have compiled in
-// are translated both ways, as the options say; an address of the robot among them says where
-// its server ports are bound.
+// A server port of the robot is bound to 127.0.0.1 unless the options name another address, under
+// its own number if that is free (host_ports.h).  For programs of the robot, the robot's own
+// address reaches only ports on which the robot listens.  127.0.0.1 also means the robot where the
+// robot listens, and otherwise this computer.  Programs of this computer appear to objects under
+// 127.0.0.1, so answers and the data connections of FTP find them.  Other addresses that are
+// compiled into programs are translated both ways, as the options say; if an address of the robot
+// is among them, it says where server ports are bound.
 #pragma once
 
 #include <cstdint>
@@ -25,21 +25,21 @@ namespace openr_host {
 
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // of the host, for server ports; 0: every interface
-  // Robot's port to host's port, which it gets or none; 0: any free one.  Others keep their number
+  // Robot's port -> host's port that it must get; 0: any free port.  Other ports keep their number
   // if it is free.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
-  // Addresses as programs know them, and where they are; the first one of a host's address is how
-  // its programs appear (address_map.h).
+  // Addresses in programs and the host's addresses that they stand for.  Programs of a host appear
+  // under its first entry (address_map.h).
   std::vector<AddressPair> addresses;
-  // Answered before the host's resolver is asked, which may take its time.
+  // Names that are answered without the host's resolver, which may be slow.
   std::map<std::string, HostInfo> names;
 };
 
 class HostNetwork : public Network {
  public:
-  static constexpr int kBacklog = 8;              // connections held until accepted
-  static constexpr size_t kReadBytesMax = 65536;  // of one connection at one poll
+  static constexpr int kBacklog = 8;              // connections held until they are accepted
+  static constexpr size_t kReadBytesMax = 65536;  // read from one connection at one poll
 
   explicit HostNetwork(HostNetworkOptions options = {});
 
@@ -67,18 +67,18 @@ class HostNetwork : public Network {
   };
   struct Connection {
     Fd fd;
-    std::string out;     // not yet taken by the host; bounded by the endpoint's pool
-    uint64_t taken = 0;  // bytes since the last poll
-    size_t want = 0;     // of a Receive()
+    std::string out;     // not yet accepted by the host; bounded by the endpoint's pool
+    uint64_t taken = 0;  // bytes accepted since the last poll
+    size_t want = 0;     // size of the pending Receive()
     bool connecting = false;
     bool closing = false;
-    bool ended = false;   // our side has been ended
-    bool failed = false;  // reported
+    bool ended = false;   // this side has ended the stream
+    bool failed = false;  // the failure has been reported
   };
 
-  // Where a program's `remote` is on the host; port 0: nowhere.
+  // Translates the address of a peer; port 0: there is no such peer.
   NetAddress ToHost(NetAddress remote, const HostPorts& ports);
-  // How a program knows the host's `remote`.
+  // Translates the host's address `remote` to the one programs know.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
   void AcceptAll(Listener* listener);
@@ -88,19 +88,19 @@ class HostNetwork : public Network {
   void Discard(NetHandle handle, Connection* connection);
   void Fail(NetHandle handle, Connection* connection, int error);
 
-  // Whether the robot has this address: its own one, loopback, or one that it bound to.
+  // Whether the address is one of the robot's: its own, loopback, or one that it has bound to.
   bool IsRobot(uint32_t ip) const;
-  // The address of the host for a server socket; takes what At() said.
+  // Returns and forgets the host's address that At() set for the next server socket.
   uint32_t BindIp(NetHandle handle);
-  // Says that the host has no such address.
+  // Reports that the host has no such address.
   void NoteBindError(uint32_t ip, int error);
 
   const HostNetworkOptions options_;
   AddressMap addresses_;
   uint32_t ip_ = 0;
-  uint32_t bind_ip_;                    // of the host, for server ports at the robot's own address
-  std::map<NetHandle, uint32_t> at_;    // of At(), until the socket is bound
-  std::map<uint32_t, uint32_t> bound_;  // of At(), bound: the robot's address to the host's
+  uint32_t bind_ip_;                  // host's address for server ports at the robot's own address
+  std::map<NetHandle, uint32_t> at_;  // addresses set by At(), until the socket is bound
+  std::map<uint32_t, uint32_t> bound_;  // bound addresses: the robot's -> the host's
   HostPorts tcp_ports_;
   HostUdp udp_;
   std::map<NetHandle, Listener> listeners_;

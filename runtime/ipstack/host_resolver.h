@@ -1,4 +1,4 @@
-// Names and addresses by the host's resolver (/etc/hosts, then DNS).
+// Looks up names and addresses with the host's resolver (/etc/hosts, then DNS).
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace openr_host {
 
-// Both wait for the host's resolver, which may take seconds of wall time when its servers
-// do not answer; virtual time stands still meanwhile, so runs do not differ.  The error is
-// kNone when the question was answered: no addresses then mean that there is no such host.
+// Both functions wait for the host's resolver.  That takes seconds of wall time if its servers do
+// not answer, but virtual time stands still, so runs do not differ.  The error is kNone if there
+// was an answer; an answer without addresses means that there is no such host.
 NetError ResolveOnHost(const std::string& name, HostInfo* host);
 NetError ResolveAddressOnHost(uint32_t ip, HostInfo* host);
 

@@ -30,7 +30,8 @@ const sockaddr* Generic(const sockaddr_in* address) {
 
 void SetOption(int fd, int level, int option) {
   const int on = 1;
-  setsockopt(fd, level, option, &on, sizeof on);  // wishes: nothing depends on them
+  // Errors are ignored, since nothing depends on the option.
+  setsockopt(fd, level, option, &on, sizeof on);
 }
 
 }  // namespace
@@ -74,7 +75,7 @@ NetError NetErrorOf(int error) {
 Fd OpenSocket(NetProtocol protocol) {
   const int type = protocol == NetProtocol::kTcp ? SOCK_STREAM : SOCK_DGRAM;
   Fd fd(socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  // A remote control sends small pieces that must not wait for each other.
+  // A remote control sends small packets, which must not wait for each other (Nagle's algorithm).
   if (fd.valid() && protocol == NetProtocol::kTcp) SetOption(fd.get(), IPPROTO_TCP, TCP_NODELAY);
   return fd;
 }
@@ -85,7 +86,8 @@ int BindSocket(const Fd& fd, NetAddress local) {
 }
 
 int ListenOn(const Fd& fd, NetAddress local, int backlog) {
-  SetOption(fd.get(), SOL_SOCKET, SO_REUSEADDR);  // connections of the last run may linger
+  // Connections of the last run may still be in state TIME_WAIT.
+  SetOption(fd.get(), SOL_SOCKET, SO_REUSEADDR);
   if (const int error = BindSocket(fd, local)) return error;
   return listen(fd.get(), backlog) == 0 ? 0 : errno;
 }
@@ -105,7 +107,8 @@ int ConnectResult(const Fd& fd) {
 }
 
 Fd AcceptFrom(const Fd& listener, NetAddress* remote) {
-  // Most often nobody waits, and accept() makes a socket before it finds out.
+  // accept() creates a socket before it finds out that no connection waits.  Mostly none does, so
+  // we ask poll() first.
   pollfd waiting{listener.get(), POLLIN, 0};
   if (poll(&waiting, 1, 0) == 0) {
     errno = EAGAIN;

@@ -1,4 +1,4 @@
-// Thin wrappers of the host's IPv4 sockets: never blocking, closed on exec.
+// Functions for the host's IPv4 sockets.  All sockets are non-blocking and closed on exec.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// Owns a file descriptor; -1 is none.
+// Owns a file descriptor; -1: none.
 class Fd {
  public:
   Fd() = default;
@@ -29,32 +29,32 @@ class Fd {
   int fd_ = -1;
 };
 
-// What `error` (an errno) means to the stack.
+// Converts an errno to an error of the stack.
 NetError NetErrorOf(int error);
 
-// Invalid, with errno set, when there is none to be had.
+// Opens a socket; returns an invalid one, with errno set, on failure.
 Fd OpenSocket(NetProtocol protocol);
 
-// All return 0 or an errno.
+// The functions below return 0 or an errno.
 int BindSocket(const Fd& fd, NetAddress local);
 int ListenOn(const Fd& fd, NetAddress local, int backlog);  // binds as well
 int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see ConnectResult()
 
-// EINPROGRESS while it is not decided.
+// Returns EINPROGRESS while the connection is being established.
 int ConnectResult(const Fd& fd);
 
-// The next connection; invalid, with errno set, when there is none.
+// Returns the next connection; an invalid one, with errno set, if there is none.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
-// Bytes, or -1 with errno set.
+// Returns the number of bytes sent, or -1 with errno set.
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
-// At most `size_max` bytes into `bytes`, which gets the size of what came.
+// Receives at most `size_max` bytes into `bytes`, which is resized to what has arrived.
 int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
                      NetAddress* remote = nullptr);
 
-void EndStream(const Fd& fd);     // the peer reads to an end
-void ResetOnClose(const Fd& fd);  // the peer sees it broken when it is closed
-uint16_t PortOf(const Fd& fd);    // local one; 0 when not bound
+void EndStream(const Fd& fd);     // the peer reads an end of the stream
+void ResetOnClose(const Fd& fd);  // the peer sees a broken connection when the socket is closed
+uint16_t PortOf(const Fd& fd);    // the local port; 0: not bound
 
 }  // namespace openr_host

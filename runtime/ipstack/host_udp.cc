@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kDatagramMax = 65536;  // more than IPv4 can carry
+constexpr size_t kDatagramMax = 65536;  // larger than any IPv4 datagram
 
 }  // namespace
 
@@ -54,8 +54,8 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // Errors here are late news of an earlier send (port unreachable): that datagram is
-      // lost, as UDP has it.
+      // An error here is about an earlier send (port unreachable).  In UDP that datagram is just
+      // lost, so the error is ignored.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));

@@ -1,4 +1,4 @@
-// The UDP half of HostNetwork.
+// The UDP part of HostNetwork.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace openr_host {
 
-// Addresses here are those of the host; HostNetwork translates.
+// Addresses of this class are those of the host; HostNetwork translates them.
 class HostUdp {
  public:
-  // `ports`: robot's port to host's port, see HostPorts.
+  // `ports`: robot's port -> host's port, see HostPorts.
   explicit HostUdp(std::map<uint16_t, uint16_t> ports)
       : ports_(NetProtocol::kUdp, std::move(ports)) {}
 
-  // Events of these commands are appended to `events`.  `local`: address of the host, port of the
-  // robot.  Returns 0 or an errno.
+  // All commands append their events to `events`.  `local` has an address of the host and a port of
+  // the robot.  Returns 0 or an errno.
   int Bind(NetHandle handle, NetAddress local, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
@@ -33,7 +33,7 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    size_t want = 0;  // datagrams
+    size_t want = 0;  // datagrams to be received
   };
 
   HostPorts ports_;

@@ -22,7 +22,7 @@ MemoryStick* StickOf(const Object& object) {
   return object.system->robot(object.robot).stick.get();
 }
 
-// What the closed endpoint of a protocol answers; DNS has other numbers than the rest.
+// Returns the error of operations on a closed endpoint; DNS has its own numbers.
 int32_t ClosedError(int32_t protocol) {
   return protocol == EndpointType_DNS ? int32_t{DNS_CONNECTION_CLOSED}
                                       : int32_t{TCP_CONNECTION_CLOSED};
@@ -68,7 +68,7 @@ IpStack::IpStack(std::unique_ptr<Network> network, IpStackOptions options)
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
 }
 
-IpStack::~IpStack() = default;  // the network closes its sockets
+IpStack::~IpStack() = default;  // destroying the network closes its sockets
 
 IpStack* IpStack::OfCurrent() {
   if (t_current.object == nullptr) return nullptr;
@@ -118,7 +118,7 @@ void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t
                    AntMessageName(operation.message())));
 }
 
-// One message of antEnvMsg::Send() or Call().
+// Handles one message of antEnvMsg::Send() or Call().
 void IpStack::TakeMessage(void* payload) {
   const Message& request = *host().running;
   Operation operation;
@@ -229,7 +229,7 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
 void IpStack::Answer(Operation* operation, int32_t error, const void* data, size_t size) {
   antEnvMsg& message = operation->message();
   SetAntError(&message, error);
-  if (error != 0) ClearCounts(&message);  // 0 is success in every protocol
+  if (error != 0) ClearCounts(&message);  // 0 means success in every protocol
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
     system().Reply(operation->ticket, operation->bytes, operation->size, hash);
@@ -241,7 +241,7 @@ void IpStack::Answer(Operation* operation, int32_t error, const void* data, size
   answer->size = operation->size;
   answer->kind = PayloadKind::kHashed;
   answer->payload_hash = hash;
-  system().Post(answer);  // to an object that is gone: nobody minds
+  system().Post(answer);  // the object may have ended; then the answer is dropped
 }
 
 void IpStack::PollNetwork() {
@@ -269,7 +269,8 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Post() adds what the dispatcher creeps; the boundary must be met exactly.
+  // Post() adds creep_us() to the delay.  It is subtracted here, because the boundary must be met
+  // exactly.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

@@ -50,7 +50,7 @@ void LoopbackNetwork::Listen(NetHandle handle, uint16_t port) {
 
 void LoopbackNetwork::Accept(NetHandle listener, NetHandle handle) {
   const auto found = listeners_.find(listener);
-  if (found == listeners_.end()) return;  // has failed, which was said
+  if (found == listeners_.end()) return;  // the listener has failed, which was reported
   found->second.accepts.push_back(handle);
 }
 
@@ -92,7 +92,7 @@ void LoopbackNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
-// Moves into the pipe what there is room for.
+// Moves as many bytes into the pipe as it has room for.
 void LoopbackNetwork::Push(NetHandle handle, Connection* connection) {
   Pipe& pipe = connection->peer();
   if (pipe.gone && !connection->out.empty()) connection->link->reset = true;
@@ -165,7 +165,8 @@ void LoopbackNetwork::Drop(NetHandle handle, bool reset) {
   if (const auto found = connections_.find(handle); found != connections_.end()) {
     Connection& connection = found->second;
     if (reset) connection.link->reset = true;
-    connection.peer().bytes += connection.out;  // as a host's kernel goes on sending
+    // Like a host's kernel, which goes on sending after a close.
+    connection.peer().bytes += connection.out;
     connection.peer().ended = true;
     connection.in().gone = true;
     connection.in().bytes.clear();

@@ -1,4 +1,4 @@
-// Networks inside the process: no host socket, every run the same.
+// Networks inside the process: no host sockets, so every run is the same.
 //
 //   auto hub = std::make_shared<LoopbackHub>();
 //   AddIpStack(&system, 0, std::make_unique<LoopbackNetwork>(hub));
@@ -19,10 +19,10 @@ namespace openr_host {
 
 class LoopbackNetwork;
 
-// The wire between LoopbackNetworks, and its directory of names.
+// The wire between LoopbackNetworks, with a table of names.
 class LoopbackHub {
  public:
-  // Name, without a final dot, to what a question for it answers.
+  // Name, without final dot -> the answer to a question for it.
   std::map<std::string, HostInfo> names;
 
  private:
@@ -30,21 +30,22 @@ class LoopbackHub {
   std::map<uint32_t, LoopbackNetwork*> hosts_;  // by address
 };
 
-// One host on the wire.  What is sent arrives at once and is seen at the receiver's next
-// Poll().  A peer that does not read stops its sender after kWindowBytes.
+// A host on the wire.  Sent data arrive at once; the receiver sees them at its next Poll().  A peer
+// that does not read stops its sender after kWindowBytes.
 class LoopbackNetwork : public Network {
  public:
   static constexpr size_t kWindowBytes = 65536;
-  static constexpr size_t kBacklog = 8;     // connections held until accepted
-  static constexpr size_t kDatagrams = 32;  // held until received, then lost
+  static constexpr size_t kBacklog = 8;  // connections held until they are accepted
+  // Datagrams held until they are received; further ones are lost.
+  static constexpr size_t kDatagrams = 32;
 
-  // Alone on a wire of its own when no hub is given.
+  // Without a hub the host is alone on a wire of its own.
   explicit LoopbackNetwork(std::shared_ptr<LoopbackHub> hub = std::make_shared<LoopbackHub>());
   ~LoopbackNetwork() override;
 
-  // The last of two with the same address is the one that others reach.
+  // If two hosts have the same address, others reach the one attached last.
   void Attach(uint32_t ip) override;
-  void At(NetHandle, uint32_t) override {}  // the wire knows one address of a robot
+  void At(NetHandle, uint32_t) override {}  // a robot has one address on the wire
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -59,15 +60,15 @@ class LoopbackNetwork : public Network {
   void Drop(NetHandle handle, bool reset) override;
   std::vector<NetworkEvent> Poll() override;
 
-  // The port itself: nothing is translated.
+  // Returns the same port: nothing is translated.
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
-  // A connection: a pipe to each of its two sides.
+  // One direction of a connection.
   struct Pipe {
     std::string bytes;
-    bool ended = false;  // nothing more will come
-    bool gone = false;   // its reader has gone
+    bool ended = false;  // the writer has ended
+    bool gone = false;   // the reader has gone
   };
   struct Link {
     Pipe to[2];
@@ -77,12 +78,12 @@ class LoopbackNetwork : public Network {
     std::shared_ptr<Link> link;
     int side = 0;     // reads link->to[side]
     std::string out;  // not yet in the pipe
-    size_t want = 0;  // of a Receive()
+    size_t want = 0;  // size of the pending Receive()
     bool closing = false;
     Pipe& in() const { return link->to[side]; }
     Pipe& peer() const { return link->to[1 - side]; }
   };
-  struct Pending {  // connected, not accepted
+  struct Pending {  // connected and not yet accepted
     std::shared_ptr<Link> link;
     NetAddress remote;
   };
@@ -97,7 +98,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;  // datagrams
+    size_t want = 0;  // datagrams to be received
     std::deque<Datagram> waiting;
   };
 
@@ -106,7 +107,7 @@ class LoopbackNetwork : public Network {
   void Add(NetworkEvent::Kind kind, NetHandle handle, NetError error = NetError::kNone);
   void MatchAccepts(Listener* listener);
   void Push(NetHandle handle, Connection* connection);
-  // Appends what happened to the connection; false when it is of no use any more.
+  // Appends the events of the connection; returns false if it can be deleted.
   bool PollConnection(NetHandle handle, Connection* connection);
 
   const std::shared_ptr<LoopbackHub> hub_;

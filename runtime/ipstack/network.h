@@ -1,14 +1,13 @@
-// The seam between the IPStack and the world outside of it.
+// The interface between the IPStack and the outside world.
 //
-// The stack gives commands.  They return nothing and never wait.  Everything the
-// stack ever learns from outside comes out of Poll(), and IpStack calls Poll() at one
-// place only, at frame boundaries: whoever records what Poll() returned together with
-// the virtual time can replay a run exactly, with a Network that ignores commands and
-// plays the record.
+// The stack gives commands, which return nothing and never wait.  All input from outside is
+// returned by Poll(), which IpStack calls at one place only, at frame boundaries.  So a run can be
+// replayed exactly: record what Poll() returns with the virtual time, and replay it with a Network
+// that ignores commands and returns the record.
 //
-// Sockets are small integers that the stack chooses, from 1 up, never used twice, so
-// they are the same in every run.  Ports and addresses are those of the robot; a
-// Network that has others outside translates.
+// Handles are small integers that the stack chooses, from 1 up, each used once, so they are the
+// same in every run.  Ports and addresses are those of the robot; a Network with other ones outside
+// translates them.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +20,7 @@ namespace openr_host {
 using NetHandle = uint32_t;
 
 struct NetAddress {
-  uint32_t ip = 0;  // order of the host: 10.0.1.2 is 0x0a000102; 0 is any
+  uint32_t ip = 0;  // host byte order: 10.0.1.2 is 0x0a000102; 0: any
   uint16_t port = 0;
   bool operator==(const NetAddress&) const = default;
 };
@@ -30,36 +29,36 @@ enum class NetProtocol : uint8_t { kTcp, kUdp };
 
 enum class NetError : uint8_t {
   kNone,
-  kFailed,  // anything else
-  kClosed,  // written to a connection that the peer has closed
+  kFailed,  // any other error
+  kClosed,  // the peer has closed the connection before a write
   kReset,
   kTimeout,
   kAddressInUse,
   kBadAddress,
-  kRefused,  // nobody listens there
+  kRefused,  // no listener at that port
   kHostUnreachable,
   kNetworkUnreachable,
   kTooLong,
 };
 
-// What a name or an address stands for.
+// The answer to a question for a name or an address.
 struct HostInfo {
-  std::string name;  // the official one
+  std::string name;  // the official name
   std::vector<std::string> aliases;
   std::vector<uint32_t> addresses;
 };
 
 struct NetworkEvent {
   enum class Kind : uint8_t {
-    kAccepted,   // an Accept() has its connection: remote
+    kAccepted,   // an Accept() has a connection from `remote`
     kConnected,  // a Connect() has succeeded
-    kSent,       // `count` more bytes of Send() have been taken
-    kReceived,   // answers Receive(): bytes, at least one and at most what was asked
-    kEnd,        // answers Receive(): the peer sends no more
-    kClosed,     // answers Close(): both sides have ended
-    kDatagram,   // answers ReceiveFrom(): bytes and remote
-    kResolved,   // answers Resolve() and ResolveAddress(): host; no addresses: not found
-    kFailed,     // error: the socket is of no use any more, except to be dropped
+    kSent,       // `count` more bytes of Send() have been accepted
+    kReceived,   // answer to Receive(): at least one byte, at most as many as requested
+    kEnd,        // answer to Receive(): the peer has ended the stream
+    kClosed,     // answer to Close(): both sides have ended
+    kDatagram,   // answer to ReceiveFrom(): bytes and remote
+    kResolved,   // answer to Resolve() and ResolveAddress(): host; without addresses: not found
+    kFailed,     // error: the socket can only be dropped
     kNote,       // bytes is a text for the user
   };
   Kind kind = Kind::kNote;
@@ -73,58 +72,58 @@ struct NetworkEvent {
 
 class Network {
  public:
-  virtual ~Network() = default;  // lets go of every socket
+  virtual ~Network() = default;  // closes all sockets
 
-  // Called once, before everything else, with the robot's own address.
+  // Called once, before all other functions, with the robot's own address.
   virtual void Attach(uint32_t ip) = 0;
 
-  // Says that the next Listen() or Bind() of `handle` is at this address, which the robot has
-  // besides its own (IpStackOptions::addresses).
+  // Selects the address for the next Listen() or Bind() of `handle`, one of the robot's further
+  // addresses (IpStackOptions::addresses).
   virtual void At(NetHandle handle, uint32_t ip) = 0;
 
   // ---- TCP
 
-  // Takes connections to `port` from now on and holds a few until they are accepted.
+  // Accepts connections to `port` from now on, and holds a few until Accept().
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
-  // The next connection to `listener` becomes `handle`, in the order of the calls.
+  // The next connection to `listener` becomes `handle`; several calls are served in their order.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
-  // `local_port` is a wish.
+  // `local_port` is a wish only.
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
-  // Copies the bytes; they are sent as fast as the peer takes them.
+  // Copies the bytes and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
-  // Asks once for what there is, `size_max` bytes at most.  REQUIRES: the last one was
-  // answered.
+  // Requests the bytes that are there, at most `size_max`; one event answers.  REQUIRES: the
+  // previous request was answered.
   virtual void Receive(NetHandle handle, size_t size_max) = 0;
-  // Ends the stream after what was sent; what still comes in is thrown away.
+  // Ends the stream after the bytes already sent; input is discarded from now on.
   virtual void Close(NetHandle handle) = 0;
 
   // ---- UDP
 
-  // `any_port`: the stack chose the port, so nobody outside waits for that one.
+  // `any_port`: the stack has chosen the port, so no peer expects this number.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
-  // Copies the bytes.  Datagrams that cannot be sent are lost; a kNote may say so.
+  // Copies the bytes.  A datagram that cannot be sent is lost; a kNote may report it.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
-  // Asks once for what there is, `count_max` whole datagrams at most, all of one Poll().
-  // REQUIRES: the last one was answered.
+  // Requests the datagrams that are there, at most `count_max`; they come with one Poll().
+  // REQUIRES: the previous request was answered.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
-  // ---- names
+  // ---- Names
 
-  // A complete name, without a dot at its end.
+  // `name` is complete and has no final dot.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
-  // ---- all sockets, listeners and questions
+  // ---- All handles
 
-  // Forgets `handle`; nothing is heard of it any more.  `reset`: the peer of a
-  // connection sees it broken instead of ended.  Unknown handles are ignored.
+  // Forgets `handle`, which gets no more events.  `reset`: the peer sees a broken connection
+  // instead of an ended one.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
 
-  // What has happened since the last call, without waiting.
+  // Returns the events since the last call, without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
-  // The port under which the outside finds the robot's `port`; 0 when it cannot.  For
-  // people: nothing in the run may depend on it.
+  // Returns the host's port for the robot's `port`; 0: none.  For messages to the user; the run
+  // must not depend on it.
   virtual uint16_t HostPort(NetProtocol protocol, uint16_t port) const = 0;
 };
 

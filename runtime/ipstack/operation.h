@@ -14,13 +14,13 @@ struct Operation {
   alignas(16) unsigned char bytes[Message::kPayloadMax] = {};  // the struct, then zeros
   uint32_t size = 0;                                           // of the struct
   ObjectId sender = kNoObject;
-  uint64_t request_hash = 0;   // AntMessageHash() when it was sent, with the data it names
+  uint64_t request_hash = 0;   // AntMessageHash() of the request, including its data
   System::ReplyTicket ticket;  // of a Call(); empty for a Send()
 
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }
 
-  // REQUIRES: T is what the operation code says.
+  // REQUIRES: T is the type that the operation code stands for.
   template <typename T>
   T& As() {
     static_assert(sizeof(T) <= sizeof bytes);

@@ -1,7 +1,7 @@
-// The stack's parameters: what antEnvInitGetParamMsg answers, by key.
+// The parameters of the stack, which antEnvInitGetParamMsg reads by key.
 //
-// Keys are those of WLANCONF.TXT.  ETHER_IP as text is documented; that the others can be
-// read, and the flags and numbers as Int32, is our choice.
+// The keys are those of WLANCONF.TXT.  Only ETHER_IP, as text, is documented.  That the other keys
+// can be read too, and flags and numbers as Int32, is our choice.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -21,14 +21,14 @@ class MemoryStick;
 
 class Parameters {
  public:
-  // Reads WLANCONF.TXT of the stick, else WLANDFLT.TXT; without either, and without a
-  // stick (null), the values of Sony's file.  `address`, unless empty, replaces ETHER_IP.
+  // Reads WLANCONF.TXT of the stick, else WLANDFLT.TXT.  Without either, or without a stick (null),
+  // the values of Sony's file hold.  `address` replaces ETHER_IP unless it is empty.
   Parameters(MemoryStick* stick, const std::string& address);
 
-  // ANT_REGISTRY_NO_KEY for an unknown key.  Text is cut to ANTENV_VALUE_LENGTH_MAX.
+  // Returns ANT_REGISTRY_NO_KEY for an unknown key.  Text is cut to ANTENV_VALUE_LENGTH_MAX.
   antError Get(antEnvInitGetParamMsg* message) const;
 
-  // ANT_REGISTRY_WRONG_TYPE for a type that is none.
+  // Returns ANT_REGISTRY_WRONG_TYPE for an unknown type.
   antError Set(const antEnvInitSetParamMsg& message);
 
   const WlanConfig& wlan() const { return wlan_; }
@@ -41,7 +41,7 @@ class Parameters {
   std::map<std::string, std::variant<int32_t, std::string>> values_;
 };
 
-// 0x0a000102 for "10.0.1.2"; 0 for what is no address.
+// Converts "10.0.1.2" to 0x0a000102; returns 0 if the text is no address.
 uint32_t IpFromText(const std::string& text);
 
 }  // namespace openr_host

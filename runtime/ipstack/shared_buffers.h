@@ -1,6 +1,6 @@
-// The memory that objects share with the IPStack.
+// The shared buffers: memory that objects share with the IPStack.
 //
-// Buffers are regions of the System's table, owned by the object that asked for them.
+// Buffers are regions of the System's table.  Their owner is the object that has asked for them.
 #pragma once
 
 #include <antSharedBuffer.h>
@@ -18,30 +18,30 @@ class SharedBuffers {
  public:
   explicit SharedBuffers(RegionTable* regions) : regions_(regions) {}
 
-  static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to it
-  // One buffer, and all together.  The robot's limits are not known; this is more
-  // than it has memory.
+  static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to pages
+  // Limit of one buffer and of all together.  The robot's limits are not known; this is more than
+  // its memory.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;
 
-  // ANT_FAIL for 0 bytes, ANT_NOMEMORY.
+  // Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the limit.
   antError Create(uint32_t bytes, ObjectId owner, antSharedBuffer* buffer);
 
-  // ANT_INVALIDPTR for what is no buffer, ANT_FAIL while it is mapped.
+  // Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the buffer is mapped.
   antError Destroy(const antSharedBuffer& buffer);
 
-  // Mapping twice, and taking back what is not mapped, changes nothing.  `base`
-  // becomes the address of the first byte.
+  // Maps or unmaps a buffer; a second call changes nothing.  `base` becomes the address of the
+  // first byte.
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
 
-  // Of a stack that stands for one in another process: what that one made and destroyed.
+  // Add and remove a buffer in a worker, after the master's stack has created or destroyed it.
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 
-  // Whether `size` > 0 bytes from `begin` on lie wholly in one mapped buffer.
+  // Whether `size` > 0 bytes from `begin` are inside one mapped buffer.
   bool Contains(const void* begin, int64_t size) const;
 
-  // Frees all buffers of an object that is gone.
+  // Deletes all buffers of an object that has ended.
   void ForgetObject(ObjectId owner);
 
   size_t count() const { return buffers_.size(); }
@@ -55,7 +55,7 @@ class SharedBuffers {
     bool mapped = false;
   };
 
-  // Null when `buffer` names none that lives.
+  // Returns null for an unknown buffer.
   Buffer* Find(const antSharedBuffer& buffer);
 
   RegionTable* const regions_;

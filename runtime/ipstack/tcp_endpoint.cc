@@ -81,7 +81,7 @@ void TcpEndpoint::Bind(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-// Checks what Bind, Listen and Connect need.
+// Checks what Bind, Listen and Connect require; answers and returns true if it is not met.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
   if (opening_) {
@@ -136,7 +136,7 @@ void TcpEndpoint::Connect(const Operation& operation) {
   state_ = State::kConnecting;
 }
 
-// Checks what Send and Receive need; an operation of the same kind is pending if `busy`.
+// Checks what Send and Receive require; `busy`: an operation of the same kind is pending.
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {
@@ -182,7 +182,8 @@ void TcpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// What is fine here and was not there.  Not imitated: programs must not depend on it.
+// Adds a finding for a send that is fast here and would be slow on the robot.  The delay is not
+// imitated, because programs must not depend on it.
 void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
   if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
     stack_->Warn(
@@ -313,7 +314,7 @@ void TcpEndpoint::Fail(NetError error) {
   state_ = State::kFailed;
 }
 
-// Ends what a Listen holds of its port.
+// Ends the Listen's claim to its port.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
   if (own_port_) stack_->tcp_ports().Close(local_port_);

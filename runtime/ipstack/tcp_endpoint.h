@@ -15,24 +15,25 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // How long Close waits, in virtual time, for the peer to end its side once all has been
-  // sent, and without progress while something is left.
+  // Virtual time that Close waits: for the peer to end its side after all has been sent, and
+  // without progress while something is left to be sent.
   static constexpr int64_t kPeerEndUs = 1'000'000;
   static constexpr int64_t kUnsentUs = 60'000'000;
 
-  // Bytes taken from the network beyond what a Receive asks for, so that a header and
-  // the body after it do not cost a frame each.
+  // Bytes that are read from the network beyond what a Receive asks for, so that a header and the
+  // body after it do not need a frame each.
   static constexpr size_t kReadAheadBytes = 16384;
 
-  // A send of more than the first and at most the second leaves the robot in two pieces, the later
-  // one up to 200 ms after the other (network.md, 4.3); more than the third is slow (BBS 254).
+  // The robot sends more than the first and at most the second number of bytes in two pieces, the
+  // later one up to 200 ms after the other (network.md, 4.3).  More than the third number is slow
+  // (BBS 254).
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
-  // Small sends in a row, each so soon after the last, with nothing received in between: Nagle's
-  // algorithm keeps the next one until the peer acknowledges, which it may put off that long.  One
-  // that fills more than half of what goes at once is not small (chosen): nothing is gained by
-  // joining it with the next.
+  // Limits for small sends in a row, each soon after the last, with nothing received in between.
+  // On the robot Nagle's algorithm holds the next one back until the peer acknowledges, which the
+  // peer may delay by this time.  A send of more than half of what goes at once does not count as
+  // small (chosen), because joining it with the next one gains nothing.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -67,28 +68,28 @@ class TcpEndpoint : public Endpoint {
   void FinishSend();
   void FinishReceive();
   void FinishClose();
-  // Answers with `error` and takes it back.
+  // Answers the operation with `error` and clears it.
   void Finish(std::optional<Operation>* operation, TCPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
-  uint32_t local_ip_ = 0;  // as the program named it; 0: it did not
+  uint32_t local_ip_ = 0;  // as the program gave it; 0: none
   uint16_t local_port_ = 0;
-  bool own_port_ = false;  // the stack chose local_port_ for a Listen
+  bool own_port_ = false;  // the stack has chosen local_port_ for a Listen
   NetAddress remote_;
-  NetAddress wanted_;                     // the only peer a Listen takes; 0: any
+  NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any
   TCPEndpointError error_ = TCP_SUCCESS;  // why the connection is broken
 
-  std::string in_;          // received, not delivered
-  bool asked_ = false;      // a Network::Receive() is out
-  bool ended_ = false;      // the peer sends no more
+  std::string in_;          // received and not yet delivered
+  bool asked_ = false;      // a Network::Receive() has not been answered
+  bool ended_ = false;      // the peer has ended the stream
   bool closed_ = false;     // both sides have ended
-  int64_t unsent_ = 0;      // bytes given to the network that it has not taken
-  uint64_t sent_hash_ = 0;  // of all bytes sent
-  int small_row_ = 0;       // small sends since the object received something
+  int64_t unsent_ = 0;      // bytes given to the network that it has not accepted
+  uint64_t sent_hash_ = 0;  // of all sent bytes
+  int small_row_ = 0;       // small sends since the object last received something
   int64_t last_send_us_ = 0;
-  int64_t closing_since_us_ = 0;  // Close, or the last progress since
+  int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after it
 
   std::optional<Operation> opening_;  // Listen or Connect
   std::optional<Operation> send_;

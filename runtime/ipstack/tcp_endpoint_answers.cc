@@ -1,4 +1,4 @@
-// When the operations of a TCP endpoint can be answered, and how.
+// When and how the operations of a TCP endpoint are answered.
 #include <algorithm>
 #include <cstring>
 
@@ -38,7 +38,8 @@ void TcpEndpoint::FinishSend() {
   const auto& message = send_->As<TCPEndpointSendMsg>();
   if (state_ == State::kFailed) return Finish(&send_, error_);
   if (unsent_ + message.size > pool_bytes_) return;
-  if (!stack_->buffers().Contains(message.buffer, message.size)) {  // destroyed meanwhile
+  // The buffer was destroyed meanwhile.
+  if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, TCP_BUFFER_INVALID);
   }
   const auto size = static_cast<size_t>(message.size);
@@ -64,7 +65,8 @@ void TcpEndpoint::FinishReceive() {
     return;
   }
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {  // destroyed meanwhile
+  // The buffer was destroyed meanwhile.
+  if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {
     return Finish(&receive_, TCP_BUFFER_INVALID);
   }
   const size_t count = std::min(in_.size(), max);

@@ -14,7 +14,7 @@ void TcpPorts::Port::Take(const NetworkEvent& event) {
 
 bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {
   const auto known = ports_.find(number);
-  if (known != ports_.end() && known->second->failed) Close(number);  // try again
+  if (known != ports_.end() && known->second->failed) Close(number);  // opens the port again
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
     if (ports_.size() > kPortsMax) {

@@ -1,9 +1,8 @@
-// The ports that TCP endpoints listen on.
+// The ports on which TCP endpoints listen.
 //
-// Any number of endpoints may listen on one port; connections go to them in the order
-// of their Listen messages.  The socket behind a port stays open between listens, so that
-// a client that comes in between waits instead of being refused; nobody takes its
-// connection until an endpoint listens again.
+// Any number of endpoints may listen on one port; connections go to them in the order of their
+// Listen messages.  The socket of a port stays open between two Listens, so a client that connects
+// in between is not refused; it waits until an endpoint listens again.
 #pragma once
 
 #include <cstddef>
@@ -20,25 +19,25 @@ class TcpPorts {
  public:
   explicit TcpPorts(IpStack* stack) : stack_(stack) {}
 
-  static constexpr size_t kPortsMax = 64;  // bounds the host's sockets
+  static constexpr size_t kPortsMax = 64;  // limits the sockets of the host
 
-  // The next connection to `port` becomes `socket`, whose events go to `endpoint`.  `ip`: where
-  // the port is opened if it is not open yet; 0: at the robot's own address.
-  // False when too many ports are open.
+  // The next connection to `port` becomes `socket`, whose events go to `endpoint`.  `ip` is the
+  // address at which the port is opened if it is not open yet; 0: the robot's own.  Returns false
+  // if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
-  // `endpoint` listens no more, whether it got its connection or not.
+  // Removes `endpoint` from those that listen, whether it got a connection or not.
   void Forget(uint16_t port, const EventSink* endpoint);
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }
 
-  // Closes the socket of a port that the stack had chosen for one endpoint.
+  // Closes the socket of a port that the stack has chosen for one endpoint.
   void Close(uint16_t port);
   void CloseAll();
 
  private:
   struct Port : EventSink {
-    void Take(const NetworkEvent& event) override;  // kFailed, for all who wait
+    void Take(const NetworkEvent& event) override;  // kFailed, for all endpoints that listen
 
     NetHandle listener = 0;
     bool failed = false;

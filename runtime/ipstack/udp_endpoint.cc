@@ -105,11 +105,11 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Sending to everybody failed on the robot as well (BBS 402).
+  // Broadcasts failed on the robot as well (BBS 402).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
-// Checks what Send and Receive need.
+// Checks what Send and Receive require; answers and returns true if it is not met.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;
@@ -191,7 +191,8 @@ void UdpEndpoint::FinishSend() {
   const auto& message = send_->As<UDPEndpointSendMsg>();
   if (error_ != UDP_SUCCESS) return Finish(&send_, error_);
   if (sent_in_frame_ + message.size > pool_bytes_) return;
-  if (!stack_->buffers().Contains(message.buffer, message.size)) {  // destroyed meanwhile
+  // The buffer was destroyed meanwhile.
+  if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, UDP_BUFFER_INVALID);
   }
   const auto size = static_cast<size_t>(message.size);
@@ -202,7 +203,7 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// A connected endpoint hears its peer only.  Whether a datagram for the program is left.
+// Drops datagrams of other peers if the endpoint is connected.  Returns whether a datagram is left.
 bool UdpEndpoint::DropStrangers() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
     waiting_.pop_front();
@@ -219,7 +220,7 @@ void UdpEndpoint::FinishReceive() {
     asked_ = true;
     return;
   }
-  if (!stack_->buffers().Contains(message.buffer, room)) {  // destroyed meanwhile
+  if (!stack_->buffers().Contains(message.buffer, room)) {  // the buffer was destroyed meanwhile
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }
   const NetworkEvent datagram = std::move(waiting_.front());

@@ -1,4 +1,4 @@
-// A UDP endpoint: one port, datagrams to and from anybody or one peer.
+// A UDP endpoint: one port, which exchanges datagrams with one peer or with all.
 #pragma once
 
 #include <UDPEndpointMsg.h>
@@ -17,7 +17,7 @@ class UdpEndpoint : public Endpoint {
 
   static constexpr int kRobotDatagramMax = 18'500;  // field-notes.md, 11.7
   static constexpr int kDatagramMax = 65507;        // bytes that fit into an IPv4 packet
-  static constexpr size_t kReadAhead = 16;          // datagrams taken from the network at a time
+  static constexpr size_t kReadAhead = 16;          // datagrams read from the network at a time
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
@@ -36,7 +36,7 @@ class UdpEndpoint : public Endpoint {
   void Close(Operation operation);
   void Address(Operation operation);
 
-  // Where a Send goes; ip 0: nowhere.
+  // Returns the address to which a Send goes; ip 0: none.
   NetAddress DestinationOf(const UDPEndpointSendMsg& message) const;
   bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
   void Refuse(Operation operation, UDPEndpointError error);
@@ -47,12 +47,12 @@ class UdpEndpoint : public Endpoint {
               const void* data = nullptr, size_t size = 0);
 
   NetHandle socket_ = 0;   // 0: not bound
-  uint32_t local_ip_ = 0;  // as the program named it
+  uint32_t local_ip_ = 0;  // as the program gave it
   uint16_t port_ = 0;
-  NetAddress peer_;                       // of Connect; ip 0: none
-  UDPEndpointError error_ = UDP_SUCCESS;  // the socket is of no use
-  bool asked_ = false;                    // a Network::ReceiveFrom() is out
-  std::deque<NetworkEvent> waiting_;      // datagrams that came and are not delivered
+  NetAddress peer_;                       // set by Connect; ip 0: none
+  UDPEndpointError error_ = UDP_SUCCESS;  // the socket cannot be used any more
+  bool asked_ = false;                    // a Network::ReceiveFrom() has not been answered
+  std::deque<NetworkEvent> waiting_;      // datagrams received and not yet delivered
   int64_t sent_in_frame_ = 0;             // bytes; the pool is empty again at the next frame
 
   std::optional<Operation> send_;

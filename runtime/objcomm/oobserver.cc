@@ -26,7 +26,7 @@ OObserver::OObserver() {
           .get();
 }
 
-OObserver::~OObserver() = default;  // the state goes with its object
+OObserver::~OObserver() = default;  // the state is deleted with the object
 
 OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
   state_->id = ENTRY2OBSERVERID(entry);
@@ -43,9 +43,10 @@ void OObserver::SetBufCtrlParam(size_t skip, size_t min, size_t max) {
   state_->max = std::max(max, state_->min);
 }
 
-// Readies wait in the queue of the subject's object; the 33rd is refused on the robot.
+// Readies wait in the message queue of the subject's object; the robot refuses the 33rd message.
+// So an observer that asserts again and again would fail there.
 void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
-  constexpr int kTimesMax = 8;  // no program means it that often; chosen
+  constexpr int kTimesMax = 8;  // chosen: no program asserts that often on purpose
   auto entry = std::find_if(asserted.begin(), asserted.end(),
                             [&](const Asserted& each) { return each.subject == subject; });
   if (entry == asserted.end()) entry = asserted.insert(asserted.end(), {subject, 0});
@@ -69,8 +70,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   ready.observerID = id;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  // Regions to which nobody here refers any more go back; what does not fit waits
-  // for the next ready.
+  // Regions without a reference in this object go back.  Those that do not fit into this ready wait
+  // for the next one.
   RCRegion* returned[MAX_NUM_DATA];
   std::vector<RCRegion*>* regions = nullptr;
   for (Held& entry : held) {
@@ -84,6 +85,7 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
     }
   }
   const int count = ready.numOfData;
+  // Posted first: if the message is refused, this object keeps the regions.
   const sError error = system->Post(message);
   if (error != sSUCCESS) {
     system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
@@ -103,6 +105,7 @@ void openr_host::SendDeassert(openr_host::Object* object, uint32_t selector,
   System* const system = object->system;
   openr_host::Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
   if (sender == nullptr) return;
+  // An object that is being replaced receives no more messages, so it gets its regions directly.
   if (sender->is_leaving) {
     for (RCRegion* const region : regions) sender->TakeBack(region);
     return;
@@ -119,7 +122,7 @@ void openr_host::SendDeassert(openr_host::Object* object, uint32_t selector,
   message->kind = PayloadKind::kReady;
   if (system->Post(message) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  const bool is_here = !sender->subjects.empty();  // its regions are not in another process
+  const bool is_here = !sender->subjects.empty();  // the regions of a stand-in belong to a worker
   for (RCRegion* const region : regions) {
     if (is_here) {
       region->RemoveReference();
@@ -181,8 +184,8 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 
 namespace {
 
-// Asks the subject at `entry` to add or remove this observer.  A subject of the
-// same object is called directly: its object is busy with this very handler.
+// Asks the subject at `entry` to add or remove this observer.  A subject of the same object is
+// called directly: a message would wait until this handler ends.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
@@ -199,6 +202,7 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::Object::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->self_reply = &self;
+  // The entry is code of the object again, as when the dispatcher calls it.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -241,7 +245,7 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 
 namespace {
 
-// Whether the data are still those that were sent.
+// Adds a finding if the data differ from those that were sent (SystemOptions::guard_regions).
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->running;
   uint32_t size = 0;
@@ -261,6 +265,7 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
+  // See ObserverState::Asserted.
   state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

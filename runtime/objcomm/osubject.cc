@@ -12,8 +12,8 @@ using namespace openr_host;
 
 namespace {
 
-// Calls `set` with a region of `size` bytes at `offset` in memory that a program made, which the
-// subject's buffers then share.  oINVALID_ARG when there is no such memory.
+// Calls `set` with a region of `size` bytes at `offset` in memory that a program has made; the
+// memory is not copied.  Returns oINVALID_ARG if there is no such memory.
 template <typename Set>
 OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   const ApiScope scope;
@@ -29,7 +29,7 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   return status;
 }
 
-// Bytes from the locator to the end of its region; 0 when there are none.
+// Returns the bytes from the locator to the end of its region; 0 if there are none.
 size_t SizeFrom(const OMemoryLocator& locator) {
   const ApiScope scope;
   if (t_current.system == nullptr) return 0;
@@ -47,7 +47,7 @@ OSubject::OSubject() {
                .get();
 }
 
-OSubject::~OSubject() = default;  // the state goes with its object
+OSubject::~OSubject() = default;  // the state is deleted with the object
 
 OStatus OSubject::SetReadyEntry(const OServiceEntry& entry) {
   const ApiScope scope;
@@ -80,6 +80,7 @@ size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
 
 OStatus OSubject::SetData(const void* buf, size_t size) {
   const ApiScope scope;
+  // Without observers the region would be made and deleted at once.
   if (state_->links.empty()) return oSUCCESS;
   RCRegion* const region = new RCRegion(size);
   if (region->Base() == nullptr) return oNO_MEMORY;
@@ -170,9 +171,11 @@ OStatus OSubject::NotifyObserver(const ObserverID& id) {
 
 namespace {
 
+// Returns how many more data fit into the subject's buffer for one observer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;  // a ring keeps one entry empty
+  // The robot's ring buffer keeps one entry empty.
+  const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return used >= room ? 0 : room - used;
 }
 

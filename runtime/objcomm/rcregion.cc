@@ -19,10 +19,11 @@ using openr_host::t_current;
 
 namespace {
 
-// RCRegions are small, many and short-lived: one free list for the thread.
+// A free list for the memory of RCRegions, which are small, many and short-lived.
 struct Pool {
   std::vector<void*> free;
-  std::vector<void*> chunks;  // kept until the end, so that a leak of a region is not one of memory
+  // Kept until the end, so that a leaked region is reported as a region and not as memory.
+  std::vector<void*> chunks;
   static constexpr size_t kChunk = 64;
 
   ~Pool() {
@@ -41,11 +42,12 @@ struct Pool {
 };
 
 Pool& ThePool() {
-  static thread_local Pool* const pool = new Pool;  // outlives every object
+  // Never deleted, because regions may be deleted after everything else.
+  static thread_local Pool* const pool = new Pool;
   return *pool;
 }
 
-// ", 65000 of them made at Talker.cc:57", or "".
+// Describes where most regions were made: ", 65000 of them made at Talker.cc:57", or "".
 std::string MadeWhere(const RegionTable& table) {
   const auto [address, count] = table.MostCommonPlace();
   const std::string place = openr_host::NameOfPlace(address);
@@ -135,7 +137,8 @@ void RCRegion::AddReference() { ++count_; }
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // A received region belongs to its observer until the next ready, whatever its count.
+  // A received region belongs to its observer until the next ready gives it back, so it is not
+  // deleted here.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

@@ -1,7 +1,6 @@
-// What the runtime keeps for an OSubject and an OObserver.
+// The runtime's state of an OSubject and an OObserver.
 //
-// Belongs to the System's side of the object, on the host's heap, and is touched
-// only from handlers of that object.
+// The state is on the host's heap, not on the object's, and only handlers of the object touch it.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -21,53 +20,55 @@ class Hasher;
 class Object;
 class System;
 
-// What the library inside the runtime may do to a region.
+// Operations on regions that only the runtime may do.
 struct RegionAccess {
-  // The observer's own view of a region received from `source`, count 1.
+  // Makes the observer's region for one received from `source`, with one reference.
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
-  // Ends that view.
+  // Deletes a region made by Receive().
   static void GiveBack(RCRegion* received);
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Whether the message being handled is one of the library's, of this kind.  An object that sends
-// bytes of its own to such an entry has no regions in them; that is an error finding.
+// Whether the message being handled was sent by the library with this kind of payload.  If an
+// object sent bytes of its own to the entry of a subject or observer, there are no regions in them;
+// that is an error finding.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
-// Type of a deassert that comes from the runtime, for an observer that is gone.
+// The type of a deassert that the runtime sends for a lost observer.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
-// Tells `subject` that the observer of `object` with entry `selector` is not ready, and gives it
-// back what it had sent there, at most MAX_NUM_DATA regions.
+// Sends `subject` a deassert in the name of the observer of `object` with entry `selector`, and
+// gives back `regions` that the subject had sent it, at most MAX_NUM_DATA.
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
                   const std::vector<RCRegion*>& regions);
-// The same for a notification on its way that nobody will hear.
+// Does the same for a notification that will not be delivered.
 void RefuseNotification(Object* object, const Message& message);
 
-// One observer of one subject.
+// A subject's record of one observer.
 struct ObserverLink {
   ObserverID observer;
-  std::string name;  // of its object, for messages to people
+  std::string name;  // name of the observer's object, for messages to the user
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
 
-  // 1 ready, 0 not said or data sent since, -1 not ready.  A flag, not a counter.
+  // 1: ready.  0: not asserted yet, or data were sent since.  -1: deasserted.  It is a flag, so two
+  // asserts count as one.
   int ready = 0;
-  size_t skipped = 0;  // notifications left out since the last one kept
+  size_t skipped = 0;  // notifications skipped since the last one that was kept
 
-  std::vector<RCRegion*> fresh;  // set since the last notify, at most MAX_NUM_DATA
+  std::vector<RCRegion*> fresh;  // set since the last notify; at most MAX_NUM_DATA
   struct Unit {
-    int data;  // how many of `pending` it has
+    int data;  // number of regions in `pending` that belong to this notification
   };
-  std::vector<RCRegion*> pending;  // notified, not sent; oldest first
-  std::vector<Unit> units;         // of pending, oldest first
+  std::vector<RCRegion*> pending;  // notified and not sent, oldest first
+  std::vector<Unit> units;         // notifications in `pending`, oldest first
   int64_t waiting_since_us = -1;   // virtual time of the oldest pending unit
-  uint64_t sent = 0;               // events
-  int64_t sent_us = 0;             // virtual time of the last one
+  uint64_t sent = 0;               // messages sent
+  int64_t sent_us = 0;             // virtual time of the last message
   uint64_t replaced = 0;           // units dropped for newer ones
-  bool is_lost = false;            // it did not deassert itself: it is gone
-  bool told_deasserted = false;    // a notify to it while it had deasserted was reported
+  bool is_lost = false;            // the runtime deasserted, because the observer is lost
+  bool told_deasserted = false;    // a notify after a deassert has been reported
 };
 
 struct SubjectState {
@@ -77,7 +78,7 @@ struct SubjectState {
 
   OStatus SetData(ObserverLink* link, RCRegion* region);
   OStatus Notify(ObserverLink* link);
-  // Sends what is pending if the observer is ready and enough has been collected.
+  // Sends pending units if the observer is ready and has at least `min` of them.
   void Flush(ObserverLink* link);
   void Clear(ObserverLink* link);
   void DropOldestUnit(ObserverLink* link);
@@ -87,18 +88,18 @@ struct SubjectState {
   System* const system;
   Object* const object;
   SubjectID id;
-  std::string service;  // full name, for messages to people
+  std::string service;  // full name, for messages to the user
   size_t buffer_size = MAX_NUM_DATA + 1;
   size_t unit_size = 1;
   std::vector<std::unique_ptr<ObserverLink>> links;
-  std::list<OObserverInfo> infos;  // the same, as the SDK shows them
+  std::list<OObserverInfo> infos;  // the observers of `links`, as the SDK shows them
 };
 
 struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Counts in `asserted`; far too many are a finding.
+  // Counts the readies in `asserted`; too many of them are a finding.
   void CountReady(const SubjectID& subject, ObjcommCommand command);
 
   System* const system;
@@ -109,14 +110,15 @@ struct ObserverState {
   size_t min = 1;
   size_t max = 1;
   std::list<OSubjectInfo> subjects;
-  // Regions received and not given back, per subject, oldest first.
+  // Received regions that have not been given back, by subject, oldest first.
   struct Held {
     SubjectID subject;
     std::vector<RCRegion*> regions;
   };
   std::vector<Held> held;
-  // Readies asserted to a subject since the last notification of any subject, not only of that
-  // one: AssertReady() without argument, once per notification, asserts to all of them.
+  // Readies asserted to a subject since the last notification from any subject.  Notifications of
+  // other subjects count too, because an AssertReady() without argument, once per notification,
+  // asserts to all subjects.
   struct Asserted {
     SubjectID subject;
     int times;

@@ -1,4 +1,5 @@
-// Ready, notify, pending and the order in which references go: measured.md, section 1.
+// How a subject sends data: ready, notify, pending, and the order in which references are released.
+// See measured.md, section 1.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 namespace openr_host {
 
 bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  if (object.running == nullptr || object.running->kind == kind)
-    return true;  // null: a test's own call
+  if (object.running == nullptr || object.running->kind == kind)  // null: a test calls directly
+    return true;                                                  // null: a test's own call
   object.system->AddFinding(
       Severity::kError,
       "bytes that an object sent to the entry of a subject or observer are "
@@ -31,6 +32,7 @@ ObserverLink* SubjectState::Find(const ObserverID& observer) {
 OStatus SubjectState::SetData(ObserverLink* link, RCRegion* region) {
   region->AddReference();
   link->fresh.push_back(region);
+  // A message holds MAX_NUM_DATA data; as on the robot the oldest is dropped.
   if (link->fresh.size() <= MAX_NUM_DATA) return oSUCCESS;
   link->fresh.front()->RemoveReference();
   link->fresh.erase(link->fresh.begin());
@@ -50,9 +52,11 @@ void SubjectState::DropOldestUnit(ObserverLink* link) {
 
 namespace {
 
-// The robot says nothing.  Of a system service it is how it should be: a slow program sees
-// the newest sensor values.  To one it is common: programs send command vectors and sounds without
-// asking whether the robot is ready, and work (docs/body.md).  Both only count as dropped.
+// Reports that data were replaced before the observer was ready.  The robot prints nothing.  No
+// finding is added if one of the two objects is a system service.  If the sender is, replacing is
+// intended: a slow program sees the newest sensor values.  If the observer is, it is common:
+// programs send command vectors and sounds without asking whether the robot is ready, and work
+// (docs/body.md).  Both cases still count as dropped.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
   if (subject.object->is_system) return;
   const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));
@@ -69,7 +73,8 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 
 namespace {
 
-// Of an observer that is gone the loss is reported; it comes back or it does not.
+// Reports a notify to an observer that has deasserted.  For a lost observer the loss itself is
+// reported.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
   link->told_deasserted = true;
@@ -96,6 +101,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
   link->fresh.clear();
   Flush(link);
+  // After Flush(), so that data are not dropped which the observer can take now.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     ++object->dropped_count;
@@ -107,7 +113,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 
 void SubjectState::Flush(ObserverLink* link) {
   if (link->ready <= 0 || link->units.empty() || link->units.size() < link->min) return;
-  // Whole units, oldest first, as many as one message holds.
+  // Whole units are sent, oldest first, as many as fit into one message.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&
@@ -126,7 +132,8 @@ void SubjectState::Flush(ObserverLink* link) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
   }
-  if (system->Post(message) != sSUCCESS) return;  // stays pending; the next notify or ready retries
+  // The data stay pending, and the next notify or ready tries again.
+  if (system->Post(message) != sSUCCESS) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
   link->waiting_since_us = link->units.empty() ? -1 : system->now_us();
