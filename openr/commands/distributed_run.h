@@ -1,5 +1,5 @@
-// What a run has beyond its own process: processes for some of its objects, ROS 2, those who watch
-// it.  Nothing at all, unless flags ask for it.
+// The parts of a run outside its own process: workers, ROS 2, listeners of its status.  Without
+// their flags it does nothing.
 #pragma once
 
 #include <cstdint>
@@ -18,42 +18,43 @@ namespace openr_host {
 class InterruptCounter;
 class RunStick;
 
-// In the order of its functions.  Outlives the simulation.
+// Its functions are called in the order of their declarations.  It must outlive the simulation.
 class DistributedRun {
  public:
-  // Starts the processes of this host.  `interrupts` outlives this.  Throws CLI::ValidationError,
-  // or std::runtime_error of DDS.
+  // Starts the workers of this host.  `interrupts` must outlive this object.  Throws
+  // CLI::ValidationError, or std::runtime_error of DDS.
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Takes its places in a simulation that is still to be made.
+  // Adds the stand-ins and ROS 2 to the options of a simulation that is not made yet.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
-  // The simulation is loaded.  Throws std::runtime_error when an object of the placement is not
-  // there.
+  // Called when the simulation is loaded.  Throws std::runtime_error if the placement names an
+  // unknown object.
   void CheckPlaces() const;
 
-  // All processes hear the rest.  False after a complaint.
+  // Sends the rest of the tables to all workers.  Returns false after an error message.
   bool Connect(Simulation* simulation);
 
-  // Before the runner of `plan` is made.
+  // Called before the runner of `plan` is made.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Whoever watches hears it, and people what they were spared.
+  // Publishes the final status, and prints how many complaints about ROS 2 commands were left out.
   void RunIsOver();
 
-  // Findings about messages that nobody heard.
+  // Adds findings about messages that arrived for lost workers.
   void ReportLosses();
 
-  // Something brings the run down, and a report is still to be made: no process is waited for long.
+  // Called when the run is being brought down and still needs a report: no worker is waited for
+  // long.
   void ShortenTimeouts();
 
-  // Adds what is known of the processes to the report, if there are any.
+  // Adds the workers, if there are any, to the report.
   void Describe(nlohmann::ordered_json* report) const;
 
-  // They may end.
+  // Ends the workers.
   void EndProcesses();
 
  private:
@@ -61,9 +62,9 @@ class DistributedRun {
 
   const bool is_free_;
   const Ros2Flags ros2_flags_;
-  const std::unique_ptr<WorkerGroup> workers_;  // null: all is in this process
-  std::unique_ptr<Bus> own_bus_;                // without a workers
-  Bus* bus_ = nullptr;                          // null: nobody is spoken to
+  const std::unique_ptr<WorkerGroup> workers_;  // null: all objects are in this process
+  std::unique_ptr<Bus> own_bus_;                // used without workers
+  Bus* bus_ = nullptr;                          // null: DDS is not used
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;
 };

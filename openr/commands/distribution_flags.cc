@@ -35,9 +35,9 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
-      // Cyclone DDS takes a folder for a file that says nothing: the run would not be protected.
+      // Cyclone DDS takes a folder for an empty file, so the run would not be protected.
       ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
-  // Both flags are known then.
+  // Checked after parsing, when file and domain are known.
   command->parse_complete_callback([bus] {
     if (bus->config_file.empty()) return;
     const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);
@@ -141,7 +141,8 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
-// A debugger may hold a process that --wrap has started.
+// Returns the lease of started workers.  A worker under --wrap keeps the long lease, since a
+// debugger may stop it.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;

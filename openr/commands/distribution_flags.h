@@ -14,10 +14,10 @@ namespace openr_host {
 
 class RunStick;
 
-// --dds-domain, --dds-address, --dds-peer, --dds-config.
+// Adds --dds-domain, --dds-address, --dds-peer and --dds-config.
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
-// For --run-name and --process; `what`: "run", "process".
+// Validates --run-name and --process; `what` is "run" or "process".
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {
@@ -26,35 +26,35 @@ struct PlacementFlags {
   std::vector<std::string> isolated;  // objects
   std::string wrapper;                // command line of a debugger
   bool is_free = false;
-  bool is_monitored = false;  // speaks of itself though all is in one process
+  bool is_monitored = false;  // publishes its status also without workers
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;
-  std::vector<const CLI::Option*> of_processes;  // mean nothing in a run of one process
-  std::vector<const CLI::Option*> of_dds;        // nor in one that does not speak DDS
+  std::vector<const CLI::Option*> of_processes;  // flags without effect in a run of one process
+  std::vector<const CLI::Option*> of_dds;        // flags without effect in a run without DDS
 };
 
-// --place, --placement, --isolate, --wrap, --monitor, --run-name, --join-wait and those of
+// Adds --place, --placement, --isolate, --wrap, --monitor, --run-name, --join-wait and the flags of
 // AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 
-// Throws CLI::ValidationError when one of them was given that means nothing in a run like this.
+// Throws CLI::ValidationError if a flag was given that has no effect in a run like this.
 void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_dds);
 
-// --ros2 and --ros2-namespace.
+// The flags --ros2 and --ros2-namespace.
 struct Ros2Flags {
   bool is_on = false;
-  std::string space = "aibo";  // namespace
+  std::string space = "aibo";  // the namespace
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
-// Makes the processes that the flags of placement ask for; null when all is in one process.  Throws
-// CLI::ValidationError.
+// Starts the workers that the placement requires; null when all objects are in this process.
+// Throws CLI::ValidationError.
 std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const RunStick& stick,
                                              int64_t handler_limit_us,
                                              std::function<int()> interrupts);
 
-// Of a run that is all in this process and speaks DDS all the same.
+// Makes the bus of a run that has no workers and uses DDS.
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags);
 
 }  // namespace openr_host

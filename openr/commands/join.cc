@@ -33,8 +33,8 @@ struct JoinFlags {
   bool restarts = false;
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
-  pid_t parent = 0;       // the run that started it; 0: none did
-  std::string crash_log;  // of a process with a parent; "": none
+  pid_t parent = 0;       // process id of the run that has started this worker; 0: none
+  std::string crash_log;  // for a worker with a parent; "": none
 };
 
 std::string WhyNoStick(const std::string& folder) {
@@ -42,51 +42,53 @@ std::string WhyNoStick(const std::string& folder) {
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
 
-// Exit codes of a child.
-constexpr int kRefused = 3;  // it would be the same the next time
-constexpr int kOffline = 4;  // it could not so much as look for the run
+// Exit codes of the child process in which --restart runs the worker.
+constexpr int kRefused = 3;  // another attempt would fail as well
+constexpr int kOffline = 4;  // the network was not available, so no run was looked for
 
-// Ties this process to the run that has started it: it ends when the run ends, in whatever way.
-// Ctrl-C and a terminal that closes are for the run.
+// Ties this process to the run that has started it: it ends when the run ends, for whatever reason.
+// Ctrl-C and a closing terminal are handled by the run.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (kill(parent, 0) != 0) _exit(kExitWrong);  // it has gone already
+  if (kill(parent, 0) != 0) _exit(kExitWrong);  // the run has ended already
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGHUP, SIG_IGN);
 }
 
-volatile sig_atomic_t g_ended_by = 0;  // the first signal
-volatile sig_atomic_t g_child = 0;     // of JoinAgainAndAgain()
+volatile sig_atomic_t g_ended_by = 0;  // the first signal received
+volatile sig_atomic_t g_child = 0;     // child of JoinAgainAndAgain()
 
-// The run is told, and so is a child; of two signals the second ends it at once.
+// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal the worker ends after its handler and
+// tells the run, and so does a child; after the second a child ends at once.
 void NoteTheEnd(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
   if (g_ended_by == 0) g_ended_by = signal;
 }
 
-// Those that somebody has set to be ignored are.
+// Installs NoteTheEnd().  Signals that the starter of this process has set to be ignored stay
+// ignored.
 void CatchTheEnd(int flags) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
     action.sa_handler = &NoteTheEnd;
-    // On the alternate stack: an object may be using up its own.
+    // The handler runs on the alternate stack, because an object may have used up its own.
     action.sa_flags = SA_ONSTACK | flags;
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
   }
 }
 
-// As if the signal had not been caught.
+// Ends the process as if the signal had not been caught, so that its parent sees the signal.
 [[noreturn]] void EndBySignal() {
   ::signal(g_ended_by, SIG_DFL);
   raise(g_ended_by);
   _exit(128 + g_ended_by);
 }
 
-// While it lives nothing is said on standard error.
+// Discards standard error while it exists.
 class Hush {
  public:
   explicit Hush(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
@@ -112,8 +114,9 @@ struct Outcome {
   bool is_refused = false;
 };
 
-// `is_known`: people know already if this process cannot take part.  Throws std::exception then.
-// When it returns, others have heard that the process leaves.
+// Runs a worker.  `is_known`: the user has been told already that the worker cannot take part; then
+// it throws std::exception without output.  When it returns, the other processes know that this one
+// leaves.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
@@ -129,7 +132,7 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
   return {problem, worker->is_refused()};
 }
 
-// The folder of a copy of the default stick; "" when there is none.
+// Returns the folder of a copy of the default stick; "" when there is none.
 std::string OwnStick(std::optional<RunStick>* stick) {
   try {
     return stick->emplace("", true).folder();
@@ -159,7 +162,7 @@ int Join(JoinFlags flags, bool is_known = false) {
     const std::string file = flags.parent != 0 ? flags.crash_log
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
-    std::optional<std::string> place;  // none on the stick of the run, where people look
+    std::optional<std::string> place;  // none on the stick of the run, where the user looks first
     if (flags.parent == 0) {
       place = " on " + HostName();
     } else if (file != CrashLogOn(stick)) {
@@ -175,7 +178,7 @@ int Join(JoinFlags flags, bool is_known = false) {
   return outcome.is_refused ? kRefused : kExitWrong;
 }
 
-// In a process of its own; does not throw.
+// Runs a worker in a process of its own.  Does not throw.
 int JoinHere(const JoinFlags& flags, bool is_known) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
@@ -186,13 +189,13 @@ int JoinHere(const JoinFlags& flags, bool is_known) {
   }
 }
 
-// How a child of its own that does it ended: what waitpid() says.
+// Runs JoinHere() in a child process.  Returns its status from waitpid().
 int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   *child = fork();
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
   if (*child == 0) exit(JoinHere(flags, is_known));
   g_child = *child;
-  if (g_ended_by != 0) kill(*child, SIGTERM);  // meanwhile
+  if (g_ended_by != 0) kill(*child, SIGTERM);  // the signal came before g_child was set
   int status = 0;
   while (waitpid(*child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -200,9 +203,10 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   return status;
 }
 
-// A new process whenever one ends before the run is over: what it was in the middle of, or how it
-// was brought down, does not matter then.  One whose network is away tries again until it is there,
-// and says so once; at the beginning it is a wrong flag.
+// Starts a new process whenever one ends before the run is over.  A new process needs no cleaning
+// up, whatever its predecessor was doing.  If the network is not available, it tries again until it
+// is, and reports that once; at the first attempt this is an error, because the flags are probably
+// wrong.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   CatchTheEnd(0);
