@@ -138,6 +138,7 @@ void Bus::Wait(int64_t timeout_us) {
   dds_waitset_wait(waitset_, nullptr, 0, DDS_USECS(timeout_us));
 }
 
+// Deleting the domain deletes all its entities.
 Bus::~Bus() { dds_delete(domain_); }
 
 ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,

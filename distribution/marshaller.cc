@@ -261,6 +261,7 @@ std::string Marshaller::Decode(const openr_wire_Message& in, Message* out) {
 }
 
 std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) {
+  // The array of the message has room for MAX_NUM_DATA data; a forged sample may have more.
   if (in.parts._length > MAX_NUM_DATA || in.notifications > MAX_NUM_DATA)
     return fmt::format("a notification of {} data", in.parts._length);
   auto& notify = *new (out->payload) ONotifyMessage;

@@ -53,6 +53,7 @@ ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool is_external)
 
 void ProcessSlot::OpenSession(const std::string& session) {
   Abandon();
+  // The report names the lost process until the next one has sent its Hello.
   previous_ = last_identity();
   identity_ = {};
   channel_ = std::make_unique<MasterChannel>(bus_, process_ + "/" + session, ChannelEnd::kMaster);

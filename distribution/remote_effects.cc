@@ -29,6 +29,7 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
     case openr_wire_TO_MASTER_QUESTION: {
       const openr_wire_Question& in = to_master.body._u.question;
       Object* const self = ObjectOf(in.object);
+      // Effects of the handler before its question come first, as in one process.
       Apply(to_master, self);
       const CurrentScope scope(system_, self);
       SendAnswer(AnswerQuestion(system_, self,
@@ -138,6 +139,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
+  // Decode() overwrites these fields with those that the worker sent.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = marshaller_->Decode(posted.message, message);
@@ -164,6 +166,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   // The request has its answer.  If the worker is lost later, the stand-in must not send an empty
   // one.
   if (answers && error == sSUCCESS) self->running->reply_box = 0;
+  // The observer has its notification and must assert ready again.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }
@@ -222,6 +225,7 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
     default:
       break;
   }
+  // The notes below concern the current object.  While objects are loaded there is none.
   if (self == nullptr) return;
   switch (kind) {
     case NoteKind::kOpenBox:
@@ -230,6 +234,7 @@ void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& number
       return;
     case NoteKind::kCloseBox:
       self->boxes.erase(number(0));
+      // A reply that has arrived meanwhile is not wanted any more.
       if (const auto reply = self->replies.find(number(0)); reply != self->replies.end()) {
         system_->queue().Release(reply->second);
         self->replies.erase(reply);

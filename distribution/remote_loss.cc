@@ -61,6 +61,7 @@ void RemoteProcess::ReleaseAll() {
     for (int i = 0; i < count; ++i) system_->regions().Unpin(region);
   }
   pins_.clear();
+  // Counters and heap use begin anew with the next process.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))
     system_->robot(robot).memory.used_bytes -= bytes;
@@ -72,6 +73,7 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
+  // Stand-ins that still wait for the old process see by the number that it is gone.
   ++session_;
   is_lost_ = false;
   loss_.clear();

@@ -34,6 +34,8 @@ constexpr char kAbandonedText[] = "the run could not reach it and goes on withou
 Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
 
 Worker::~Worker() {
+  // Set first: destructors of the objects' code still post messages and call the SDK, which must
+  // not reach the channel.
   is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // destructors of images may still call the marshaller's functions
@@ -52,6 +54,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
+  // A user's request to end is obeyed between two handlers, so that the effects of a handler are
+  // sent as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -70,6 +74,7 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       ReportRunEnded(end);
       _exit(end.run_goes_on ? 1 : 0);
     }
+    // In a free run the master sends further work while a handler waits for an answer.
     deferred_.push_back(std::move(sample));
   }
 }
@@ -250,6 +255,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   const openr_wire_Message& in = deliver.message;
   Object* const object = system_->object(in.target);
   if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
+  // The clock of this System follows that of the master.
   if (now_us > system_->now_us()) system_->RunUntil(now_us);
   Message* const message = system_->queue().Allocate();
   const std::string problem = marshaller_->Decode(in, message);
@@ -257,6 +263,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
   TrackSharedBuffers(*object, *message);
+  // A message of this form tells System::AwaitReply() that the time is over.
   if (timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
@@ -264,6 +271,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   // The message is due at once: the master delivers it at its time.
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
+  // The handler continues now; if it waits again, Waits() adds a new entry.
   waits_.erase(object->id);
   system_->queue().Push(message, object->limits.priority);
   if (is_free_) {
@@ -317,6 +325,7 @@ void Worker::SendStopped(Object* object) {
   stopped.object = object->id;
   stopped.kind = openr_wire_STOP_DONE;
   stopped.timeout_us = -1;
+  // An entry in waits_ means that the handler has not returned.
   if (const auto found = waits_.find(object->id); found != waits_.end()) {
     stopped.kind = found->second.kind;
     stopped.box = found->second.box;
@@ -333,6 +342,7 @@ void Worker::SendStopped(Object* object) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
   MoveEffectsTo(&to_master);
+  // In a free run this sample may share a packet with that of the next handler.
   Send(to_master, is_free_);
   // DDS has copied the bytes, so the regions may go.
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
@@ -371,6 +381,7 @@ void Worker::SendState(ObjectId id) {
 // new object like with any other.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
+  // The new object may have other entries.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};

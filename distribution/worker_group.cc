@@ -34,6 +34,7 @@ BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
 
 WorkerGroup::WorkerGroup(WorkerGroupOptions options)
     : options_(std::move(options)), bus_(GroupBusOptions(options_)) {
+  // Only external workers look for a run by its name, so only then the name must be unique.
   if (!options_.placement.host_of.empty()) claim_ = std::make_unique<NameClaim>(&bus_);
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];
@@ -62,6 +63,7 @@ std::string WorkerGroup::ProblemOf(const Member& member) const {
 }
 
 void WorkerGroup::Start(Member* member) {
+  // A new session for each process: samples of its predecessor are on other topics.
   const std::string session = NewSessionName();
   member->process->slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
@@ -91,6 +93,7 @@ System::StandIns WorkerGroup::StandInsFor(System* system, int robot) {
       member->process->Add(object.get());
       placed_.push_back(name);
       system_->Adopt(std::move(object));
+      // Loaded at once, so that objects of all processes are loaded in the order of OBJECT.CFG.
       LoadNewObjects(member);
     };
   }
@@ -230,6 +233,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
+  // Called before anything else changes, so that a recording has the loss at this instant.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
   // After a second Ctrl-C workers may end at any time; that is no loss to report.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
@@ -285,6 +289,7 @@ bool WorkerGroup::HandleReceived() {
 }
 
 void WorkerGroup::Pump(int64_t timeout_us) {
+  // This process is about to wait, so no sample it has kept may wait any longer.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
@@ -369,6 +374,7 @@ std::map<ObjectId, uint64_t> WorkerGroup::HeapMax() const {
 
 void WorkerGroup::End() {
   const std::string why = system_ != nullptr && system_->end() ? DescribeEnd(*system_->end()) : "";
+  // All workers are told first, so that they end at the same time.
   for (auto& [name, member] : members_) member.process->End(why);
   for (auto& [name, member] : members_) {
     // A worker that has not joined has not been told that the run is over, so it is killed without

@@ -122,7 +122,7 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // a user starts it with openr join
     bool is_welcomed = false;
-    size_t robots = 0;  // robots and objects of the master's tables that it has been told of
+    size_t robots = 0;  // robots and objects of the master that the worker knows
     size_t known = 0;
     // For a restart.
     Stage stage = Stage::kRunning;

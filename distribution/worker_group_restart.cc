@@ -132,6 +132,7 @@ void WorkerGroup::Restart(Member* member) {
 // Sends a joined process all tables at once.  At the beginning of a run they are sent object by
 // object.
 void WorkerGroup::BeginLoading(Member* member) {
+  // The new process knows nothing of the tables.
   member->robots = member->known = 0;
   member->new_objects.clear();
   member->successors.clear();
@@ -168,10 +169,13 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     for (const auto& [other, object] : member.objects) {
+      // Old stand-ins of this worker with smaller ids have been replaced and destroyed already.
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
+    // Messages may have arrived for the old stand-in after the new one was made.
     member.successors[id]->unheard_count = member.objects[id]->unheard_count;
+    // Objects are replaced in the order of their ids, so the largest id is the last one.
     if (member.successors.rbegin()->first != id) continue;
     uint64_t unheard = 0;
     for (const auto& [new_id, object] : member.successors) unheard += object->unheard_count;

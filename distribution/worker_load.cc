@@ -67,6 +67,7 @@ std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   std::shared_ptr<FolderStick> stick;
   if (entry.has_stick) {
     FindStick(entry.stick_hash);
+    // A wrong stick is a refusal: the run may wait for a worker with the right one.
     is_refused_ = !IsFolder(stick_);
     if (is_refused_)
       return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
@@ -96,6 +97,8 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   if (entry.id < next) return;  // the object manager, which every System has
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
+  // The network is the master's; the stack here has none of its own and only knows the shared
+  // buffers.
   if (entry.is_stack) {
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;
@@ -108,6 +111,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
       loaded->push_back(Describe(*object));
       return;
     }
+    // The master reports the error, with the reason that was found here.
     openr_wire_LoadedObject bad{};
     bad.id = entry.id;
     bad.name = arena_.Text(StringOf(entry.name));

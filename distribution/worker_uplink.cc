@@ -80,6 +80,8 @@ bool Worker::MayBeRefused(const Message& message) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
+  // Only the first message to an entry costs a question: the entry stays until its object is
+  // replaced, see Forget().
   if (WaitForAnswer().status != 1) return true;
   known_entries_.insert(entry);
   return false;
@@ -109,6 +111,7 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
+  // A refused ready has given nothing back; the observer keeps its regions.
   if (error == sSUCCESS) marshaller_->CompleteSend(*message);
   system_->queue().Release(message);
   return error;
@@ -122,6 +125,7 @@ bool Worker::CancelPendingPin(uint64_t region) {
            effect._u.note.kind == static_cast<uint32_t>(NoteKind::kPin) &&
            effect._u.note.numbers._buffer[0] == region;
   };
+  // The latest pin is searched for: earlier ones may belong to other references to the region.
   const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
   if (found == effects_.rend()) return false;
   effects_.erase(std::next(found).base());
@@ -141,6 +145,7 @@ Answer Worker::Ask(const Question& question) {
   const Indivisible indivisible;
   if (is_shutting_down_) return {};
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
+  // Effects of the handler so far go with the question, because the answer may depend on them.
   to_master.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                 static_cast<uint32_t>(question.kind),
                                 arena_.Numbers(question.numbers), arena_.Text(question.text),
@@ -164,6 +169,7 @@ Answer Worker::WaitForAnswer() {
 }
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
+  // Only noted here.  SendStopped() reports it when the dispatcher has left the handler.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 
