@@ -55,6 +55,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
   status.host = HostName();
   status.pid = getpid();
   status.has_ended = has_ended;
+  if (has_ended && system_->end()) status.end = DescribeEnd(*system_->end());
   status.virtual_us = system_->now_us();
   status.wall_s = seconds(now - begin_);
   const int64_t virtual_us = status.virtual_us - std::exchange(virtual_us_, status.virtual_us);

@@ -68,6 +68,7 @@ openr_status_Status Encode(const RunStatus& in, std::vector<openr_status_Process
   Put(in.host, &out.host);
   out.pid = in.pid;
   out.has_ended = in.has_ended;
+  Put(in.end, &out.end);
   out.virtual_us = in.virtual_us;
   out.wall_s = in.wall_s;
   out.x_real_time = in.x_real_time;
@@ -105,6 +106,7 @@ RunStatus Decode(const openr_status_Status& in) {
   out.host = Printable(in.host);
   out.pid = in.pid;
   out.has_ended = in.has_ended;
+  out.end = Printable(in.end);
   out.virtual_us = in.virtual_us;
   out.wall_s = FiniteFigure(in.wall_s);
   out.x_real_time = FiniteFigure(in.x_real_time);

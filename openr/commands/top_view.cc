@@ -135,7 +135,7 @@ std::string Headline(const Run& run, double now_s) {
       status.run, status.host, status.pid, static_cast<double>(status.virtual_us) / 1e6,
       status.x_real_time, status.messages_per_s, status.waiting);
   const double silent_s = Silence_s(run, now_s);
-  if (status.has_ended) text += "; ended";
+  if (status.has_ended) text += "; " + (status.end.empty() ? "ended" : status.end);
   if (silent_s > 0)
     text +=
         fmt::format("; silent for {:.0f} s: it waits for a process, is stopped, or gone", silent_s);
@@ -228,6 +228,7 @@ Json TopJson(const std::vector<Run>& runs, double now_s) {
                     {"host", status.host},
                     {"pid", status.pid},
                     {"ended", status.has_ended},
+                    {"end", status.end},
                     {"silent_s", Silence_s(run, now_s)},
                     {"virtual_time_s", static_cast<double>(status.virtual_us) / 1e6},
                     {"wall_time_s", status.wall_s},

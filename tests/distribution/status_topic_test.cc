@@ -102,10 +102,12 @@ TEST(MonitorTest, TheFinalStatusRepeatsTheLastRates) {
     return !said.empty();
   });
   EXPECT_GT(said[0].messages_per_s, 0);
+  system.NoteRunEnd({EndKind::kTime, "--for 1ms is over"});
   monitor.End();
   const std::vector<RunStatus> at_end = reader.Take();
   ASSERT_EQ(at_end.size(), 1u);
   EXPECT_TRUE(at_end[0].has_ended);
+  EXPECT_EQ(at_end[0].end, "ended by time: --for 1ms is over");
   EXPECT_EQ(at_end[0].messages_per_s, said[0].messages_per_s);
   EXPECT_EQ(at_end[0].x_real_time, said[0].x_real_time);
   ASSERT_GT(said[0].objects.size(), 1u);

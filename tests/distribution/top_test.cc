@@ -258,6 +258,12 @@ TEST(TopViewTest, ARunThatIsGoneIsShownAsEndedAndThenRemoved) {
   ASSERT_EQ(runs.All().size(), 1u);
   EXPECT_THAT(TopText(runs.All(), 20), HasSubstr("; ended\n"));
   EXPECT_EQ(runs.All()[0].status.objects.size(), 2u) << "what was heard last is shown";
+  RunStatus told = MadeUp().status;
+  told.has_ended = true;
+  told.end = "ended by time: --for 1s is over";
+  runs.Take({told}, 12);
+  EXPECT_THAT(TopText(runs.All(), 20), HasSubstr("; ended by time: --for 1s is over\n"));
+  EXPECT_EQ(TopJson(runs.All(), 20)["runs"][0]["end"], "ended by time: --for 1s is over");
   runs.Forget(14);
   EXPECT_FALSE(runs.empty());
   runs.Forget(40);
