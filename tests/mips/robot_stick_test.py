@@ -19,6 +19,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from verdicts import finish, verdict  # noqa: E402
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 
 CCACHE = shutil.which("ccache") or ""
@@ -55,18 +58,6 @@ BASE_FILES = {
     "OPEN-R/MW/CONF/CONNECT.CFG": TEMPLATE,
     "OPEN-R/MW/CONF/DESIGNDB.CFG": TEMPLATE,
 }
-
-passed = 0
-failed = 0
-
-
-def verdict(name, good, said=""):
-    global passed, failed
-    if good:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {name}\n{said}")
 
 
 def write(file, text, is_program=False):
@@ -294,8 +285,7 @@ def main():
         test_forms_of_main(kit)
         test_host(kit)
         test_wrong_tools(kit)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":

@@ -14,24 +14,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools/surface"))
 import original_names  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from verdicts import finish, verdict  # noqa: E402
 
 # Each header alone with these; a source with all of them with the others.
 ALONE = [("g++", "98"), ("clang++", "14"), ("mipsel-linux-gnu-g++", "98")]
 TOGETHER = [("g++", "11"), ("g++", "14"), ("clang++", "98"), ("clang++", "11")]
 WARNINGS = ["-Wall", "-Wextra", "-Werror", "-Wno-invalid-offsetof"]
-
-passed = 0
-failed = 0
-
-
-def verdict(name, good, said=""):
-    global passed, failed
-    if good:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {name}\n{said}")
-
 
 def compiles(compiler, level, text):
     """(whether it does, what the compiler says)"""
@@ -87,8 +76,7 @@ def main():
         results = pool.map(lambda row: compiles("g++", "98", original_names.source_of(row.header, [row])), bad)
         for row, (good, _) in zip(bad, results):
             verdict(f"a wrong {row.kind} is noticed: {row.name}", not good)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 TOOL = ROOT / "tools/sdk_surface.py"
 sys.path.insert(0, str(TOOL.parent))
 import sdk_surface  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from verdicts import finish, verdict  # noqa: E402
 
 GOOD = """
 #include <OPENR/OObject.h>
@@ -72,19 +74,6 @@ INCLUDES = [
     ("#include <OPENR/formats/sensors.h>", "a header of this project that the SDK does not have"),
 ]
 
-passed = 0
-failed = 0
-
-
-def verdict(name, good, said):
-    global passed, failed
-    if good:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {name}\n{said}")
-
-
 def check(text):
     """What the tool says about a folder with one source, without the folder."""
     with tempfile.TemporaryDirectory() as folder:
@@ -132,8 +121,7 @@ def main():
     listed = subprocess.run([sys.executable, str(TOOL), "--list"], capture_output=True, text=True).stdout
     for name in ("OpenPrimitive", "<OPENR/OObject.h>", "std::vector", "fopen"):
         verdict(f"--list names {name}", f"\n{name}\t" in "\n" + listed, listed[:500])
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":

@@ -6,6 +6,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from verdicts import finish, verdict  # noqa: E402
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 TOOL = ROOT / "tools/citations.py"
 BOOK = "core" + ".md"
@@ -86,19 +89,6 @@ MARKDOWN = [
     ("[a](#there)", "has no #there"),
 ]
 
-passed = 0
-failed = 0
-
-
-def verdict(name, good, said):
-    global passed, failed
-    if good:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {name}\n{said}")
-
-
 def whole(text):
     """The text with the names that this file must not have, because the tool reads it, too."""
     return text.replace("BOOK", BOOK).replace("BOARD", "BBS").replace("DOCS:", "docs/")
@@ -136,8 +126,7 @@ def main():
         verdict(text, status == (1 if words else 0) and words in said, said)
     status, said = say({"docs/openr/README.md": "# Contents\n"})
     verdict("the contents are complete", "README.md: no link to core.md, '11. Questions'" in said, said)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return finish()
 
 
 if __name__ == "__main__":

@@ -1,0 +1,16 @@
+"""What the tests of scripts share: verdict() counts, finish() prints "N passed, N failed"."""
+
+_counts = {True: 0, False: 0}
+
+
+def verdict(name, good, said=""):
+    """Counts a pass, or a failure, which prints the name and what was said instead."""
+    _counts[bool(good)] += 1
+    if not good:
+        print(f"FAILED: {name}\n{said}")
+
+
+def finish():
+    """Prints the last line; returns the exit status."""
+    print(f"{_counts[True]} passed, {_counts[False]} failed")
+    return 1 if _counts[False] else 0
