@@ -9,6 +9,7 @@
 #include <string>
 
 #include "openr/code_lookup.h"
+#include "runtime/core/imported_calls.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -31,7 +32,7 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   int is_interrupted = 0;
   const uintptr_t address = _Unwind_GetIPInfo(context, &is_interrupted);
   walk->is_outside = walk->is_outside || is_interrupted != 0;
-  if (!walk->is_outside) return _URC_NO_REASON;
+  if (!walk->is_outside || IsStackChange(address)) return _URC_NO_REASON;
   if (walk->count == walk->max) return _URC_END_OF_STACK;
   // A call, not what is done after it, which may be another line, or another function.
   walk->addresses[walk->count++] = is_interrupted != 0 ? address : address - 1;

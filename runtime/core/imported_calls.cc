@@ -82,7 +82,11 @@ openr_call_import:
 openr_call_variadic_import:
     OPENR_CALL_IMPORT 2048
     .size openr_call_variadic_import, .-openr_call_variadic_import
+    .globl openr_call_import_end
+    .hidden openr_call_import_end
+openr_call_import_end:
 )");
+extern "C" const char openr_call_import_end[];
 
 namespace openr_host {
 namespace {
@@ -310,6 +314,11 @@ std::string RedirectImports(char* image, char* thunks, size_t bytes) {
   return Redirection(image, thunks).Run(bytes);
 }
 
+bool IsStackChange(uintptr_t address) {
+  return address >= reinterpret_cast<uintptr_t>(&openr_call_import) &&
+         address < reinterpret_cast<uintptr_t>(&openr_call_import_end);
+}
+
 const void* ReturnAddressInImage(const void* own) {
   const auto here = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   const uintptr_t offset = here % AddressPlace::kStackBytes;
@@ -327,6 +336,7 @@ const void* ReturnAddressInImage(const void* own) {
 namespace openr_host {
 
 std::string RedirectImports(char*, char*, size_t) { return ""; }
+bool IsStackChange(uintptr_t) { return false; }
 const void* ReturnAddressInImage(const void* own) { return own; }
 
 }  // namespace openr_host

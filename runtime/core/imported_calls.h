@@ -23,6 +23,10 @@ namespace openr_host {
 // than x86-64 it does nothing.
 std::string RedirectImports(char* image, char* thunks, size_t bytes);
 
+// Whether `address` lies in the code between a thunk and the function: a frame that tells the
+// reader of a stack nothing.
+bool IsStackChange(uintptr_t address);
+
 // For a function that an image has called by a thunk: the address that the call returns to.
 // `own`: __builtin_return_address(0), which is returned where no thunk was used.
 const void* ReturnAddressInImage(const void* own);

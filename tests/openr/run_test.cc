@@ -263,6 +263,12 @@ TEST(CrashTest, WhoCallsNothingIsInTheStack) {
   EXPECT_THAT(record, ContainsRegex("  #1 TROUBLE.BIN\\+0x[0-9a-f]+ Trouble::DoStart"));
 }
 
+TEST(CrashTest, ACrashInTheCLibraryIsFollowedByTheLineThatCalledIt) {
+  const std::string record = RecordOf("copynull");
+  EXPECT_THAT(record, ContainsRegex("  #0 libc.so[^\n]*\n"
+                                    "  #1 TROUBLE.BIN\\+0x[0-9a-f]+ Trouble::DoStart"));
+}
+
 TEST(CrashTest, TheJsonAnswerSaysWhatHappened) {
   const ScratchFolder stick;
   stick.MakeTrouble("crash");

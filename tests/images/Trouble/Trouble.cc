@@ -10,6 +10,7 @@
 #include "Faults.h"
 
 static volatile int sink;
+static const char* volatile nowhere = 0;
 
 // Uses up the stack.
 static int
@@ -81,6 +82,10 @@ Trouble::DoStart(const OSystemEvent&)
         for (;;) OSYSPRINT(("x"));
     } else if (strcmp(word, "crash") == 0) {
         *(volatile int*)16 = 1;
+    } else if (strcmp(word, "copynull") == 0) {
+        char copy[32];
+        strcpy(copy, nowhere);
+        sink = copy[0];
     } else if (strcmp(word, "callnull") == 0) {
         void (*volatile nothing)() = 0;
         nothing();
