@@ -1,9 +1,10 @@
 #include "openr/explore/progress_line.h"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <pty.h>
 #include <unistd.h>
+
+#include <string>
 
 namespace openr_host {
 namespace {
@@ -29,16 +30,18 @@ std::string Written(bool is_terminal) {
     reader = ends[0];
     writer = ends[1];
   }
-  fcntl(reader, F_SETFL, O_NONBLOCK);
   {
     ProgressLine line(writer, 100, "seeds");
     line.Show(1);
   }
-  char buffer[4096];
-  const ssize_t n = read(reader, buffer, sizeof buffer);
-  close(reader);
   close(writer);
-  return n > 0 ? std::string(buffer, static_cast<size_t>(n)) : "";
+  // A terminal hands over what was written in pieces.
+  std::string text;
+  char buffer[4096];
+  for (ssize_t n = 0; (n = read(reader, buffer, sizeof buffer)) > 0;)
+    text.append(buffer, static_cast<size_t>(n));
+  close(reader);
+  return text;
 }
 
 TEST(ProgressLineTest, IsDrawnInOnePlaceOfATerminalAndWipedAtTheEnd) {
