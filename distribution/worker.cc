@@ -74,7 +74,8 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       ReportRunEnded(end);
       _exit(end.run_goes_on ? 1 : 0);
     }
-    // In a free run the master sends further work while a handler waits for an answer.
+    // In a free run the master sends further work while a handler waits for an answer, so the
+    // sample is kept until the handler has ended.
     deferred_.push_back(std::move(sample));
   }
 }

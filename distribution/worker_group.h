@@ -57,7 +57,7 @@ class WorkerGroup {
   // come up in a stand-in before.  REQUIRES: all robots are loaded, Boot() has not been called.
   std::string Connect();
 
-  // What the report says of a worker.
+  // The figures of one worker in the report of the run.
   struct ProcessFacts {
     std::string name;
     std::string host;

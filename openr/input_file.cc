@@ -37,7 +37,7 @@ std::string WhyNotReadable(const std::string& path, const std::string& kind,
   if (stat(path.c_str(), &status) != 0) return std::strerror(errno);
   if (S_ISDIR(status.st_mode))
     return fmt::format("is a folder; give a {}{}", kind, ExampleIn(path, extension));
-  // Not opened: that would wait for the writer of a pipe.
+  // The file is not opened here, because opening a pipe would wait for its writer.
   return access(path.c_str(), R_OK) == 0 ? "" : std::strerror(errno);
 }
 

@@ -16,10 +16,11 @@
 #include "runtime/core/address_plan.h"
 #include "runtime/core/stack_memory.h"
 
-// What every thunk jumps to, with the address of the function in r11.  A call from the image's
-// stack, which is found by its address (address_plan.h: stacks are the only ones below 17 TiB),
-// runs on the stack for imported functions, always from its top; other calls go on where they are.
-// The word below that top is where the frame of the image is found (ReturnAddressInImage()).
+// Every thunk jumps to one of these two functions, with the address of the imported function in
+// r11.  The address of the stack pointer tells where the call comes from: stacks of images are the
+// only ones below 17 TiB (address_plan.h).  A call from the stack of an image runs on the stack for
+// imported functions, always from its top; other calls go on where they are.  The word below that
+// top holds the address of the image's frame, for ReturnAddressInImage().
 //
 // Arguments on the stack are copied: 256 bytes, or 2 KiB for a function with a variable number of
 // them.  That uses only registers which carry no argument.  Afterwards the registers that hold
@@ -154,6 +155,8 @@ constexpr std::string_view kVariadic[] = {
 constexpr std::string_view kBoundToCaller[] = {
     "__sigsetjmp", "_setjmp", "getcontext", "setjmp", "sigsetjmp", "swapcontext", "vfork",
 };
+
+static_assert(std::ranges::is_sorted(kVariadic), "IsVariadic() searches by halves");
 
 bool IsVariadic(std::string_view name) {
   if (name.starts_with("_Z")) return name.ends_with('z');

@@ -31,7 +31,7 @@
 namespace openr_host {
 
 struct IpStackOptions {
-  // What the functions of ERA201D1.h report about the network card.
+  // The state of the network card that the functions of ERA201D1.h report.
   enum class Card { kPresent, kNoCard, kNoDriver };
 
   std::string address;  // of the robot, dotted; "": ETHER_IP of its WLANCONF.TXT

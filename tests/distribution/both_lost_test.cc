@@ -28,8 +28,8 @@ class BothLostTest : public testing::Test {
   const std::string name_ = RunName("both");
 };
 
-// In lockstep both workers are waited for at the same time: the one that needs two attempts
-// ("brain") costs the other no attempt.
+// In lockstep the master waits for both workers at the same time, so the two attempts that "brain"
+// needs cost "net" none.
 TEST_F(BothLostTest, AWorkerThatReturnsFirstKeepsItsRestarts) {
   const auto brain = Join("brain"), net = Join("net");
   ProgramRun run({"run", "--no-panel", "--rc-port", "0", "--body", "ideal", "--rate", "1",

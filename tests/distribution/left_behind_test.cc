@@ -222,7 +222,8 @@ TEST_F(LeftBehindTest, AForwardedRequestIsAnsweredByItsReceiver) {
   EXPECT_EQ(Process("acting").losses, 1);
 }
 
-// One subject has sent more regions than may wait for one object.
+// The subject has sent more regions than messages may wait for one object, so the regions must come
+// back several in a message.
 TEST_F(LeftBehindTest, RegionsOfALostObserverComeBackInFewMessages) {
   Config("CONNECT.CFG", "Sender.Out.Number.S Hearer.In.Number.O\n");
   ASSERT_NO_FATAL_FAILURE(Place({{"hearer", "hearing"}}));
