@@ -14,9 +14,9 @@
 #include <stdexcept>
 
 #include "bench/bench.h"
+#include "cli/install_paths.h"
 #include "distribution/bus.h"
 #include "distribution/worker_group.h"
-#include "openr/install_paths.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
 #include "runtime/core/temp_folder.h"

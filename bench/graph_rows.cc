@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/bench.h"
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 namespace {

@@ -1,4 +1,4 @@
-# What `openr stick robot` compiles (openr/kit/robot_stick.h), at one place:
+# What `openr stick robot` compiles (kit/robot_stick.h), at one place:
 #   cmake -DTO=folder to fill -DSOURCE=this source tree -DGENERATED=folder of RobotConstants
 #         -P CopyRobotSources.cmake
 cmake_minimum_required(VERSION 3.25)

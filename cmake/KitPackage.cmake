@@ -10,7 +10,7 @@ configure_file(${here}/OpenrObject.cmake ${OPENR_SHARE}/cmake/OpenrObject.cmake 
 configure_file(${here}/OpenrTesting.cmake ${OPENR_SHARE}/cmake/OpenrTesting.cmake COPYONLY)
 write_basic_package_version_file(${OPENR_SHARE}/cmake/openr-hostConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
-configure_file(${PROJECT_SOURCE_DIR}/openr/kit/Makefile.openr-host
+configure_file(${PROJECT_SOURCE_DIR}/kit/Makefile.openr-host
   ${OPENR_SHARE}/Makefile.openr-host COPYONLY)
 
 # The flags for g++, on one line.

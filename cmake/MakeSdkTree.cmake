@@ -1,4 +1,4 @@
-# Assembles the SDK tree (openr/kit/sdk_paths.h):
+# Assembles the SDK tree (kit/sdk_paths.h):
 #   cmake -DSDK=folder to fill -DSOURCE=this source tree -DIMAGES=folder of images
 #         -DCONTROLLER=controller.o -P MakeSdkTree.cmake
 # Links are relative to the tree's place, PREFIX/share/openr-host/sdk, so it can be installed as it is.
@@ -63,7 +63,7 @@ file(COPY_FILE ${IMAGES}/POWERMON.BIN ${SDK}/images/POWERMON.BIN ONLY_IF_DIFFERE
 # What a controller becomes part of, and what it includes.
 copy_folder(${SOURCE}/objects/Controller/include ${SDK}/controller/include)
 foreach(file ${CONTROLLER} ${SOURCE}/objects/Controller/Controller.ocf
-        ${SOURCE}/openr/kit/controller/Makefile.openr)
+        ${SOURCE}/kit/controller/Makefile.openr)
   get_filename_component(name ${file} NAME)
   file(COPY_FILE ${file} ${SDK}/controller/${name} ONLY_IF_DIFFERENT)
 endforeach()

@@ -3,8 +3,8 @@
 // A command is a file of commands/: it describes its flags, and a function that does the work.
 // `openr run` puts a Simulation together (simulation.h), a Runner runs it frame by frame
 // (runner.h), and what happened becomes a report (report.h).
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
-#include "openr/standard_streams.h"
 
 int main(int argc, char** argv) {
   openr_host::PrepareStandardStreams();

@@ -12,7 +12,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "openr/install_paths.h"
+#include "cli/install_paths.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/service_name.h"
 #include "runtime/config/spelling.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "openr/standing.h"
+#include "openr/simulation/standing.h"
 #include "runtime/config/spelling.h"
 #include "testing/bench.h"
 #include "virtualrobot/kinematics.h"

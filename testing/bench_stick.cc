@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "openr/run_stick.h"
+#include "openr/simulation/run_stick.h"
 
 namespace openr::testing {
 namespace {

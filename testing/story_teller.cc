@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "openr/crash_log.h"
-#include "openr/last_words.h"
-#include "openr/watchdog.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/last_words.h"
+#include "openr/ending/watchdog.h"
 
 namespace openr::testing {
 namespace {

@@ -35,23 +35,23 @@ grep_in() {
 }
 
 if command -v clang-format >/dev/null; then
-  files 'cc|h' openr runtime virtualrobot distribution testing tools tests bench | grep -vE '^(tests/(images|kit/fixtures)|bench/Sink)/' |
+  files 'cc|h' cli kit openr runtime virtualrobot distribution testing tools tests bench | grep -vE '^(tests/(images|kit/fixtures)|bench/Sink)/' |
     xargs -r clang-format --dry-run 2>&1 | grep -E 'warning|error' | head -40 |
     rule 'clang-format (./.clang-format) would change'
 else
   echo 'clang-format is not installed' | rule 'clang-format'
 fi
 
-grep_in '#include *["<](openr|objects|virtualrobot|distribution)/' runtime |
+grep_in '#include *["<](cli|kit|openr|objects|virtualrobot|distribution)/' runtime |
   rule 'runtime/ knows nothing of ours'
-grep_in '#include *["<](openr|objects|distribution)/' virtualrobot |
+grep_in '#include *["<](cli|kit|openr|objects|distribution)/' virtualrobot |
   rule 'virtualrobot/ knows the runtime only'
-grep_in '#include *["<](openr|objects|virtualrobot)/' distribution |
+grep_in '#include *["<](cli|kit|openr|objects|virtualrobot)/' distribution |
   rule 'distribution/ knows the runtime only'
 grep_in '#include *["<](dds/|ddsc/|openr_(wire|status)\.h|distribution/wire\.h)' \
-  openr runtime virtualrobot objects testing tools |
+  cli kit openr runtime virtualrobot objects testing tools |
   rule 'only distribution/ includes Cyclone DDS'
-grep_in '#include *["<](openr|virtualrobot|runtime|distribution|dds|fmt|Eigen|nlohmann|ode|boost|sys|netinet|arpa|unistd|pthread|dlfcn)' \
+grep_in '#include *["<](cli|kit|openr|virtualrobot|runtime|distribution|dds|fmt|Eigen|nlohmann|ode|boost|sys|netinet|arpa|unistd|pthread|dlfcn)' \
   objects examples | rule 'objects/ and examples/ include SDK headers, the C and C++ library and their own'
 grep_in '^ *# *(if|ifdef|ifndef|elif) .*(__linux|__unix|OPENR_HOST|HOST_BUILD|__x86_64|__GLIBC__)' objects examples |
   rule 'objects/ and examples/ have no special case for the host'
@@ -59,10 +59,10 @@ grep_in '(^|[^a-z])weak([^a-z]|$)' objects |
   rule 'objects/ has no weak symbols: an undefined one is not null in an image of the robot'
 # The models (virtualrobot/model) are the one source of what a robot has; tables are made of them.
 # What is left are a controller and the text of a new one.
-grep_in '"PRM:/[^"]*-' openr runtime virtualrobot distribution objects testing tools |
-  grep -vE '^(objects/Controller/ers210/|openr/kit/new_controller\.cc)|^[^:]+:[0-9]+:( *\*|.*//.*"PRM)' |
+grep_in '"PRM:/[^"]*-' cli kit openr runtime virtualrobot distribution objects testing tools |
+  grep -vE '^(objects/Controller/ers210/|kit/new_controller\.cc)|^[^:]+:[0-9]+:( *\*|.*//.*"PRM)' |
   rule 'robot constants are in virtualrobot/model only'
-files 'cc|h|c' openr runtime virtualrobot distribution objects testing tools | grep -v '^virtualrobot/ode/' |
+files 'cc|h|c' cli kit openr runtime virtualrobot distribution objects testing tools | grep -v '^virtualrobot/ode/' |
   xargs -r grep -nE '#include *[<"]ode/' /dev/null | rule 'only virtualrobot/ode includes ODE'
 # process_hooks.cc and file_hooks.cc define these calls for objects; host_*.cc and ipstack are
 # the outside, which enters at frame boundaries.
@@ -71,13 +71,13 @@ grep_in '(steady_clock|system_clock|gettimeofday|clock_gettime|random_device|std
   rule 'no wall clock, no threads, no raw randomness in runtime/ and virtualrobot/'
 grep_in 'unordered_(map|set|multi)' runtime virtualrobot distribution |
   rule 'no hash order in runtime/, virtualrobot/ and distribution/'
-grep_in '\b(TODO|FIXME|XXX|HACK)\b' openr runtime virtualrobot distribution objects examples testing tools tests |
+grep_in '\b(TODO|FIXME|XXX|HACK)\b' cli kit openr runtime virtualrobot distribution objects examples testing tools tests |
   rule 'no unfinished marks'
 grep -rnIE '(^|[^a-zA-Z.])/(tmp|work|root|home)/' --include='*.cc' --include='*.h' --include='*.c' \
   --include='*.cmake' --include='CMakeLists.txt' --include='*.sh' --include='*.py' --include='*.md' \
   . 2>/dev/null | grep -vE '^\./(build|\.git|tests)/' | grep -v 'tools/check.sh' |
   rule 'no paths of one machine'
-files 'cc|h|c|idl|py|sh' openr runtime virtualrobot distribution objects examples testing tools tests bench | xargs -r wc -l |
+files 'cc|h|c|idl|py|sh' cli kit openr runtime virtualrobot distribution objects examples testing tools tests bench | xargs -r wc -l |
   awk '$2 != "total" && $1 > 500' | rule 'no file has more than 500 lines'
 
 python3 tools/sdk_surface.py | rule 'objects/ and examples/ use what the robot has (tools/sdk_surface.py)'

@@ -9,7 +9,7 @@
 //
 // The build of a controller writes this function: it compiles the controller with
 // -Dmain=controller_main, looks which symbol that gave (in C++ the arguments are part of it), and
-// generates the call (openr/kit/controller_main.h).  Weak symbols would not do: the robot's image
+// generates the call (kit/controller_main.h).  Weak symbols would not do: the robot's image
 // tool adds the load address to every word of the global offset table, so an undefined weak
 // function is not null there.
 int CallControllerMain();

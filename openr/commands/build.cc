@@ -1,9 +1,9 @@
 // openr build: a folder of OPEN-R programs, built for the host.
 #include <memory>
 
+#include "kit/build_folder.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/kit/build_folder.h"
 
 namespace openr_host {
 

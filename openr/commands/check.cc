@@ -1,5 +1,5 @@
 // openr check: reads a program and its stick without running it.
-#include "openr/kit/check.h"
+#include "kit/check.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/counted.h"
+#include "cli/exit_code.h"
+#include "cli/install_paths.h"
 #include "openr/commands/commands.h"
-#include "openr/counted.h"
-#include "openr/exit_code.h"
-#include "openr/install_paths.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {

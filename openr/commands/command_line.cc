@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "cli/exit_code.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
-#include "openr/exit_code.h"
-#include "openr/standard_streams.h"
 #include "runtime/config/spelling.h"
 
 namespace openr_host {

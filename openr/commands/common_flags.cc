@@ -4,9 +4,9 @@
 
 #include <charconv>
 
-#include "openr/duration.h"
-#include "openr/install_paths.h"
-#include "openr/output_file.h"
+#include "cli/duration.h"
+#include "cli/install_paths.h"
+#include "cli/output_file.h"
 
 namespace openr_host {
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "openr/input_file.h"
-#include "openr/simulation.h"
+#include "cli/input_file.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 

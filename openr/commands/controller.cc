@@ -4,14 +4,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "cli/exit_code.h"
+#include "cli/install_paths.h"
+#include "kit/controller_build.h"
+#include "kit/new_controller.h"
+#include "kit/robot_stick.h"
+#include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/exit_code.h"
-#include "openr/install_paths.h"
-#include "openr/kit/controller_build.h"
-#include "openr/kit/new_controller.h"
-#include "openr/kit/robot_stick.h"
-#include "openr/kit/shell_words.h"
 
 namespace openr_host {
 namespace {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "openr/crash_log.h"
+#include "openr/ending/crash_log.h"
 #include "openr/inspect/recorder.h"
-#include "openr/interrupt.h"
-#include "openr/run_stick.h"
+#include "openr/run/interrupt.h"
+#include "openr/simulation/run_stick.h"
 
 namespace openr_host {
 namespace {

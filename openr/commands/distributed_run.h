@@ -10,8 +10,8 @@
 #include "distribution/monitor.h"
 #include "openr/commands/distribution_flags.h"
 #include "openr/ros2/ros2_link.h"
-#include "openr/runner.h"
-#include "openr/simulation.h"
+#include "openr/run/runner.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 

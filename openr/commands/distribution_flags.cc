@@ -10,12 +10,12 @@
 #include <iterator>
 #include <sstream>
 
+#include "cli/input_file.h"
+#include "cli/install_paths.h"
 #include "distribution/dds_settings.h"
 #include "openr/commands/common_flags.h"
-#include "openr/input_file.h"
-#include "openr/install_paths.h"
 #include "openr/ros2/ros2_link.h"
-#include "openr/run_stick.h"
+#include "openr/simulation/run_stick.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-// openr explore: one scene under many legal orders of its messages.
+// openr explore: one graph under many legal orders of its messages.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,19 +16,19 @@
 #include <utility>
 #include <vector>
 
+#include "cli/counted.h"
+#include "cli/duration.h"
+#include "cli/exit_code.h"
+#include "cli/json_text.h"
+#include "cli/output_file.h"
+#include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/cost_file.h"
-#include "openr/counted.h"
-#include "openr/duration.h"
-#include "openr/exit_code.h"
 #include "openr/explore/explorer.h"
 #include "openr/explore/progress_line.h"
 #include "openr/explore/schedule_file.h"
-#include "openr/json_text.h"
-#include "openr/kit/shell_words.h"
-#include "openr/output_file.h"
-#include "openr/pacing.h"
+#include "openr/simulation/cost_file.h"
+#include "openr/simulation/pacing.h"
 
 namespace openr_host {
 namespace {
@@ -195,7 +195,7 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
   plan->run.properties.Make();
   SimulationOptions simulation = stick.simulation;
   simulation.console = [&console](std::string_view text) { console.Print(text); };
-  plan->make_scene = [simulation] { return MakeSimulationScene(simulation); };
+  plan->prepare_run = [simulation] { return PrepareSimulation(simulation); };
 }
 
 // "ended before their time: 2 by battery\n", or "".

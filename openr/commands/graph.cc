@@ -7,17 +7,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/filter_process.h"
+#include "cli/json_text.h"
+#include "cli/output_file.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/console.h"
-#include "openr/exit_code.h"
-#include "openr/filter_process.h"
-#include "openr/graph_view.h"
-#include "openr/json_text.h"
-#include "openr/output_file.h"
-#include "openr/report.h"
-#include "openr/run_stick.h"
-#include "openr/standard_streams.h"
+#include "openr/graph/graph_view.h"
+#include "openr/run/report.h"
+#include "openr/simulation/run_stick.h"
 
 namespace openr_host {
 namespace {

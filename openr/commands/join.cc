@@ -14,16 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "cli/exit_code.h"
 #include "distribution/process_slot.h"
 #include "distribution/worker.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/distribution_flags.h"
-#include "openr/crash_log.h"
-#include "openr/exit_code.h"
-#include "openr/last_words.h"
-#include "openr/run_stick.h"
-#include "openr/watchdog.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/last_words.h"
+#include "openr/ending/watchdog.h"
+#include "openr/simulation/run_stick.h"
 
 namespace openr_host {
 namespace {

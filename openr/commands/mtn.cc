@@ -11,10 +11,10 @@
 
 #include "MtnFile.h"
 #include "RobotDescription.h"
+#include "cli/counted.h"
+#include "cli/exit_code.h"
+#include "cli/input_file.h"
 #include "openr/commands/commands.h"
-#include "openr/counted.h"
-#include "openr/exit_code.h"
-#include "openr/input_file.h"
 
 namespace openr_host {
 namespace {

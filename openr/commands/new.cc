@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/exit_code.h"
+#include "cli/install_paths.h"
+#include "kit/new_object.h"
+#include "kit/shell_words.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/exit_code.h"
-#include "openr/install_paths.h"
-#include "openr/kit/new_object.h"
-#include "openr/kit/shell_words.h"
 
 namespace openr_host {
 namespace {

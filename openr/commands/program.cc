@@ -9,11 +9,11 @@
 #include <string>
 #include <system_error>
 
+#include "cli/exit_code.h"
+#include "cli/output_file.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/command_line.h"
 #include "openr/commands/commands.h"
-#include "openr/exit_code.h"
-#include "openr/output_file.h"
-#include "openr/standard_streams.h"
 
 namespace openr_host {
 namespace {

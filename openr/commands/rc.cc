@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/exit_code.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/rc_actions.h"
 #include "openr/commands/rc_format.h"
-#include "openr/exit_code.h"
-#include "openr/remote_client.h"
+#include "openr/remote/remote_client.h"
 
 namespace openr_host {
 namespace {

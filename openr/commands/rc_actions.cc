@@ -8,10 +8,10 @@
 
 #include "MoverState.h"
 #include "MtnPlayer.h"
+#include "cli/counted.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/rc_format.h"
-#include "openr/counted.h"
-#include "openr/remote_client.h"
-#include "openr/standard_streams.h"
+#include "openr/remote/remote_client.h"
 
 namespace openr_host {
 namespace {

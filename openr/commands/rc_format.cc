@@ -6,7 +6,7 @@
 
 #include "MoverState.h"
 #include "RobotDescription.h"
-#include "openr/remote_client.h"
+#include "openr/remote/remote_client.h"
 
 namespace openr_host {
 namespace {

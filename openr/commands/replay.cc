@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "cli/counted.h"
+#include "cli/exit_code.h"
+#include "cli/json_text.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/counted.h"
-#include "openr/crash_log.h"
-#include "openr/exit_code.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/last_words.h"
+#include "openr/ending/watchdog.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/stepper.h"
-#include "openr/json_text.h"
-#include "openr/last_words.h"
-#include "openr/watchdog.h"
 
 namespace openr_host {
 namespace {

@@ -13,27 +13,27 @@
 #include <utility>
 #include <vector>
 
+#include "cli/console.h"
+#include "cli/counted.h"
+#include "cli/duration.h"
+#include "cli/exit_code.h"
+#include "cli/json_text.h"
+#include "cli/output_file.h"
+#include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/distributed_run.h"
 #include "openr/commands/distribution_flags.h"
-#include "openr/console.h"
-#include "openr/counted.h"
-#include "openr/crash_log.h"
-#include "openr/duration.h"
-#include "openr/exit_code.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/last_words.h"
+#include "openr/ending/watchdog.h"
 #include "openr/inspect/recorder.h"
-#include "openr/interrupt.h"
-#include "openr/json_text.h"
-#include "openr/last_words.h"
-#include "openr/network_setup.h"
-#include "openr/output_file.h"
-#include "openr/report.h"
-#include "openr/run_stick.h"
-#include "openr/runner.h"
-#include "openr/simulation.h"
-#include "openr/standard_streams.h"
-#include "openr/watchdog.h"
+#include "openr/run/interrupt.h"
+#include "openr/run/report.h"
+#include "openr/run/runner.h"
+#include "openr/simulation/network_setup.h"
+#include "openr/simulation/run_stick.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 namespace {
@@ -179,7 +179,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
 }
 
 // "" or why the picture cannot be taken in a run like this.
-std::string Misfit(const SnapshotPlan& plan, const RunFlags& flags) {
+std::string Misfit(const PictureRequest& plan, const RunFlags& flags) {
   if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
   if (flags.for_us && plan.time_us > *flags.for_us) {
     return fmt::format("t={} is after the end of the run (--for {}); t=end is its end",
@@ -188,17 +188,17 @@ std::string Misfit(const SnapshotPlan& plan, const RunFlags& flags) {
   return "";
 }
 
-std::vector<SnapshotPlan> SnapshotPlans(const RunFlags& flags) {
+std::vector<PictureRequest> PictureRequests(const RunFlags& flags) {
   if (flags.snapshots.size() != flags.snapshot_files.size()) {
     throw CLI::ValidationError("--snapshot",
                                fmt::format("{} given, with {} (-o FILE)", flags.snapshots.size(),
                                            Counted(flags.snapshot_files.size(), "file")));
   }
-  std::vector<SnapshotPlan> plans;
+  std::vector<PictureRequest> plans;
   for (size_t i = 0; i < flags.snapshots.size(); ++i) {
-    SnapshotPlan plan;
+    PictureRequest plan;
     plan.file = flags.snapshot_files[i];
-    std::string problem = ParseSnapshot(flags.snapshots[i], &plan);
+    std::string problem = ParsePictureRequest(flags.snapshots[i], &plan);
     if (problem.empty()) problem = Misfit(plan, flags);
     if (!problem.empty()) throw CLI::ValidationError("--snapshot", problem);
     plans.push_back(std::move(plan));
@@ -265,7 +265,7 @@ RunPlan PlanOf(const RunFlags& flags) {
   if (flags.for_us) plan.for_text = flags.for_flag->as<std::string>();
   plan.until_idle = flags.until_idle;
   plan.rate = RateOf(flags.rate);
-  plan.snapshots = SnapshotPlans(flags);
+  plan.snapshots = PictureRequests(flags);
   plan.stdin_file = flags.stdin_file;
   plan.say = [](const std::string& line) { fmt::print(stderr, "openr: {}\n", line); };
   if (flags.placement.is_free && plan.rate <= 0)

@@ -2,11 +2,11 @@
 #include <map>
 #include <memory>
 
+#include "cli/exit_code.h"
+#include "cli/install_paths.h"
+#include "kit/robot_stick.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
-#include "openr/exit_code.h"
-#include "openr/install_paths.h"
-#include "openr/kit/robot_stick.h"
 
 namespace openr_host {
 namespace {

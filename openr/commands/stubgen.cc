@@ -1,4 +1,4 @@
-#include "openr/stubgen.h"
+#include "kit/stubgen.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

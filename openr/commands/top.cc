@@ -7,15 +7,15 @@
 #include <memory>
 #include <string>
 
+#include "cli/exit_code.h"
+#include "cli/json_text.h"
+#include "cli/standard_streams.h"
 #include "distribution/status_topic.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/commands/distribution_flags.h"
 #include "openr/commands/top_view.h"
-#include "openr/exit_code.h"
-#include "openr/interrupt.h"
-#include "openr/json_text.h"
-#include "openr/standard_streams.h"
+#include "openr/run/interrupt.h"
 
 namespace openr_host {
 namespace {

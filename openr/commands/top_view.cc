@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "openr/counted.h"
+#include "cli/counted.h"
 
 namespace openr_host {
 namespace {

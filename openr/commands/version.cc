@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/exit_code.h"
 #include "openr/commands/commands.h"
-#include "openr/exit_code.h"
 
 namespace openr_host {
 

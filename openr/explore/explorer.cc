@@ -108,7 +108,7 @@ Json MakeFailure(const ExplorePlan& plan, WorkerPool* pool, const Json& answer) 
 }
 
 Json ExploreSeeds(const ExplorePlan& plan) {
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, plan.jobs);
   Sum sum(plan);
   InOrder in_order([&](const Json& answer) { sum.Add(answer); });
   uint64_t next_seed = plan.first_seed;
@@ -122,7 +122,7 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 }
 
 Json VerifySeeds(const ExplorePlan& plan) {
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, plan.jobs, true);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
   // Seeds with a mark in their answer: how many, and the first ones.
   struct Marked {
@@ -156,7 +156,7 @@ Json VerifySeeds(const ExplorePlan& plan) {
 }
 
 Json ReplayDeviations(const ExplorePlan& plan, const Json& script, uint64_t seed) {
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
   return pool.RunOne({{"seed", seed}, {"script", script}, {"tail", kTail}, {"deviations", true}});
 }
 

@@ -1,4 +1,4 @@
-// Many runs of one scene: random orders, each seed twice, or all orders there are.
+// Many runs of one graph: random orders, each seed twice, or all orders there are.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace openr_host {
 
 struct ExplorePlan {
-  MakeScene make_scene;
+  PrepareRun prepare_run;
   RunOptions run;
   ForkLimits limits;
   uint64_t first_seed = 1;
@@ -39,7 +39,7 @@ nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 // tree, 0 to 1), "choices_max" (in one run), "stopped" (why, when not complete), "failure".
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
-// Runs deviations again.  The answer of RunScene(), with its tail.
+// Runs deviations again.  The answer of RunPlan(), with its tail.
 nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
                                         const nlohmann::ordered_json& script, uint64_t seed);
 

@@ -16,11 +16,11 @@
 #include <string>
 #include <utility>
 
-#include "openr/crash_log.h"
-#include "openr/json_text.h"
-#include "openr/last_words.h"
-#include "openr/output_file.h"
-#include "openr/watchdog.h"
+#include "cli/json_text.h"
+#include "cli/output_file.h"
+#include "openr/ending/crash_log.h"
+#include "openr/ending/last_words.h"
+#include "openr/ending/watchdog.h"
 
 namespace openr_host {
 namespace {
@@ -51,8 +51,8 @@ int WaitFor(pid_t child) {
 
 }  // namespace
 
-ForkServer::ForkServer(Scene scene, RunOptions options, ForkLimits limits)
-    : scene_(std::move(scene)), options_(std::move(options)), limits_(limits) {
+ForkServer::ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits)
+    : prepared_(std::move(prepared)), options_(std::move(options)), limits_(limits) {
   void* const memory = mmap(nullptr, sizeof(DeviationLog), PROT_READ | PROT_WRITE,
                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw std::runtime_error("no memory for the log of deviations");
@@ -64,7 +64,7 @@ ForkServer::~ForkServer() { munmap(log_, sizeof(DeviationLog)); }
 Json ForkServer::Broken(const Json& plan, const char* property, const std::string& text) {
   Json deviations = Json::array();
   for (uint64_t i = 0; i < log_->count; ++i) {
-    deviations.push_back(DeviationToJson(log_->entries[i], *scene_.system));
+    deviations.push_back(DeviationToJson(log_->entries[i], *prepared_.system));
   }
   const bool hangs = std::string_view(property) == kHandlersReturn;
   return {{"seed", plan.at("seed")},
@@ -96,8 +96,8 @@ void ForkServer::RunInCopy(const Json& plan, int answer) {
   const Watchdog watchdog(limits_.handler_us);
   Json result;
   try {
-    result = RunScene(&scene_, plan, options_, log_,
-                      [answer](const Json& last) { WriteAll(answer, JsonText(last)); });
+    result = RunPlan(&prepared_, plan, options_, log_,
+                     [answer](const Json& last) { WriteAll(answer, JsonText(last)); });
   } catch (const std::exception& error) {
     result = {{"problem", error.what()}};
   }

@@ -1,6 +1,6 @@
-// Runs of one scene, each in a copy of the process (fork).
+// Runs of one graph, each in a copy of the process (fork).
 //
-// Putting a scene together costs more than a run; a copy of the process is ready at once, and
+// Putting a run together costs more than a run; a copy of the process is ready at once, and
 // whatever a run does to it, the next one begins the same.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "openr/explore/run_scene.h"
+#include "openr/explore/run_plan.h"
 
 namespace openr_host {
 
@@ -19,13 +19,13 @@ struct ForkLimits {
 
 class ForkServer {
  public:
-  // REQUIRES: nobody has booted the scene, and the process has one thread.
-  ForkServer(Scene scene, RunOptions options, ForkLimits limits);
+  // REQUIRES: the prepared run has not booted, and the process has one thread.
+  ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
-  // The answer of RunScene() in a copy.  A copy that crashes answers with the property no-crash
+  // The answer of RunPlan() in a copy.  A copy that crashes answers with the property no-crash
   // broken, one that has to be ended with handlers-return; both name the handler.  A plan that
   // does not fit gives {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
@@ -37,7 +37,7 @@ class ForkServer {
                                 const std::string& text);
   [[noreturn]] void RunInCopy(const nlohmann::ordered_json& plan, int answer);
 
-  Scene scene_;
+  PreparedRun prepared_;
   const RunOptions options_;
   const ForkLimits limits_;
   DeviationLog* log_;  // shared with the copies, so that a crash does not take it along

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "openr/output_file.h"
-#include "openr/pacing.h"
+#include "cli/output_file.h"
+#include "openr/simulation/pacing.h"
 
 namespace openr_host {
 namespace {

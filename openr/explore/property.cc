@@ -18,7 +18,7 @@ class NoFindings : public Property {
   NoFindings(const char* name, bool warnings_too) : Property(name), warnings_too_(warnings_too) {}
 
   std::string Check(const RunView& view) override {
-    const auto& findings = view.scene->system->findings().all();
+    const auto& findings = view.prepared->system->findings().all();
     for (; seen_ < findings.size(); ++seen_) {
       const Finding& finding = findings[seen_];
       const bool is_warning = finding.severity == Severity::kWarning && warnings_too_;
@@ -40,7 +40,7 @@ class NoDrops : public Property {
   NoDrops() : Property("no-drops") {}
 
   std::string Check(const RunView& view) override {
-    for (const auto& object : view.scene->system->objects()) {
+    for (const auto& object : view.prepared->system->objects()) {
       if (object->is_system || object->dropped_count == 0) continue;
       return fmt::format("{}: data were replaced before they were read, or messages refused",
                          object->name);
@@ -55,10 +55,10 @@ class NotFallen : public Property {
 
   std::string Check(const RunView& view) override {
     constexpr double kUprightMin = 0.7071;  // cosine of 45 degrees
-    has_stood_.resize(view.scene->robots.size());
+    has_stood_.resize(view.prepared->robots.size());
     for (size_t i = 0; i < has_stood_.size(); ++i) {
       if ((*view.standing)[i].standing()) has_stood_[i] = true;
-      const BodyState& state = view.scene->robots[i]->body().state();
+      const BodyState& state = view.prepared->robots[i]->body().state();
       if (!has_stood_[i] || state.X_WB.linear()(2, 2) > kUprightMin) continue;
       return fmt::format("robot {} has stood, and leans more than 45 degrees now", i);
     }
@@ -86,7 +86,7 @@ class EveryReadyAnswered : public Property {
   EveryReadyAnswered() : Property("every-ready-answered") {}
 
   std::string CheckEnd(const RunView& view) override {
-    for (const Stall& stall : FindStalls(*view.scene->system, kStallUs)) {
+    for (const Stall& stall : FindStalls(*view.prepared->system, kStallUs)) {
       if (!stall.may_be_done) return fmt::format("{}; {}", stall.text, stall.advice);
     }
     return "";
@@ -98,7 +98,7 @@ class NotStuck : public Property {
   NotStuck() : Property("not-stuck") {}
 
   std::string CheckEnd(const RunView& view) override {
-    const System& system = *view.scene->system;
+    const System& system = *view.prepared->system;
     if (system.powered_off() || system.now_us() - view.last_activity_us < kStallUs) return "";
     const auto stalls = FindStalls(system, kStallUs);
     if (stalls.empty()) return "";

@@ -9,14 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "openr/explore/scene.h"
-#include "openr/standing.h"
+#include "openr/explore/prepared_run.h"
+#include "openr/simulation/standing.h"
 
 namespace openr_host {
 
 // A run as properties see it.
 struct RunView {
-  const Scene* scene = nullptr;
+  const PreparedRun* prepared = nullptr;
   const std::vector<StandingMonitor>* standing = nullptr;  // by robot
   int64_t last_activity_us = 0;                            // activity.h
 };

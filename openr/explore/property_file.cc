@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "openr/duration.h"
+#include "cli/duration.h"
 #include "openr/explore/quantity.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/spelling.h"
@@ -118,7 +118,7 @@ class RuleProperty : public Property {
   explicit RuleProperty(PropertyRule rule) : Property(rule.name), rule_(std::move(rule)) {}
 
   std::string Check(const RunView& view) override {
-    const int64_t now_us = view.scene->system->now_us();
+    const int64_t now_us = view.prepared->system->now_us();
     if (rule_.when == When::kFinally || has_been_ || now_us < rule_.from_us) return "";
     was_looked_at_ = true;
     const bool holds = Holds(view);

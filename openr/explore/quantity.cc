@@ -58,7 +58,7 @@ Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& nam
     Unknown("joint", name, known);
   }
   return [robot, index = static_cast<size_t>(joint)](const RunView& view) -> Value {
-    return view.scene->robots[robot]->body().state().joints[index].angle_rad * kDegPerRad;
+    return view.prepared->robots[robot]->body().state().joints[index].angle_rad * kDegPerRad;
   };
 }
 
@@ -71,20 +71,20 @@ Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& lo
     Unknown("sensor", locator, known);
   }
   return [robot, sensor](const RunView& view) -> Value {
-    return static_cast<double>(view.scene->robots[robot]->sensor(sensor).value);
+    return static_cast<double>(view.prepared->robots[robot]->sensor(sensor).value);
   };
 }
 
 Quantity OfBase(size_t robot, double (*function)(const BodyState&)) {
   return [robot, function](const RunView& view) -> Value {
-    return function(view.scene->robots[robot]->body().state());
+    return function(view.prepared->robots[robot]->body().state());
   };
 }
 
 Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name) {
-  const RobotModel& model = view.scene->robots[robot]->model();
+  const RobotModel& model = view.prepared->robots[robot]->model();
   if (name.starts_with("objects.")) {
-    return FindInObjects(*view.scene->system, static_cast<int>(robot), name.substr(8));
+    return FindInObjects(*view.prepared->system, static_cast<int>(robot), name.substr(8));
   }
   if (name.starts_with("joint.")) return FindJoint(model, robot, name.substr(6));
   if (name.starts_with("sensor.")) return FindSensor(model, robot, name.substr(7));
@@ -112,7 +112,7 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
 Quantity FindingCount(Severity severity) {
   return [severity](const RunView& view) -> Value {
     double count = 0;
-    for (const Finding& finding : view.scene->system->findings().all()) {
+    for (const Finding& finding : view.prepared->system->findings().all()) {
       count += finding.severity == severity;
     }
     return count;
@@ -122,21 +122,21 @@ Quantity FindingCount(Severity severity) {
 }  // namespace
 
 Quantity FindQuantity(const std::string& name, const RunView& view) {
-  if (name.starts_with("objects.")) return FindInObjects(*view.scene->system, 0, name.substr(8));
+  if (name.starts_with("objects.")) return FindInObjects(*view.prepared->system, 0, name.substr(8));
   if (name.starts_with("robots[")) {
     char* end = nullptr;
     const unsigned long robot = std::strtoul(name.c_str() + 7, &end, 10);
     if (std::string_view(end).substr(0, 2) != "].") {
       throw std::runtime_error(fmt::format("'{}': write robots[0].standing", name));
     }
-    if (robot >= view.scene->robots.size()) {
+    if (robot >= view.prepared->robots.size()) {
       throw std::runtime_error(fmt::format("'{}': there is no robot {}", name, robot));
     }
     return FindInRobot(view, robot, end + 2);
   }
   if (name == "messages") {
     return [](const RunView& now) -> Value {
-      return static_cast<double>(now.scene->system->message_count());
+      return static_cast<double>(now.prepared->system->message_count());
     };
   }
   if (name == "findings.errors") return FindingCount(Severity::kError);

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "openr/counted.h"
+#include "cli/counted.h"
 
 namespace openr_host {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 

@@ -1,4 +1,4 @@
-// All orders of a scene, depth first: each run is told the choices that lead to it.
+// All orders of one graph, depth first: each run is told the choices that lead to it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "openr/counted.h"
+#include "cli/counted.h"
 #include "openr/explore/exact_schedule.h"
 #include "openr/explore/explorer.h"
 
@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 struct Frame {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // when the question was asked first
-  SleepSet done;   // explored, by candidate
+  SleepSet done;   // prepared, by candidate
   size_t current = 0;
   Touched touched;  // by the current answer
 };
@@ -139,7 +139,7 @@ class Search {
 }  // namespace
 
 Json SearchOrders(const ExplorePlan& plan) {
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
   return Search(plan, &pool).Run();
 }
 

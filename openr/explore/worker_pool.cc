@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "openr/json_text.h"
+#include "cli/json_text.h"
 #include "runtime/core/address_plan.h"
 
 namespace openr_host {
@@ -68,9 +68,9 @@ bool AreEqual(const Json& one, const Json& other) {
 // Runs plans, those with "twice" a second time elsewhere.
 class PlanServer {
  public:
-  PlanServer(Scene scene, const RunOptions& options, const ForkLimits& limits,
+  PlanServer(PreparedRun prepared, const RunOptions& options, const ForkLimits& limits,
              WorkerPool* elsewhere)
-      : server_(std::move(scene), options, limits), elsewhere_(elsewhere) {}
+      : server_(std::move(prepared), options, limits), elsewhere_(elsewhere) {}
 
   Json Run(const Json& plan) {
     Json answer = server_.Run(plan);
@@ -110,14 +110,14 @@ void Serve(PlanServer* server, int channel) {
 }  // namespace
 
 struct WorkerPool::Job {
-  const MakeScene& make_scene;
+  const PrepareRun& prepare_run;
   const RunOptions& options;
   const ForkLimits& limits;
   bool twice;
   Memory memory;
   int outer_channel;
 
-  // The folder of the images' copies goes with the scene; that is why this returns normally.
+  // The folder of the images' copies goes with the prepared run; that is why this returns normally.
   void Work(int channel) const;
 };
 
@@ -125,24 +125,24 @@ void WorkerPool::Job::Work(int channel) const try {
   SilenceOutput();
   std::unique_ptr<WorkerPool> elsewhere;
   if (twice) {
-    elsewhere = std::make_unique<WorkerPool>(make_scene, options, limits, 1, false,
+    elsewhere = std::make_unique<WorkerPool>(prepare_run, options, limits, 1, false,
                                              Memory::kElsewhere, channel);
   }
   if (memory == Memory::kElsewhere) MoveMemory();
-  Scene scene = make_scene();
-  if (!scene.problem.empty()) throw std::runtime_error(scene.problem);
-  PlanServer server(std::move(scene), options, limits, elsewhere.get());
+  PreparedRun prepared = prepare_run();
+  if (!prepared.problem.empty()) throw std::runtime_error(prepared.problem);
+  PlanServer server(std::move(prepared), options, limits, elsewhere.get());
   Send(channel, Json(kReady).dump() + "\n");
   Serve(&server, channel);
 } catch (const std::exception& error) {
   Send(channel, JsonText(Json{{"problem", error.what()}}) + "\n");
 }
 
-WorkerPool::WorkerPool(const MakeScene& make_scene, const RunOptions& options,
+WorkerPool::WorkerPool(const PrepareRun& prepare_run, const RunOptions& options,
                        const ForkLimits& limits, int workers, bool twice, Memory memory,
                        int outer_channel) {
   for (int i = 0; i < workers; ++i)
-    Start({make_scene, options, limits, twice, memory, outer_channel});
+    Start({prepare_run, options, limits, twice, memory, outer_channel});
   for (Worker& worker : workers_) {
     const Json hello = Json::parse(WaitForLine(&worker));
     if (hello != kReady) throw std::runtime_error(hello.value("problem", "a worker is lost"));

@@ -1,4 +1,4 @@
-// Worker processes, each with the scene of its own, that run what they are told.
+// Worker processes, each with a prepared run of its own, that run the plans they are given.
 #pragma once
 
 #include <sys/types.h>
@@ -21,13 +21,13 @@ enum class Memory {
 
 class WorkerPool {
  public:
-  // Starts `workers` processes and waits until each has its scene.  A plan with "twice" is run a
-  // second time by a process with its memory elsewhere, sliced differently, and a third time here
-  // when state or trace differ.  In the answer "depends_on_addresses" says that the third run was
-  // like the first, "differs" that it was not; `twice` says that such plans will come.
+  // Starts `workers` processes and waits until each has its prepared run.  A plan with "twice" is
+  // run a second time by a process with its memory elsewhere, sliced differently, and a third time
+  // here when state or trace differ.  In the answer "depends_on_addresses" says that the third run
+  // was like the first, "differs" that it was not; `twice` says that such plans will come.
   // `outer_channel` is closed in the workers.  Throws std::runtime_error when a worker cannot make
-  // its scene. REQUIRES: the process has one thread.
-  WorkerPool(const MakeScene& make_scene, const RunOptions& options, const ForkLimits& limits,
+  // its prepared run. REQUIRES: the process has one thread.
+  WorkerPool(const PrepareRun& prepare_run, const RunOptions& options, const ForkLimits& limits,
              int workers, bool twice = false, Memory memory = Memory::kAsItComes,
              int outer_channel = -1);
   ~WorkerPool();  // ends them

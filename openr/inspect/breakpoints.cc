@@ -34,10 +34,10 @@ PropertyRule ReadRule(const std::string& condition) {
 }  // namespace
 
 ReplayView::ReplayView(Replayer* replayer) : replayer_(replayer) {
-  scene_.system = &replayer->system();
-  scene_.robots = replayer->simulation().robots();
-  for (const VirtualRobot* robot : scene_.robots) standing_.emplace_back(robot->model());
-  run_ = {&scene_, &standing_, 0};
+  prepared_.system = &replayer->system();
+  prepared_.robots = replayer->simulation().robots();
+  for (const VirtualRobot* robot : prepared_.robots) standing_.emplace_back(robot->model());
+  run_ = {&prepared_, &standing_, 0};
 }
 
 void ReplayView::Sample() {
@@ -45,7 +45,7 @@ void ReplayView::Sample() {
   if (now_us / kFrameUs == frame_) return;
   frame_ = now_us / kFrameUs;
   for (size_t i = 0; i < standing_.size(); ++i)
-    standing_[i].Sample(scene_.robots[i]->body().state(), now_us);
+    standing_[i].Sample(prepared_.robots[i]->body().state(), now_us);
 }
 
 Breakpoints::Break Breakpoints::Read(const std::string& text) const {

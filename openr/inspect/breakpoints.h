@@ -22,7 +22,7 @@ class ReplayView {
 
  private:
   Replayer* const replayer_;
-  Scene scene_;
+  PreparedRun prepared_;
   std::vector<StandingMonitor> standing_;
   RunView run_;
   int64_t frame_ = -1;

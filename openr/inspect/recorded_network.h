@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "openr/passing_network.h"
+#include "openr/simulation/passing_network.h"
 #include "runtime/ipstack/network.h"
 
 namespace openr_host {

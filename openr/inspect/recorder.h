@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "openr/ending/last_words.h"
 #include "openr/inspect/trace_file.h"
-#include "openr/last_words.h"
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 

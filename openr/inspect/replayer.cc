@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/output_file.h"
 #include "openr/inspect/recorded_network.h"
 #include "openr/inspect/trace_text.h"
-#include "openr/output_file.h"
-#include "openr/run_stick.h"
+#include "openr/simulation/run_stick.h"
 
 namespace openr_host {
 namespace {

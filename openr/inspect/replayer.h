@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "openr/inspect/trace_file.h"
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 #include "runtime/core/temp_folder.h"
 
 namespace openr_host {

@@ -14,8 +14,8 @@
 #include <optional>
 #include <sstream>
 
-#include "openr/counted.h"
-#include "openr/duration.h"
+#include "cli/counted.h"
+#include "cli/duration.h"
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/config/spelling.h"

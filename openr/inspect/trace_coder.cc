@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "openr/counted.h"
+#include "cli/counted.h"
 #include "openr/inspect/trace_file.h"
 
 namespace openr_host {

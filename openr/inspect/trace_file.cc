@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "openr/input_file.h"
-#include "openr/json_text.h"
-#include "openr/output_file.h"
+#include "cli/input_file.h"
+#include "cli/json_text.h"
+#include "cli/output_file.h"
 #include "runtime/config/spelling.h"
 #include "runtime/core/hasher.h"
 #include "runtime/core/system.h"

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "openr/counted.h"
-#include "openr/json_text.h"
+#include "cli/counted.h"
+#include "cli/json_text.h"
 
 namespace openr_host {
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "RemotePacket.h"
-#include "openr/passing_network.h"
+#include "openr/simulation/passing_network.h"
 
 namespace openr_host {
 

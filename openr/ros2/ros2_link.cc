@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "openr/counted.h"
+#include "cli/counted.h"
 #include "openr/ros2/joint_command.h"
 
 namespace openr_host {

@@ -16,7 +16,7 @@
 #include "distribution/ros2/topics.h"
 #include "openr/ros2/joint_client.h"
 #include "openr/ros2/robot_topics.h"
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 
 namespace openr_host {
 

@@ -1,6 +1,6 @@
 /*
  * What the kit's own parts of an image may ask of the host and of no robot: a second stack, and to
- * say something in the report of the run.  Objects know nothing of it (openr/kit/controller).
+ * say something in the report of the run.  Objects know nothing of it (kit/controller).
  *
  * A stack belongs to one object and is used in its methods only.
  */

@@ -11,7 +11,7 @@
 #include <exception>
 #include <string_view>
 
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 
 int main(int argc, char** argv) {
   if (argc != 5) {

@@ -3,7 +3,7 @@
 #include <signal.h>
 
 #include "distribution/worker_group.h"
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/sticks.h"
 #include "tests/distribution/wait_until.h"

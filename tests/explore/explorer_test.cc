@@ -19,7 +19,7 @@ ExplorePlan StickPlan(const std::string& body = "ideal", bool guard = false,
   options.cost_file = cost;
   options.console = [](std::string_view) {};
   ExplorePlan plan;
-  plan.make_scene = [options] { return MakeSimulationScene(options); };
+  plan.prepare_run = [options] { return PrepareSimulation(options); };
   plan.runs = 20;
   return plan;
 }
@@ -50,20 +50,20 @@ TEST(ExplorerTest, OneWorkerAndTwoComeToTheSame) {
 // The hash of a run in a copy of a worker is that of a run in this process, in one piece.
 TEST(ExplorerTest, ACopiedProcessComesToTheSameAsAPlainRun) {
   const ExplorePlan plan = StickPlan();
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
   const Json copied = pool.RunOne({{"seed", 1}});
-  const Scene scene = plan.make_scene();
-  scene.system->Boot();
-  scene.system->RunUntil(plan.run.for_us);
-  EXPECT_EQ(copied["trace"], fmt::format("{:016x}", scene.system->trace_hash()));
-  EXPECT_EQ(copied["state"], fmt::format("{:016x}", scene.system->state_hash()));
+  const PreparedRun prepared = plan.prepare_run();
+  prepared.system->Boot();
+  prepared.system->RunUntil(plan.run.for_us);
+  EXPECT_EQ(copied["trace"], fmt::format("{:016x}", prepared.system->trace_hash()));
+  EXPECT_EQ(copied["state"], fmt::format("{:016x}", prepared.system->state_hash()));
 }
 
 TEST(ExplorerTest, SeedsGiveOrdersOfTheirOwn) {
   ExplorePlan plan = StickPlan();
   plan.run.for_us = 1'000'000;
   plan.run.vary = {.delays = false, .network = false, .frames = false};
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
   std::set<std::string> traces;
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     traces.insert(pool.RunOne({{"seed", seed}})["trace"].get<std::string>());
@@ -90,7 +90,7 @@ TEST(ExplorerTest, HandlersThatTakeTimeBreakNothing) {
 
 TEST(ExplorerTest, ARandomRunIsRepeatedByItsDeviations) {
   const ExplorePlan plan = StickPlan();
-  WorkerPool pool(plan.make_scene, plan.run, plan.limits, 1);
+  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
   for (uint64_t seed = 2; seed < 6; ++seed) {
     const Json random = pool.RunOne({{"seed", seed}, {"deviations", true}});
     const Json scripted = pool.RunOne({{"seed", seed}, {"script", random["deviations"]}});
@@ -101,10 +101,10 @@ TEST(ExplorerTest, ARandomRunIsRepeatedByItsDeviations) {
 
 TEST(ExplorerTest, AStickThatDoesNotBootIsAnError) {
   ExplorePlan plan = StickPlan();
-  plan.make_scene = [] {
-    Scene scene;
-    scene.problem = "the robot does not boot";
-    return scene;
+  plan.prepare_run = [] {
+    PreparedRun prepared;
+    prepared.problem = "the robot does not boot";
+    return prepared;
   };
   EXPECT_THROW(ExploreSeeds(plan), std::runtime_error);
 }

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "openr/install_paths.h"
-#include "openr/network_setup.h"
+#include "cli/install_paths.h"
+#include "openr/simulation/network_setup.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "openr/kit/make_build.h"
+#include "kit/make_build.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

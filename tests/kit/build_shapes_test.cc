@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "openr/kit/image_match.h"
-#include "openr/kit/shell_words.h"
+#include "kit/image_match.h"
+#include "kit/shell_words.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

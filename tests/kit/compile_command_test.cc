@@ -1,10 +1,10 @@
-#include "openr/kit/compile_command.h"
+#include "kit/compile_command.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "openr/kit/link_command.h"
-#include "openr/kit/sdk_paths.h"
+#include "kit/link_command.h"
+#include "kit/sdk_paths.h"
 
 namespace openr_host {
 namespace {

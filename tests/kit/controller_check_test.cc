@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "openr/kit/check.h"
+#include "kit/check.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

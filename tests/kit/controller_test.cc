@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "openr/kit/process.h"
+#include "kit/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

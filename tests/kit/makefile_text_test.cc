@@ -1,9 +1,9 @@
-#include "openr/kit/makefile_text.h"
+#include "kit/makefile_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "openr/kit/image_match.h"
+#include "kit/image_match.h"
 
 namespace openr_host {
 namespace {

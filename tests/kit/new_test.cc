@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "openr/kit/process.h"
+#include "kit/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

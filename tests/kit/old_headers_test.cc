@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "openr/kit/process.h"
+#include "kit/process.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "openr/kit/process.h"
+#include "kit/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

@@ -1,5 +1,5 @@
 // What is done about complaints of today's compiler; the whole way is in build_test.cc.
-#include "openr/kit/repair_rules.h"
+#include "kit/repair_rules.h"
 
 #include <gtest/gtest.h>
 

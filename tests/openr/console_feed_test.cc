@@ -1,4 +1,4 @@
-#include "openr/console_feed.h"
+#include "openr/run/console_feed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The end of the process when what is to be said at it fails as well.
-#include "openr/last_words.h"
+#include "openr/ending/last_words.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "openr/remote_client.h"
+#include "openr/remote/remote_client.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {

@@ -1,10 +1,10 @@
-#include "openr/robot_scene.h"
+#include "openr/render/robot_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "openr/install_paths.h"
+#include "cli/install_paths.h"
 #include "openr/render/mesh.h"
 #include "virtualrobot/kinematics.h"
 

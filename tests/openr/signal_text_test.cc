@@ -1,4 +1,4 @@
-#include "openr/signal_text.h"
+#include "openr/ending/signal_text.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
-#include "openr/standing.h"
+#include "openr/simulation/standing.h"
 
 #include <gtest/gtest.h>
 
-#include "openr/install_paths.h"
+#include "cli/install_paths.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

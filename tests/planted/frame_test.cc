@@ -40,18 +40,18 @@ struct Dog {
   System system;
 };
 
-Scene CountingScene() {
+PreparedRun CountingScene() {
   const auto dog = std::make_shared<Dog>();
   dog->system.AddRobot(dog->model.design, nullptr);
-  Scene scene;
-  scene.robots.push_back(
+  PreparedRun prepared;
+  prepared.robots.push_back(
       AddVirtualRobot(&dog->system, 0, dog->model, MakeIdealBody(dog->model, World())));
   dog->system.AddObject<Counter>(0, "counter");
   Wire(&dog->system, "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S",
        "Counter.Sensor.OSensorFrameVectorData.O");
-  scene.system = &dog->system;
-  scene.owner = dog;
-  return scene;
+  prepared.system = &dog->system;
+  prepared.owner = dog;
+  return prepared;
 }
 
 TEST(PlantedFrameTest, TheWrapOfTheFrameCounterIsMissedByDefaultAndFoundByExploring) {

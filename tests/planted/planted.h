@@ -40,16 +40,16 @@ class Actor : public CodeObject {
 
 // A graph of code objects that `build` puts into a system with one robot.
 template <typename Build>
-MakeScene SceneOf(Build build, SystemOptions options = {}) {
+PrepareRun SceneOf(Build build, SystemOptions options = {}) {
   options.console = [](std::string_view) {};
   return [build, options] {
     const auto system = std::make_shared<System>(options);
     system->AddRobot("ERS-210", nullptr);
     build(system.get());
-    Scene scene;
-    scene.system = system.get();
-    scene.owner = system;
-    return scene;
+    PreparedRun prepared;
+    prepared.system = system.get();
+    prepared.owner = system;
+    return prepared;
   };
 }
 
@@ -58,9 +58,10 @@ inline void Wire(System* system, const std::string& subject, const std::string& 
 }
 
 // Runs of 3 s, long enough for whoever waits to have waited for too long.
-inline ExplorePlan PlanOf(MakeScene make_scene, std::vector<std::string> properties = {"default"}) {
+inline ExplorePlan PlanOf(PrepareRun prepare_run,
+                          std::vector<std::string> properties = {"default"}) {
   ExplorePlan plan;
-  plan.make_scene = std::move(make_scene);
+  plan.prepare_run = std::move(prepare_run);
   plan.run.for_us = 3'000'000;
   plan.run.properties.names = std::move(properties);
   plan.limits.handler_us = 300'000;

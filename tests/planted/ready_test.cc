@@ -55,17 +55,18 @@ TEST(PlantedReadyTest, ALostReadyIsNamedWithItsConnection) {
 }
 
 TEST(PlantedReadyTest, ALostReadyIsAlsoAFindingAtTheEndOfARun) {
-  const Scene scene = SceneOf(&BuildLostReady)();
-  scene.system->Boot();
-  scene.system->RunFor(500'000);
-  ReportStalls(scene.system, true);
-  EXPECT_TRUE(scene.system->findings().all().empty()) << "half a second is no stall yet";
-  scene.system->RunFor(2'000'000);
-  ReportStalls(scene.system, false);
-  EXPECT_TRUE(scene.system->findings().all().empty()) << "it may want no more";
-  ReportStalls(scene.system, true);
-  ASSERT_EQ(scene.system->findings().all().size(), 1u);
-  EXPECT_THAT(scene.system->findings().all()[0].text, HasSubstr("again after every notification"));
+  const PreparedRun prepared = SceneOf(&BuildLostReady)();
+  prepared.system->Boot();
+  prepared.system->RunFor(500'000);
+  ReportStalls(prepared.system, true);
+  EXPECT_TRUE(prepared.system->findings().all().empty()) << "half a second is no stall yet";
+  prepared.system->RunFor(2'000'000);
+  ReportStalls(prepared.system, false);
+  EXPECT_TRUE(prepared.system->findings().all().empty()) << "it may want no more";
+  ReportStalls(prepared.system, true);
+  ASSERT_EQ(prepared.system->findings().all().size(), 1u);
+  EXPECT_THAT(prepared.system->findings().all()[0].text,
+              HasSubstr("again after every notification"));
 }
 
 // Fault: sends two numbers in a row, as if each were kept.

@@ -23,7 +23,7 @@ TEST(PlantedStaticsTest, AStaticThatTwoObjectsShareIsNoneOnTheRobot) {
   options.stick = stick.path();
   options.body = "ideal";
   options.console = [](std::string_view) {};
-  const ExplorePlan plan = PlanOf([options] { return MakeSimulationScene(options); },
+  const ExplorePlan plan = PlanOf([options] { return PrepareSimulation(options); },
                                   {"eventually objects.Show.state == shows 42"});
   const Broken broken = InDefaultOrder(plan);
   EXPECT_EQ(broken.text, "not objects.Show.state == shows 42 ever: it is 'shows 0'");

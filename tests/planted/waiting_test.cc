@@ -120,18 +120,18 @@ class Meek : public Actor {
   Selector tick_;
 };
 
-Scene StarvingScene() {
+PreparedRun StarvingScene() {
   auto cost = std::make_shared<ExploredCost>(ParseCostConfig("test", "* Work 1000\n").config);
   SystemOptions options;
   options.cost = cost;
-  Scene scene = SceneOf(
+  PreparedRun prepared = SceneOf(
       [](System* system) {
         system->AddObject<Meek>(0, "meek");
         system->AddObject<Hog>(0, "hog");
       },
       options)();
-  scene.cost = cost.get();
-  return scene;
+  prepared.cost = cost.get();
+  return prepared;
 }
 
 TEST(PlantedWaitingTest, AnObjectThatGetsNoProcessorTimeIsNamed) {

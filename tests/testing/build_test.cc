@@ -1,5 +1,5 @@
 // What a bench is built of: sticks, images, stand-ins, probes.
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 #include "tests/testing/doubler.h"
 
 namespace openr::testing {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "openr/output_file.h"
+#include "cli/output_file.h"
 #include "postures.h"
 #include "walk.h"
 

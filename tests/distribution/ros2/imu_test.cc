@@ -5,7 +5,7 @@
 
 #include "openr/ros2/joint_client.h"
 #include "openr/ros2/robot_topics.h"
-#include "openr/simulation.h"
+#include "openr/simulation/simulation.h"
 #include "tests/distribution/ros2/ros2_run.h"
 
 namespace openr_host {

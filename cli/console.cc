@@ -1,0 +1,88 @@
+#include "cli/console.h"
+
+#include <fcntl.h>
+#include <stdio_ext.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/output_file.h"
+#include "cli/standard_streams.h"
+
+namespace openr_host {
+namespace {
+
+// Whether what was printed last through the system had no end of line.
+bool g_is_open_line = false;
+
+// Why the console cannot be written any more, as an errno; 0 while it can.
+int g_error = 0;
+
+// Sends the prints of objects nowhere from now on, so that no object sees an error of this host.
+void LoseConsole(int error) {
+  if (std::exchange(g_error, error) != 0) return;
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  dup2(nowhere, STDOUT_FILENO);
+  close(nowhere);
+  std::clearerr(stdout);
+  std::fflush(stdout);
+}
+
+void WriteConsole(std::string_view text) {
+  const int error = WriteAll(STDOUT_FILENO, text);
+  if (error != 0) LoseConsole(error);
+}
+
+// Writes out the C library's buffer, where prints of objects wait until their line ends.
+void FlushConsole() {
+  errno = 0;
+  const bool is_flushed = std::fflush(stdout) == 0;
+  const int error = errno != 0 ? errno : EIO;  // ferror() may change it
+  if (!is_flushed || std::ferror(stdout) != 0) LoseConsole(error);
+}
+
+}  // namespace
+
+Console::Console(const std::string& file) : file_(file) {
+  std::string problem;
+  const int target = file.empty() ? STDERR_FILENO : OpenGrowingFile(file, &problem);
+  if (target < 0) throw std::runtime_error(problem);
+  g_error = 0;
+  std::fflush(stdout);
+  saved_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  SetStandardOutput(saved_);
+  dup2(target, STDOUT_FILENO);
+  if (!file.empty()) close(target);
+  // Lines of objects and of the system come in the order they were written.
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+}
+
+Console::~Console() {
+  EndConsoleLine();
+  if (saved_ < 0) return;
+  dup2(saved_, STDOUT_FILENO);
+  SetStandardOutput(STDOUT_FILENO);
+  close(saved_);
+}
+
+void Console::Print(std::string_view text) {
+  FlushConsole();
+  WriteConsole(text);
+  if (!text.empty()) g_is_open_line = text.back() != '\n';
+}
+
+std::string Console::Problem() const {
+  return file_.empty() || g_error == 0 ? "" : WhyNotWritten(file_, g_error);
+}
+
+void EndConsoleLine() {
+  const char* const end = stdout->_IO_write_ptr;
+  if (__fpending(stdout) > 0) g_is_open_line = end[-1] != '\n';
+  FlushConsole();
+  if (std::exchange(g_is_open_line, false)) WriteConsole("\n");
+}
+
+}  // namespace openr_host

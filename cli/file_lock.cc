@@ -1,0 +1,30 @@
+#include "cli/file_lock.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace openr_host {
+
+// A line of /proc/locks: "3: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF", with the process and,
+// behind the device, the inode.  The device of a file in a container is not the one shown there, so
+// the inode has to do.
+std::string DescribeWriter(const struct stat& file) {
+  const std::string inode = fmt::format(":{}", file.st_ino);
+  std::ifstream locks("/proc/locks");
+  for (std::string line; std::getline(locks, line);) {
+    std::istringstream words(line);
+    std::string number, kind, mode, access, place;
+    int process = 0;
+    if (!(words >> number >> kind >> mode >> access >> process >> place)) continue;
+    if (kind != "FLOCK" || process <= 0 || !place.ends_with(inode)) continue;
+    std::ifstream name_file(fmt::format("/proc/{}/comm", process));
+    std::string name;
+    if (!std::getline(name_file, name)) return fmt::format("process {}", process);
+    return fmt::format("process {} ({})", process, name);
+  }
+  return "another process";
+}
+
+}  // namespace openr_host

@@ -1,0 +1,113 @@
+#include "cli/install_paths.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The prefix: bin/openr lies below it both when built and when installed.
+fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
+
+// The same of the runtime that was loaded: where a test with a folder of its own finds what was
+// installed.
+fs::path RuntimePrefix() {
+  Dl_info info{};
+  if (dladdr(dlsym(RTLD_DEFAULT, "openr_second_stack_new"), &info) == 0) return Prefix();
+  return fs::path(info.dli_fname).parent_path().parent_path();
+}
+
+std::vector<fs::path> DataFolders() {
+  const fs::path data = fs::path("share") / "openr-host";
+  return {Prefix(), Prefix() / data, RuntimePrefix(), RuntimePrefix() / data};
+}
+
+}  // namespace
+
+std::string ProgramFile() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error) throw std::runtime_error("/proc/self/exe: " + error.message());
+  return self;
+}
+
+std::string ProgramFolder() { return fs::path(ProgramFile()).parent_path(); }
+
+std::string ProgramCall() {
+  const fs::path self = ProgramFile();
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path found = fs::path(folder.empty() ? "." : folder) / self.filename();
+    std::error_code error;
+    if (!fs::is_regular_file(found, error)) continue;
+    const bool is_self = fs::equivalent(found, self, error);
+    return is_self && !error ? self.filename().string() : self.string();
+  }
+  return self;
+}
+
+std::string DefaultStick() {
+  std::string looked;
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    if (fs::is_directory(folder / "stick" / "OPEN-R", error)) return folder / "stick";
+    looked += fmt::format(" {}", (folder / "stick").string());
+  }
+  throw std::runtime_error(fmt::format(
+      "no default stick in{}; build the target 'stick', or name one with --stick DIR", looked));
+}
+
+std::string ObjectSources() {
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    if (fs::is_directory(folder / "objects" / "stub.cfg", error)) return folder / "objects";
+  }
+  throw std::runtime_error(fmt::format("no sources of objects in {}; install openr-host whole",
+                                       (Prefix() / "share/openr-host/objects").string()));
+}
+
+std::string ModelFile(const std::string& name) {
+  std::vector<std::string> known;
+  for (const fs::path& folder : DataFolders()) {
+    std::error_code error;
+    const fs::path file = folder / "model" / (name + ".json");
+    if (name.find('/') == std::string::npos && fs::is_regular_file(file, error)) return file;
+    for (const auto& entry : fs::directory_iterator(folder / "model", error)) {
+      if (entry.path().extension() == ".json") known.push_back(entry.path().stem());
+    }
+  }
+  std::sort(known.begin(), known.end());
+  throw std::runtime_error(
+      fmt::format("no robot model '{}'; there are: {}", name, fmt::join(known, ", ")));
+}
+
+std::string DataFile(const std::string& name) {
+  std::error_code error;
+  if (fs::exists(name, error) || name.find('/') != std::string::npos) return name;
+  for (const fs::path& folder : DataFolders()) {
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  }
+  return name;
+}
+
+std::string RenderLibrary() {
+  const char* const name = "libopenr_render.so";
+  for (const fs::path& folder : {Prefix() / "lib", Prefix() / "lib" / "openr-host"}) {
+    std::error_code error;
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  }
+  return name;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,378 @@
+#include "cli/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "cli/file_lock.h"
+#include "cli/standard_streams.h"
+
+namespace openr_host {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kLinksMax = 40;            // as many as the kernel follows
+constexpr int kTemporaryNamesMax = 100;  // of one process in one folder
+
+// The stream or file that a name leads to.
+struct Target {
+  int stream = -1;   // an open stream of this process; -1: a file
+  std::string path;  // of the file, without links at its end
+  bool exists = false;
+  struct stat status {};  // if it exists
+};
+
+// The descriptor that /dev/fd/N and /proc/self/fd/N name; -1 for other names.
+int StreamCalled(const fs::path& path) {
+  const std::string name = path.filename();
+  const bool is_number =
+      !name.empty() && name.size() < 8 &&
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (!is_number) return -1;
+  std::error_code error;
+  const fs::path folder = fs::canonical(path.parent_path(), error);
+  if (error || folder != fmt::format("/proc/{}/fd", getpid())) return -1;
+  const int stream = std::atoi(name.c_str());
+  return stream == STDOUT_FILENO ? StandardOutput() : stream;
+}
+
+Target TargetOf(const std::string& file) {
+  Target target;
+  fs::path path = file;
+  std::error_code error;
+  for (int links = 0; links < kLinksMax; ++links) {
+    target.stream = StreamCalled(path);
+    if (target.stream >= 0) return target;
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) break;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  target.path = path;
+  target.exists = stat(target.path.c_str(), &target.status) == 0;
+  return target;
+}
+
+// Whether a new file may take the place of the one that is there.
+bool IsReplaced(const Target& target) {
+  return !target.exists || (S_ISREG(target.status.st_mode) && target.status.st_nlink == 1);
+}
+
+std::string TemporaryName(const fs::path& beside, int number) {
+  return beside.parent_path() / fmt::format(".openr-host-{}-{}.tmp", getpid(), number);
+}
+
+// Errors of replacing a file that can still be written in place.
+bool MayBeInPlace(int error) {
+  return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
+}
+
+// Makes `descriptor`, of a new file, like the file that it replaces; an errno.
+int TakeOver(int descriptor, const struct stat& old) {
+  struct stat now;
+  if (fstat(descriptor, &now) != 0) return errno;
+  const bool has_owner = now.st_uid == old.st_uid && now.st_gid == old.st_gid;
+  if (!has_owner && fchown(descriptor, old.st_uid, old.st_gid) != 0) return EPERM;
+  return fchmod(descriptor, old.st_mode & 07777) == 0 ? 0 : errno;
+}
+
+// The file that is to take the place of `target`, with the bytes in it; an errno, and no file then.
+int WriteBeside(const Target& target, std::string_view bytes, std::string* name) {
+  int descriptor = -1;
+  for (int i = 0; descriptor < 0 && i < kTemporaryNamesMax; ++i) {
+    *name = TemporaryName(target.path, i);
+    descriptor = open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno != EEXIST) break;
+  }
+  if (descriptor < 0) return errno;
+  int error = target.exists ? TakeOver(descriptor, target.status) : 0;
+  if (error == 0) error = WriteAll(descriptor, bytes);
+  if (close(descriptor) != 0 && error == 0) error = errno;
+  if (error != 0) unlink(name->c_str());
+  return error;
+}
+
+// Finds out, where that can be, before the old content of a file is touched; an errno.
+int WhyNoRoom(int descriptor, size_t size) {
+  rlimit limit;
+  if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && size > limit.rlim_cur) return EFBIG;
+  if (fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(size)) == 0) return 0;
+  return errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? errno : 0;
+}
+
+// A device, a pipe, or a file that cannot be replaced; an errno.
+int WriteInPlace(const Target& target, std::string_view bytes) {
+  const bool is_file = target.exists && S_ISREG(target.status.st_mode);
+  const int descriptor = open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  const int room_error = is_file && !bytes.empty() ? WhyNoRoom(descriptor, bytes.size()) : 0;
+  if (room_error != 0) {
+    close(descriptor);
+    return room_error;
+  }
+  const int error = WriteAll(descriptor, bytes);
+  const bool is_cut = !is_file || ftruncate(descriptor, static_cast<off_t>(bytes.size())) == 0;
+  const int cut_error = is_cut ? 0 : errno;
+  const int close_error = close(descriptor) == 0 ? 0 : errno;
+  return error != 0 ? error : cut_error != 0 ? cut_error : close_error;
+}
+
+}  // namespace
+
+std::string WhyNotWritten(const std::string& file, int error) {
+  if (error == ENOENT) return fmt::format("{}: cannot be written: there is no such folder", file);
+  return fmt::format("{}: cannot be written: {}", file, std::strerror(error));
+}
+
+std::string WhyNotWritable(const std::string& file) {
+  const Target target = TargetOf(file);
+  if (target.stream >= 0) {
+    const int flags = fcntl(target.stream, F_GETFL);
+    const bool is_read_only = flags >= 0 && (flags & O_ACCMODE) == O_RDONLY;
+    return flags >= 0 && !is_read_only ? "" : WhyNotWritten(file, EBADF);
+  }
+  if (target.exists) {
+    if (S_ISDIR(target.status.st_mode)) return fmt::format("{}: is a folder; name a file", file);
+    return access(target.path.c_str(), W_OK) == 0 ? "" : WhyNotWritten(file, errno);
+  }
+  // Only making it tells for sure.
+  const int descriptor = open(target.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) return WhyNotWritten(file, errno);
+  close(descriptor);
+  unlink(target.path.c_str());
+  return "";
+}
+
+bool IsStandardOutput(const std::string& file) { return TargetOf(file).stream == StandardOutput(); }
+
+std::string WhyNoFolder(const std::string& folder) {
+  if (folder.empty()) return "'' names no folder";
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error).lexically_normal();  // what there is of it
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, error)) {
+    return fs::equivalent(there, folder, error)
+               ? fmt::format("{}: is a file; name a folder", folder)
+               : fmt::format("{}: {} is a file, so nothing can be in it; name another folder",
+                             folder, there.string());
+  }
+  if (access(there.c_str(), W_OK | X_OK) != 0)
+    return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
+  // Only making something there tells for sure: /proc lets root write, and has no folders made.
+  const std::string probe = TemporaryName(there / "", 0);
+  if (mkdir(probe.c_str(), 0700) != 0 && errno != EEXIST) {
+    return fmt::format("{}: nothing can be made in {}: {}; name another folder", folder,
+                       there.string(), std::strerror(errno));
+  }
+  rmdir(probe.c_str());
+  return "";
+}
+
+std::string Explain(const fs::filesystem_error& error) {
+  const fs::path& path = error.path2().empty() ? error.path1() : error.path2();
+  const char* why = nullptr;
+  switch (error.code().value()) {
+    case ENOENT:
+      why = "there is no such file or folder";
+      break;
+    case EEXIST:
+      why = "is there already";
+      break;
+    case ENOTDIR:
+      why = "a part of this name is a file, where a folder has to be; name another place";
+      break;
+    case EISDIR:
+      why = "is a folder, where a file has to be";
+      break;
+    case EACCES:
+    case EPERM:
+      why = "you may not read or write there";
+      break;
+    case EROFS:
+      why = "cannot be written: this disk is read-only";
+      break;
+    case ENOSPC:
+    case EDQUOT:
+      why = "no room is left on the disk";
+      break;
+    default:
+      return fmt::format("{}: {}", path.string(), error.code().message());
+  }
+  return fmt::format("{}: {}", path.string(), why);
+}
+
+namespace {
+
+std::string IsBeingWritten(const std::string& file, const struct stat& status) {
+  return fmt::format("{}: is being written by {}; name another file, or wait for its end", file,
+                     DescribeWriter(status));
+}
+
+// Why `target` must not be replaced although it can be: a run writes its recording or console
+// there, and would go on into a file without a name.  "" when nobody does.
+std::string WhyLocked(const std::string& file, const Target& target) {
+  if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
+  const int descriptor = open(target.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) return "";
+  const bool is_locked = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(descriptor);
+  return is_locked ? IsBeingWritten(file, target.status) : "";
+}
+
+}  // namespace
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : file_(other.file_),
+      bytes_(std::move(other.bytes_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, "")) {}
+
+PendingFile::~PendingFile() {
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+std::string PendingFile::Write(std::string_view bytes) {
+  const Target target = TargetOf(file_);
+  bytes_ = bytes;
+  target_ = target.path;
+  if (target.stream >= 0) return "";
+  if (target.exists && S_ISDIR(target.status.st_mode)) return WhyNotWritten(file_, EISDIR);
+  if (target.exists && access(target_.c_str(), W_OK) != 0) return WhyNotWritten(file_, errno);
+  if (const std::string problem = WhyLocked(file_, target); !problem.empty()) return problem;
+  if (!IsReplaced(target)) return "";
+  const int error = WriteBeside(target, bytes, &temporary_);
+  if (error == 0) return "";
+  temporary_.clear();
+  return target.exists && MayBeInPlace(error) ? "" : WhyNotWritten(file_, error);
+}
+
+std::string PendingFile::Commit() {
+  if (!temporary_.empty() && rename(temporary_.c_str(), target_.c_str()) == 0) {
+    temporary_.clear();
+    return "";
+  }
+  const bool is_refused = !temporary_.empty();
+  if (is_refused && !MayBeInPlace(errno)) return WhyNotWritten(file_, errno);
+  const Target target = TargetOf(file_);
+  const int error =
+      target.stream >= 0 ? WriteAll(target.stream, bytes_) : WriteInPlace(target, bytes_);
+  return error == 0 ? "" : WhyNotWritten(file_, error);
+}
+
+std::string WriteFile(const std::string& file, std::string_view bytes) {
+  PendingFile pending(file);
+  const std::string problem = pending.Write(bytes);
+  return problem.empty() ? pending.Commit() : problem;
+}
+
+void RemoveFile(const std::string& file) {
+  const Target target = TargetOf(file);
+  if (target.exists && S_ISREG(target.status.st_mode)) unlink(target.path.c_str());
+}
+
+std::string CopyToFile(const std::string& from, const std::string& to) {
+  errno = 0;
+  std::ifstream stream(from, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream || stream.bad())
+    return fmt::format("{}: cannot be read: {}", from, std::strerror(errno));
+  const std::string problem = WriteFile(to, bytes);
+  if (!problem.empty()) return problem;
+  std::error_code error;
+  fs::permissions(to, fs::status(from).permissions(), error);
+  return error ? WhyNotWritten(to, error.value()) : "";
+}
+
+int OpenGrowingFile(const std::string& file, std::string* problem) {
+  const Target target = TargetOf(file);
+  const int descriptor =
+      target.stream >= 0
+          ? fcntl(target.stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+          : open(target.path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
+  struct stat status;
+  if (descriptor < 0 || fstat(descriptor, &status) != 0) {
+    *problem = WhyNotWritten(file, errno);
+    if (descriptor >= 0) close(descriptor);
+    return -1;
+  }
+  if (target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
+  // A file system without locks is no reason not to write.
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    *problem = IsBeingWritten(file, status);
+  } else if (ftruncate(descriptor, 0) != 0) {
+    *problem = WhyNotWritten(file, errno);
+  } else {
+    return descriptor;
+  }
+  close(descriptor);
+  return -1;
+}
+
+int WriteAll(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<size_t>(written));
+    } else if (errno == EAGAIN) {  // somebody has made the terminal or pipe one that does not wait
+      pollfd ready = {descriptor, POLLOUT, 0};
+      poll(&ready, 1, -1);
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+PreparedFile::PreparedFile(const std::string& file) {
+  if (file.empty()) return;
+  const Target target = TargetOf(file);
+  stream_ = target.stream;
+  if (target.path.size() >= kPathBytes) return;
+  target.path.copy(target_, kPathBytes - 1);
+  const std::string temporary = TemporaryName(target.path, kTemporaryNamesMax);
+  const bool is_own = !target.exists || target.status.st_uid == geteuid();
+  if (!IsReplaced(target) || !is_own || temporary.size() >= kPathBytes) return;
+  temporary.copy(temporary_, kPathBytes - 1);
+  keeps_mode_ = target.exists;
+  if (keeps_mode_) mode_ = target.status.st_mode & 0777;
+}
+
+// Uses system calls, because open() and rename() of this process may act for an object.
+int PreparedFile::Open() {
+  if (stream_ >= 0) return stream_;
+  if (target_[0] == 0) return -1;
+  const auto open_file = [this](const char* name, int flags) {
+    return static_cast<int>(syscall(SYS_openat, AT_FDCWD, name, O_WRONLY | O_CREAT | flags, mode_));
+  };
+  if (temporary_[0] != 0) descriptor_ = open_file(temporary_, O_EXCL);
+  if (descriptor_ >= 0 && keeps_mode_) syscall(SYS_fchmod, descriptor_, mode_);
+  if (descriptor_ < 0) {
+    temporary_[0] = 0;
+    descriptor_ = open_file(target_, O_TRUNC);
+  }
+  return descriptor_;
+}
+
+void PreparedFile::Close() {
+  if (descriptor_ < 0) return;
+  syscall(SYS_close, descriptor_);
+  if (temporary_[0] != 0) syscall(SYS_renameat2, AT_FDCWD, temporary_, AT_FDCWD, target_, 0);
+  descriptor_ = -1;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,106 @@
+#include "cli/standard_streams.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/output_file.h"
+
+namespace openr_host {
+namespace {
+
+int g_standard_output = STDOUT_FILENO;
+int g_output_error = 0;  // the first of writing to it
+bool g_has_failed = false;
+bool g_is_told = false;  // the failure has been printed on standard error
+
+// The lowest closed descriptor is the one that open() gives.
+void OpenClosedDescriptors() {
+  constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};  // by descriptor
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+    if (open("/dev/null", kModes[descriptor]) != descriptor)
+      _exit(1);  // there is nowhere to say it
+  }
+}
+
+// fmt::print() throws where a stream fails; a run does not end because nobody reads what it says.
+void MakeErrorStreamSure() {
+  cookie_io_functions_t functions = {};
+  functions.write = [](void*, const char* text, size_t size) {
+    WriteAll(STDERR_FILENO, {text, size});
+    return static_cast<ssize_t>(size);
+  };
+  FILE* const stream = fopencookie(nullptr, "w", functions);
+  if (stream == nullptr) return;
+  setvbuf(stream, nullptr, _IONBF, 0);
+  stderr = stream;
+}
+
+[[noreturn]] void Fail(int error) {
+  NoteLostAnswer(error);
+  g_is_told = true;
+  throw std::runtime_error(WhyNoStandardOutput(error));
+}
+
+// Writes out what was printed through streams; false, with the reason kept, when it cannot.
+bool FlushStreams() {
+  errno = 0;
+  std::cout.flush();  // tells no reason, but leaves it in errno
+  const bool is_flushed = std::fflush(stdout) == 0;
+  const int error = errno;  // ferror() may change it
+  const bool is_written = is_flushed && std::ferror(stdout) == 0;
+  if (!is_written) NoteLostAnswer(error);
+  return is_written;
+}
+
+}  // namespace
+
+void PrepareStandardStreams() {
+  OpenClosedDescriptors();
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);  // of ulimit -f
+  MakeErrorStreamSure();
+}
+
+int StandardOutput() { return g_standard_output; }
+
+void SetStandardOutput(int descriptor) { g_standard_output = descriptor; }
+
+std::string WhyNoStandardOutput(int error) {
+  return error != 0 ? WhyNotWritten("standard output", error)
+                    : "standard output: cannot be written whole";
+}
+
+void NoteLostAnswer(int error) {
+  if (!std::exchange(g_has_failed, true)) g_output_error = error;
+}
+
+void PrintAnswer(std::string_view text) {
+  if (g_standard_output != STDOUT_FILENO) {  // the stream is the console's
+    const int error = WriteAll(g_standard_output, text);
+    if (error != 0) Fail(error);
+    return;
+  }
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) Fail(errno);
+}
+
+void FlushAnswer() {
+  if (g_standard_output == STDOUT_FILENO && !FlushStreams()) Fail(g_output_error);
+}
+
+int FinishStandardOutput(int exit_code, const char* program) {
+  if (FlushStreams() && !g_has_failed) return exit_code;
+  if (!g_is_told)
+    std::fprintf(stderr, "%s: %s\n", program, WhyNoStandardOutput(g_output_error).c_str());
+  return exit_code == 0 ? 1 : exit_code;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,159 @@
+#include "kit/check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "kit/check_controller.h"
+#include "kit/check_data.h"
+#include "kit/check_objects.h"
+#include "kit/check_stick.h"
+#include "kit/controller_sources.h"
+#include "kit/object_parts.h"
+#include "kit/project.h"
+#include "kit/referred_places.h"
+#include "kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kPlacesMax = 5;  // shown beside the first one
+
+Remark::Kind KindOf(Severity severity) {
+  if (severity == Severity::kNote) return Remark::Kind::kNote;
+  return severity == Severity::kError ? Remark::Kind::kError : Remark::Kind::kWarning;
+}
+
+const char* WordOf(Remark::Kind kind) {
+  switch (kind) {
+    case Remark::Kind::kError:
+      return "error";
+    case Remark::Kind::kWarning:
+      return "warning";
+    default:
+      return "note";
+  }
+}
+
+}  // namespace
+
+std::string Remarks::Shown(const std::string& file) const {
+  if (real_root_.empty() || !IsBelow(file, real_root_)) return file;
+  const fs::path below = fs::path(file).lexically_relative(real_root_);
+  return below == "." ? shown_root_ : (fs::path(shown_root_) / below).string();
+}
+
+void Remarks::Add(Remark::Kind kind, const Place& place, std::string text) {
+  AddConsequence(kind, place, "", std::move(text));
+}
+
+void Remarks::AddConsequence(Remark::Kind kind, const Place& place, std::string cause,
+                             std::string text) {
+  const std::string file = Shown(place.file);
+  for (Remark& known : all_) {
+    if (cause.empty() || known.cause != cause || known.kind != kind || known.file != file) continue;
+    ++known.count;
+    if (known.also_at.size() < kPlacesMax)
+      known.also_at.push_back(fmt::format("{}:{}", fs::path(file).filename().string(), place.line));
+    return;
+  }
+  all_.push_back(
+      {kind, file, place.line, place.column, std::move(text), place.text, std::move(cause), 1, {}});
+}
+
+void Remarks::Error(const std::string& file, std::string text) {
+  Add(Remark::Kind::kError, Place{file, 0, 0, ""}, std::move(text));
+}
+
+void Remarks::Warning(const std::string& file, std::string text) {
+  Add(Remark::Kind::kWarning, Place{file, 0, 0, ""}, std::move(text));
+}
+
+void Remarks::Note(const std::string& file, std::string text) {
+  Add(Remark::Kind::kNote, Place{file, 0, 0, ""}, std::move(text));
+}
+
+void Remarks::AddAll(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& d : diagnostics)
+    AddConsequence(KindOf(d.severity), Place{d.file, d.line, d.column, d.text}, d.message,
+                   d.message);
+}
+
+int Remarks::CountOf(Remark::Kind kind) const {
+  return static_cast<int>(
+      std::count_if(all_.begin(), all_.end(), [&](const Remark& r) { return r.kind == kind; }));
+}
+
+Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw std::runtime_error(folder + ": is no folder; name a stick or a folder with objects");
+  if (const std::string problem = WhyUnreadable(folder); !problem.empty())
+    throw std::runtime_error(folder + ": " + problem);
+  Remarks unreadable;
+  for (const fs::path& path : UnreadableBelow(folder))
+    unreadable.Error(path.string(), WhyUnreadable(path) + "; nothing else was checked");
+  if (!unreadable.all().empty()) return unreadable;  // what is in it would be called missing
+  // Files that Makefiles take from elsewhere belong to the program, as they do in openr build.
+  const fs::path root = fs::canonical(folder);
+  const ReferredPlaces places = FindReferredPlaces(root);
+  const Project project = ScanProject(places.folders);
+  const bool is_controller = project.objects.empty() && IsControllerFolder(folder);
+  if (project.objects.empty() && project.sticks.empty() && !is_controller) {
+    throw std::runtime_error(
+        folder +
+        ": neither objects (stub.cfg) nor a stick (OPEN-R/MW) in it or below, "
+        "nor a controller (Makefile.sources, or sources that include robot.h)");
+  }
+  Remarks remarks(root, folder);
+  if (is_controller) CheckController(folder, locators, &remarks);
+  const ObjectParts parts(project, places);
+  CheckObjects(project, parts, &remarks);
+  CheckSentData(project, &remarks);
+  for (const StickFolder& stick : project.sticks) CheckStick(stick, project, parts, &remarks);
+  return remarks;
+}
+
+std::string RenderRemarks(const Remarks& remarks) {
+  std::string text;
+  for (const Remark& remark : remarks.all()) {
+    Diagnostic diagnostic{Severity::kError, remark.file, remark.line,
+                          remark.column,    remark.text, remark.source_line};
+    if (remark.kind != Remark::Kind::kError)
+      diagnostic.message = fmt::format("{}: {}", WordOf(remark.kind), remark.text);
+    text += Render(diagnostic) + "\n";
+    if (remark.count < 2) continue;
+    const uint64_t rest = remark.count - 1 - remark.also_at.size();
+    text += fmt::format("  also at {}{}\n", fmt::join(remark.also_at, ", "),
+                        rest > 0 ? fmt::format(" and {} more", rest) : "");
+  }
+  return text;
+}
+
+std::string RemarksToJson(const Remarks& remarks, const std::string& folder) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Remark& remark : remarks.all()) {
+    list.push_back({{"severity", WordOf(remark.kind)},
+                    {"file", remark.file},
+                    {"line", remark.line},
+                    {"column", remark.column},
+                    {"text", remark.text},
+                    {"count", remark.count},
+                    {"also_at", remark.also_at},
+                    {"also_at_left_out", remark.count - 1 - remark.also_at.size()}});
+  }
+  const nlohmann::ordered_json all = {{"path", folder},
+                                      {"errors", remarks.CountOf(Remark::Kind::kError)},
+                                      {"warnings", remarks.CountOf(Remark::Kind::kWarning)},
+                                      {"notes", remarks.CountOf(Remark::Kind::kNote)},
+                                      {"remarks", list}};
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace openr_host

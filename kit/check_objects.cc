@@ -1,0 +1,246 @@
+#include "kit/check_objects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "kit/source_text.h"
+#include "kit/text_files.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/ocf.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The SDK's samples have 3072; less than this has never been seen to work.
+constexpr int64_t kStackBytesMin = 1024;
+constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
+
+// These files as one text without comments.
+std::string CodeIn(const std::vector<fs::path>& files, const ObjectParts& parts) {
+  std::string code;
+  for (const fs::path& file : files) code += WithoutComments(parts.TextOf(file)) + "\n";
+  return code;
+}
+
+bool HasWord(const std::string& code, const std::string& word) {
+  for (size_t at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
+    if (HasWordAt(code, at, word)) return true;
+  }
+  return false;
+}
+
+bool HasAnyWord(const std::string& code, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return HasWord(code, word); });
+}
+
+class ObjectCheck {
+ public:
+  ObjectCheck(const ObjectFolder& object, const ObjectParts& parts, Remarks* remarks)
+      : object_(object),
+        parts_(parts),
+        remarks_(remarks),
+        files_(parts.CodeOf(object)),
+        code_(CodeIn(files_, parts)) {}
+
+  void Run() {
+    if (!object_.stub.empty()) CheckStub();
+    for (const fs::path& file : object_.sources)
+      CheckStickPaths(file, ReadText(file).value_or(""), remarks_);
+    CheckOcfs();
+  }
+
+ private:
+  void CheckStub() {
+    const StubConfigResult stub =
+        ParseStubConfig(object_.stub, ReadText(object_.stub).value_or(""));
+    remarks_->AddAll(stub.diagnostics);
+    if (HasErrors(stub.diagnostics)) return;
+    const std::string header = LowerCase(stub.config.object_name + ".h");
+    const bool has_header = std::any_of(files_.begin(), files_.end(), [&](const fs::path& file) {
+      return LowerCase(file.filename()) == header;
+    });
+    if (!has_header) {
+      remarks_->Add(Remark::Kind::kError, stub.config.object_name_place,
+                    fmt::format("the stub includes \"{0}.h\", which is neither beside stub.cfg nor "
+                                "where a Makefile leads; write the class {0} there",
+                                stub.config.object_name));
+    }
+    CheckFunctions(stub.config);
+    CheckRegistration(stub.config);
+  }
+
+  void CheckFunction(const std::string& function, const Place& place, const char* event) {
+    if (function.empty() || HasWord(code_, function)) return;
+    remarks_->Add(Remark::Kind::kError, place,
+                  fmt::format("no {}() in the sources of {}; declare: void {}({})", function,
+                              object_.folder.filename().string(), function, event));
+  }
+
+  void CheckFunctions(const StubConfig& config) {
+    for (const StubService& service : config.subjects) {
+      CheckFunction(service.connect_function, service.place, "const OControlEvent&");
+      CheckFunction(service.data_function, service.place, "const OReadyEvent&");
+    }
+    for (const StubService& service : config.observers) {
+      CheckFunction(service.connect_function, service.place, "const OConnectEvent&");
+      CheckFunction(service.data_function, service.place, "const ONotifyEvent&");
+    }
+    for (const StubExtra& extra : config.extras)
+      CheckFunction(extra.function, extra.place, "void*");
+  }
+
+  // Forgotten lines of DoInit and DoStart, which no compiler misses.
+  void CheckRegistration(const StubConfig& config) {
+    const auto real = [](const StubService& service) { return !IsDummy(service); };
+    const auto first = std::find_if(config.subjects.begin(), config.subjects.end(), real);
+    const auto heard = std::find_if(config.observers.begin(), config.observers.end(), real);
+    const StubService* const service = first != config.subjects.end()    ? &*first
+                                       : heard != config.observers.end() ? &*heard
+                                                                         : nullptr;
+    if (service == nullptr) return;
+    if (!HasAnyWord(code_, {"REGISTER_ALL_ENTRY", "SetComData", "RegisterServiceEntry"})) {
+      remarks_->Add(Remark::Kind::kWarning, service->place,
+                    "no REGISTER_ALL_ENTRY in DoInit: nothing can be connected to this object, the "
+                    "robot says NOT FOUND");
+    } else if (!HasAnyWord(code_, {"NEW_ALL_SUBJECT_AND_OBSERVER", "NewComData", "OSubject",
+                                   "OObserver"}) ||
+               !HasAnyWord(code_, {"NEW_ALL_SUBJECT_AND_OBSERVER", "NewComData", "new"})) {
+      remarks_->Add(Remark::Kind::kWarning, service->place,
+                    "no NEW_ALL_SUBJECT_AND_OBSERVER in DoInit: subject[] and observer[] point "
+                    "nowhere");
+    }
+    if (heard != config.observers.end() && !heard->data_function.empty() &&
+        !HasAnyWord(code_,
+                    {"ASSERT_READY_TO_ALL_OBSERVER", "ASSERT_TO_ALL_OBSERVER", "AssertReady"})) {
+      remarks_->Add(Remark::Kind::kWarning, heard->place,
+                    fmt::format("AssertReady is never called: {}() will not be either",
+                                heard->data_function));
+    }
+  }
+
+  void CheckOcfs() {
+    const std::vector<fs::path> ocfs = parts_.OcfsOf(object_);
+    if (ocfs.empty() && parts_.IsForRemoteProcessing(object_)) {
+      remarks_->Note(object_.folder,
+                     "is for the PC side of Remote Processing, which is not built here");
+    } else if (ocfs.empty()) {
+      remarks_->Error(object_.folder,
+                      "no .ocf file; write one line: object NAME 3072 16384 128 cache tlb user");
+    }
+    for (const fs::path& file : ocfs) {
+      const OcfResult ocf = ParseOcf(file, ReadText(file).value_or(""));
+      remarks_->AddAll(ocf.diagnostics);
+      if (!ocf.ocf) continue;
+      if (ocf.ocf->stack_bytes < kStackBytesMin) {
+        remarks_->Add(
+            Remark::Kind::kWarning, ocf.ocf->place,
+            fmt::format("a stack of {} bytes; 3072 is usual, and too little is not noticed "
+                        "but by what it destroys",
+                        ocf.ocf->stack_bytes));
+      }
+      if (ocf.ocf->heap_bytes > kHeapBytesMax) {
+        remarks_->Add(
+            Remark::Kind::kWarning, ocf.ocf->place,
+            fmt::format("the heap grows by {} bytes at a time, the robot has 32 MB in all",
+                        ocf.ocf->heap_bytes));
+      }
+    }
+  }
+
+  const ObjectFolder& object_;
+  const ObjectParts& parts_;
+  Remarks* const remarks_;
+  const std::vector<fs::path> files_;
+  const std::string code_;
+};
+
+// What nobody of the program does although somebody commands joints.
+void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* remarks) {
+  std::string code;
+  const ObjectFolder* mover = nullptr;
+  for (const auto* objects : {&project.objects, &project.neighbours}) {
+    for (const ObjectFolder& object : *objects) {
+      const std::string own = CodeIn(parts.CodeOf(object), parts);
+      const bool moves = HasAnyWord(own, {"odataJOINT_COMMAND2", "OJointCommandValue2"});
+      if (moves && objects == &project.objects) mover = &object;
+      code += own;
+    }
+  }
+  code += CodeIn(project.shared_sources, parts);
+  if (mover == nullptr) return;
+  const std::string file = mover->folder;
+  if (!HasWord(code, "SetMotorPower"))
+    remarks->Warning(file,
+                     "commands joints, but nobody calls SetMotorPower(opowerON): they stay limp");
+  if (!HasAnyWord(code, {"EnableJointGain", "SetDefaultJointGain"}))
+    remarks->Warning(file, "commands joints, but nobody calls EnableJointGain(): they stay limp");
+}
+
+}  // namespace
+
+bool IsDummy(const StubService& service) {
+  const std::string data = LowerCase(service.name.data);
+  return data == "donotconnect" || data == "dontconnect" || data == "notconnect";
+}
+
+void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks) {
+  static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
+  std::vector<Diagnostic> ignored;
+  for (const Place& line : SplitLines(file, text, &ignored)) {
+    std::smatch match;
+    if (!std::regex_search(line.text, match, kPath)) continue;
+    for (const fs::path& part : fs::path(match[1].str())) {
+      const std::string name = part;
+      if (name == "/" || name.empty() || IsShortName(name)) continue;
+      remarks->AddConsequence(
+          Remark::Kind::kWarning, line, "not 8.3: " + name,
+          fmt::format("'{}' is not an 8.3 name; the robot cannot open it", name));
+    }
+  }
+}
+
+void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* remarks) {
+  for (const ObjectFolder& object : project.objects) ObjectCheck(object, parts, remarks).Run();
+  if (project.sticks.empty()) {
+    std::vector<PlacedObject> all;
+    for (const ObjectFolder& object : project.objects) all.push_back({&object, ""});
+    CheckObjectNames(all, parts, remarks);
+  }
+  CheckMotors(project, parts, remarks);
+}
+
+void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
+                      Remarks* remarks) {
+  struct Named {
+    const PlacedObject* object;
+    Ocf ocf;
+  };
+  std::vector<Named> seen;
+  for (const PlacedObject& object : placed) {
+    std::vector<Named> own;
+    for (const fs::path& file : parts.OcfsOf(*object.folder)) {
+      const OcfResult ocf = ParseOcf(file, ReadText(file).value_or(""));
+      if (ocf.ocf) own.push_back({&object, *ocf.ocf});
+    }
+    for (const Named& mine : own) {
+      const auto first = std::find_if(seen.begin(), seen.end(), [&](const Named& other) {
+        return other.ocf.name == mine.ocf.name && other.object->folder != object.folder &&
+               MayHoldTogether(other.object->section, object.section);
+      });
+      if (first == seen.end()) continue;
+      remarks->Add(
+          Remark::Kind::kWarning, mine.ocf.place,
+          fmt::format("an object is named '{}' in {} already; on one stick names must differ",
+                      mine.ocf.name, first->ocf.place.file));
+    }
+    seen.insert(seen.end(), own.begin(), own.end());
+  }
+}
+
+}  // namespace openr_host

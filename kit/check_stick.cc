@@ -1,0 +1,279 @@
+#include "kit/check_stick.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "kit/check_images.h"
+#include "kit/check_objects.h"
+#include "kit/text_files.h"
+#include "runtime/config/address_config.h"
+#include "runtime/config/connect_config.h"
+#include "runtime/config/design_config.h"
+#include "runtime/config/gateway_config.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/spelling.h"
+#include "runtime/config/wlan_config.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The address in the files of the original; a robot that openr runs here has another one.
+constexpr char kRobotOfThatTime[] = "10.0.1.100";
+
+constexpr char kWlanFile[] = "WLANCONF.TXT";
+constexpr int kSlipsOfThePen = 3;  // WLANDFLT.TXT, which is right, is 4 edits away
+
+class StickCheck {
+ public:
+  StickCheck(const StickFolder& stick, const Project& project, const ObjectParts& parts,
+             Remarks* remarks)
+      : stick_(stick),
+        parts_(parts),
+        remarks_(remarks),
+        images_(CheckImages(stick, project, parts, remarks)) {}
+
+  void Run() {
+    CheckConnections();
+    CheckGateway();
+    CheckDesigns();
+    CheckWlan();
+    CheckFileNames();
+  }
+
+ private:
+  fs::path Config(const char* name) const {
+    return FindBelow(stick_.root, fmt::format("OPEN-R/MW/CONF/{}", name));
+  }
+  fs::path OnStick(const std::string& path) const {
+    return path.size() < 4 ? fs::path() : FindBelow(stick_.root, path.substr(4));
+  }
+
+  void CheckConnections();
+  void CheckService(const ServiceName& name, const std::string& section, const Place& place);
+  void ReportUnknown(const ServiceName& name, const Place& place);
+  void CheckUnconnected(const std::set<std::string>& connected);
+  void CheckGateway();
+  void NoteOldAddresses(const GatewayConfig& host);
+  GatewayConfig ReadGateway(const fs::path& file, GatewaySide side);
+  void CheckDesigns();
+  void CheckWlan();
+  void CheckFileNames();
+
+  const StickFolder& stick_;
+  const ObjectParts& parts_;
+  Remarks* const remarks_;
+  const StickImages images_;
+  ConnectConfig wires_;
+};
+
+// `section`: the robot design that the line is limited to, or "".
+void StickCheck::CheckService(const ServiceName& name, const std::string& section,
+                              const Place& place) {
+  const std::string full = Compose(name);
+  if (full.starts_with(kGatewayPrefix)) return;
+  const auto [begin, end] = images_.services.equal_range(full);
+  if (begin == end) return ReportUnknown(name, place);
+  const bool is_there = std::any_of(begin, end, [&](const auto& entry) {
+    return MayHoldTogether(entry.second.section, section);
+  });
+  if (is_there) return;
+  const ServiceOwner& owner = begin->second;
+  remarks_->Add(Remark::Kind::kWarning, place,
+                fmt::format("OBJECT.CFG loads {} for [{}] only, and this line holds for [{}]: "
+                            "'{}' is NOT FOUND there, the line is skipped",
+                            owner.name, owner.section, section, full));
+}
+
+void StickCheck::ReportUnknown(const ServiceName& name, const Place& place) {
+  const std::string full = Compose(name);
+  // All services of an object that is not there have one cause.
+  std::string cause = name.object + ".";
+  std::vector<std::string> known;
+  for (const auto& [service, owner] : images_.services) {
+    known.push_back(service);
+    if (service.starts_with(name.object + ".")) cause = full;
+    const auto other = ParseServiceName(service, nullptr);
+    if (!other || !DifferInDataOnly(*other, name)) continue;
+    remarks_->Add(Remark::Kind::kError, place,
+                  fmt::format("'{}' has the data type '{}' in {}, not '{}'; the line is skipped",
+                              full, other->data, owner.name, name.data));
+    return;
+  }
+  remarks_->AddConsequence(
+      images_.knows_all ? Remark::Kind::kError : Remark::Kind::kWarning, place,
+      "NOT FOUND " + cause,
+      fmt::format("no object on this stick has '{}': NOT FOUND, the line is skipped{}", full,
+                  DidYouMean(full, known)));
+}
+
+void StickCheck::CheckConnections() {
+  const fs::path file = Config("CONNECT.CFG");
+  if (file.empty()) {
+    remarks_->Note((stick_.root / "OPEN-R/MW/CONF/CONNECT.CFG").string(),
+                   "is missing: no object is connected");
+    return;
+  }
+  wires_ = ParseConnectConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(wires_.diagnostics);
+  std::set<std::string> connected;
+  for (const ConnectRecord& record : wires_.connections) {
+    CheckService(record.subject, record.section, record.subject_place);
+    CheckService(record.observer, record.section, record.observer_place);
+    connected.insert(Compose(record.subject));
+    connected.insert(Compose(record.observer));
+  }
+  CheckUnconnected(connected);
+}
+
+void StickCheck::CheckUnconnected(const std::set<std::string>& connected) {
+  for (const StubService& service : images_.declared) {
+    if (IsDummy(service) || connected.contains(Compose(service.name))) continue;
+    if (service.connect_function.empty() && service.data_function.empty()) continue;
+    remarks_->AddConsequence(
+        Remark::Kind::kNote, service.place, "not connected",
+        fmt::format("CONNECT.CFG does not mention '{}'; if that is meant, call its data "
+                    "DoNotConnect",
+                    Compose(service.name)));
+  }
+}
+
+GatewayConfig StickCheck::ReadGateway(const fs::path& file, GatewaySide side) {
+  if (file.empty()) return {};
+  GatewayConfig config = ParseGatewayConfig(file, ReadText(file).value_or(""), kEveryDesign, side);
+  remarks_->AddAll(config.diagnostics);
+  return config;
+}
+
+// What the gateway is to carry, and what is wired to it.
+void StickCheck::CheckGateway() {
+  const fs::path robot_file = Config(kRobotGatewayFile), host_file = Config(kHostGatewayFile);
+  GatewayConfig config = ReadGateway(robot_file, GatewaySide::kRobot);
+  const GatewayConfig host = ReadGateway(host_file, GatewaySide::kHost);
+  config.services.insert(config.services.end(), host.services.begin(), host.services.end());
+  NoteOldAddresses(host);
+  for (const auto& proxy : {config.proxy, host.proxy}) {
+    if (!proxy) continue;
+    remarks_->Add(Remark::Kind::kNote, proxy->place,
+                  "of the OPEN-R calls of a program on a PC, those that make joints move are "
+                  "carried; docs/network.md lists them, and which are not known");
+  }
+  remarks_->AddAll(CheckGatewayWires(wires_, config, kRobotGatewayFile));
+  for (const GatewayRecord& record : config.services) {
+    const bool is_wired = std::any_of(
+        wires_.connections.begin(), wires_.connections.end(), [&](const ConnectRecord& wire) {
+          return wire.subject == record.service || wire.observer == record.service;
+        });
+    if (!is_wired) {
+      remarks_->Add(Remark::Kind::kNote, record.place,
+                    "CONNECT.CFG does not mention this service; nothing goes through its port");
+    }
+  }
+  if (!robot_file.empty() && !images_.has_gateway) {
+    remarks_->Warning(stick_.object_config,
+                      fmt::format("does not name /MS/OPEN-R/SYSTEM/OBJS/{}; {} has no effect on "
+                                  "the robot then",
+                                  kGatewayImage, kRobotGatewayFile));
+  }
+  if (robot_file.empty() && images_.has_gateway) {
+    remarks_->Warning(stick_.object_config,
+                      fmt::format("names {}, but there is no {} beside it: the gateway has no "
+                                  "services",
+                                  kGatewayImage, kRobotGatewayFile));
+  }
+}
+
+// A robot that runs on this computer has another address than the dog of that time.
+void StickCheck::NoteOldAddresses(const GatewayConfig& host) {
+  const fs::path file = Config(kAddressFile);
+  AddressConfig addresses;
+  if (!file.empty())
+    addresses = ParseAddressConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(addresses.diagnostics);
+  std::vector<GatewayRecord> records = host.services;
+  if (host.proxy) records.push_back(*host.proxy);
+  for (const GatewayRecord& record : records) {
+    const bool is_mapped = std::any_of(
+        addresses.pairs.begin(), addresses.pairs.end(),
+        [&](const AddressPair& pair) { return AddressText(pair.robot) == record.host; });
+    if (record.host != kRobotOfThatTime || is_mapped) continue;
+    remarks_->Add(Remark::Kind::kNote, record.place,
+                  fmt::format("a robot that openr runs on this computer is 127.0.0.1: write that, "
+                              "or run with --ip {}=127.0.0.1",
+                              kRobotOfThatTime));
+  }
+}
+
+void StickCheck::CheckDesigns() {
+  const fs::path file = Config("DESIGNDB.CFG");
+  if (file.empty()) return;
+  const DesignConfig config = ParseDesignConfig(file, ReadText(file).value_or(""), kEveryDesign);
+  remarks_->AddAll(config.diagnostics);
+  for (const DesignRecord& record : config.designs) {
+    if (!OnStick(record.path).empty()) continue;
+    const std::string name = fs::path(record.path).filename();
+    if (!parts_.FindFile(name).empty()) {
+      remarks_->Add(Remark::Kind::kNote, record.path_place,
+                    fmt::format("{} is not on the stick yet; {} is here, and a rule of a Makefile "
+                                "or you copy it",
+                                record.path, name));
+      continue;
+    }
+    remarks_->Add(Remark::Kind::kWarning, record.path_place,
+                  fmt::format("{} does not exist on the stick; FindDesignData(\"{}\") will fail",
+                              record.path, record.keyword));
+  }
+}
+
+// The settings of the network, and files that were meant to be them.
+void StickCheck::CheckWlan() {
+  const fs::path folder = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF");
+  const fs::path file = folder.empty() ? fs::path() : FindEntry(folder, kWlanFile);
+  if (!file.empty())
+    remarks_->AddAll(ParseWlanConfig(file, ReadText(file).value_or("")).diagnostics);
+  std::vector<fs::path> files = FilesBelow(FindEntry(stick_.root, "OPEN-R"));
+  const fs::path at_root = FindEntry(stick_.root, kWlanFile);
+  if (!at_root.empty()) files.push_back(at_root);
+  for (const fs::path& other : files) {
+    const std::string name = other.filename();
+    const bool is_here = other.parent_path() == folder;
+    if (EqualsIgnoringCase(name, kWlanFile)) {
+      if (is_here) continue;
+      remarks_->Error(
+          other,
+          "lies in the wrong folder: the robot reads /MS/OPEN-R/SYSTEM/CONF/WLANCONF.TXT "
+          "and nothing else; move it there");
+    } else if (is_here && EditDistance(name, kWlanFile) <= kSlipsOfThePen) {
+      remarks_->Warning(other, "is no file that the robot reads; did you mean WLANCONF.TXT?");
+    }
+  }
+}
+
+// Names that no Memory Stick holds.
+void StickCheck::CheckFileNames() {
+  const fs::path openr = FindEntry(stick_.root, "OPEN-R");
+  std::set<fs::path> seen;
+  for (const fs::path& file : FilesBelow(openr)) {
+    if (file.extension() == ".DBG") continue;  // of the host
+    for (fs::path part = file; part != openr; part = part.parent_path()) {
+      const std::string name = part.filename();
+      if (IsShortName(name) || name == "VERSION.txt" || !seen.insert(part).second) continue;
+      remarks_->Warning(part, fmt::format("'{}' is not an 8.3 name; the robot's file system cannot "
+                                          "hold it",
+                                          name));
+    }
+  }
+}
+
+}  // namespace
+
+void CheckStick(const StickFolder& stick, const Project& project, const ObjectParts& parts,
+                Remarks* remarks) {
+  StickCheck(stick, project, parts, remarks).Run();
+}
+
+}  // namespace openr_host

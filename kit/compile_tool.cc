@@ -1,0 +1,182 @@
+// The robot's compiler, on the host.  What does not compile at first is tried again with what the
+// old compiler would have let pass.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "kit/compile_command.h"
+#include "kit/kit_log.h"
+#include "kit/process.h"
+#include "kit/sdk_tools.h"
+#include "kit/source_copies.h"
+#include "kit/source_repair.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kRepairRoundsMax = 40;
+
+std::string ReadFlags(const std::string& sdk_root) {
+  std::ifstream file(sdk_root + "/compile-flags.txt");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+size_t CountErrors(const std::string& output) {
+  size_t count = 0;
+  for (size_t at = output.find("error: "); at != std::string::npos;
+       at = output.find("error: ", at + 1))
+    ++count;
+  return count;
+}
+
+// Without remarks on flags of the form -Wno-x that it does not know.
+std::string WithoutFlagNotes(const std::string& output) {
+  std::istringstream lines(output);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("may have been intended to silence earlier diagnostics") == std::string::npos &&
+        line != "At global scope:" && line != "At top level:")
+      kept += line + "\n";
+  }
+  return kept;
+}
+
+class CompileRun {
+ public:
+  CompileRun(const Arguments& arguments, bool is_cxx);
+
+  int Run();
+
+ private:
+  void Log(bool is_good) const;
+  ProcessResult Try(const Arguments& extra);
+  ProcessResult TryKnownFlags(const Arguments& extra);
+  void UsePreludeIfItHelps(ProcessResult* result);
+  void RepairIfItHelps(ProcessResult* result);
+
+  const Arguments given_;
+  CompileCommand command_;
+  Arguments compiler_;  // with the kit's flags
+  Arguments extra_;     // what turned out to be needed
+};
+
+CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
+    : given_(arguments), command_(TranslateCompile(arguments, is_cxx)) {
+  const std::string root = SdkRoot();
+  compiler_ = HostCompiler(is_cxx ? Language::kCxx : Language::kC);
+  const Arguments flags = ParseCompileFlags(ReadFlags(root), command_.language, IsClang(compiler_));
+  compiler_.insert(compiler_.end(), flags.begin(), flags.end());
+  if (command_.compiles) {
+    compiler_.push_back("-g");
+    for (const SourceCopy& copy : SourceCopies()) {
+      compiler_.push_back("-ffile-prefix-map=" + copy.copy + "=" + copy.original);
+    }
+  }
+  command_.arguments.insert(command_.arguments.end(),
+                            {"-isystem", root + "/OPEN_R/include", "-isystem", root + "/compat"});
+}
+
+ProcessResult CompileRun::Try(const Arguments& extra) {
+  Arguments all = compiler_;
+  all.insert(all.end(), extra.begin(), extra.end());
+  all.insert(all.end(), command_.arguments.begin(), command_.arguments.end());
+  // What it says is read: in one language, please.
+  return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
+}
+
+// Flags of another age are left out once the compiler has named them.
+ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
+  ProcessResult result = Try(extra);
+  while (!result.good()) {
+    size_t left_out = 0;
+    for (const std::string& flag : UnknownFlags(result.output)) {
+      left_out += std::erase(command_.arguments, flag);
+    }
+    if (left_out == 0) break;
+    result = Try(extra);
+  }
+  return result;
+}
+
+void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
+  if (command_.language != Language::kCxx) return;
+  const Arguments prelude = {"-include", SdkRoot() + "/compat/openr_prelude.h"};
+  const ProcessResult again = Try(prelude);
+  if (!again.good() && CountErrors(again.output) >= CountErrors(result->output)) return;
+  extra_ = prelude;
+  *result = again;
+}
+
+// Changes the private copies of sources as long as that makes for fewer complaints.
+void CompileRun::RepairIfItHelps(ProcessResult* result) {
+  RepairSession session;
+  if (!session.may_repair()) return;
+  // Another compiler may have repaired a header while this one waited for the lock.  The old
+  // complaints no longer count then, so the file is compiled again.
+  extra_.clear();
+  ProcessResult now = Try({});
+  if (!now.good()) UsePreludeIfItHelps(&now);
+  for (int round = 0; !now.good() && round < kRepairRoundsMax; ++round) {
+    Arguments as_json = extra_;
+    as_json.insert(as_json.end(), {"-fdiagnostics-format=json", "-fmax-errors=0"});
+    if (!session.Apply(Try(as_json).output, command_.sources)) break;
+    now = Try(extra_);
+    if (!now.good() && extra_.empty()) UsePreludeIfItHelps(&now);
+  }
+  *result = now;  // if complaints are left, they are what a person has to look at
+  if (now.good()) {
+    session.Keep();
+  } else {
+    session.Undo();
+  }
+}
+
+// For `openr build`: what was compiled, with which flags, and how it went.
+void CompileRun::Log(bool is_good) const {
+  const std::string here = std::filesystem::current_path();
+  for (const std::string& source : command_.sources) {
+    LogCompile({source, here, CarriedFlags(given_, here)});
+    const std::string output = command_.output.empty()
+                                   ? std::filesystem::path(source).stem().string() + ".o"
+                                   : command_.output;
+    if (is_good) {
+      LogSuccess(output);
+    } else {
+      LogFailure({source, "does not compile", output});
+    }
+  }
+}
+
+int CompileRun::Run() {
+  if (!command_.compiles) {
+    const ProcessResult result = TryKnownFlags({});
+    std::fputs(result.output.c_str(), stderr);
+    return result.status;
+  }
+  ProcessResult result = TryKnownFlags({});
+  if (!result.good() && result.not_found.empty()) {
+    UsePreludeIfItHelps(&result);
+    if (!result.good()) RepairIfItHelps(&result);
+  }
+  if (result.good() && TellsOfMissingReturn(result.output) && !IsClang(compiler_)) {
+    // The image has functions for these calls that make the missing value 0 (image_source.cc).
+    extra_.push_back("-finstrument-functions");
+    const ProcessResult again = Try(extra_);
+    if (again.good()) result = again;
+  }
+  if (!result.good() || !command_.is_quiet)
+    std::fputs(InTermsOfOriginals(WithoutFlagNotes(result.output), SourceCopies()).c_str(), stderr);
+  if (!result.not_found.empty()) std::fprintf(stderr, "%s\n", result.not_found.c_str());
+  Log(result.good());
+  return result.status;
+}
+
+}  // namespace
+
+int RunCompiler(const Arguments& arguments, bool is_cxx) {
+  return CompileRun(arguments, is_cxx).Run();
+}
+
+}  // namespace openr_host

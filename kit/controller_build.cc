@@ -1,0 +1,170 @@
+#include "kit/controller_build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "cli/output_file.h"
+#include "kit/controller_main.h"
+#include "kit/controller_sources.h"
+#include "kit/process.h"
+#include "kit/project.h"
+#include "kit/sdk_paths.h"
+#include "kit/sdk_tools.h"
+#include "kit/shell_words.h"
+#include "kit/stick_merge.h"
+#include "kit/text_files.h"
+#include "runtime/core/temp_folder.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kImage[] = "CONTROLL.BIN";
+
+class ControllerBuild {
+ public:
+  explicit ControllerBuild(const ControllerBuildOptions& options)
+      : folder_(fs::canonical(options.folder)),
+        stick_(options.output.empty() ? folder_ : fs::absolute(options.output)),
+        template_(options.template_stick),
+        part_(fs::path(SdkRoot()) / "controller") {}
+
+  int Run() {
+    const ControllerSources sources = FindControllerSources(folder_);
+    std::fputs(Render(sources.diagnostics).c_str(), stderr);
+    if (HasErrors(sources.diagnostics)) return kExitWrong;
+    if (sources.files.empty() && sources.list.empty()) {
+      throw std::runtime_error(
+          fmt::format("{}: no *.c, *.cc or *.cpp and no Makefile.sources in it; 'openr controller "
+                      "new' makes a controller to begin with",
+                      folder_.string()));
+    }
+    if (!Compile(sources.files) || !CompileCallOfMain()) return kExitWrong;
+    if (!HasGoodFiles() || !Link()) return kExitWrong;
+    Deliver();
+    fmt::print("{}  {}\n", kImage,
+               sources.files.empty() ? "empty: Makefile.sources names no source"
+                                     : folder_.filename().string());
+    fmt::print("openr run --stick {}\n", ShellWord(stick_.lexically_normal()));
+    return kExitGood;
+  }
+
+ private:
+  // Each source where it lies, so that complaints and a debugger name it.
+  bool Compile(const std::vector<fs::path>& sources) {
+    bool good = true;
+    for (const fs::path& source : sources) {
+      const std::string object = fmt::format("{}/{}.o", scratch_.path(), objects_.size());
+      const bool is_cxx = source.extension() != ".c";
+      const fs::path include = part_ / "include";
+      good = RunCompiler(
+                 {"-O2", "-Dmain=controller_main", "-I" + folder_.string(), "-I" + include.string(),
+                  "-I" + (include / "device").string(), "-c", "-o", object, source.string()},
+                 is_cxx) == 0 &&
+             good;
+      objects_.push_back(object);
+    }
+    return good;
+  }
+
+  // Adds the function that calls main(), which depends on how main() was written.
+  bool CompileCallOfMain() {
+    const ControllerMain main = FindControllerMain("nm", {objects_.begin(), objects_.end()});
+    if (!main.problem.empty()) {
+      fmt::print(stderr, "{}: {}\n", folder_.string(), main.problem);
+      return false;
+    }
+    const std::string source = scratch_.path() + "/ControllerMain.cc", object = source + ".o";
+    const std::string problem = WriteText(source, main.source);
+    if (!problem.empty()) throw std::runtime_error(problem);
+    objects_.push_back(object);
+    return RunCompiler({"-O2", "-c", "-o", object, source}, true) == 0;
+  }
+
+  bool Link() {
+    Arguments arguments = {"-o", Made(), (part_ / "Controller.ocf").string(),
+                           (part_ / "controller.o").string()};
+    arguments.insert(arguments.end(), objects_.begin(), objects_.end());
+    return RunMkbin(arguments) == 0;
+  }
+
+  // What travels along must be such that the robot's stick can hold it and boots with it.
+  bool HasGoodFiles() const {
+    std::vector<Diagnostic> diagnostics;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename();
+      if (LowerCase(name) == "wlanconf.txt")
+        diagnostics = CheckWlanConfig(entry.path(), ReadText(entry.path()).value_or(""));
+      const std::string problem = IsMotion(entry.path()) ? WhyNotShortName(name) : "";
+      if (!problem.empty())
+        diagnostics.push_back({Severity::kError, entry.path(), 0, 0, problem, ""});
+    }
+    std::fputs(Render(diagnostics).c_str(), stderr);
+    return !HasErrors(diagnostics);
+  }
+
+  static std::string NameOnStick(const fs::path& file) {
+    std::string name = file.filename();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    return name;
+  }
+  static bool IsMotion(const fs::path& file) { return LowerCase(file.extension()) == ".mtn"; }
+
+  void Deliver() {
+    if (FindBelow(stick_, "OPEN-R/MW").empty()) {
+      fs::create_directories(stick_);
+      fs::copy(fs::path(template_) / "OPEN-R", stick_ / "OPEN-R",
+               fs::copy_options::recursive | fs::copy_options::skip_existing);
+    }
+    StickFolder stick;
+    stick.root = stick_;
+    const fs::path images = stick.ObjectsFolder();
+    fs::remove(images / "CONTROLL.DBG");  // of another image
+    Put(Made(), images / kImage);
+    const fs::path open_r = FindEntry(stick_, "OPEN-R");
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = LowerCase(entry.path().filename());
+      if (name == "wlanconf.txt") Put(entry.path(), open_r / "SYSTEM/CONF/WLANCONF.TXT");
+      if (IsMotion(entry.path()))
+        Put(entry.path(), open_r / "MW/DATA/P" / NameOnStick(entry.path()));
+    }
+  }
+
+  static void Put(const fs::path& from, const fs::path& to) {
+    fs::create_directories(to.parent_path());
+    const std::string problem = CopyToFile(from, to);
+    if (!problem.empty()) throw std::runtime_error(problem);
+  }
+
+  std::string Made() const { return scratch_.path() + "/" + kImage; }
+
+  const fs::path folder_;
+  const fs::path stick_;
+  const std::string template_;
+  const fs::path part_;
+  const TempFolder scratch_;
+  Arguments objects_;
+};
+
+}  // namespace
+
+int BuildController(const ControllerBuildOptions& options) {
+  std::error_code error;
+  if (!fs::is_directory(options.folder, error)) {
+    throw std::runtime_error(
+        fmt::format("{}: is no folder; name the one that holds the controller", options.folder));
+  }
+  if (const std::string problem = WhyUnreadable(options.folder); !problem.empty())
+    throw std::runtime_error(options.folder + ": " + problem);
+  return ControllerBuild(options).Run();
+}
+
+}  // namespace openr_host

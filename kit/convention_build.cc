@@ -1,0 +1,300 @@
+#include "kit/convention_build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "kit/image_match.h"
+#include "kit/kit_log.h"
+#include "kit/make_flags.h"
+#include "kit/process.h"
+#include "kit/sdk_paths.h"
+#include "kit/shell_words.h"
+#include "kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+using Paths = std::vector<fs::path>;
+
+// Headers with a name, wherever the project keeps them.
+std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const Paths& shared) {
+  std::set<fs::path> folders;
+  for (const fs::path& file : sources) folders.insert(file.parent_path());
+  for (const fs::path& file : shared) folders.insert(file.parent_path());
+  std::multimap<std::string, fs::path> headers;
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      if (IsHeaderName(entry.path()))
+        headers.emplace(LowerCase(entry.path().filename()), entry.path());
+    }
+  }
+  return headers;
+}
+
+// A program of its own, not part of an object.
+bool HasMain(const fs::path& source) {
+  static const std::regex kMain("(?:^|\n)[ \t]*(?:(?:int|void)[ \t\r\n]+)?main[ \t]*\\(");
+  return std::regex_search(ReadText(source).value_or(""), kMain);
+}
+
+std::string Joined(const Paths& paths) {
+  std::string text;
+  for (const fs::path& path : paths) text += " " + path.string();
+  return text;
+}
+
+// The .ocf file of an object, or "" and why.
+fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
+  if (object.ocfs.size() == 1) return object.ocfs[0];
+  if (object.ocfs.empty()) {
+    *problem =
+        fmt::format("no .ocf file; write one line to {}: object NAME 3072 16384 128 cache tlb user",
+                    (object.folder / (LowerCase(object.folder.filename()) + ".ocf")).string());
+    return {};
+  }
+  std::vector<ImageCandidate> candidates;
+  for (const fs::path& ocf : object.ocfs) candidates.push_back({{ocf.stem()}});
+  const std::string wanted =
+      object.class_name.empty() ? object.folder.filename().string() : object.class_name;
+  const int match = MatchImages({wanted + ".BIN"}, candidates)[0];
+  if (match >= 0) return object.ocfs[static_cast<size_t>(match)];
+  *problem =
+      fmt::format("{} .ocf files, none named like '{}'; leave one", object.ocfs.size(), wanted);
+  return {};
+}
+
+// A word of a shell as a Makefile has to spell it.
+std::string InMakefile(const std::string& word) {
+  std::string text;
+  for (const char c : word) {
+    if (c == '$') text += '$';
+    if (c == '#') text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+// Whether the def.h beside the stub.cfg was written by a person and not by stubgen2.
+bool HasOwnDefinitions(const ObjectFolder& object) {
+  const auto text = ReadText(object.folder / "def.h");
+  return text && !IsGeneratedDefinitions(*text);
+}
+
+// A folder of the object that its sources expect the stub in, as `#include "stub/def.h"` says; ""
+// if they name none, or one where it lies or will be made anyway.
+fs::path NamedStubFolder(const ObjectFolder& object) {
+  static const std::regex kInclude(
+      "(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)/(?:def|entry)\\.h[\">]");
+  std::error_code error;
+  for (const fs::path& file : FilesBelow(object.folder)) {
+    if (!IsSourceName(file) && !IsHeaderName(file)) continue;
+    const std::string text = ReadText(file).value_or("");
+    for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
+      const std::string name = (*it)[1];
+      const bool is_object = !FindEntry(file.parent_path() / name, "stub.cfg").empty() ||
+                             !FindEntry(object.folder.parent_path() / name, "stub.cfg").empty();
+      const fs::path folder = (file.parent_path() / name).lexically_normal();
+      const auto there = ReadText(folder / "def.h");
+      const bool is_free = !there || IsGeneratedDefinitions(*there);
+      if (!is_object && is_free && IsBelow(folder, object.folder)) return folder;
+    }
+  }
+  return {};
+}
+
+// Where the stub of `object` is made: where its sources expect it or else beside the stub.cfg, as a
+// person would, because sources of other objects may include it too ("../Walker/def.h").  In
+// `build` if there is a def.h of somebody's own.
+fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
+  const fs::path named = NamedStubFolder(object);
+  if (!named.empty()) return named;
+  return HasOwnDefinitions(object) ? build : object.folder;
+}
+
+// Errors in a stub.cfg are said when its object is built.
+void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
+  const fs::path folder = StubFolder(object, {});
+  if (object.stub.empty() || folder.empty()) return;
+  std::error_code error;
+  const auto made = fs::last_write_time(folder / "def.h", error);
+  if (!error && made > fs::last_write_time(object.stub, error)) return;
+  fs::create_directories(folder, error);
+  RunProcess({options.sdk_root + "/OPEN_R/bin/stubgen2", object.stub, "-o", folder},
+             {{}, "", true, true, false, true});
+}
+
+class ConventionBuild {
+ public:
+  // `flags`: of the object's Makefile.
+  ConventionBuild(const Project& project, const ObjectFolder& object,
+                  std::vector<std::string> flags, fs::path build, const MakeOptions& options)
+      : project_(project),
+        object_(object),
+        flags_(std::move(flags)),
+        build_(std::move(build)),
+        options_(options) {
+    // What a first attempt left undefined is no failure if the second one succeeds.
+    options_.log = build_ / "log.txt";
+    for (const fs::path& source : project.shared_sources) {
+      if (!HasMain(source)) shared_.push_back(source);
+    }
+  }
+
+  // Returns why it cannot be tried, or "".
+  std::string Run() {
+    std::string problem;
+    ocf_ = ChooseOcf(object_, &problem);
+    if (!problem.empty()) return problem;
+    const Paths included = SourcesIncluded(object_.sources, shared_);
+    WriteMakefile(included, {});
+    // What is undefined in a first attempt may be found in a second one.
+    const bool has_more = included.size() < shared_.size();
+    if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
+      return "";
+    if (LinksOnly()) {
+      LinkWithAll(included);
+    } else {
+      Make(MakeOptions::Says::kAlways);
+    }
+    return "";
+  }
+
+  KitLog log() const { return ReadKitLog(options_.log); }
+
+ private:
+  bool Make(MakeOptions::Says says) {
+    CleanKitLog(options_.log);
+    options_.says = says;
+    return RunMakeIn(build_, {}, options_).is_good;
+  }
+
+  // Whether all that is wrong is that something is undefined.
+  bool LinksOnly() const {
+    const std::vector<KitLog::Failure> failures = log().failures;
+    return !failures.empty() &&
+           std::all_of(failures.begin(), failures.end(), [](const KitLog::Failure& failure) {
+             return failure.why.find("undefined") != std::string::npos;
+           });
+  }
+
+  // Sources that nobody includes a header of; those that do not compile were not meant.
+  void LinkWithAll(const Paths& included) {
+    Paths rest, compiling;
+    std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),
+                        std::back_inserter(rest));
+    for (const fs::path& source : rest) {
+      WriteMakefile(included, {source});
+      MakeOptions quiet = options_;
+      quiet.says = MakeOptions::Says::kNever;
+      const std::string object = build_.string() + "/" + source.string() + ".o";
+      if (RunMakeIn(build_, {object}, quiet).is_good) compiling.push_back(source);
+    }
+    WriteMakefile(included, compiling);
+    Make(MakeOptions::Says::kAlways);
+  }
+
+  // The flags of the Makefile know best where headers are; other folders are looked at last then.
+  std::string CompilerFlags() const {
+    std::string flags = "-O2";
+    for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
+    flags += " -I" + object_.folder.string();
+    // A folder that is searched last is no longer searched first (gcc, -idirafter).
+    const auto add = [&](const fs::path& folder, const char* search) {
+      const bool is_first =
+          std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();
+      if (!is_first && folder != object_.folder) flags += search + folder.string();
+    };
+    const char* const search = flags_.empty() ? " -I" : " -idirafter ";
+    for (const fs::path& folder : project_.header_folders) add(folder, search);
+    add(project_.root, search);
+    for (const ObjectFolder& other : project_.objects) add(other.folder, " -idirafter ");
+    return flags;
+  }
+
+  void WriteMakefile(const Paths& included, const Paths& more) const {
+    WriteText(
+        build_ / "Makefile",
+        fmt::format(
+            "OBJECT = {}\nSTUB = {}\nOCF = {}\nSOURCES ={}\nCOMMON ={}{}\n"
+            "BUILD = {}\nSTUBS = {}\nCXXFLAGS = {}\ninclude {}\n",
+            ocf_.stem().string(), object_.stub.string(), ocf_.string(), Joined(object_.sources),
+            Joined(included), Joined(more), build_.string(), StubFolder(object_, build_).string(),
+            CompilerFlags(),
+            (fs::path(options_.sdk_root) / "../Makefile.openr-host").lexically_normal().string()));
+  }
+
+  const Project& project_;
+  const ObjectFolder& object_;
+  const std::vector<std::string> flags_;
+  const fs::path build_;
+  MakeOptions options_;
+  Paths shared_;
+  fs::path ocf_;
+};
+
+}  // namespace
+
+std::vector<std::string> IncludedNames(const std::string& text) {
+  static const std::regex kInclude("(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]");
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
+    std::string name = (*it)[1];
+    std::replace(name.begin(), name.end(), '\\', '/');
+    names.push_back(LowerCase(fs::path(name).filename()));
+  }
+  return names;
+}
+
+std::vector<fs::path> SourcesIncluded(const Paths& sources, const Paths& shared) {
+  const std::multimap<std::string, fs::path> headers = HeadersByName(sources, shared);
+  std::set<fs::path> found, seen(sources.begin(), sources.end());
+  Paths todo = sources;
+  while (!todo.empty()) {
+    const fs::path file = todo.back();
+    todo.pop_back();
+    for (const std::string& name : IncludedNames(ReadText(file).value_or(""))) {
+      const auto [begin, end] = headers.equal_range(name);
+      for (auto it = begin; it != end; ++it) {
+        if (seen.insert(it->second).second) todo.push_back(it->second);
+      }
+      for (const fs::path& source : shared) {
+        const bool is_namesake = LowerCase(source.stem()) == fs::path(name).stem();
+        if (!is_namesake && LowerCase(source.filename()) != name) continue;
+        found.insert(source);
+        if (seen.insert(source).second) todo.push_back(source);
+      }
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+std::vector<std::string> BuildByConvention(const Project& project,
+                                           const std::vector<ObjectFolder>& objects,
+                                           const MakePlan& plan, const fs::path& work,
+                                           const MakeOptions& options) {
+  std::vector<std::string> problems;
+  for (const ObjectFolder& object : project.objects) GenerateStub(object, options);
+  const KitLog made = ReadKitLog(options.log);
+  for (const ObjectFolder& object : objects) {
+    const fs::path build = work / object.folder.lexically_relative(project.root);
+    ConventionBuild attempt(project, object,
+                            FlagsOfMakefiles(object.folder, made, plan.variables, options),
+                            build.lexically_normal(), options);
+    const std::string problem = attempt.Run();
+    KitLog log = attempt.log();
+    log.compiles.clear();  // of our own Makefile
+    AppendKitLog(options.log, log);
+    if (!problem.empty()) {
+      problems.push_back(fmt::format("{}: {}", object.folder.filename().string(), problem));
+    }
+  }
+  return problems;
+}
+
+}  // namespace openr_host

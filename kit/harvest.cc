@@ -1,0 +1,283 @@
+#include "kit/harvest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "cli/output_file.h"
+#include "kit/image_match.h"
+#include "kit/text_files.h"
+#include "runtime/config/gateway_config.h"
+#include "runtime/config/spelling.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An image of this build, and what it may be called.
+struct BuiltImage {
+  KitLog::Image log;
+  std::string bytes;
+  std::vector<std::string> names;
+};
+
+// Files in the folder of images of `stick`.
+std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(stick.ObjectsFolder(), error))
+    if (entry.is_regular_file(error)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
+  std::vector<BuiltImage> images;
+  std::vector<std::pair<std::string, std::string>> installed;  // name and bytes
+  for (const StickFolder& stick : project.sticks) {
+    for (const fs::path& file : InstalledFiles(stick))
+      installed.emplace_back(file.filename(), ReadImageFile(file).bytes);
+  }
+  for (const KitLog::Image& entry : log.images) {
+    BuiltImage image{entry, ReadImageFile(entry.file).bytes, {}};
+    const fs::path folder = fs::path(entry.ocf).parent_path();
+    image.names = {entry.object, fs::path(entry.file).filename(), fs::path(entry.ocf).filename(),
+                   folder.filename().string() + "."};
+    for (const ObjectFolder& object : project.objects) {
+      if (object.folder != folder) continue;
+      if (!object.class_name.empty()) image.names.push_back(object.class_name);
+      image.names.insert(image.names.end(), object.image_names.begin(), object.image_names.end());
+    }
+    for (const auto& [name, bytes] : installed)
+      if (bytes == image.bytes) image.names.push_back(name);
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+class StickCompletion {
+ public:
+  StickCompletion(const StickFolder& stick, const Project& project, const KitLog& log,
+                  const std::string& sdk_root)
+      : stick_(stick),
+        project_(project),
+        objects_(stick.ObjectsFolder()),
+        sdk_root_(sdk_root),
+        built_(ReadBuiltImages(log, project)),
+        has_failures_(built_.size() < project.objects.size()) {}
+
+  Harvest Run() {
+    FindInstalled();
+    if (stick_.objects.empty()) {
+      ListEverything();
+    } else {
+      MatchTheRest();
+    }
+    for (const size_t index : used_) harvest_.used.insert(built_[index].log.file);
+    return std::move(harvest_);
+  }
+
+ private:
+  static constexpr size_t kNone = static_cast<size_t>(-1);
+
+  size_t IndexOf(const std::string& bytes) const {
+    for (size_t i = 0; i < built_.size(); ++i) {
+      if (built_[i].bytes == bytes) return i;
+    }
+    return kNone;
+  }
+
+  // What rules of Makefiles put there.
+  void FindInstalled() {
+    for (const ObjectRecord& record : stick_.objects) {
+      const std::string name = FileNameOf(record);
+      if (EqualsIgnoringCase(name, kGatewayImage)) {
+        harvest_.images.push_back({name, "", "the runtime's own"});
+        continue;
+      }
+      const fs::path place = PlaceOf(record);
+      const ImageFile image =
+          place.empty() ? ImageFile{"", false, false, "is missing"} : ReadImageFile(place);
+      if (!image.problem.empty()) {
+        missing_.push_back(name);
+        is_for_robot_[name] = image.is_for_robot;
+        continue;
+      }
+      const size_t index = IndexOf(image.bytes);
+      if (index != kNone) used_.insert(index);
+      harvest_.images.push_back({name, index == kNone ? "" : built_[index].log.object, "Makefile"});
+    }
+  }
+
+  // An object that is not in OBJS.
+  fs::path PlaceOf(const ObjectRecord& record) const {
+    return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
+  }
+
+  // Whether no other stick lies nearer to the folder of an image.
+  bool IsOfThisStick(const BuiltImage& image) const {
+    const auto depth = [&image](const StickFolder& stick) {
+      const fs::path around = stick.root.parent_path();
+      return IsBelow(image.log.ocf, around) ? std::distance(around.begin(), around.end()) : -1;
+    };
+    return std::all_of(project_.sticks.begin(), project_.sticks.end(),
+                       [&](const StickFolder& other) { return depth(other) <= depth(stick_); });
+  }
+
+  void MatchTheRest() {
+    TakeMatching([this](const BuiltImage& image) { return IsOfThisStick(image); });
+    TakeMatching([](const BuiltImage&) { return true; });
+    for (const std::string& name : missing_) TakeFromKit(name);
+  }
+
+  // Takes those of the unused images that are wanted and meant by a missing name.
+  void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
+    std::vector<ImageCandidate> candidates;
+    std::vector<size_t> indices;
+    for (size_t i = 0; i < built_.size(); ++i) {
+      if (used_.contains(i) || !is_wanted(built_[i])) continue;
+      candidates.push_back({built_[i].names});
+      indices.push_back(i);
+    }
+    const std::vector<int> matches = MatchImages(missing_, candidates);
+    std::vector<std::string> rest;
+    for (size_t i = 0; i < missing_.size(); ++i) {
+      if (matches[i] < 0) {
+        rest.push_back(missing_[i]);
+      } else {
+        Take(indices[static_cast<size_t>(matches[i])], missing_[i], "by its name");
+      }
+    }
+    missing_ = rest;
+  }
+
+  void Take(size_t index, const std::string& name, const char* how) {
+    used_.insert(index);
+    Copy(built_[index].log.file, name);
+    harvest_.images.push_back({name, built_[index].log.object, how});
+  }
+
+  void Copy(const fs::path& file, const std::string& name) {
+    std::error_code error;
+    fs::create_directories(objects_, error);
+    const fs::path there = FindEntry(objects_, name);
+    const fs::path place = there.empty() ? objects_ / name : there;
+    const std::string problem = CopyToFile(file, place);
+    harvest_.placed.push_back(place);
+    if (!problem.empty()) harvest_.problems.push_back(problem);
+  }
+
+  void TakeFromKit(const std::string& name) {
+    const fs::path own = FindEntry(fs::path(sdk_root_) / "images", name);
+    if (!own.empty()) {
+      Copy(own, name);
+      harvest_.images.push_back({name, "", "the kit's own"});
+      return;
+    }
+    const auto record = *std::find_if(stick_.objects.begin(), stick_.objects.end(),
+                                      [&](const ObjectRecord& r) { return FileNameOf(r) == name; });
+    const char* why = "no object here has such a name";
+    if (has_failures_) why = "an object could not be built, see above";
+    if (is_for_robot_[name])
+      why = "the file there is for the robot (MIPS), and its sources are not here";
+    if (LowerCase(record.path).find("/system/") != std::string::npos)
+      why = "it belongs to the robot's own system and has no counterpart here; take the line out";
+    harvest_.problems.push_back(
+        fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
+  }
+
+  // A folder that has no OBJECT.CFG.
+  void ListEverything() {
+    std::string text;
+    for (size_t i = 0; i < built_.size(); ++i) {
+      if (!IsOfThisStick(built_[i])) continue;
+      const std::string name = ShortImageName(built_[i].log.object);
+      Take(i, name, "by its name");
+      text += fmt::format("/MS/OPEN-R/MW/OBJS/{}\n", name);
+    }
+    if (built_.empty()) return;
+    const fs::path folder = objects_.parent_path() / "CONF";
+    WriteText(folder / "OBJECT.CFG", text);
+    if (FindEntry(folder, "CONNECT.CFG").empty()) WriteText(folder / "CONNECT.CFG", "");
+    harvest_.notes.push_back(
+        "there is no OBJECT.CFG; one that lists every object was written, and no connections");
+  }
+
+  const StickFolder& stick_;
+  const Project& project_;
+  const fs::path objects_;
+  const std::string sdk_root_;
+  const std::vector<BuiltImage> built_;
+  const bool has_failures_;
+  std::set<size_t> used_;  // of built_
+  std::vector<std::string> missing_;
+  std::map<std::string, bool> is_for_robot_;
+  Harvest harvest_;
+};
+
+bool HasSameBytes(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (!fs::exists(b, error) || fs::file_size(a, error) != fs::file_size(b, error)) return false;
+  return ReadText(a) == ReadText(b);
+}
+
+// MW/DATA/P, where programs open files for writing; OPEN-R makes no folders for them.
+void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
+  const fs::path middleware =
+      target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);
+  std::error_code error;
+  fs::create_directories(SpeltBelow(middleware, "DATA/P"), error);
+}
+
+}  // namespace
+
+Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
+                      const std::string& sdk_root) {
+  return StickCompletion(stick, project, log, sdk_root).Run();
+}
+
+void RemoveImages(const std::vector<KitLog::Image>& images, const Project& project) {
+  std::error_code error;
+  for (const KitLog::Image& image : images) {
+    const std::string bytes = ReadImageFile(image.file).bytes;
+    for (const StickFolder& stick : project.sticks) {
+      for (const fs::path& file : InstalledFiles(stick))
+        if (ReadImageFile(file).bytes == bytes) fs::remove(file, error);
+    }
+    fs::remove(image.file, error);
+  }
+}
+
+std::vector<std::string> DeliverStick(const StickFolder& stick, const fs::path& target,
+                                      const WorkCopy& copy, const fs::path& robot_folder,
+                                      bool whole) {
+  std::vector<std::string> problems;
+  const fs::path openr = FindEntry(stick.root, "OPEN-R");
+  if (openr.empty()) return problems;
+  for (const fs::path& file : FilesBelow(openr)) {
+    const fs::path name = file.lexically_relative(stick.root);
+    const fs::path place = target / name;
+    if (!whole && copy.IsOriginal(file)) continue;
+    if (HasSameBytes(file, place)) continue;
+    std::error_code error;
+    if (LowerCase(name.extension()) == ".bin" && fs::exists(place, error) &&
+        ReadImageFile(place).is_for_robot) {
+      fs::create_directories((robot_folder / name).parent_path(), error);
+      fs::copy_file(place, robot_folder / name, fs::copy_options::skip_existing, error);
+    }
+    fs::create_directories(place.parent_path(), error);
+    const fs::path temporary = place.string() + ".tmp";
+    fs::copy_file(file, temporary, fs::copy_options::overwrite_existing, error);
+    if (!error) fs::rename(temporary, place, error);
+    if (error) problems.push_back(fmt::format("{}: {}", place.string(), error.message()));
+  }
+  MakeDataFolder(stick, target);
+  return problems;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,130 @@
+#include "kit/image_match.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+
+namespace openr_host {
+namespace {
+
+constexpr size_t kPrefixMin = 3;  // shorter beginnings and parts say nothing
+constexpr size_t kSharedMin = 4;  // letters in a row that two different names have in common
+
+// Letters and digits in lower case, without an extension.
+std::string Normalised(const std::string& name) {
+  std::string result;
+  for (const char c : name.substr(0, name.rfind('.'))) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0) result += static_cast<char>(std::tolower(byte));
+  }
+  return result;
+}
+
+bool IsPrefix(const std::string& wanted, const std::string& name) {
+  if (std::min(wanted.size(), name.size()) < kPrefixMin) return false;
+  return name.starts_with(wanted) || wanted.starts_with(name);
+}
+
+bool IsSubsequence(const std::string& wanted, const std::string& name) {
+  size_t found = 0;
+  for (const char c : name) found += found < wanted.size() && wanted[found] == c;
+  return !wanted.empty() && found == wanted.size();
+}
+
+bool IsSubsequenceFromTheFirst(const std::string& wanted, const std::string& name) {
+  return !wanted.empty() && !name.empty() && wanted[0] == name[0] && IsSubsequence(wanted, name);
+}
+
+bool IsPart(const std::string& wanted, const std::string& name) {
+  if (std::min(wanted.size(), name.size()) < kPrefixMin) return false;
+  return name.find(wanted) != std::string::npos || wanted.find(name) != std::string::npos;
+}
+
+bool IsLongSubsequence(const std::string& wanted, const std::string& name) {
+  return wanted.size() >= kPrefixMin && IsSubsequence(wanted, name);
+}
+
+// "mywalker" and "walking" share "walk".
+bool ShareAWord(const std::string& wanted, const std::string& name) {
+  for (size_t at = 0; at + kSharedMin <= wanted.size(); ++at) {
+    if (name.find(wanted.substr(at, kSharedMin)) != std::string::npos) return true;
+  }
+  return false;
+}
+
+class Matcher {
+ public:
+  Matcher(const std::vector<std::string>& wanted, const std::vector<ImageCandidate>& candidates)
+      : result_(wanted.size(), -1), is_taken_(candidates.size(), false) {
+    for (const std::string& name : wanted) wanted_.push_back(Normalised(name));
+    for (const ImageCandidate& candidate : candidates) {
+      std::vector<std::string>& names = names_.emplace_back();
+      for (const std::string& name : candidate.names) names.push_back(Normalised(name));
+    }
+  }
+
+  // Pairs what `fits` leaves no choice about.
+  void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
+    for (size_t w = 0; w < wanted_.size(); ++w) {
+      const int only = OnlyCandidate(w, fits);
+      if (only < 0) continue;
+      size_t rivals = 0;
+      for (size_t other = 0; other < wanted_.size(); ++other)
+        rivals += result_[other] < 0 && Fits(other, static_cast<size_t>(only), fits);
+      if (rivals > 1) continue;
+      result_[w] = only;
+      is_taken_[static_cast<size_t>(only)] = true;
+    }
+  }
+
+  const std::vector<int>& result() const { return result_; }
+
+ private:
+  using Test = std::function<bool(const std::string&, const std::string&)>;
+
+  bool Fits(size_t wanted, size_t candidate, const Test& fits) const {
+    return std::any_of(names_[candidate].begin(), names_[candidate].end(),
+                       [&](const std::string& name) { return fits(wanted_[wanted], name); });
+  }
+
+  int OnlyCandidate(size_t wanted, const Test& fits) const {
+    int only = -1;
+    if (result_[wanted] >= 0) return -1;
+    for (size_t c = 0; c < names_.size(); ++c) {
+      if (is_taken_[c] || !Fits(wanted, c, fits)) continue;
+      if (only >= 0) return -1;
+      only = static_cast<int>(c);
+    }
+    return only;
+  }
+
+  std::vector<std::string> wanted_;
+  std::vector<std::vector<std::string>> names_;
+  std::vector<int> result_;
+  std::vector<bool> is_taken_;
+};
+
+}  // namespace
+
+std::vector<int> MatchImages(const std::vector<std::string>& wanted,
+                             const std::vector<ImageCandidate>& candidates) {
+  Matcher matcher(wanted, candidates);
+  matcher.Pair([](const std::string& a, const std::string& b) { return a == b; });
+  matcher.Pair(&IsPrefix);
+  matcher.Pair(&IsSubsequenceFromTheFirst);
+  matcher.Pair(&IsPart);
+  matcher.Pair(&IsLongSubsequence);
+  matcher.Pair(&ShareAWord);
+  matcher.Pair([](const std::string&, const std::string&) { return true; });
+  return matcher.result();
+}
+
+std::string ShortImageName(const std::string& name) {
+  std::string result;
+  for (const char c : Normalised(name + ".")) {
+    if (result.size() < 8) result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return (result.empty() ? "OBJECT" : result) + ".BIN";
+}
+
+}  // namespace openr_host

@@ -1,0 +1,62 @@
+#include "kit/image_source.h"
+
+#include <string_view>
+
+namespace openr_host {
+namespace {
+
+std::string Quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '\r') continue;
+    if (c == '\n') {
+      quoted += "\\n\"\n    \"";
+      continue;
+    }
+    if (c == '\\' || c == '"') quoted += '\\';
+    quoted += c == '\t' || static_cast<unsigned char>(c) >= ' ' ? c : '?';
+  }
+  return quoted + '"';
+}
+
+constexpr std::string_view kOpening = R"(/* Generated. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct ImageInfo {
+    unsigned    version;
+    unsigned    reserved;
+    const char* ocf;
+};
+
+/* In a section of its own, for those who ask a file who it is without loading it. */
+static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
+    )";
+
+// A function that ends without the value it should return is compiled with calls at its begin and
+// end (compile_tool.cc); the last call leaves its own 0 where the value is looked for.
+constexpr std::string_view kRest = R"(;
+
+extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;
+const struct ImageInfo openr_image_info = { 1, 0, openr_ocf_text };
+
+void openr_function_begins(void*, void*) __asm__("__cyg_profile_func_enter");
+long openr_function_ends(void*, void*) __asm__("__cyg_profile_func_exit");
+__attribute__((visibility("hidden"), no_instrument_function))
+void openr_function_begins(void* function, void* caller) { (void)function; (void)caller; }
+__attribute__((visibility("hidden"), no_instrument_function))
+long openr_function_ends(void* function, void* caller) { (void)function; (void)caller; return 0; }
+
+#ifdef __cplusplus
+}
+#endif
+)";
+
+}  // namespace
+
+std::string MakeImageSource(const std::string& ocf) {
+  return std::string(kOpening) + Quoted(ocf) + std::string(kRest);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,66 @@
+#include "kit/link_command.h"
+
+#include <algorithm>
+#include <regex>
+
+namespace openr_host {
+namespace {
+
+// -oX and -o X alike.  Moves `i` to the value's word.
+std::string ValueOf(const std::vector<std::string>& arguments, size_t* i) {
+  const std::string& word = arguments[*i];
+  if (word.size() > 2) return word.substr(2);
+  return *i + 1 < arguments.size() ? arguments[++*i] : "";
+}
+
+}  // namespace
+
+LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
+                           const std::function<bool(const std::string&)>& exists) {
+  LinkCommand command;
+  std::vector<std::string> folders;
+  std::vector<std::string> wanted;  // of -l
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    if (word == "-v") {
+      command.is_verbose = true;
+    } else if (word.starts_with("-o")) {
+      command.output = ValueOf(arguments, &i);
+    } else if (word.starts_with("-m")) {
+      command.map = ValueOf(arguments, &i);
+    } else if (word.starts_with("-L")) {
+      folders.push_back(ValueOf(arguments, &i));
+    } else if (word.starts_with("-l")) {
+      wanted.push_back(ValueOf(arguments, &i));
+    } else if (word == "-p") {
+      ValueOf(arguments, &i);  // where the SDK lies
+    } else if (word.ends_with(".ocf")) {
+      command.ocf = word;
+    } else if (word.ends_with(".a")) {
+      command.libraries.push_back(word);
+    } else if (!word.empty() && word[0] != '-') {
+      command.objects.push_back(word);
+    }
+  }
+  for (const std::string& name : wanted) {
+    for (const std::string& folder : folders) {
+      const std::string file = folder + "/lib" + name + ".a";
+      if (!exists(file)) continue;
+      command.libraries.push_back(file);
+      break;
+    }
+  }
+  return command;
+}
+
+std::vector<std::string> UndefinedNames(const std::string& output) {
+  static const std::regex kComplaint("undefined reference to [`']([^'\n]+)'");
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(output.begin(), output.end(), kComplaint), end; it != end; ++it) {
+    const std::string name = (*it)[1];
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,198 @@
+// mkbin, for the host.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+#include "cli/output_file.h"
+#include "kit/foreign_code.h"
+#include "kit/image_source.h"
+#include "kit/kit_log.h"
+#include "kit/link_command.h"
+#include "kit/process.h"
+#include "kit/sdk_tools.h"
+#include "runtime/config/ocf.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> ReadText(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+int Refuse(const std::string& why) {
+  std::fprintf(stderr, "mkbin: %s\n", why.c_str());
+  return 1;
+}
+
+// Refuses what was compiled for another processor.  Object files of a former build for the robot
+// look new to make; libraries may have come without their sources.
+bool HasForeignCode(const LinkCommand& command) {
+  for (const std::string& file : command.objects) {
+    const std::string processor = ForeignProcessorOf(file);
+    if (processor.empty()) continue;
+    const std::string why =
+        fmt::format("was compiled for another processor ({}); remove it (make clean)", processor);
+    LogFailure({file, why, command.output});
+    Refuse(fmt::format("{} {} and build again", file, why));
+    return true;
+  }
+  for (const std::string& file : command.libraries) {
+    const std::string processor = ForeignProcessorOf(file);
+    if (processor.empty()) continue;
+    const std::string why = fmt::format(
+        "is a library for another processor ({}); build it for this machine from its sources",
+        processor);
+    LogFailure({file, why, command.output});
+    Refuse(fmt::format("{} {}", file, why));
+    return true;
+  }
+  return false;
+}
+
+// The stem of the output, beside which the SDK's mkbin leaves its intermediate files too.
+std::string Stem(const std::string& output) {
+  return (fs::path(output).parent_path() / fs::path(output).stem()).string();
+}
+
+// Compiles the text of the .ocf file; "" after a complaint.
+std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_text) {
+  const std::string source = Stem(command.output) + ".snap.c";
+  const std::string object = Stem(command.output) + ".snap.o";
+  const std::string problem = WriteFile(source, MakeImageSource(ocf_text));
+  if (!problem.empty()) {
+    Refuse(problem);
+    return "";
+  }
+  Arguments compile = HostCompiler(Language::kC);
+  compile.insert(compile.end(), {"-x", "c", "-O1", "-fPIC", "-c", "-o", object, source});
+  const ProcessResult result = RunProcess(compile);
+  std::error_code ignored;
+  fs::remove(source, ignored);
+  if (!result.not_found.empty()) Refuse(result.not_found);
+  return result.good() ? object : "";
+}
+
+// The file that the linker makes.  The image is a copy of it, so that no image is ever incomplete.
+std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
+
+Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
+  const fs::path prefix = fs::path(SdkRoot()).parent_path().parent_path().parent_path();
+  Arguments link = HostCompiler(Language::kCxx);
+  link.insert(link.end(), {"-shared", "-o", Made(command)});
+  link.insert(link.end(), command.objects.begin(), command.objects.end());
+  link.push_back("-Wl,--start-group");
+  link.insert(link.end(), command.libraries.begin(), command.libraries.end());
+  link.insert(link.end(), {"-Wl,--end-group", image_info, "-L" + (prefix / "lib").string(),
+                           "-lopenr_runtime", "-lm", "-Wl,-Bsymbolic", "-Wl,--no-undefined"});
+  if (!command.map.empty()) link.push_back("-Wl,-Map=" + command.map);
+  return link;
+}
+
+// Without warnings of functions like gets(), which the object will not get from the C library.
+std::string WithoutDangers(const std::string& output) {
+  std::istringstream lines(output);
+  std::string kept, last;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_danger = line.find("is dangerous") != std::string::npos;
+    if (!is_danger && !last.empty()) kept += last + "\n";
+    last = is_danger ? "" : line;
+    if (line.find(": in function `") == std::string::npos && !last.empty()) {
+      kept += last + "\n";
+      last.clear();
+    }
+  }
+  return last.empty() ? kept : kept + last + "\n";
+}
+
+// The SDK's mkbin leaves steps on the way under these names, and rules look at them.
+void LinkIntermediates(const LinkCommand& command) {
+  std::error_code ignored;
+  for (const char* extension : {".snap.elf", ".rel.elf"}) {
+    fs::remove(Stem(command.output) + extension, ignored);
+    fs::create_hard_link(Made(command), Stem(command.output) + extension, ignored);
+  }
+}
+
+// What the linker said, in one line.
+std::string Summarise(const std::string& output) {
+  const std::vector<std::string> names = UndefinedNames(output);
+  if (names.empty()) return "does not link";
+  constexpr size_t kShown = 3;
+  const std::vector<std::string> first(names.begin(),
+                                       names.begin() + std::min(names.size(), kShown));
+  return fmt::format("{} undefined: {}{}; is a source or a library missing?",
+                     names.size() == 1 ? "is" : fmt::format("{} names are", names.size()),
+                     fmt::join(first, ", "), names.size() > kShown ? ", ..." : "");
+}
+
+}  // namespace
+
+int RunMkbin(const Arguments& arguments) {
+  const LinkCommand command =
+      TranslateMkbin(arguments, [](const std::string& file) { return fs::exists(file); });
+  if (command.output.empty()) return Refuse("no output; write -o NAME.bin");
+  if (command.ocf.empty()) return Refuse("no .ocf file among the arguments");
+  const std::optional<std::string> ocf_text = ReadText(command.ocf);
+  if (!ocf_text) return Refuse(command.ocf + ": cannot be read");
+  const OcfResult ocf = ParseOcf(command.ocf, *ocf_text);
+  std::fputs(Render(ocf.diagnostics).c_str(), stderr);
+  if (!ocf.ocf) {
+    LogFailure({command.ocf, "is not a good .ocf file", command.output});
+    return 1;
+  }
+  if (HasForeignCode(command)) return 1;
+  const std::string image_info = CompileImageInfo(command, *ocf_text);
+  if (image_info.empty()) return 1;
+  const Arguments link = LinkArguments(command, image_info);
+  if (command.is_verbose)
+    std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
+  const ProcessResult result =
+      RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
+  std::fputs(WithoutDangers(result.output).c_str(), stderr);
+  if (!result.good()) {
+    if (!result.not_found.empty()) Refuse(result.not_found);
+    LogFailure({command.output, Summarise(result.output), command.output});
+    return result.status;
+  }
+  const std::string problem = CopyToFile(Made(command), command.output);
+  if (!problem.empty()) {
+    LogFailure({command.output, "cannot be written", command.output});
+    return Refuse(problem);
+  }
+  LinkIntermediates(command);
+  Arguments parts = command.objects;
+  parts.insert(parts.end(), command.libraries.begin(), command.libraries.end());
+  LogImage({command.output, ocf.ocf->name, command.ocf, parts});
+  return 0;
+}
+
+int RunImageInfo(const Arguments& arguments) {
+  if (arguments.size() != 2) {
+    std::fputs("usage: openr-sdk image-info OCF OUT\n", stderr);
+    return 2;
+  }
+  const std::optional<std::string> text = ReadText(arguments[0]);
+  if (!text) {
+    std::fprintf(stderr, "%s: cannot be read\n", arguments[0].c_str());
+    return 1;
+  }
+  const OcfResult ocf = ParseOcf(arguments[0], *text);
+  std::fputs(Render(ocf.diagnostics).c_str(), stderr);
+  if (!ocf.ocf) return 1;
+  const std::string problem = WriteFile(arguments[1], MakeImageSource(*text));
+  if (problem.empty()) return 0;
+  std::fprintf(stderr, "%s\n", problem.c_str());
+  return 1;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,267 @@
+#include "kit/make_build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+#include "kit/kit_log.h"
+#include "kit/makefile_text.h"
+#include "kit/process.h"
+#include "kit/sdk_paths.h"
+#include "kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
+Environment MakeEnvironment(const MakeOptions& options) {
+  const char* const path = std::getenv("PATH");
+  const std::string bin = options.sdk_root + "/bin";
+  Environment environment = {
+      {"PATH",
+       fmt::format("{}:{}/OPEN_R/bin:{}", bin, options.sdk_root, path == nullptr ? "" : path)},
+      {"OPENRSDK_ROOT", options.sdk_root},
+      {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
+      {kLogVariable, options.log},
+      {kCopiesVariable, options.copies},
+      // A Makefile that sets no compiler gets make's own idea of one.
+      {"CC", bin + "/mipsel-linux-gcc"},
+      {"CXX", bin + "/mipsel-linux-g++"},
+      {"AR", bin + "/mipsel-linux-ar"}};
+  for (const char* name : {"CFLAGS", "CXXFLAGS", "CPPFLAGS", "LDFLAGS", "MAKEFLAGS", "MFLAGS",
+                           "MAKELEVEL", "LD", "AS", "RANLIB", "STRIP"}) {
+    environment.emplace_back(name, "");
+  }
+  return environment;
+}
+
+ProcessResult Make(const fs::path& folder, const std::vector<std::string>& arguments, int jobs,
+                   bool echoes, const MakeOptions& options) {
+  // A file that a failing rule left half made would count as made in the next run.
+  std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
+  if (!options.is_verbose) all.push_back("-s");
+  if (!echoes) all.push_back("--output-sync=target");
+  // Recipes of the time were written where sh is bash.
+  if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  Environment environment = MakeEnvironment(options);
+  environment.emplace_back("PWD", folder);  // rules take it for the place of their Makefile
+  return RunProcess(all, {environment, folder, true, true, echoes, true});
+}
+
+// Makefiles that no other one of the list is above of.
+std::vector<fs::path> TopFolders(const Project& project) {
+  std::vector<fs::path> folders;
+  for (const fs::path& file : project.makefiles) {
+    const fs::path folder = file.parent_path();
+    if (!IsMainMakefileName(file) || !IsBelow(folder, project.root)) continue;
+    const bool is_below_another =
+        std::any_of(folders.begin(), folders.end(),
+                    [&](const fs::path& other) { return IsBelow(folder, other); });
+    if (!is_below_another) folders.push_back(folder);
+  }
+  return folders;
+}
+
+// Leads away from the copy, or was meant to be given by a person: in the environment, maybe.
+// `makefiles`: the text of all of them.
+bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
+  if (!variable.is_defined) return true;
+  static const std::regex kReference("\\$[({](\\w+)[)}].*");
+  return std::any_of(variable.values.begin(), variable.values.end(), [&](const std::string& value) {
+    std::smatch match;
+    if (std::regex_match(value, match, kReference) && match[1] != "CURDIR" && match[1] != "PWD" &&
+        !IsDefinedIn(makefiles, match[1])) {
+      return true;
+    }
+    return value.empty() || value[0] == '/' || value[0] == '~' ||
+           value.find("$(HOME)") != std::string::npos ||
+           value.find("${HOME}") != std::string::npos || (value.size() > 1 && value[1] == ':');
+  });
+}
+
+bool IsAlready(const MakefileVariable& variable, const std::string& value) {
+  return variable.is_defined && std::all_of(variable.values.begin(), variable.values.end(),
+                                            [&](const std::string& v) { return v == value; });
+}
+
+bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& variables,
+                    const MakeOptions& options) {
+  std::vector<std::string> arguments{"-n", "install"};
+  arguments.insert(arguments.end(), variables.begin(), variables.end());
+  const std::string said = Make(folder, arguments, 1, false, options).output;
+  return said.find("make: *** No rule to make target 'install'") == std::string::npos;
+}
+
+// The stick for rules that write to one elsewhere.  With several sticks this is an expression for
+// make, because each folder of the project may have its own: the stick beside the folder in which
+// make runs, or else beside the nearest folder around it.
+std::string StickValue(const Project& project) {
+  if (project.sticks.empty()) return project.root / "MS";
+  std::vector<fs::path> roots;
+  for (const StickFolder& stick : project.sticks) roots.push_back(stick.root);
+  if (roots.size() == 1) return roots[0];
+  const auto depth = [](const fs::path& path) { return std::distance(path.begin(), path.end()); };
+  std::stable_sort(roots.begin(), roots.end(),
+                   [&](const fs::path& a, const fs::path& b) { return depth(a) > depth(b); });
+  std::string cases;
+  for (const fs::path& root : roots)
+    cases += fmt::format("$(if $(filter {}/%,$(CURDIR)/),{}) ", root.parent_path().string(),
+                         root.string());
+  return fmt::format("$(firstword {}{})", cases, project.sticks[0].root.string());
+}
+
+// Variables of the plan as arguments of make.
+std::vector<std::string> VariableArguments(const MakePlan& plan) {
+  std::vector<std::string> arguments;
+  for (const auto& [name, value] : plan.variables) arguments.push_back(name + "=" + value);
+  return arguments;
+}
+
+// The complaint of make in `line`: "No rule to make target 'x'" of "make[1]: *** No rule to make
+// target 'x'.  Stop.".  "" for any other line.
+std::string ComplaintOfMake(const std::string& line) {
+  static const std::regex kComplaint(
+      "(?:\\S*make(?:\\[\\d+\\])?: |([^\\s:]+:\\d+): )\\*\\*\\* (.*?)\\.?(?:  Stop\\.)?");
+  std::smatch match;
+  if (!std::regex_match(line, match, kComplaint)) return "";
+  return (match[1].matched ? match[1].str() + ": " : "") + match[2].str();
+}
+
+}  // namespace
+
+std::string CauseOf(const std::string& output) {
+  static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
+  std::istringstream lines(output);
+  std::string before;  // the last line that a command said
+  std::string tool, rule;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string complaint = ComplaintOfMake(line);
+    if (complaint.empty()) {
+      if (!line.empty() && !line.starts_with("make")) before = line;
+      continue;
+    }
+    if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
+    std::smatch match;
+    if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
+    // A program that was not found says more than one that failed, and the first rule that failed
+    // says more than those that wait for it.
+    std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
+    if (!cause->empty()) continue;
+    *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
+                         match[1].matched ? " (" + match[1].str() + ")" : "",
+                         before.empty() ? match[3].str() : before);
+  }
+  return tool.empty() ? rule : tool;
+}
+
+MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
+  MakePlan plan;
+  plan.folders = TopFolders(project);
+  const std::string stick = StickValue(project);
+  std::string all;  // definitions in one file hold for what another includes
+  for (const fs::path& file : project.makefiles) {
+    const std::string text = ReadText(file).value_or("");
+    all += text + "\n";
+    for (const MakefileVariable& variable : StickVariables(text)) {
+      for (const std::string& value : variable.values) {
+        if (value.empty() || value[0] == '/' || value.find('$') != std::string::npos) continue;
+        plan.needed_folders.push_back(
+            SpeltBelow((file.parent_path() / value).lexically_normal(), "OPEN-R/MW/OBJS"));
+      }
+    }
+  }
+  plan.variables.emplace_back("OPENRSDK_ROOT", sdk_root);
+  plan.variables.emplace_back(kStickVariable, stick);
+  for (const MakefileVariable& variable : SdkVariables(all)) {
+    const std::string value = sdk_root + variable.folder;
+    if (variable.name != "OPENRSDK_ROOT" && !IsAlready(variable, value))
+      plan.variables.emplace_back(variable.name, value);
+  }
+  for (const MakefileVariable& variable : StickVariables(all)) {
+    if (LeadsElsewhere(variable, all)) plan.variables.emplace_back(variable.name, stick);
+  }
+  std::vector<fs::path> middleware;
+  if (project.sticks.empty()) middleware.push_back(fs::path(stick) / "OPEN-R/MW");
+  for (const StickFolder& each : project.sticks)
+    middleware.push_back(each.ObjectsFolder().parent_path());
+  for (const fs::path& folder : middleware) {
+    plan.needed_folders.push_back(SpeltBelow(folder, "OBJS"));
+    plan.needed_folders.push_back(SpeltBelow(folder, "DATA/P"));
+  }
+  return plan;
+}
+
+MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& arguments,
+                      const MakeOptions& options) {
+  if (options.says != MakeOptions::Says::kAlways) {
+    const ProcessResult result = Make(folder, arguments, options.jobs, false, options);
+    if (result.good() && options.says == MakeOptions::Says::kIfGood)
+      std::fputs(result.output.c_str(), stderr);
+    return {result.good(), result.output};
+  }
+  if (options.jobs > 1) {
+    // Old Makefiles often leave out dependencies and only work in order: if several jobs at once
+    // fail, nothing of it is shown and the rest is done one by one.  Rules may ignore a failure, so
+    // the compilers are asked as well.
+    const KitLog before = ReadKitLog(options.log);
+    const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
+    KitLog after = ReadKitLog(options.log);
+    if (together.good() && after.failures.size() == before.failures.size()) {
+      std::fputs(together.output.c_str(), stderr);
+      return {true, together.output};
+    }
+    after.failures = before.failures;
+    WriteKitLog(options.log, after);
+  }
+  const ProcessResult result = Make(folder, arguments, 1, true, options);
+  if (!result.not_found.empty())
+    std::fprintf(stderr, "openr build: %s (Debian package make)\n", result.not_found.c_str());
+  return {result.good(), result.output};
+}
+
+MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
+                           const MakeOptions& options) {
+  const std::vector<std::string> variables = VariableArguments(plan);
+  MakeOutcome outcome = RunMakeIn(folder, variables, options);
+  if (!HasInstallRule(folder, variables, options)) return outcome;
+  std::vector<std::string> arguments{"install"};
+  arguments.insert(arguments.end(), variables.begin(), variables.end());
+  const size_t failures = ReadKitLog(options.log).failures.size();
+  MakeOptions install = options;
+  // A step that failed above fails again here; its messages were shown then.
+  if (!outcome.is_good || failures > 0) {
+    install.says = MakeOptions::Says::kIfGood;
+    install.jobs = 1;
+  }
+  const MakeOutcome installed = RunMakeIn(folder, arguments, install);
+  if (ReadKitLog(options.log).failures.size() > failures)
+    std::fputs(installed.output.c_str(), stderr);
+  outcome.is_good = installed.is_good;
+  outcome.output += installed.output;
+  return outcome;
+}
+
+MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options) {
+  for (const fs::path& folder : plan.needed_folders) {
+    std::error_code ignored;
+    fs::create_directories(folder, ignored);
+  }
+  MakeOutcome all;
+  for (const fs::path& folder : plan.folders) {
+    const MakeOutcome outcome = RunMakeTargets(folder, plan, options);
+    all.is_good = all.is_good && outcome.is_good;
+    all.output += outcome.output;
+  }
+  return all;
+}
+
+}  // namespace openr_host

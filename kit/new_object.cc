@@ -1,0 +1,91 @@
+#include "kit/new_object.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <filesystem>
+
+#include "kit/image_match.h"
+#include "kit/new_object_text.h"
+#include "kit/text_files.h"
+#include "runtime/config/ocf.h"
+#include "runtime/config/spelling.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Objects that are there without being on a stick; tcpGateway runs where a HOSTGW.CFG asks for it.
+constexpr const char* kSystemObjects[] = {"oobjectManager", "OVirtualRobotComm",
+                                          "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
+
+std::string Replaced(std::string text, const std::string& mark, const std::string& value) {
+  for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
+    text.replace(at, mark.size(), value);
+  return text;
+}
+
+}  // namespace
+
+std::string WhyNoObjectName(const std::string& name) {
+  const bool begins_well = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+  bool is_word = begins_well;
+  for (const char c : name) is_word = is_word && (std::isalnum(static_cast<unsigned char>(c)) != 0);
+  if (!is_word) {
+    return fmt::format(
+        "'{}' cannot be the name of an object, which is a C++ class: letters and "
+        "digits, a letter first, such as HelloWorld",
+        name);
+  }
+  for (const char* const system_name : kSystemObjects) {
+    if (!EqualsIgnoringCase(name, system_name)) continue;
+    return fmt::format(
+        "{} is an object of the robot itself, and two objects of one name cannot run; choose "
+        "another name",
+        system_name);
+  }
+  if (name.size() <= static_cast<size_t>(kObjectNameBytesMax)) return "";
+  return fmt::format("the name has {} characters, {} are allowed", name.size(),
+                     kObjectNameBytesMax);
+}
+
+std::vector<NewFile> MakeNewObject(const std::string& name) {
+  std::string class_name = name, object_name = name;
+  class_name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  object_name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+  std::string image = ShortImageName(name);
+  image.erase(image.find('.'));
+  const auto filled = [&](const char* text) {
+    return Replaced(Replaced(Replaced(text, "@Name@", class_name), "@name@", object_name), "@NAME@",
+                    image);
+  };
+  using namespace new_object;
+  const std::string folder = class_name + "/";
+  const std::string config = "MS/OPEN-R/MW/CONF/";
+  return {{folder + "stub.cfg", filled(kStub)},
+          {folder + object_name + ".ocf", filled(kOcf)},
+          {folder + class_name + ".h", filled(kHeader)},
+          {folder + class_name + ".cc", filled(kSource)},
+          {config + "OBJECT.CFG", filled(kObjectConfig)},
+          {config + "CONNECT.CFG", filled(kConnectConfig)},
+          {"Makefile", filled(kMakefile)},
+          {"CMakeLists.txt", filled(kCMake)},
+          {"test/" + class_name + "Test.cc", filled(kTest)}};
+}
+
+std::string WriteNewObject(const std::vector<NewFile>& files, const std::string& folder) {
+  std::error_code error;
+  for (const NewFile& file : files) {
+    const fs::path path = fs::path(folder) / file.path;
+    if (fs::exists(path, error)) return path.string() + " is there already; nothing was written";
+  }
+  for (const NewFile& file : files) {
+    const fs::path path = fs::path(folder) / file.path;
+    const std::string problem = WriteText(path, file.text);
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+}  // namespace openr_host

@@ -1,0 +1,154 @@
+#include "kit/project.h"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "kit/makefile_text.h"
+#include "kit/text_files.h"
+#include "runtime/config/line_file.h"
+#include "runtime/config/stub_config.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool DefinesEntryTable(const std::string& text) {
+  static const std::regex kTable("ObjectEntry\\s+ObjectEntryTable\\s*\\[");
+  return text.find("ObjectEntryTable") != std::string::npos && std::regex_search(text, kTable);
+}
+
+// What stubgen2 leaves behind.
+bool IsGenerated(const fs::path& file, const std::string& class_name) {
+  return !class_name.empty() && file.stem() == class_name + "Stub";
+}
+
+ObjectFolder DescribeObject(const fs::path& folder, const std::vector<fs::path>& files) {
+  ObjectFolder object;
+  object.folder = folder;
+  for (const fs::path& file : files) {
+    if (LowerCase(file.filename()) == "stub.cfg") object.stub = file;
+    if (LowerCase(file.extension()) == ".ocf") object.ocfs.push_back(file);
+  }
+  if (!object.stub.empty()) {
+    object.class_name =
+        ParseStubConfig("stub.cfg", ReadText(object.stub).value_or("")).config.object_name;
+  }
+  for (const fs::path& file : files) {
+    if (IsSourceName(file) && !IsGenerated(file, object.class_name)) object.sources.push_back(file);
+    if (!IsMainMakefileName(file)) continue;
+    for (const std::string& name : InstalledImages(ReadText(file).value_or("")))
+      object.image_names.push_back(name);
+  }
+  return object;
+}
+
+// A stub.cfg, or an .ocf file beside a source with an entry table.
+bool IsObjectFolder(const std::vector<fs::path>& files) {
+  bool has_ocf = false, has_table = false;
+  for (const fs::path& file : files) {
+    if (LowerCase(file.filename()) == "stub.cfg") return true;
+    has_ocf = has_ocf || LowerCase(file.extension()) == ".ocf";
+    has_table = has_table || (IsSourceName(file) && DefinesEntryTable(ReadText(file).value_or("")));
+  }
+  return has_ocf && has_table;
+}
+
+StickFolder DescribeStick(const fs::path& root) {
+  StickFolder stick;
+  stick.root = root;
+  stick.object_config = FindBelow(root, "OPEN-R/MW/CONF/OBJECT.CFG");
+  if (stick.object_config.empty()) return stick;
+  const std::string text = ReadText(stick.object_config).value_or("");
+  stick.objects = ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
+  // One line for each robot may name the same image.
+  std::set<std::string> seen;
+  std::erase_if(stick.objects, [&](const ObjectRecord& record) {
+    return !seen.insert(LowerCase(record.path)).second;
+  });
+  return stick;
+}
+
+void FindSticks(const fs::path& folder, std::vector<StickFolder>* sticks) {
+  if (!FindBelow(folder, "OPEN-R/MW").empty()) {
+    sticks->push_back(DescribeStick(folder));
+    return;
+  }
+  std::vector<fs::path> below;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.is_directory(error) && !entry.is_symlink(error) && !IsIgnoredFolder(entry.path()))
+      below.push_back(entry.path());
+  }
+  std::sort(below.begin(), below.end());
+  for (const fs::path& entry : below) FindSticks(entry, sticks);
+}
+
+bool IsInStick(const fs::path& path, const Project& project) {
+  return std::any_of(project.sticks.begin(), project.sticks.end(), [&](const StickFolder& stick) {
+    return path != stick.root && IsBelow(path, FindEntry(stick.root, "OPEN-R"));
+  });
+}
+
+}  // namespace
+
+fs::path StickFolder::ObjectsFolder() const {
+  const fs::path middleware = FindBelow(root, "OPEN-R/MW");
+  if (middleware.empty()) return root / "OPEN-R/MW/OBJS";
+  const fs::path objects = FindEntry(middleware, "OBJS");
+  return objects.empty() ? middleware / "OBJS" : objects;
+}
+
+Project ScanProject(const std::vector<fs::path>& folders) {
+  Project project;
+  project.root = folders[0];
+  std::map<fs::path, std::vector<fs::path>> files_of;
+  std::set<fs::path> seen;  // one folder may lie in another one
+  for (const fs::path& folder : folders) {
+    // A neighbour that is referred to may have a stick of its own: not ours to write to.
+    if (project.sticks.empty()) FindSticks(folder, &project.sticks);
+    for (const fs::path& file : FilesBelow(folder))
+      if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
+  }
+  std::set<fs::path> object_folders;
+  for (const auto& [folder, files] : files_of) {
+    if (IsInStick(folder, project) || !IsObjectFolder(files)) continue;
+    project.objects.push_back(DescribeObject(folder, files));
+    object_folders.insert(folder);
+  }
+  const auto is_ours = [&](const ObjectFolder& object) {
+    return IsBelow(object.folder, project.root);
+  };
+  // Nor are its objects ours to build, if there are some here.
+  if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
+    const auto first =
+        std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);
+    project.neighbours.assign(first, project.objects.end());
+    project.objects.erase(first, project.objects.end());
+  }
+  for (const auto& [folder, files] : files_of) {
+    if (IsInStick(folder, project)) continue;
+    bool has_header = false;
+    for (const fs::path& file : files) {
+      if (IsMakefileName(file)) project.makefiles.push_back(file);
+      has_header = has_header || IsHeaderName(file);
+      if (IsSourceName(file) && !object_folders.contains(folder))
+        project.shared_sources.push_back(file);
+    }
+    if (has_header && !object_folders.contains(folder)) project.header_folders.push_back(folder);
+  }
+  return project;
+}
+
+bool IsGeneratedDefinitions(const std::string& text) {
+  return text.find("numOfSubject") != std::string::npos ||
+         text.find("numOfObserver") != std::string::npos;
+}
+
+std::string FileNameOf(const ObjectRecord& record) {
+  return record.path.substr(record.path.rfind('/') + 1);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,325 @@
+#include "kit/repair_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+
+#include "kit/asm_repair.h"
+#include "kit/source_text.h"
+#include "kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+using Edits = std::vector<Edit>;
+
+// A complaint, and the text with and without comments.
+struct Spot {
+  const Complaint& complaint;
+  const std::string& text;
+  const std::string code;  // without comments and strings
+  const size_t at;         // of the complaint
+
+  bool Says(const char* words) const { return complaint.message.find(words) != kNone; }
+
+  // What stands between the n-th pair of quotes of the message, from 1.
+  std::string Quoted(int n = 1) const {
+    size_t end = kNone, begin = kNone;
+    for (int i = 0; i < n; ++i) {
+      begin = complaint.message.find('\'', end + 1);
+      end = begin == kNone ? kNone : complaint.message.find('\'', begin + 1);
+      if (end == kNone) return "";
+    }
+    return complaint.message.substr(begin + 1, end - begin - 1);
+  }
+};
+
+// Blanks of the same shape: line ends stay.
+std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
+  std::string blanks = text.substr(begin, end - begin);
+  for (char& c : blanks) {
+    if (c != '\n') c = ' ';
+  }
+  return blanks;
+}
+
+// std::vector<T>::iterator it;
+Edits Typename(const Spot& place) {
+  if (!place.Says("need 'typename' before")) return {};
+  return {{place.at, place.at, "typename ", "'typename' put before " + place.Quoted(2)}};
+}
+
+// void Turn(int left, int left);
+Edits RepeatedParameter(const Spot& place) {
+  if (!place.Says("redefinition of '")) return {};
+  const std::string_view word = WordAt(place.code, place.at);
+  int depth = 0;
+  size_t open = place.at;
+  for (; open > 0 && depth >= 0; --open) {
+    const char c = place.code[open - 1];
+    depth += c == ')' ? 1 : c == '(' ? -1 : 0;
+    if (c == ';' || c == '{' || c == '}') return {};
+  }
+  const size_t close = depth < 0 ? ClosingOf(place.code, open) : kNone;
+  if (close == kNone || word.empty()) return {};
+  size_t next = NextOf(place.code, close + 1);
+  if (next != kNone && HasWordAt(place.code, next, "const")) next = NextOf(place.code, next + 5);
+  if (next == kNone || place.code[next] != ';') return {};  // only a declaration can do without
+  return {{place.at, place.at + word.size(), std::string(word.size(), ' '),
+           fmt::format("the second parameter called '{}' left without a name", word)}};
+}
+
+// typedef unsigned long uint32; where the SDK has the type with the robot's 32 bits.
+Edits OwnTypedef(const Spot& place) {
+  if (!place.Says("conflicting declaration 'typedef")) return {};
+  const size_t begin = place.code.rfind("typedef", place.at);
+  const size_t end = place.code.find(';', place.at);
+  if (begin == kNone || end == kNone) return {};
+  const std::string_view statement = std::string_view(place.code).substr(begin, end - begin);
+  if (statement.find_first_of(",;{}") != std::string_view::npos) return {};
+  return {{begin, end, BlankedOut(place.text, begin, end),
+           fmt::format("'{}' left out: the SDK's is of the robot's width", place.Quoted())}};
+}
+
+// switch (x) { case 1: return; default: }
+Edits LabelAtEnd(const Spot& place) {
+  if (!place.Says("expected primary-expression before '}'")) return {};
+  const size_t before = PreviousOf(place.code, place.at);
+  if (before == kNone || place.code[before] != ':') return {};
+  return {{before + 1, before + 1, ";", "';' put behind a label at the end of a block"}};
+}
+
+// "in " __FUNCTION__, which was a string literal.
+Edits FunctionName(const Spot& place) {
+  size_t begin = NextOf(place.code, place.at);  // the compiler points behind what went before
+  if (place.Says("before string constant")) {
+    begin = PreviousOf(place.code, place.at);
+    while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;
+  } else if (!place.Says("before '__FUNCTION__'") && !place.Says("before '__PRETTY_FUNCTION__'")) {
+    return {};
+  }
+  if (begin == kNone) return {};
+  const std::string_view word = WordAt(place.code, begin);
+  if (word != "__FUNCTION__" && word != "__PRETTY_FUNCTION__") return {};
+  return {{begin, begin + word.size(), "__FILE__",
+           fmt::format("{} beside a string became __FILE__", word)}};
+}
+
+// a <? b and a >?= b, the operators for minimum and maximum; see compat/openr_prelude.h.
+Edits MinimumOperator(const Spot& place) {
+  if (!place.Says("expected primary-expression before '?'") || place.at == 0) return {};
+  const char sign = place.code[place.at - 1];
+  if (place.code[place.at] != '?' || (sign != '<' && sign != '>')) return {};
+  const bool assigns = place.code.substr(place.at + 1, 1) == "=";
+  const std::string name =
+      fmt::format("openr_old::{}{}", assigns ? "set_" : "", sign == '<' ? "minimum" : "maximum");
+  return {{place.at - 1, place.at + (assigns ? 2 : 1), fmt::format(" <{}> ", name),
+           fmt::format("{}?{} said in another way", sign, assigns ? "=" : "")}};
+}
+
+// if (file < 0): a pointer and a number.
+Edits PointerAndZero(const Spot& place) {
+  if (!place.Says("ordered comparison of pointer with integer zero")) return {};
+  const size_t after =
+      NextOf(place.code, place.at + (place.code.substr(place.at + 1, 1) == "=" ? 2 : 1));
+  const size_t before = PreviousOf(place.code, place.at);
+  for (const size_t zero : {after, before}) {
+    if (zero == kNone || place.code[zero] != '0') continue;
+    const bool is_alone =
+        WordAt(place.code, zero) == "0" && (zero == 0 || !IsWordCharacter(place.code[zero - 1]));
+    if (is_alone) return {{zero, zero + 1, "(void*)0", "0 compared with a pointer became one"}};
+  }
+  return {};
+}
+
+// int Table<3>::size = 3; without template<>.
+Edits Specialisation(const Spot& place) {
+  if (!place.Says("requires 'template<>' syntax")) return {};
+  size_t begin = place.at;
+  while (begin > 0 && std::string_view(";{}").find(place.code[begin - 1]) == std::string_view::npos)
+    --begin;
+  begin = NextOf(place.code, begin);
+  while (begin < place.at && place.code[begin] == '#') {  // a line for the preprocessor
+    begin = place.code.find('\n', begin);
+    begin = begin == kNone ? place.at : NextOf(place.code, begin);
+  }
+  return {{begin, begin, "template<> ", "'template<>' put before " + place.Quoted()}};
+}
+
+Edits StaticSpecialisation(const Spot& place) {
+  if (!place.Says("explicit template specialization cannot have a storage class")) return {};
+  const std::string_view word = WordAt(place.code, place.at);
+  if (word != "static" && word != "extern") return {};
+  return {{place.at, place.at + word.size(), std::string(word.size(), ' '),
+           fmt::format("'{}' of a specialisation left out", word)}};
+}
+
+// int ::f() {} at global scope, after a declaration of f.
+Edits KnownGlobalName(const Spot& place) {
+  if (!place.Says("explicit qualification in declaration")) return {};
+  if (place.code.compare(place.at, 2, "::") != 0) return {};
+  return {{place.at, place.at + 2, "  ", "'::' left out before a name at global scope"}};
+}
+
+// int ::f(); at global scope.
+Edits GlobalName(const Spot& place) {
+  if (!place.Says("should have been declared inside '::'")) return {};
+  size_t at = place.at;  // the compiler points at the closing bracket, or at the name
+  if (place.code[at] == ')') {
+    int depth = 0;
+    for (; at > 0; --at) {
+      depth += place.code[at] == ')' ? 1 : place.code[at] == '(' ? -1 : 0;
+      if (depth == 0) break;
+    }
+    at = PreviousOf(place.code, at);
+    while (at != kNone && at > 0 && IsWordCharacter(place.code[at - 1])) --at;
+  }
+  const size_t colon = at == kNone ? kNone : PreviousOf(place.code, at);
+  if (colon == kNone || colon == 0 || place.code.compare(colon - 1, 2, "::") != 0) return {};
+  return {{colon - 1, colon + 1, "  ", "'::' left out before a name at global scope"}};
+}
+
+// A loop whose declaration may be meant by a use after it.
+struct Loop {
+  size_t begin = kNone;  // of the word for
+  size_t declaration = 0;
+  size_t semicolon = 0;
+};
+
+// The loop at `at`, where the word for is, if it declares `name`.
+std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const std::string& name) {
+  const size_t open = NextOf(code, at + 3);
+  if (open == kNone || code[open] != '(') return std::nullopt;
+  const size_t semicolon = code.find(';', open);
+  if (semicolon == kNone) return std::nullopt;
+  const std::string declaration = code.substr(open + 1, semicolon - open - 1);
+  const std::regex pattern("^\\s*[A-Za-z_][\\w:<>\\s,*&]*?[\\s*&]" + name + "\\s*(=|,|\\(|$)");
+  if (!std::regex_search(declaration, pattern)) return std::nullopt;
+  return Loop{at, open + 1, semicolon};
+}
+
+// The last such loop before `use` whose block is still open there.
+std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::string& name) {
+  int depth = 0;
+  for (size_t at = use; at-- > 0;) {
+    if (code[at] == '}') ++depth;
+    if (code[at] == '{' && depth > 0) --depth;
+    if (depth > 0 || code[at] != 'f' || !HasWordAt(code, at, "for")) continue;
+    if (const auto loop = LoopThatDeclares(code, at, name)) return loop;
+  }
+  return std::nullopt;
+}
+
+// What stands before the word `name`: "int " of "int i = 0".
+std::string TypeIn(const std::string& declaration, const std::string& name) {
+  size_t at = declaration.find(name);
+  while (at != kNone && !HasWordAt(declaration, at, name)) at = declaration.find(name, at + 1);
+  return declaration.substr(0, at);
+}
+
+// for (int i = 0; ...) {}  use(i);  The variable lived on until the end of the block; a later loop
+// with the same declaration meant the same one, as far as anybody could tell.
+Edits LoopVariable(const Spot& place) {
+  if (!place.Says("was not declared in this scope")) return {};
+  const std::string name = place.Quoted();
+  const std::optional<Loop> loop =
+      name.empty() ? std::nullopt : FindLoop(place.code, place.at, name);
+  if (!loop) return {};
+  const size_t before = PreviousOf(place.code, loop->begin);
+  if (before != kNone && std::string_view(";{}").find(place.code[before]) == std::string_view::npos)
+    return {};
+  const std::string declaration =
+      place.text.substr(loop->declaration, loop->semicolon - loop->declaration);
+  Edits edits{{loop->begin, loop->begin, declaration + "; ",
+               fmt::format("'{}' of a loop declared before it", name)},
+              {loop->declaration, loop->semicolon,
+               BlankedOut(place.text, loop->declaration, loop->semicolon), ""}};
+  const std::string type = TypeIn(declaration, name);
+  int depth = 0;
+  for (size_t at = loop->semicolon; at < place.code.size() && depth >= 0; ++at) {
+    depth += place.code[at] == '{' ? 1 : place.code[at] == '}' ? -1 : 0;
+    if (depth != 0 || !HasWordAt(place.code, at, "for")) continue;
+    const auto other = LoopThatDeclares(place.code, at, name);
+    if (!other || place.code.compare(other->declaration, type.size(), type) != 0) continue;
+    edits.push_back(
+        {other->declaration, other->declaration + type.size(), std::string(type.size(), ' '), ""});
+  }
+  return edits;
+}
+
+// Whether a block whose head is `head` belongs to a template that may inherit names: a class with
+// a base that depends on something, or a member defined outside of its class.
+bool MayInheritNames(const std::string& head) {
+  static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
+  static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");
+  return std::regex_search(head, kDerived) || std::regex_search(head, kMember);
+}
+
+// The same for any of the blocks around `at`.
+bool IsInInheritingTemplate(const std::string& code, size_t at) {
+  int depth = 0;
+  while (at-- > 0) {
+    if (code[at] == '}') ++depth;
+    if (code[at] != '{' || depth-- > 0) continue;
+    depth = 0;
+    size_t begin = at;
+    while (begin > 0 && std::string_view(";{}").find(code[begin - 1]) == std::string_view::npos)
+      --begin;
+    if (MayInheritNames(code.substr(begin, at - begin))) return true;
+  }
+  return false;
+}
+
+// A name that a template inherits from a base that depends on its parameter.
+Edits InheritedName(const Spot& place) {
+  if (!place.Says("was not declared in this scope")) return {};
+  if (WordAt(place.code, place.at) != place.Quoted()) return {};
+  const size_t before = PreviousOf(place.code, place.at);
+  if (before == kNone || std::string_view(".>:").find(place.code[before]) != std::string_view::npos)
+    return {};
+  if (!IsInInheritingTemplate(place.code, place.at)) return {};
+  return {{place.at, place.at, "this->",
+           fmt::format("'this->' put before '{}', which a template inherits", place.Quoted())}};
+}
+
+// #include "Sub\HEADER.H" of a file system where case does not count.
+Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
+  const size_t end = place.complaint.message.find(": No such file or directory");
+  if (end == kNone) return {};
+  const std::string name = place.complaint.message.substr(0, end);
+  std::string wanted = LowerCase(name);
+  std::replace(wanted.begin(), wanted.end(), '\\', '/');
+  const size_t begin = place.text.find(name, place.at);
+  if (begin == kNone || begin > place.text.find('\n', place.at)) return {};
+  for (const std::string& header : headers) {
+    if (header.size() <= wanted.size() || header[header.size() - wanted.size() - 1] != '/')
+      continue;
+    const std::string found = header.substr(header.size() - wanted.size());
+    if (LowerCase(found) != wanted || found == name) continue;
+    return {{begin, begin + name.size(), found, fmt::format("{} is called {}", name, found)}};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,
+                           const std::vector<std::string>& headers) {
+  if (IsAboutAssembly(complaint)) return AssemblyRepairOf(complaint, text);
+  const Spot place{complaint, text, WithoutComments(text),
+                   OffsetOf(text, complaint.line, complaint.column)};
+  if (place.at == kNone) return {};
+  static Edits (*const kRules[])(const Spot&) = {
+      &Typename,        &RepeatedParameter, &OwnTypedef,     &LabelAtEnd,           &FunctionName,
+      &MinimumOperator, &PointerAndZero,    &Specialisation, &StaticSpecialisation, &GlobalName,
+      &KnownGlobalName, &LoopVariable,      &InheritedName};
+  for (const auto rule : kRules) {
+    Edits edits = rule(place);
+    if (!edits.empty()) return edits;
+  }
+  return HeaderName(place, headers);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,302 @@
+#include "kit/robot_stick.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include "cli/counted.h"
+#include "kit/controller_main.h"
+#include "kit/controller_sources.h"
+#include "kit/robot_sdk.h"
+#include "kit/sdk_tools.h"
+#include "kit/shell_words.h"
+#include "kit/stick_merge.h"
+#include "kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder beside the output that becomes it at the end, or goes.
+class Draft {
+ public:
+  explicit Draft(const std::string& output)
+      : output_((fs::absolute(output) / "").lexically_normal().parent_path()) {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(output_, error))) {
+      throw std::runtime_error(
+          fmt::format("{} is there already; name a new folder, nothing is written over", output));
+    }
+    fs::create_directories(output_.parent_path());
+    std::string pattern = output_.parent_path() / ".openr-stick-XXXXXX";
+    if (mkdtemp(pattern.data()) == nullptr) {
+      throw std::runtime_error(fmt::format("{}: cannot make a folder there: {}",
+                                           output_.parent_path().string(), std::strerror(errno)));
+    }
+    folder_ = pattern;
+    fs::permissions(folder_, fs::perms(0755));
+    for (const fs::path& part : {stick(), work()}) fs::create_directory(part);
+  }
+  ~Draft() {
+    std::error_code error;
+    fs::remove_all(folder_, error);
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  fs::path stick() const { return folder_ / "stick"; }
+  fs::path work() const { return folder_ / "work"; }
+  void Finish() { fs::rename(stick(), output_); }
+
+ private:
+  const fs::path output_;
+  fs::path folder_;
+};
+
+struct RobotObject {
+  const char* name;   // of its class, its folder and its files
+  const char* image;  // in OBJECT.CFG
+  bool has_common;    // uses objects/common
+  bool has_network;
+};
+
+constexpr RobotObject kObjects[] = {{"PowerMonitor", "POWERMON.BIN", false, false},
+                                    {"JointMover", "JOINTMOV.BIN", true, false},
+                                    {"RCServer", "RCSERVER.BIN", true, true},
+                                    {"Controller", "CONTROLL.BIN", true, false}};
+
+std::vector<fs::path> SourcesIn(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && IsSourceName(entry.path())) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// What is on a stick may be read-only in the SDK; ours is to be written to.
+void CopyTree(const fs::path& from, const fs::path& to) {
+  fs::copy(from, to, fs::copy_options::recursive);
+  for (const auto& entry : fs::recursive_directory_iterator(to))
+    fs::permissions(entry, fs::perms::owner_write, fs::perm_options::add);
+}
+
+void ThrowIf(const std::vector<Diagnostic>& diagnostics, const char* what) {
+  std::fputs(Render(diagnostics).c_str(), stderr);
+  if (HasErrors(diagnostics)) throw std::runtime_error(what);
+}
+
+class RobotStick {
+ public:
+  explicit RobotStick(const RobotStickOptions& options)
+      : options_(options),
+        sources_(options.sources),
+        sdk_(RobotSdk::FromEnvironment()),
+        draft_(options.output) {
+    sdk_.set_verbose(options.is_verbose);
+    base_ = options.base.empty() ? sdk_.BaseStick(options.model == "ers7" ? "MS_ERS7" : "MS_ERS200",
+                                                  options.flavour, options.is_protected)
+                                 : fs::path(options.base);
+    if (FindEntry(base_, "OPEN-R").empty()) {
+      throw std::runtime_error(fmt::format("--base {}: there is no OPEN-R/ in it", base_.string()));
+    }
+  }
+
+  void Make() {
+    CopyTree(FindEntry(base_, "OPEN-R"), draft_.stick() / "OPEN-R");
+    open_r_ = draft_.stick() / "OPEN-R";
+    for (const char* name : {"OBJECT.CFG", "CONNECT.CFG", "DESIGNDB.CFG"}) MergeConfigFile(name);
+    PutNetworkSettings();
+    PutMotions();
+    ThrowIf(CheckNames(draft_.stick()), "the robot's stick cannot hold these names");
+    CompileController();  // first, because it is what has mistakes in it
+    CompileCommon();
+    for (const RobotObject& object : kObjects) MakeImage(object);
+    ThrowIf(CheckObjectConfig(draft_.stick()), "the stick is not complete");
+    draft_.Finish();
+    Tell();
+  }
+
+ private:
+  // A file's place on the stick, in whatever case its folders are there.
+  fs::path On(const std::string& folder, const std::string& name) const {
+    fs::path place = FindBelow(open_r_, folder);
+    if (place.empty()) {
+      place = open_r_ / folder;
+      fs::create_directories(place);
+    }
+    const fs::path there = FindEntry(place, name);
+    return there.empty() ? place / name : there;
+  }
+
+  void MergeConfigFile(const std::string& name) {
+    const fs::path to = On("MW/CONF", name);
+    const std::string ours = ReadText(sources_ / "stub.cfg" / name).value_or("");
+    Write(to, MergeConfig(ReadText(to).value_or(""), ours));
+  }
+
+  // The controller's own, else the base's, else ours.
+  void PutNetworkSettings() {
+    const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
+    fs::path from =
+        options_.controller.empty() ? fs::path() : FindEntry(options_.controller, "WLANCONF.TXT");
+    if (from.empty()) from = fs::exists(to) ? to : sources_ / "stub.cfg/WLANCONF.TXT";
+    const std::string text = ReadText(from).value_or("");
+    ThrowIf(CheckWlanConfig(from, text), "the network settings would not work on the robot");
+    Write(to, text);
+  }
+
+  void PutMotions() {
+    std::vector<fs::path> folders = {fs::path(options_.stick) / "OPEN-R/MW/DATA/P"};
+    if (!options_.controller.empty()) folders.push_back(options_.controller);
+    for (const fs::path& folder : folders) {
+      for (const auto& entry : fs::directory_iterator(folder)) {
+        if (LowerCase(entry.path().extension()) != ".mtn") continue;
+        std::string name = entry.path().filename();
+        std::transform(name.begin(), name.end(), name.begin(),
+                       [](unsigned char c) { return std::toupper(c); });
+        fs::copy_file(entry.path(), On("MW/DATA/P", name), fs::copy_options::overwrite_existing);
+      }
+    }
+  }
+
+  void CompileCommon() {
+    for (const fs::path& source : SourcesIn(sources_ / "common"))
+      common_.push_back(Compile(source, draft_.work() / "common", Includes({})));
+  }
+
+  void MakeImage(const RobotObject& object) {
+    const fs::path folder = sources_ / object.name, work = draft_.work() / object.name;
+    fs::create_directories(work);
+    sdk_.GenerateStub(fs::canonical(sources_ / "stub.cfg" / (std::string(object.name) + ".cfg")),
+                      work);
+    const std::vector<std::string> includes = Includes({work, folder});
+    std::vector<fs::path> objects;
+    for (const fs::path& source : SourcesIn(folder))
+      objects.push_back(Compile(source, work, includes));
+    for (const fs::path& source : SourcesIn(work))  // the stub
+      objects.push_back(Compile(source, work, includes));
+    if (object.name == std::string("Controller"))
+      objects.insert(objects.end(), controller_.begin(), controller_.end());
+    if (object.has_common) objects.insert(objects.end(), common_.begin(), common_.end());
+    std::vector<std::string> libraries = {"-lObjectComm", "-lOPENR"};
+    if (object.has_network) libraries.insert(libraries.end(), {"-lInternet", "-lantMCOOP"});
+    const fs::path made = work / object.image;
+    sdk_.Link(folder / (std::string(object.name) + ".ocf"), objects, libraries, made);
+    if (RunGzcp({made, On("MW/OBJS", object.image)}) != 0) {
+      throw std::runtime_error(fmt::format("{}: cannot be compressed", object.image));
+    }
+  }
+
+  // Its main function gets another name; the wrapper calls it.
+  void CompileController() {
+    ControllerSources sources;
+    if (options_.controller.empty()) {
+      sources.files = SourcesIn(sources_ / "Controller/ers210");
+    } else {
+      sources = FindControllerSources(fs::canonical(options_.controller));
+    }
+    ThrowIf(sources.diagnostics, "the controller is not complete");
+    if (sources.files.empty() && sources.list.empty()) {
+      throw std::runtime_error(fmt::format(
+          "{}: no *.c, *.cc or *.cpp and no Makefile.sources in it", options_.controller));
+    }
+    for (const fs::path& source : sources.files) {
+      std::vector<std::string> options = Includes({source.parent_path()});
+      options.push_back("-Dmain=controller_main");
+      controller_.push_back(Compile(source, draft_.work() / "controller", options));
+    }
+    CompileCallOfMain();
+  }
+
+  void CompileCallOfMain() {
+    const ControllerMain main = FindControllerMain(sdk_.SymbolLister(), controller_);
+    if (!main.problem.empty()) {
+      throw std::runtime_error(fmt::format(
+          "{}: {}", options_.controller.empty() ? "the default controller" : options_.controller,
+          main.problem));
+    }
+    const fs::path work = draft_.work() / "controller", source = work / "ControllerMain.cc";
+    fs::create_directories(work);
+    Write(source, main.source);
+    controller_.push_back(Compile(source, work, {}));
+  }
+
+  // Numbered: two sources of one object may have one name.
+  fs::path Compile(const fs::path& source, const fs::path& work,
+                   const std::vector<std::string>& options) {
+    fs::create_directories(work);
+    const fs::path object = work / fmt::format("{}-{}.o", source.stem().string(), num_compiled_);
+    num_compiled_ += 1;
+    sdk_.Compile(source, object, options);
+    return object;
+  }
+
+  std::vector<std::string> Includes(const std::vector<fs::path>& folders) const {
+    std::vector<std::string> options;
+    for (const fs::path& folder : folders) options.push_back("-I" + folder.string());
+    for (const char* folder : {"common", "Controller/include", "Controller/include/device"})
+      options.push_back("-I" + (sources_ / folder).string());
+    return options;
+  }
+
+  static void Write(const fs::path& file, const std::string& text) {
+    const std::string problem = WriteText(file, text);
+    if (!problem.empty()) throw std::runtime_error(problem);
+  }
+
+  void Tell() const {
+    if (options_.base.empty() && options_.flavour == "BASIC") {
+      fmt::print(stderr, "warning: BASIC has no network, so RCServer has nobody to talk to\n");
+    }
+    const fs::path output = options_.output;
+    for (const RobotObject& object : kObjects) {
+      const uint64_t size =
+          fs::file_size(FindBelow(output, std::string("OPEN-R/MW/OBJS/") + object.image));
+      fmt::print("{}  {}\n", object.image, Counted(size, "byte"));
+    }
+    fmt::print("base: {}\n", base_.string());
+    fmt::print("copy {}/OPEN-R to a Programming Memory Stick\n", output.string());
+  }
+
+  const RobotStickOptions options_;
+  const fs::path sources_;
+  RobotSdk sdk_;
+  Draft draft_;
+  fs::path base_, open_r_;
+  std::vector<fs::path> common_, controller_;  // compiled
+  int num_compiled_ = 0;
+};
+
+}  // namespace
+
+void MakeRobotStick(const RobotStickOptions& options) {
+  std::error_code error;
+  if (!options.controller.empty() && !fs::is_directory(options.controller, error)) {
+    throw std::runtime_error(
+        fmt::format("--controller {}: is no folder; name the one that holds "
+                    "the controller",
+                    options.controller));
+  }
+  RobotStick(options).Make();
+}
+
+void MakeHostStick(const std::string& stick, const std::string& output) {
+  Draft draft(output);
+  CopyTree(FindEntry(stick, "OPEN-R"), draft.stick() / "OPEN-R");
+  std::vector<fs::path> debug_files;
+  for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
+    if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
+  for (const fs::path& file : debug_files) fs::remove(file);
+  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // programs write there
+  draft.Finish();
+  fmt::print("openr run --stick {}\n", ShellWord(output));
+}
+
+}  // namespace openr_host

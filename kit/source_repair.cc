@@ -1,0 +1,178 @@
+#include "kit/source_repair.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "kit/asm_repair.h"
+#include "kit/repair_rules.h"
+#include "kit/sdk_paths.h"
+#include "kit/source_text.h"
+#include "kit/text_files.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// g++ writes one JSON array per line, among lines of other kinds.
+std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
+  std::vector<Complaint> complaints;
+  std::istringstream lines(diagnostics);
+  for (std::string line; std::getline(lines, line);) {
+    const auto parsed = nlohmann::json::parse(line, nullptr, false);
+    if (!parsed.is_array()) continue;
+    for (const auto& entry : parsed) {
+      const std::string kind = entry.value("kind", "");
+      if (kind.find("error") == std::string::npos || !entry.contains("locations") ||
+          entry["locations"].empty()) {
+        continue;
+      }
+      const auto& caret = entry["locations"][0]["caret"];
+      complaints.push_back({entry.value("message", ""),
+                            fs::absolute(caret.value("file", "")).lexically_normal(),
+                            caret.value("line", 0), caret.value("byte-column", 0)});
+    }
+  }
+  return complaints;
+}
+
+// The assembler's complaints about lines of a source: "a.cc:3: Error: no such instruction: ...".
+// For assembly outside of functions the assembler names no source; the complaint then belongs to
+// one of the `sources` that the compiler was given.
+std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
+                                               const std::vector<std::string>& sources) {
+  static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");
+  std::vector<Complaint> complaints;
+  std::istringstream lines(diagnostics);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (!std::regex_match(line, match, kError)) continue;
+    const std::string message = kAssemblerSays + match[3].str();
+    if (!match[1].str().ends_with(".s")) {
+      complaints.push_back(
+          {message, fs::absolute(match[1].str()).lexically_normal(), std::stoi(match[2]), 1});
+      continue;
+    }
+    for (const std::string& source : sources)
+      complaints.push_back({message, fs::absolute(source).lexically_normal(), 0, 0});
+  }
+  return complaints;
+}
+
+// Applies what does not overlap, from the back to the front.
+std::string Edited(std::string text, std::vector<Edit> edits) {
+  std::sort(edits.begin(), edits.end(),
+            [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
+  for (const Edit& edit : edits) text.replace(edit.begin, edit.end - edit.begin, edit.text);
+  return text;
+}
+
+bool Overlaps(const std::vector<Edit>& edits, const std::vector<Edit>& others) {
+  return std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) {
+    return std::any_of(others.begin(), others.end(), [&](const Edit& other) {
+      return edit.begin <= other.end && other.begin <= edit.end;
+    });
+  });
+}
+
+// make must not think that something happened.
+void WriteWithTime(const std::string& file, const std::string& text) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error);
+  const auto permissions = fs::status(file, error).permissions();
+  WriteText(file, text);
+  fs::permissions(file, permissions, error);
+  fs::last_write_time(file, time, error);
+}
+
+}  // namespace
+
+RepairSession::RepairSession() : copies_(SourceCopies()) {
+  const char* const log = std::getenv(kLogVariable);
+  if (log == nullptr || copies_.empty()) return;
+  lock_ = open((std::string(log) + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ >= 0) flock(lock_, LOCK_EX);
+}
+
+RepairSession::~RepairSession() {
+  if (lock_ >= 0) close(lock_);
+}
+
+// A macro of a header may hold the assembly that the line of `complaint` uses.
+void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
+                                  std::map<std::string, std::vector<Edit>>* edits_of) {
+  const size_t begin = OffsetOf(text, complaint.line, 1);
+  if (begin == kNone) return;
+  const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  for (const SourceCopy& entry : copies_) {
+    for (const fs::path& file : FilesBelow(entry.copy)) {
+      if (!IsHeaderName(file)) continue;
+      const std::string header = ReadText(file).value_or("");
+      if (header.find("asm") == std::string::npos) continue;
+      for (const Edit& edit : AssemblyMacroRepairOf(line, header)) {
+        std::vector<Edit>& all = (*edits_of)[file];
+        if (Overlaps({edit}, all)) continue;
+        all.push_back(edit);
+        repairs_.push_back({OriginalOf(file, copies_), edit.what});
+      }
+    }
+  }
+}
+
+bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std::string>& sources) {
+  std::vector<std::string> headers;
+  std::map<std::string, std::vector<Edit>> edits_of;
+  std::vector<Complaint> complaints = ReadComplaints(diagnostics);
+  const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
+  complaints.insert(complaints.end(), more.begin(), more.end());
+  // What is not declared for want of a 'typename' will be.
+  const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
+  for (const Complaint& complaint : complaints) {
+    if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;
+    if (OriginalOf(complaint.file, copies_).empty()) continue;
+    const std::string text = ReadText(complaint.file).value_or("");
+    if (headers.empty() && complaint.message.find("No such file") != std::string::npos) {
+      for (const SourceCopy& entry : copies_) {
+        for (const fs::path& file : FilesBelow(entry.copy)) headers.push_back(file);
+      }
+      for (const fs::path& file : FilesBelow(SdkRoot() + "/OPEN_R/include/OPENR"))
+        headers.push_back(file);
+    }
+    const std::vector<Edit> edits = RepairOf(complaint, text, headers);
+    if (edits.empty() && complaint.line > 0 && IsAboutAssembly(complaint))
+      AddMacroEdits(complaint, text, &edits_of);
+    std::vector<Edit>& all = edits_of[complaint.file];
+    if (edits.empty() || Overlaps(edits, all)) continue;
+    all.insert(all.end(), edits.begin(), edits.end());
+    repairs_.push_back(
+        {fmt::format("{}:{}", OriginalOf(complaint.file, copies_), complaint.line), edits[0].what});
+  }
+  bool changed = false;
+  for (const auto& [file, edits] : edits_of) {
+    if (edits.empty()) continue;
+    const std::string text = ReadText(file).value_or("");
+    former_.emplace(file, text);
+    WriteWithTime(file, Edited(text, edits));
+    changed = true;
+  }
+  return changed;
+}
+
+void RepairSession::Keep() {
+  for (const KitLog::Repair& repair : repairs_) LogRepair(repair);
+}
+
+void RepairSession::Undo() {
+  for (const auto& [file, text] : former_) WriteWithTime(file, text);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,217 @@
+#include "kit/work_copy.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "kit/foreign_code.h"
+#include "kit/makefile_text.h"
+#include "kit/process.h"
+#include "kit/project.h"
+#include "kit/referred_places.h"
+#include "kit/text_files.h"
+#include "runtime/core/image_file.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kLeftOutFile[] = "left_out.txt";
+
+// An image of an earlier build on the stick: the outcome, not a source.
+bool IsBuiltImage(const fs::path& file) {
+  const std::string folder = LowerCase(file.parent_path().filename());
+  return folder == "objs" && LowerCase(file.extension()) == ".bin" &&
+         ReadImageFile(file).problem.empty();
+}
+
+// Lists of dependencies name the robot's headers.
+bool IsDependencyList(const fs::path& file) {
+  const std::string name = file.filename();
+  return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
+}
+
+// Made by stubgen2 from the stub.cfg beside it.
+bool IsGeneratedStub(const fs::path& file) {
+  const std::string name = file.filename();
+  const bool looks_so =
+      name == "def.h" || name == "entry.h" || name.ends_with("Stub.cc") || name.ends_with("Stub.h");
+  return looks_so && !FindEntry(file.parent_path(), "stub.cfg").empty();
+}
+
+void SetTime(const fs::path& file, const fs::path& like) {
+  std::error_code error;
+  fs::last_write_time(file, fs::last_write_time(like, error), error);
+}
+
+void SetOldTime(const fs::path& file) {
+  const timespec times[2] = {{1, 0}, {1, 0}};
+  utimensat(AT_FDCWD, file.c_str(), times, 0);
+}
+
+bool IsText(const std::string& text) {
+  return text.substr(0, 4096).find('\0') == std::string::npos;
+}
+
+// Makefiles, and the scripts they call.
+bool IsToBeAdapted(const fs::path& file, const std::string& text) {
+  const std::string extension = file.extension();
+  const bool is_script = extension == ".sh" || extension == ".in" || file.filename() == "configure";
+  return (IsMakefileName(file) || is_script || text.starts_with("#!")) && IsText(text);
+}
+
+}  // namespace
+
+WorkCopy::WorkCopy(fs::path work, std::string sdk_root)
+    : work_(std::move(work)), sdk_root_(std::move(sdk_root)) {
+  std::ifstream stream(work_ / "copied.txt");
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    Stamp stamp;
+    std::string name;
+    if (words >> stamp.size >> stamp.time_ns && std::getline(words >> std::ws, name))
+      former_[name] = stamp;
+  }
+  std::istringstream left_out(ReadText(work_ / kLeftOutFile).value_or(""));
+  for (std::string file, processor;
+       std::getline(left_out, file, '\t') && std::getline(left_out, processor);)
+    former_left_out_[file] = processor;
+}
+
+void WorkCopy::Save() const {
+  std::string text;
+  for (const auto& [name, stamp] : present_)
+    text += fmt::format("{} {} {}\n", stamp.size, stamp.time_ns, name);
+  std::string left_out;
+  for (const auto& [name, processor] : left_out_) left_out += name + "\t" + processor + "\n";
+  std::string problem = WriteText(work_ / "copied.txt", text);
+  if (problem.empty()) problem = WriteText(work_ / kLeftOutFile, left_out);
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+fs::path WorkCopy::PlaceOf(const fs::path& original) const {
+  for (const SourceCopy& entry : copies_) {
+    if (IsBelow(original, entry.original))
+      return fs::path(entry.copy) / original.lexically_relative(entry.original);
+  }
+  return work_ / "src" / WithoutOddCharacters(original.relative_path());
+}
+
+bool WorkCopy::IsOriginal(const fs::path& file) const {
+  const auto found = present_.find(OriginalOf(file, copies_));
+  return found != present_.end() && StampOf(file) == found->second;
+}
+
+fs::path WorkCopy::Add(const fs::path& original) {
+  const ReferredPlaces places = FindReferredPlaces(original);
+  for (const fs::path& folder : places.folders) AddFolder(folder);
+  for (const fs::path& file : places.files) CopyFile(file);
+  MakeStubsAnew();
+  for (const fs::path& folder : places.around) copies_.push_back({PlaceOf(folder), folder});
+  RemoveVanished();
+  Save();
+  return copies_[0].copy;
+}
+
+bool WorkCopy::IsCovered(const fs::path& original) const {
+  return std::any_of(copies_.begin(), copies_.end(),
+                     [&](const SourceCopy& entry) { return IsBelow(original, entry.original); });
+}
+
+void WorkCopy::AddFolder(const fs::path& original) {
+  const fs::path copy = PlaceOf(original).lexically_normal();
+  copies_.push_back({copy, original});
+  fs::create_directories(copy);
+  for (const fs::path& file : FilesBelow(original)) {
+    if (!IsBelow(file, work_)) CopyFile(file);
+  }
+  // Empty folders matter: rules write into them.
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(original, error), end; !error && it != end;
+       it.increment(error)) {
+    if (!it->is_directory(error)) continue;
+    if (IsIgnoredFolder(it->path()) || IsBelow(it->path(), work_)) {
+      it.disable_recursion_pending();
+    } else {
+      fs::create_directories(PlaceOf(it->path()));
+    }
+  }
+}
+
+void WorkCopy::CopyFile(const fs::path& original) {
+  const fs::path copy = PlaceOf(original);
+  const Stamp stamp = StampOf(original);
+  const auto former = former_.find(original);
+  present_[original] = stamp;
+  if (former != former_.end() && former->second == stamp) {
+    if (const auto entry = former_left_out_.find(original); entry != former_left_out_.end())
+      left_out_.insert(*entry);
+    return;
+  }
+  // Files for another processor are left out, because make would take them for up to date.
+  const std::string processor = ForeignProcessorOf(original);
+  if (!processor.empty()) {
+    left_out_[original] = processor;
+    return;
+  }
+  if (IsBuiltImage(original)) return;
+  fs::create_directories(copy.parent_path());
+  std::string text = IsDependencyList(original) ? "" : ReadText(original).value_or("");
+  if (IsToBeAdapted(original, text)) text = AdaptMakefile(text, sdk_root_);
+  const std::string problem = WriteText(copy, text);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  std::error_code error;
+  fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
+  SetTime(copy, original);
+  // Older than its stub.cfg, so a rule that makes it will.
+  if (IsGeneratedStub(original)) {
+    SetOldTime(copy);
+    if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
+  }
+}
+
+// Stubs that lie about come from another stubgen2.  A Makefile may rely on them, because its rules
+// have no dependencies or the wrong order: ours take their place.
+void WorkCopy::MakeStubsAnew() const {
+  std::set<fs::path> folders;
+  for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());
+  const fs::path made = work_ / "stub.tmp";
+  std::error_code error;
+  for (const fs::path& folder : folders) {
+    fs::remove_all(made, error);
+    fs::create_directories(made, error);
+    RunProcess({sdk_root_ + "/OPEN_R/bin/stubgen2", FindEntry(folder, "stub.cfg"), "-o", made},
+               {{}, "", true, true, false, true});
+    for (const fs::path& file : left_stubs_) {
+      const auto text = ReadText(made / file.filename());
+      if (file.parent_path() != folder || !text) continue;
+      WriteText(file, *text);
+      SetOldTime(file);
+    }
+  }
+  fs::remove_all(made, error);
+}
+
+// Files that are gone from the originals go from the copy.
+void WorkCopy::RemoveVanished() {
+  for (const auto& [name, stamp] : former_) {
+    if (present_.contains(name) || !IsCovered(name)) continue;
+    std::error_code error;
+    fs::remove(PlaceOf(name), error);
+  }
+}
+
+WorkCopy::Stamp WorkCopy::StampOf(const fs::path& file) {
+  struct stat status;
+  if (stat(file.c_str(), &status) != 0) return {};
+  return {static_cast<uintmax_t>(status.st_size),
+          static_cast<int64_t>(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+}  // namespace openr_host

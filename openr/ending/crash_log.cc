@@ -1,0 +1,271 @@
+#include "openr/ending/crash_log.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "cli/output_file.h"
+#include "openr/ending/code_lookup.h"
+#include "openr/ending/crash_stack.h"
+#include "openr/ending/last_words.h"
+#include "openr/ending/signal_text.h"
+#include "runtime/core/code_place.h"
+#include "runtime/core/current.h"
+#include "runtime/core/fp_flags.h"
+#include "runtime/core/guard_pages.h"
+#include "runtime/core/robot_fault.h"
+#include "runtime/core/stack_memory.h"
+#include "runtime/core/system.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define OPENR_ASAN 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define OPENR_ASAN 1
+#endif
+#endif
+#ifndef OPENR_ASAN
+#define OPENR_ASAN 0
+#endif
+
+namespace openr_host {
+namespace {
+
+constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+constexpr size_t kAlternateStackBytes = 256 << 10;  // a report is made on it
+
+// Paths of the files, by robot; fixed before the run.
+std::vector<std::string>* g_files = nullptr;
+bool g_adds = false;
+std::optional<std::string>* g_place = nullptr;  // see CrashLog; none: the file is not named
+char g_stack[kAlternateStackBytes];
+
+// The FpFlag that SIGFPE is about; 0: a division of integers.
+unsigned KindOf(const siginfo_t& info) {
+  switch (info.si_code) {
+    case FPE_FLTINV:
+      return kFpInvalid;
+    case FPE_FLTDIV:
+      return kFpDivByZero;
+    case FPE_FLTOVF:
+      return kFpOverflow;
+    case FPE_FLTUND:  // said of a denormal operand, too; results are not caught
+      return kFpDenormal;
+    default:
+      return 0;
+  }
+}
+
+const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
+  const GuardPages* const guard = t_current.system->guard_pages();
+  const char* const why = guard == nullptr ? "" : guard->WhyFault(info.si_addr);
+  if (*why != 0) return why;
+#if defined(__x86_64__)
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+  constexpr uintptr_t kFirstPages = 0x10000;
+  const auto at = reinterpret_cast<uintptr_t>(info.si_addr);
+  if (at >= kFirstPages && at == static_cast<uintptr_t>(registers[REG_RIP]))
+    return "data were executed";
+#else
+  static_cast<void>(context);
+#endif
+  return "an address that is not the object's";
+}
+
+// "SIGSEGV (an address that is not the object's)".  REQUIRES: there is a handler.
+void AddName(int signal, const siginfo_t& info, const void* context, SignalText* text) {
+  switch (signal) {
+    case SIGSEGV:
+      text->Add("SIGSEGV (").Add(MeaningOfAddress(info, context)).Add(")");
+      break;
+    case SIGBUS:
+      text->Add("SIGBUS (an address that cannot be)");
+      break;
+    case SIGFPE:
+      text->Add(KindOf(info) == 0 ? "SIGFPE (a division by zero)"
+                                  : "SIGFPE (a NaN was made, or a number does not fit its integer "
+                                    "type)");
+      break;
+    default:
+      if (*AnnouncedFault() != 0) {
+        text->Add(AnnouncedFault());
+      } else {
+        text->Add("SIGILL (no instruction)");
+      }
+      break;
+  }
+}
+
+// Arithmetic that is only to be reported: notes where it is, for ImageObject, and lets the
+// instruction run again as usual.  False when the object has to stop.
+bool GoesOn(const siginfo_t& info, void* context) {
+#if defined(__x86_64__)
+  const unsigned kind = KindOf(info);
+  if (kind == 0 || t_current.object == nullptr) return false;
+  if (kind == kFpInvalid && t_current.system->options().strict) return false;
+  const CrashStack stack(*t_current.object, context);
+  t_current.object->number_faults[std::countr_zero(kind)] = stack.OwnAddress();
+  static_cast<ucontext_t*>(context)->uc_mcontext.fpregs->mxcsr |= kind << kFpMaskShift;
+  if (t_current.watch != nullptr) t_current.watch->GiveUpCatching(kind);
+  return true;
+#else
+  static_cast<void>(info);
+  static_cast<void>(context);
+  return false;
+#endif
+}
+
+// Null when the robot has no file.
+const std::string* FileOf(int robot) {
+  if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size())
+    return nullptr;
+  const std::string& file = (*g_files)[static_cast<size_t>(robot)];
+  return file.empty() ? nullptr : &file;
+}
+
+// The file that the record goes to, opened and written with what a signal handler may call.
+class RecordFile {
+ public:
+  // `name`: null for no file.
+  explicit RecordFile(const std::string* name) : name_(name) {
+    if (name == nullptr) return;
+    // Not open(), which may act for an object in this process.
+    descriptor_ =
+        static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
+                                 O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
+    if (descriptor_ < 0) error_ = errno;
+  }
+
+  void Write(const SignalText& text) {
+    if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
+  }
+
+  // Says on standard error that the file was written, or why it was not.  Returns whether it was.
+  bool Tell() const {
+    if (name_ == nullptr) return false;
+    SignalText note;
+    if (error_ == 0) {
+      note.Add("openr: wrote ").Add(*name_);
+    } else {
+      // strerror() may allocate; this one is fit for signal handlers (GNU C library).
+      const char* const why = strerrordesc_np(error_);
+      note.Add("openr: ").Add(*name_).Add(": the record of the crash cannot be written: ");
+      note.Add(why == nullptr ? "unknown error" : why);
+    }
+    note.Add("\n").WriteTo(STDERR_FILENO);
+    return error_ == 0;
+  }
+
+ private:
+  const std::string* const name_;
+  int descriptor_ = -1;
+  int error_ = 0;  // errno of the first failure
+};
+
+// Writes what happened first, because the stack, which follows, may be too damaged to be walked.
+void WriteRecord(Ending* ending, const void* context, int robot) {
+  const std::string* const name = FileOf(robot);
+  RecordFile file(name);
+  const auto write = [&file](const SignalText& text) {
+    text.WriteTo(STDERR_FILENO);
+    file.Write(text);
+  };
+  write(ending->record);
+  const CrashStack stack(*ending->object, context);
+  SignalText frames;
+  stack.AddTo(&frames);
+  write(frames);
+  ending->record.Add(frames.text());
+  stack.AddPlace(&ending->finding);
+  if (file.Tell() && g_place->has_value())
+    ending->finding.Add("; record: ").Add(*name).Add(**g_place);
+}
+
+void Crashed(int signal, siginfo_t* info, void* context) {
+  if (signal == SIGFPE && GoesOn(*info, context)) return;
+  Ending ending;
+  SignalText& text = ending.record;
+  SignalText name;
+  if (t_current.object != nullptr) AddName(signal, *info, context, &name);
+  text.Add("EXCEPTION ").Add(name.text());
+  const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
+  // That of an instruction, or in the guard, is another one in each run; the stack says where.
+  if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
+    text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
+  text.Add("\nOBJECT ");
+  if (!AddCurrentHandler(&text)) {  // the program's own fault
+    struct sigaction action {};
+    action.sa_handler = SIG_DFL;
+    sigaction(signal, &action, nullptr);
+    return;  // the instruction fails again, now as the system wants it
+  }
+  text.Add("\n");
+  ending.finding.Add("crash: ").Add(name.text()).Add(" in ");
+  AddCurrentEntry(&ending.finding);
+  if (is_overflow) {
+    const uint64_t kib = StackMemory::kBytes >> 10;
+    text.Add("STACK overflow: the handler used more than ").AddNumber(kib);
+    text.Add(" KiB of stack\n");
+    ending.finding.Add(", a stack overflow: more than ").AddNumber(kib).Add(" KiB");
+  }
+  const int robot = t_current.object->robot;
+  BeginEnding(&ending);
+  WriteRecord(&ending, context, robot);
+  ending.finding.Add("; on the robot this stops all objects");
+  FinishEnding();
+}
+
+void UseAlternateStack(bool on) {
+  stack_t stack{};
+  stack.ss_sp = g_stack;
+  stack.ss_size = sizeof g_stack;
+  stack.ss_flags = on ? 0 : SS_DISABLE;
+  sigaltstack(&stack, nullptr);
+}
+
+}  // namespace
+
+CrashLog::CrashLog(std::vector<std::string> files, bool adds,
+                   const std::optional<std::string>& place) {
+  g_adds = adds;
+  g_place = new std::optional<std::string>(place);
+  g_files = new std::vector<std::string>(std::move(files));
+  if constexpr (OPENR_ASAN) return;
+  UseAlternateStack(true);
+  struct sigaction action {};
+  action.sa_sigaction = &Crashed;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : kCrashSignals) sigaction(signal, &action, nullptr);
+  ArithmeticWatch::SetCatches(true);
+  SetPlaceNamer(&LineOfAddress);
+}
+
+CrashLog::~CrashLog() {
+  if constexpr (!OPENR_ASAN) {
+    ArithmeticWatch::SetCatches(false);
+    SetPlaceNamer(nullptr);
+    for (const int signal : kCrashSignals) ::signal(signal, SIG_DFL);
+    UseAlternateStack(false);
+  }
+  delete g_files;
+  delete g_place;
+  g_files = nullptr;
+  g_place = nullptr;
+}
+
+void CrashLog::BeginAfresh(const std::string& file) {
+  std::error_code error;  // it is not there, or may not be written: then no record is added either
+  std::filesystem::remove(file, error);
+}
+
+}  // namespace openr_host

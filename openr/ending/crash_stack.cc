@@ -1,0 +1,112 @@
+#include "openr/ending/crash_stack.h"
+
+#include <dlfcn.h>
+#include <strings.h>
+#include <ucontext.h>
+#include <unwind.h>
+
+#include <cstring>
+#include <string>
+
+#include "openr/ending/code_lookup.h"
+#include "runtime/core/imported_calls.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+const char* LastPart(const char* path) {
+  const char* const slash = std::strrchr(path, '/');
+  return slash == nullptr ? path : slash + 1;
+}
+
+struct Walk {
+  uintptr_t* addresses;
+  size_t max;
+  size_t count = 0;
+  bool is_outside = false;  // of the signal handler
+};
+
+_Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
+  Walk* const walk = static_cast<Walk*>(data);
+  int is_interrupted = 0;
+  const uintptr_t address = _Unwind_GetIPInfo(context, &is_interrupted);
+  walk->is_outside = walk->is_outside || is_interrupted != 0;
+  if (!walk->is_outside || IsStackChange(address)) return _URC_NO_REASON;
+  if (walk->count == walk->max) return _URC_END_OF_STACK;
+  // A call, not what is done after it, which may be another line, or another function.
+  walk->addresses[walk->count++] = is_interrupted != 0 ? address : address - 1;
+  return _URC_NO_REASON;
+}
+
+// The caller of an address that is no code: that has no frame to be unwound, but the address where
+// it was to return is on the stack.
+uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
+#if defined(__x86_64__)
+  const auto* const machine = &static_cast<const ucontext_t*>(context)->uc_mcontext;
+  return *reinterpret_cast<const uintptr_t*>(machine->gregs[REG_RSP]) - 1;
+#else
+  return 0;
+#endif
+}
+
+}  // namespace
+
+CrashStack::CrashStack(const Object& object, const void* context) {
+  uintptr_t addresses[kFramesMax];
+  Walk walk{static_cast<uintptr_t*>(addresses), kFramesMax};
+  _Unwind_Backtrace(&Take, &walk);
+  for (size_t i = 0; i < walk.count; ++i) Add(addresses[i], object);
+  if (count_ == 1) Add(CallerOfNothing(context), object);
+  size_t last_own = count_;
+  while (last_own > 0 && !frames_[last_own - 1].is_own) --last_own;
+  if (last_own > 0) count_ = last_own;
+}
+
+void CrashStack::Add(uintptr_t address, const Object& object) {
+  Frame& frame = frames_[count_++];
+  frame.address = address;
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(address), &info) == 0 || info.dli_fname == nullptr)
+    return;
+  frame.file = info.dli_fname;
+  frame.offset = address - reinterpret_cast<uintptr_t>(info.dli_fbase);
+  frame.is_own = strcasecmp(LastPart(frame.file), LastPart(object.path.c_str())) == 0;
+}
+
+void CrashStack::AddFrame(const Frame& frame, SignalText* text) {
+  if (frame.file == nullptr) {
+    text->Add("no code of a file");
+    return;
+  }
+  text->Add(LastPart(frame.file)).Add("+0x").AddNumber(frame.offset, 16);
+  const CodeLookup found = LookUpCode(frame.file, frame.offset);
+  if (!found.function.empty()) text->Add(" ").Add(found.function);
+  if (!found.line.empty()) text->Add(" (").Add(found.line).Add(")");
+}
+
+void CrashStack::AddTo(SignalText* text) const {
+  text->Add("STACK\n");
+  for (size_t i = 0; i < count_; ++i) {
+    text->Add("  #").AddNumber(i).Add(" ");
+    AddFrame(frames_[i], text);
+    text->Add("\n");
+  }
+}
+
+const void* CrashStack::OwnAddress() const {
+  for (size_t i = 0; i < count_; ++i) {
+    if (frames_[i].is_own) return reinterpret_cast<const void*>(frames_[i].address);
+  }
+  return nullptr;
+}
+
+void CrashStack::AddPlace(SignalText* text) const {
+  for (size_t i = 0; i < count_; ++i) {
+    if (!frames_[i].is_own) continue;
+    text->Add(", at ");
+    return AddFrame(frames_[i], text);
+  }
+}
+
+}  // namespace openr_host

@@ -1,0 +1,110 @@
+#include "openr/ending/last_words.h"
+
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <optional>
+#include <utility>
+
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/output_file.h"
+#include "runtime/core/current.h"
+#include "runtime/core/object.h"
+
+namespace openr_host {
+namespace {
+
+// Whoever says last words has this long; it takes some milliseconds.
+constexpr unsigned kWordsMaxS = 10;
+
+// What tells that something went wrong while they were said.
+constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
+
+LastWords* g_newest = nullptr;
+Ending* g_ending = nullptr;
+Current g_current;          // of the object's handler
+bool g_is_awaited = false;  // by a LastAnswer
+int g_answer = -1;
+std::optional<PreparedFile> g_answer_file;  // nothing is allocated at the end of a run
+
+void AnswerWithTheEnding(const Ending& ending) {
+  if (g_is_awaited) {
+    SignalText last;
+    last.Add("ended by ").Add(EndName(ending.kind)).Add(": ");
+    if (ending.object != nullptr) last.Add(ending.object->name.c_str()).Add(": ");
+    last.Add(ending.finding.text());
+    last.Add("\n").WriteTo(STDERR_FILENO);
+  }
+  if (ending.answered) return;
+  const char* const ended_by = EndName(ending.kind);
+  WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, g_answer);
+  if (!g_answer_file) return;
+  const int file = g_answer_file->Open();
+  if (file < 0) return;
+  WriteEndingAsJson(ending.record, ending.finding, ended_by, g_current, file);
+  g_answer_file->Close();
+}
+
+void GiveUp(int) {
+  const Ending* const ending = std::exchange(g_ending, nullptr);
+  if (ending != nullptr) AnswerWithTheEnding(*ending);
+  _exit(kExitWrong);
+}
+
+}  // namespace
+
+RunEnd EndOf(const Ending& ending) {
+  const std::string object = ending.object == nullptr ? "" : ending.object->name + ": ";
+  return {ending.kind, object + std::string(ending.finding.text())};
+}
+
+LastWords::LastWords(std::function<void(Ending*)> say)
+    : say_(std::move(say)), outer_(std::exchange(g_newest, this)) {}
+
+LastWords::~LastWords() { g_newest = outer_; }
+
+void SayLastWords(Ending* ending) {
+  for (LastWords* each = std::exchange(g_newest, nullptr); each != nullptr; each = each->outer_)
+    each->say_(ending);
+}
+
+LastAnswer::LastAnswer(int descriptor, const std::string& file) {
+  g_is_awaited = true;
+  g_answer = descriptor;
+  if (!file.empty()) g_answer_file.emplace(file);
+}
+
+LastAnswer::~LastAnswer() {
+  g_is_awaited = false;
+  g_answer = -1;
+  g_answer_file.reset();
+}
+
+void BeginEnding(Ending* ending) {
+  g_ending = ending;
+  g_current = std::exchange(t_current, {});
+  ending->object = g_current.object;
+  struct sigaction action {};
+  action.sa_handler = &GiveUp;
+  action.sa_flags = SA_ONSTACK;
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : kHandledSignals) {
+    sigaction(signal, &action, nullptr);
+    sigaddset(&signals, signal);
+  }
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  alarm(kWordsMaxS);
+  EndConsoleLine();
+}
+
+void FinishEnding() {
+  Ending* const ending = g_ending;
+  SayLastWords(ending);
+  AnswerWithTheEnding(*ending);
+  _exit(kExitWrong);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,107 @@
+#include "openr/ending/signal_text.h"
+
+#include <cstring>
+
+#include "cli/output_file.h"
+#include "runtime/core/current.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+const char* const kSystemEntries[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
+
+// Looking into the object's tables is safe while its own code runs: the runtime, which may be
+// changing them, does not.
+const char* EntryOf(const Object& object, uint32_t selector) {
+  if (selector < 4) return kSystemEntries[selector];
+  if (!t_current.image_code) return "";
+  const auto service = object.services.find(selector);
+  if (service != object.services.end()) return service->second.c_str();
+  const auto extra = object.entry_names.find(selector);
+  return extra == object.entry_names.end() ? "" : extra->second.c_str();
+}
+
+}  // namespace
+
+SignalText& SignalText::Add(std::string_view text) {
+  size_ += text.copy(text_ + size_, sizeof text_ - size_);
+  return *this;
+}
+
+SignalText& SignalText::AddNumber(uint64_t number, unsigned base) {
+  char digits[65];
+  size_t at = sizeof digits;
+  digits[--at] = 0;
+  do {
+    digits[--at] = "0123456789abcdef"[number % base];
+    number /= base;
+  } while (number != 0);
+  return Add(digits + at);
+}
+
+void SignalText::WriteTo(int descriptor) const { WriteAll(descriptor, text()); }
+
+SignalText& SignalText::AddQuoted(const SignalText& text) {
+  std::string_view rest = text.text();
+  while (rest.ends_with('\n')) rest.remove_suffix(1);
+  Add("\"");
+  constexpr size_t kTail = sizeof "\\n\"" - 1;  // the longest character and the end
+  for (const char c : rest) {
+    if (size_ + kTail > sizeof text_) break;
+    const char one[] = {c, 0};
+    if (c == '\n') {
+      Add("\\n");
+    } else if (static_cast<unsigned char>(c) >= 0x20) {
+      Add(c == '"' || c == '\\' ? "\\" : "").Add(one);
+    }
+  }
+  return Add("\"");
+}
+
+void AddCurrentEntry(SignalText* text) {
+  const Object& object = *t_current.object;
+  if (object.running == nullptr) {
+    text->Add("constructors of its globals");
+    return;
+  }
+  const char* const entry = EntryOf(object, object.running->selector);
+  text->Add(entry).Add(*entry == 0 ? "" : " ");
+  text->Add("(selector ").AddNumber(object.running->selector).Add(")");
+}
+
+bool AddCurrentHandler(SignalText* text) {
+  const System* const system = t_current.system;
+  const Object* const object = t_current.object;
+  if (system == nullptr || object == nullptr) return false;
+  text->Add(object->name.c_str());
+  text->Add(", ");
+  AddCurrentEntry(text);
+  if (object->running != nullptr) text->Add(", message ").AddNumber(object->running->number);
+  text->Add(", t=").AddNumber(static_cast<uint64_t>(system->now_us())).Add(" us");
+  return true;
+}
+
+// In pieces, each of which is small enough.
+void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
+                       const Current& current, int descriptor) {
+  if (descriptor < 0) return;
+  const Object* const object = current.object;
+  SignalText error, about, name, text, end;
+  error.Add("{\"error\":").AddQuoted(record).WriteTo(descriptor);
+  about.Add(",\"ended_by\":\"").Add(ended_by).Add("\"");
+  about.Add(",\"findings\":[{\"severity\":\"error\",\"robot\":");
+  about.AddNumber(object == nullptr ? 0 : static_cast<uint64_t>(object->robot));
+  about.Add(",\"object\":").AddQuoted(name.Add(object == nullptr ? "" : object->name.c_str()));
+  const bool handles = object != nullptr && object->running != nullptr;
+  about.Add(",\"message\":").AddNumber(handles ? object->running->number : 0);
+  const int64_t now_us = current.system == nullptr ? 0 : current.system->now_us();
+  about.Add(",\"time_s\":").AddNumber(static_cast<uint64_t>(now_us / 1'000'000)).Add(".");
+  for (int64_t unit = 100'000; unit > 0; unit /= 10)
+    about.AddNumber(static_cast<uint64_t>(now_us / unit % 10));
+  about.Add(",\"count\":1,\"text\":").WriteTo(descriptor);
+  text.AddQuoted(finding).WriteTo(descriptor);
+  end.Add("}]}\n").WriteTo(descriptor);
+}
+
+}  // namespace openr_host

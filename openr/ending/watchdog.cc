@@ -1,0 +1,87 @@
+#include "openr/ending/watchdog.h"
+
+#include <signal.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "openr/ending/last_words.h"
+#include "openr/ending/signal_text.h"
+#include "runtime/core/current.h"
+#include "runtime/core/indivisible.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kSignal = SIGVTALRM;
+constexpr int kTicks = 8;  // looks per limit: a handler is caught at most 1/8 late
+
+timer_t g_timer;
+uint64_t g_limit_s_tenths = 0;
+uint64_t g_message = 0;  // the handler seen at the last tick
+int g_seen = 0;          // ticks in a row
+
+void EndTheHandler() {
+  Ending ending;
+  ending.kind = EndKind::kHandlerLimit;
+  const auto add_limit = [](SignalText* text) {
+    text->Add(" has used more than ").AddNumber(g_limit_s_tenths / 10).Add(".");
+    text->AddNumber(g_limit_s_tenths % 10).Add(" s of processor time (--handler-limit)");
+  };
+  ending.record.Add("openr: a handler does not return: ");
+  AddCurrentHandler(&ending.record);
+  ending.record.Add("; it");
+  add_limit(&ending.record);
+  ending.record.Add("\n");
+  ending.finding.Add("a handler does not return: ");
+  AddCurrentEntry(&ending.finding);
+  add_limit(&ending.finding);
+  BeginEnding(&ending);
+  ending.record.WriteTo(STDERR_FILENO);
+  FinishEnding();
+}
+
+void Tick(int) {
+  const Object* const object = t_current.object;
+  const uint64_t message =
+      object == nullptr || object->running == nullptr ? 0 : object->running->number;
+  g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
+  g_message = message;
+  if (g_seen >= kTicks && !Indivisible::PutOff(&EndTheHandler)) EndTheHandler();
+}
+
+}  // namespace
+
+Watchdog::Watchdog(int64_t limit_us) {
+  if (limit_us <= 0) return;
+  g_limit_s_tenths = static_cast<uint64_t>(limit_us / 100'000);
+  g_message = 0;
+  g_seen = 0;
+  struct sigaction action {};
+  action.sa_handler = &Tick;
+  action.sa_flags = SA_ONSTACK | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(kSignal, &action, nullptr);
+  sigevent event{};
+  event.sigev_notify = SIGEV_THREAD_ID;
+  event.sigev_signo = kSignal;
+  event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
+  if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &g_timer) != 0) return;
+  const int64_t tick_ns = std::max<int64_t>(limit_us * 1000 / kTicks, 1'000'000);
+  itimerspec period{};
+  period.it_interval = {tick_ns / 1'000'000'000, tick_ns % 1'000'000'000};
+  period.it_value = period.it_interval;
+  timer_settime(g_timer, 0, &period, nullptr);
+  armed_ = true;
+}
+
+Watchdog::~Watchdog() {
+  if (!armed_) return;
+  timer_delete(g_timer);
+  ::signal(kSignal, SIG_IGN);
+}
+
+}  // namespace openr_host

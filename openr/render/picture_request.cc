@@ -1,0 +1,96 @@
+#include "openr/render/picture_request.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/duration.h"
+#include "cli/install_paths.h"
+#include "cli/output_file.h"
+#include "virtualrobot/virtual_robot.h"
+
+namespace openr_host {
+namespace {
+
+constexpr int kSizeMinPx = 16;
+constexpr int kSizeMaxPx = 4096;
+
+std::string ParsePart(std::string_view key, const std::string& value, PictureRequest* plan) {
+  if (key == "t") {
+    if (value != "end") return ParseDuration(value, &plan->time_us);
+    plan->time_us = -1;
+    return "";
+  }
+  if (key == "view") {
+    if (ParseView(value, &plan->view)) return "";
+    return fmt::format("unknown view '{}'; there are side, front, top, iso, follow", value);
+  }
+  int length = 0;
+  if (key == "size") {
+    const int got =
+        std::sscanf(value.c_str(), "%dx%d%n", &plan->width_px, &plan->height_px, &length);
+    const auto fits = [](int size) { return size >= kSizeMinPx && size <= kSizeMaxPx; };
+    if (got == 2 && value.size() == static_cast<size_t>(length) && fits(plan->width_px) &&
+        fits(plan->height_px)) {
+      return "";
+    }
+    return fmt::format("size '{}' is not like 1280x720, with {} to {} pixels each", value,
+                       kSizeMinPx, kSizeMaxPx);
+  }
+  if (key == "robot") {
+    if (std::sscanf(value.c_str(), "%d%n", &plan->robot, &length) == 1 && plan->robot >= 0 &&
+        value.size() == static_cast<size_t>(length)) {
+      return "";
+    }
+    return fmt::format("robot '{}' is no number; the first robot is 0", value);
+  }
+  return fmt::format("unknown part '{}'; there are t, view, size, robot", key);
+}
+
+}  // namespace
+
+std::string ParsePictureRequest(std::string_view text, PictureRequest* plan) {
+  while (!text.empty()) {
+    const size_t comma = text.find(',');
+    const std::string_view part = text.substr(0, comma);
+    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+    const size_t equals = part.find('=');
+    if (equals == std::string_view::npos) {
+      return fmt::format("'{}' is not like t=5s or view=side", part);
+    }
+    const std::string problem =
+        ParsePart(part.substr(0, equals), std::string(part.substr(equals + 1)), plan);
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, const World& world) {
+  const std::string library = RenderLibrary();
+  static void* const handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    return fmt::format("{}: no pictures: {} (Debian package libosmesa6)", plan.file, dlerror());
+  }
+  auto* const render =
+      reinterpret_cast<render::RenderPicture*>(dlsym(handle, render::kRenderPictureName));
+  if (render == nullptr) return fmt::format("{}: is of another version; build it again", library);
+
+  RobotLook look;
+  look.X_WB = robot.body().state().X_WB;
+  look.X_WL = robot.body().BodyPoses();
+  for (const LedDevice& led : robot.devices().leds) look.leds_on.push_back(led.intensity > 0);
+  for (size_t i = 0; i < robot.devices().plungers.size(); ++i) {
+    const Plunger& ear = robot.model().plungers[i];
+    const bool on = robot.devices().plungers[i].state == ojoint3_STATE1;
+    look.plungers_rad.push_back(on ? ear.on_rad : ear.off_rad);
+  }
+  render::Picture picture;
+  picture.width_px = plan.width_px;
+  picture.height_px = plan.height_px;
+  std::string png, problem;
+  render(MakeRobotScene(robot.model(), look, world, plan.view), picture, &png, &problem);
+  return problem.empty() ? WriteFile(plan.file, png) : fmt::format("{}: {}", plan.file, problem);
+}
+
+}  // namespace openr_host

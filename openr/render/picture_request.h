@@ -1,0 +1,31 @@
+// Pictures taken during a run: --snapshot t=5s,view=side -o a.png.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "openr/render/robot_scene.h"
+
+namespace openr_host {
+
+class VirtualRobot;
+
+struct PictureRequest {
+  int64_t time_us = -1;  // virtual; -1: at the end of the run
+  View view = View::kIso;
+  int robot = 0;
+  int width_px = 1280;
+  int height_px = 720;
+  std::string file;
+};
+
+// Reads "t=5s,view=side,size=1280x720,robot=0"; all parts are optional, t=end is the end.
+// Returns "" or what is wrong.
+std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
+
+// Draws the robot as it is now.  Loads libopenr_render.so, and Mesa with it, when first called.
+// Returns "" or what went wrong.
+std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, const World& world);
+
+}  // namespace openr_host

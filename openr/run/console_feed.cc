@@ -1,0 +1,53 @@
+#include "openr/run/console_feed.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+ConsoleFeed::ConsoleFeed(const std::string& file)
+    : is_open_(file == "-" || (file.empty() && isatty(STDIN_FILENO) != 0)) {
+  is_terminal_ = is_open_ && isatty(STDIN_FILENO) != 0;
+  if (file.empty() || is_open_) return;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw std::runtime_error(fmt::format("--stdin {}: cannot be read", file));
+  text_ = text.str();
+}
+
+// Whole lines only, until standard input ends.
+std::string ConsoleFeed::TakeLines() {
+  pollfd input = {STDIN_FILENO, POLLIN, 0};
+  while (is_open_ && poll(&input, 1, 0) > 0) {
+    char buffer[4096];
+    const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
+    if (count <= 0) {
+      is_open_ = false;
+    } else {
+      text_.append(buffer, static_cast<size_t>(count));
+    }
+  }
+  if (!is_open_) return std::exchange(text_, "");
+  const size_t end = text_.rfind('\n') + 1;  // 0 without a whole line
+  std::string lines = text_.substr(0, end);
+  text_.erase(0, end);
+  return lines;
+}
+
+void ConsoleFeed::Feed(System* system) {
+  const std::string lines = TakeLines();
+  if (lines.empty()) return;
+  system->console_input().set_echo(!is_terminal_);
+  for (int robot = 0; robot < system->robot_count(); ++robot) system->FeedConsole(robot, lines);
+}
+
+}  // namespace openr_host

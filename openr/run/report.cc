@@ -1,0 +1,147 @@
+#include "openr/run/report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/counted.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/core/api.h"
+#include "virtualrobot/kinematics.h"
+
+namespace openr_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegPerRad = 180 / 3.14159265358979323846;
+
+// Enough for a person and for any tolerance; and no 0.30000000000000004.
+double Rounded(double value, double step) {
+  const double rounded = std::round(value / step) * step;
+  return rounded == 0 ? 0 : std::round(rounded * 1e9) / 1e9;
+}
+
+Json Vector(const Eigen::Vector3d& v, double step) {
+  return Json::array({Rounded(v.x(), step), Rounded(v.y(), step), Rounded(v.z(), step)});
+}
+
+Json RobotReport(const VirtualRobot& robot, bool standing, int rc_port) {
+  const RobotModel& model = robot.model();
+  const BodyState& state = robot.body().state();
+  Json report = {{"model", model.name},
+                 {"standing", standing},
+                 {"base_position_m", Vector(state.X_WB.translation(), 1e-6)},
+                 {"base_rpy_deg", Vector(RpyOf(state.X_WB.linear()) * kDegPerRad, 1e-4)}};
+  Json joints = Json::object(), sensors = Json::object(), leds = Json::object();
+  for (size_t i = 0; i < model.joints.size(); ++i) {
+    joints[model.joints[i].locator] = Rounded(state.joints[i].angle_rad * kDegPerRad, 1e-4);
+  }
+  for (size_t i = 0; i < model.sensors.size(); ++i) {
+    if (model.sensors[i].kind == SensorKind::kJoint) continue;
+    sensors[model.sensors[i].locator] = robot.sensor(static_cast<int>(i)).value;
+  }
+  for (size_t i = 0; i < model.leds.size(); ++i) {
+    leds[model.leds[i].locator] = robot.devices().leds[i].intensity;
+  }
+  report["joints_deg"] = std::move(joints);
+  report["sensors"] = std::move(sensors);
+  report["leds"] = std::move(leds);
+  report["rc_port"] = rc_port;
+  return report;
+}
+
+Json ObjectReport(const Object& object) {
+  return {{"robot", object.robot},
+          {"name", object.name},
+          {"state", object.state},
+          {"messages", object.message_count},
+          {"dropped", object.dropped_count},
+          {"queue_max", object.waiting_max},
+          {"heap_bytes_max", object.arena == nullptr ? 0 : object.arena->bytes_in_use_max()},
+          {"stack_bytes_max", object.stack_max},
+          {"stack_bytes_ocf", object.limits.stack_bytes},
+          {"handler_us_max", object.handler_ns_max / 1000}};
+}
+
+Json FindingReport(const Finding& finding) {
+  Json report = {{"severity", SeverityName(finding.severity)},
+                 {"robot", finding.robot},
+                 {"object", finding.object},
+                 {"message", finding.message},
+                 {"time_s", static_cast<double>(finding.time_us) / 1e6},
+                 {"count", finding.count},
+                 {"text", finding.text}};
+  if (!finding.also_at.empty()) {
+    report["also_at"] = finding.also_at;
+    report["also_at_left_out"] = finding.count - 1 - finding.also_at.size();
+  }
+  return report;
+}
+
+}  // namespace
+
+Json MakeReport(Simulation* simulation, const RunFacts& facts) {
+  System& system = simulation->system();
+  const double virtual_time_s = static_cast<double>(system.now_us()) / 1e6;
+  Json report;
+  report["virtual_time_s"] = virtual_time_s;
+  report["wall_time_s"] = Rounded(facts.wall_time_s, 1e-6);
+  report["x_real_time"] =
+      facts.wall_time_s > 0 ? Rounded(virtual_time_s / facts.wall_time_s, 0.01) : 0.0;
+  report["ended_by"] = system.end() ? Json(EndName(system.end()->kind)) : Json();
+  report["ended_why"] = system.end() ? Json(system.end()->why) : Json();
+  report["frames"] = simulation->robots().empty() ? 0 : simulation->robots()[0]->frame();
+  report["messages"] = system.message_count();
+  report["seed"] = facts.seed;
+  report["state_hash"] = fmt::format("{:016x}", system.state_hash());
+  report["trace_hash"] = fmt::format("{:016x}", system.trace_hash());
+  report["rc_port"] = simulation->RcPort(0);
+  report["robots"] = Json::array();
+  for (size_t i = 0; i < simulation->robots().size(); ++i) {
+    const int robot = static_cast<int>(i);
+    report["robots"].push_back(RobotReport(*simulation->robots()[i], facts.standing[i].standing(),
+                                           simulation->RcPort(robot)));
+    const Robot& dog = system.robot(robot);
+    report["robots"].back()["ended_by"] =
+        dog.powered_off && dog.end ? Json(EndName(dog.end->kind)) : Json();
+  }
+  report["objects"] = Json::array();
+  for (const auto& object : system.objects()) report["objects"].push_back(ObjectReport(*object));
+  report["findings"] = Json::array();
+  for (const Finding& finding : system.findings().all()) {
+    report["findings"].push_back(FindingReport(finding));
+  }
+  return report;
+}
+
+std::string DescribeObjects(Simulation* simulation) {
+  const System& system = simulation->system();
+  std::string text;
+  for (const auto& object : system.objects()) {
+    const std::string path = object->path.empty() ? "" : object->path + " ";
+    const std::string dog =
+        system.robot_count() > 1 ? fmt::format(", robot {}", object->robot) : "";
+    text += fmt::format("[oid:{:#010x}] {}{}{}\n", OidValue(object->id), path, object->name, dog);
+  }
+  return text;
+}
+
+std::string DescribeFindings(Simulation* simulation) {
+  std::string text;
+  const Findings& findings = simulation->system().findings();
+  for (const Finding& finding : findings.all()) {
+    std::string about;
+    if (!finding.object.empty()) {
+      about = fmt::format("{} (message {}, t={:.3f} s): ", finding.object, finding.message,
+                          static_cast<double>(finding.time_us) / 1e6);
+    }
+    text += fmt::format("{}: {}{}{}\n", SeverityName(finding.severity), about, finding.text,
+                        HowOften(finding));
+  }
+  if (findings.not_kept() > 0) text += "and " + Counted(findings.not_kept(), "more finding") + "\n";
+  return text;
+}
+
+}  // namespace openr_host

@@ -1,0 +1,186 @@
+#include "openr/run/runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/duration.h"
+#include "openr/inspect/recorder.h"
+#include "openr/simulation/activity.h"
+#include "openr/run/console_feed.h"
+#include "openr/run/interrupt.h"
+#include "openr/simulation/pacing.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/core/stack_report.h"
+#include "runtime/core/stalls.h"
+
+namespace openr_host {
+namespace {
+
+// After a shutdown that the program asks for itself: DoStop and DoDestroy of all objects.
+constexpr int64_t kShutdownMaxUs = 60'000'000;
+
+}  // namespace
+
+Runner::Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts)
+    : simulation_(simulation),
+      plan_(std::move(plan)),
+      interrupts_(interrupts),
+      standing_(simulation->robots().size(), StandingMonitor(simulation->model())),
+      taken_(plan_.snapshots.size(), false),
+      announced_(simulation->robots().size(), false) {}
+
+void Runner::WatchActivity() {
+  if (!plan_.until_idle) return;
+  System& system = simulation_->system();
+  activity_sink_ =
+      system.trace().AddSink([this, &system](const TraceRecord& record, const Message& message) {
+        if (IsActivity(system, message)) last_activity_us_ = record.time_us;
+      });
+}
+
+std::optional<RunEnd> Runner::WhyOver() const {
+  System& system = simulation_->system();
+  const int64_t now_us = system.now_us();
+  if (system.powered_off()) return {};
+  if (interrupts_->count() >= 2)
+    return RunEnd{EndKind::kSignal, "Ctrl-C or SIGTERM came again; no object was told"};
+  if (paused_us_ >= 0) {
+    if (now_us - paused_us_ < kPauseUs + kShutdownMaxUs) return {};
+    return RunEnd{EndKind::kPause, "the shutdown after the pause button took more than 60 s"};
+  }
+  if (plan_.for_us && now_us >= *plan_.for_us)
+    return RunEnd{EndKind::kTime, fmt::format("--for {} is over", plan_.for_text)};
+  if (plan_.until_idle && system.booted() && now_us - last_activity_us_ >= kIdleUs)
+    return RunEnd{EndKind::kIdle, "no object has sent anything for 1 s (--until-idle)"};
+  return {};
+}
+
+// The next frame boundary, or what comes before it.
+int64_t Runner::NextStop() const {
+  const int64_t now_us = simulation_->system().now_us();
+  int64_t stop_us = (now_us / kFrameUs + 1) * kFrameUs;
+  if (plan_.for_us && *plan_.for_us > now_us) stop_us = std::min(stop_us, *plan_.for_us);
+  return stop_us;
+}
+
+void Runner::PressPause() {
+  paused_us_ = simulation_->system().now_us();
+  plan_.say("pause button pressed; again to end at once");
+  for (VirtualRobot* const robot : simulation_->robots()) robot->PressPause();
+  if (plan_.recorder != nullptr) plan_.recorder->NotePause(paused_us_);
+}
+
+void Runner::TakePictures(bool at_end) {
+  System& system = simulation_->system();
+  for (size_t i = 0; i < plan_.snapshots.size(); ++i) {
+    const PictureRequest& snapshot = plan_.snapshots[i];
+    if (taken_[i]) continue;
+    const bool wants_end = snapshot.time_us < 0;
+    if (wants_end ? at_end : system.now_us() >= snapshot.time_us) {
+      taken_[i] = true;
+      Take(snapshot);
+    } else if (at_end) {
+      system.AddFindingAbout(
+          nullptr, Severity::kError,
+          fmt::format("no picture {}: the run was over before t={}; t=end is its end",
+                      snapshot.file, FormatDuration(snapshot.time_us)));
+    }
+  }
+}
+
+void Runner::Take(const PictureRequest& snapshot) {
+  const int64_t begin_ns = WallClockNs();
+  const VirtualRobot& robot = *simulation_->robots().at(static_cast<size_t>(snapshot.robot));
+  const std::string problem = TakePicture(snapshot, robot, simulation_->world());
+  good_ = good_ && problem.empty();
+  wall_time_ns_ -= WallClockNs() - begin_ns;
+  const double time_s = static_cast<double>(simulation_->system().now_us()) / 1e6;
+  plan_.say(problem.empty() ? fmt::format("wrote {} (t={:.3f} s)", snapshot.file, time_s)
+                            : problem);
+}
+
+void Runner::AnnouncePorts() {
+  for (size_t i = 0; i < announced_.size(); ++i) {
+    if (announced_[i]) continue;
+    const uint16_t port = simulation_->RcPort(static_cast<int>(i));
+    if (port == 0) continue;
+    announced_[i] = true;
+    plan_.say(announced_.size() == 1
+                  ? fmt::format("remote control: openr rc 127.0.0.1:{} info", port)
+                  : fmt::format("remote control of robot {}: openr rc 127.0.0.1:{} info", i, port));
+  }
+}
+
+void Runner::AfterFrame() {
+  System& system = simulation_->system();
+  for (size_t i = 0; i < standing_.size(); ++i) {
+    standing_[i].Sample(simulation_->robots()[i]->body().state(), system.now_us());
+  }
+  if (plan_.after_frame) plan_.after_frame();
+  AnnouncePorts();
+  TakePictures(false);
+  if (interrupts_->count() == 1 && paused_us_ < 0) PressPause();
+  if (paused_us_ >= 0 && !shutdown_posted_ && system.now_us() - paused_us_ >= kPauseUs) {
+    shutdown_posted_ = true;
+    plan_.say("no object handles the pause button; shutting down");
+    system.Shutdown({EndKind::kPause,
+                     "no object shut the robot down within 1 s after the pause button, so openr "
+                     "did"});
+    if (plan_.recorder != nullptr) plan_.recorder->NoteShutdown(system.now_us());
+  }
+}
+
+double Runner::wall_time_s() const {
+  const int64_t running_ns = begin_ns_ == 0 ? 0 : WallClockNs() - begin_ns_;
+  return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
+}
+
+// Up to `stop_us`, no faster than the wall clock; what other processes did is done when it comes.
+void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
+  constexpr double kSliceUs = 1000;  // so late may be what is due between two frames
+  System& system = simulation_->system();
+  while (!system.powered_off()) {
+    const int64_t clock_us = pacer->TimeNow(system.now_us());
+    system.RunUntil(std::clamp(clock_us, system.now_us(), stop_us));
+    const double left_us = static_cast<double>(stop_us - clock_us) / plan_.rate;
+    plan_.pump(static_cast<int64_t>(std::clamp(left_us, 0.0, kSliceUs)));
+    if (clock_us >= stop_us) return;
+  }
+}
+
+bool Runner::Run() {
+  System& system = simulation_->system();
+  Pacer pacer(plan_.rate);
+  WatchActivity();
+  begin_ns_ = WallClockNs();
+  ConsoleFeed typed(plan_.stdin_file);
+  system.Boot();
+  std::optional<RunEnd> end = WhyOver();
+  for (; !end && !system.powered_off(); end = WhyOver()) {
+    typed.Feed(&system);
+    const int64_t stop_us = NextStop();
+    if (plan_.pump) {
+      RunFreely(stop_us, &pacer);
+    } else {
+      if (paused_us_ < 0) pacer.WaitFor(stop_us);
+      system.RunUntil(stop_us);
+    }
+    AfterFrame();
+  }
+  if (end) system.NoteRunEnd(*end);
+  system.trace().RemoveSink(activity_sink_);
+  if (!system.powered_off()) {
+    const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
+    ReportStalls(&system, is_silent);
+  }
+  ReportStacks(&system);
+  simulation_->ReportUnusedCosts();
+  simulation_->CloseFiles();
+  TakePictures(true);
+  wall_time_ns_ += WallClockNs() - std::exchange(begin_ns_, 0);
+  return good_;
+}
+
+}  // namespace openr_host

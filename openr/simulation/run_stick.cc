@@ -1,0 +1,53 @@
+#include "openr/simulation/run_stick.h"
+
+#include "cli/cache_folder.h"
+#include "openr/simulation/simulation.h"
+#include "runtime/config/spelling.h"
+
+namespace openr_host {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kCrashLog[] = "EMON.LOG";
+
+// The path of the crash log in the cache folder, which is made.  When that fails, the crash handler
+// says why the file cannot be written.
+std::string CrashLogInCache() {
+  const fs::path folder = CacheFolder();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return folder / kCrashLog;
+}
+
+}  // namespace
+
+std::string CrashLogOn(const std::string& folder) {
+  return (fs::absolute(folder) / "OPEN-R" / kCrashLog).lexically_normal();
+}
+
+void CopyStick(const fs::path& from, const fs::path& to) {
+  for (const auto& entry : fs::directory_iterator(from)) {
+    const fs::path copy = to / entry.path().filename();
+    if (entry.is_directory()) {
+      fs::create_directory(copy);
+      CopyStick(entry.path(), copy);
+    } else if (EqualsIgnoringCase(entry.path().extension().string(), ".DBG")) {
+      fs::create_symlink(fs::canonical(entry.path()), copy);
+    } else {
+      fs::copy_file(entry.path(), copy);
+      fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add);
+    }
+  }
+}
+
+RunStick::RunStick(const std::string& wanted, bool is_written)
+    : is_default_(wanted.empty()), name_(StickFolder(wanted)), folder_(name_) {
+  crash_log_ = is_default_ ? CrashLogInCache() : CrashLogOn(name_);
+  if (!is_default_ || !is_written) return;
+  copy_ = std::make_unique<TempFolder>();
+  CopyStick(name_, copy_->path());
+  folder_ = copy_->path();
+}
+
+}  // namespace openr_host

@@ -1,0 +1,175 @@
+#include "openr/simulation/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/input_file.h"
+#include "cli/install_paths.h"
+#include "openr/simulation/cost_file.h"
+#include "openr/simulation/network_setup.h"
+#include "openr/simulation/pacing.h"
+#include "runtime/gateway/tcp_gateway.h"
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/stick/memory_stick.h"
+#include "virtualrobot/battery.h"
+#include "virtualrobot/body.h"
+
+namespace openr_host {
+namespace {
+
+World WorldOf(const std::string& file) {
+  if (file.empty()) return {};
+  RequireReadable(file, kWorldFile);
+  return LoadWorld(file);
+}
+
+std::shared_ptr<ConfiguredCost> CostOf(const SimulationOptions& options) {
+  if (options.cost != nullptr) return nullptr;
+  const auto config = LoadCostFile(options.cost_file);
+  return config ? std::make_shared<ConfiguredCost>(*config, options.seed) : nullptr;
+}
+
+std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
+                                   std::shared_ptr<CostModel> cost) {
+  SystemOptions system_options;
+  system_options.seed = options.seed;
+  system_options.strict = options.strict;
+  system_options.console = options.console;
+  system_options.log_level = options.log_level;
+  if (options.measures) system_options.wall_clock_ns = &WallClockNs;
+  system_options.measure_stacks = options.measures;
+  system_options.guard_regions = options.guard_regions;
+  system_options.cost = cost == nullptr ? options.cost : std::move(cost);
+  return std::make_unique<System>(std::move(system_options));
+}
+
+std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
+                               const World& world) {
+  if (kind == "ode") return MakeOdeBody(model, world);
+  if (kind == "ideal") return MakeIdealBody(model, world);
+  throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
+}
+
+// The options of a robot's devices.  Files for sound and pictures are for the first robot only.
+VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
+  VirtualRobotOptions devices;
+  const std::string problem = ParseBattery(options.battery, &devices.battery);
+  if (!problem.empty()) throw std::runtime_error("battery: " + problem);
+  if (!is_first) return devices;
+  if (!options.speaker.empty()) devices.speaker = OpenSpeakerFile(options.speaker);
+  if (!options.microphone.empty())
+    devices.microphone = OpenMicrophoneFile(options.microphone, AfterEnd::kSilence);
+  if (!options.images.empty()) devices.camera = OpenImageFolder(options.images);
+  return devices;
+}
+
+}  // namespace
+
+std::string StickFolder(const std::string& wanted) {
+  if (wanted.empty()) return DefaultStick();
+  std::error_code error;
+  const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");  // in any case
+  if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
+  if (root.error != 0 && root.error != ENOENT) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be read: {}", wanted, std::strerror(root.error)));
+  }
+  throw std::runtime_error(
+      fmt::format("{}: holds no folder OPEN-R; a stick is a folder like the root of a Memory "
+                  "Stick",
+                  wanted));
+}
+
+Simulation::Simulation(const SimulationOptions& options)
+    : model_(LoadRobotModel(ModelFile(options.robot))),
+      world_(WorldOf(options.world)),
+      stick_(StickFolder(options.stick)),
+      cost_(CostOf(options)),
+      system_(MakeSystem(options, cost_)) {
+  for (int i = 0; i < options.robots; ++i) AddRobot(options, i);
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::AddRobot(const SimulationOptions& options, int index) {
+  auto stick = std::make_shared<FolderStick>(stick_);
+  stick->set_writable(options.writable_stick && options.robots == 1);
+  const std::vector<AddressPair> addresses = AddressesOf(options, stick.get(), index);
+  const int robot = system_->AddRobot(model_.design, std::move(stick));
+  robots_.push_back(AddVirtualRobot(system_.get(), robot, model_,
+                                    MakeBody(options.body, model_, world_),
+                                    DevicesOf(options, index == 0)));
+  if (index == 0) NoteALowBattery(options.battery);
+  auto network = options.host_network
+                     ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
+                     : MakeLonelyNetwork();
+  if (options.network_filter) network = options.network_filter(robot, std::move(network));
+  IpStackOptions stack_options;
+  stack_options.addresses = addresses;
+  networks_.push_back(
+      AddIpStack(system_.get(), robot, std::move(network), std::move(stack_options)));
+  const System::StandIns stand_ins =
+      options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
+  if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
+}
+
+// Says that the battery will not end the run, which nobody expects of one that is nearly empty.
+void Simulation::NoteALowBattery(const std::string& text) {
+  Battery battery;
+  ParseBattery(text, &battery);
+  if (!battery.is_low_at_boot()) return;
+  system_->AddFindingAbout(
+      nullptr, Severity::kNote,
+      fmt::format("--battery {}: objects shut a robot down before its battery is below {} %; this "
+                  "one boots with the bit for low capacity set, which is no change that an object "
+                  "hears of, so the battery does not end the run; give {}% or more if it should",
+                  text, kLowCapacityPercent, kLowCapacityPercent));
+}
+
+// The pairs of the command line, then those of the stick.
+std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& options,
+                                                 MemoryStick* stick, int index) {
+  const auto text = stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + kAddressFile);
+  if (!text) return options.addresses;
+  const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
+  for (const Diagnostic& diagnostic : config.diagnostics) {
+    if (index == 0)  // the robots share one stick
+      system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
+  }
+  return MergeAddressPairs(options.addresses, config.pairs);
+}
+
+void Simulation::ReportUnusedCosts() {
+  if (cost_ == nullptr) return;
+  constexpr size_t kNamed = 10;
+  const std::vector<Place> unused = cost_->Unused();
+  std::string lines;
+  for (size_t i = 0; i < std::min(unused.size(), kNamed); ++i)
+    lines += fmt::format("{}{} ({})", i == 0 ? "" : ", ", unused[i].line, unused[i].text);
+  if (unused.empty()) return;
+  if (unused.size() > kNamed) lines += fmt::format(" and {} more", unused.size() - kNamed);
+  system_->AddFindingAbout(nullptr, Severity::kWarning,
+                           fmt::format("{}: no handler that ran is meant by line {}; openr trace "
+                                       "shows how objects and entries are called",
+                                       unused[0].file, lines));
+}
+
+void Simulation::CloseFiles() {
+  for (VirtualRobot* const robot : robots_) {
+    const std::string problem = robot->CloseFiles();
+    if (!problem.empty())
+      system_->AddFindingAbout(nullptr, Severity::kError, "Speaker: " + problem);
+  }
+}
+
+uint16_t Simulation::RcPort(int robot) const {
+  return HostPortOfRemoteControl(*networks_.at(static_cast<size_t>(robot)));
+}
+
+}  // namespace openr_host

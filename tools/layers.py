@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Checks that includes between the folders of the product go one way.
+
+Each line of LAYERS is a group: its folders are listed from the lowest to the highest, and a file
+may include only its own folder and folders to the left, of its own group and of the groups in
+MAY_USE.  Prints every offence as FILE:LINE; exits with 1 if there is one.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+LAYERS = {
+    "runtime": "runtime/base runtime/config runtime/stick runtime/core runtime/objcomm "
+               "runtime/ipstack runtime/gateway runtime/api runtime/hooks",
+    "virtualrobot": "virtualrobot",
+    "distribution": "distribution",
+    "cli": "cli",
+    "kit": "kit",
+    "openr": "openr/ending openr/simulation openr/graph openr/remote openr/render openr/explore "
+             "openr/inspect openr/run openr/ros2 openr/commands openr",
+    "testing": "testing",
+}
+MAY_USE = {
+    "runtime": [],
+    "virtualrobot": ["runtime"],
+    "distribution": ["runtime"],
+    "cli": ["runtime"],
+    "kit": ["runtime", "cli"],
+    "openr": ["runtime", "virtualrobot", "distribution", "cli", "kit"],
+    "testing": ["runtime", "virtualrobot", "cli", "openr"],
+}
+INCLUDE = re.compile(r'^#include "((?:%s)/[^"]+)"' % "|".join(LAYERS))
+
+
+def folder_of(path):
+    """The folder in LAYERS that has `path`, and the group it belongs to."""
+    group = path.split("/")[0]
+    fitting = [f for f in LAYERS[group].split() if path.startswith(f + "/")]
+    return max(fitting, key=len, default=None), group
+
+
+def offences(path):
+    """Each include of the file `path` that the list does not allow, as a line of text."""
+    folder, group = folder_of(path)
+    if folder is None:
+        yield f"{path}: its folder is not in LAYERS of tools/layers.py"
+        return
+    order = LAYERS[group].split()
+    for number, line in enumerate((ROOT / path).read_text().splitlines(), 1):
+        include = INCLUDE.match(line)
+        if not include:
+            continue
+        other, other_group = folder_of(include[1])
+        if other is None or (
+            order.index(other) > order.index(folder)
+            if other_group == group
+            else other_group not in MAY_USE[group]
+        ):
+            yield f"{path}:{number}: {folder} may not include {include[1]}"
+
+
+def main():
+    found = []
+    for group in LAYERS:
+        for path in sorted((ROOT / group).rglob("*")):
+            name = path.relative_to(ROOT).as_posix()
+            outside = name.startswith(("runtime/include/", "runtime/compat/", "kit/controller/"))
+            if path.suffix in (".h", ".cc") and not outside:
+                found += offences(name)
+    print("\n".join(found), end="\n" if found else "")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
