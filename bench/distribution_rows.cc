@@ -17,9 +17,9 @@
 #include "cli/install_paths.h"
 #include "distribution/bus.h"
 #include "distribution/worker_group.h"
+#include "runtime/base/temp_folder.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
-#include "runtime/core/temp_folder.h"
 #include "runtime/stick/memory_stick.h"
 
 extern char** environ;

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 

@@ -26,10 +26,6 @@ double UpperNs(size_t bucket) {
 
 }  // namespace
 
-int64_t Latency::NowNs() {
-  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-}
-
 void Latency::Add(int64_t ns) {
   ++count_;
   max_ns_ = std::max(max_ns_, ns);

@@ -4,20 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/wall_clock.h"
+
 namespace openr_host {
 
 class Latency {
  public:
-  // Returns the time of a monotonic clock with an arbitrary origin.
-  static int64_t NowNs();
-  static int64_t NowMs() { return NowNs() / 1'000'000; }
-
   // Measures from its construction to its destruction, and adds the time to two histograms.
   class Timer {
    public:
-    Timer(Latency* first, Latency* second) : first_(first), second_(second), begin_ns_(NowNs()) {}
+    Timer(Latency* first, Latency* second)
+        : first_(first), second_(second), begin_ns_(WallClockNs()) {}
     ~Timer() {
-      const int64_t ns = NowNs() - begin_ns_;
+      const int64_t ns = WallClockNs() - begin_ns_;
       first_->Add(ns);
       second_->Add(ns);
     }

@@ -9,12 +9,12 @@
 #include <new>
 #include <vector>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/hasher.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {

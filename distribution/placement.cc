@@ -103,7 +103,7 @@ std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string
   const bool is_here = Resolve(own_address).is_loopback;
   std::vector<Diagnostic> diagnostics;
   for (const auto& [process, host] : placement.host_of) {
-    const Place& place = placement.host_lines.at(process);
+    const FilePosition& place = placement.host_lines.at(process);
     const Resolved found = Resolve(host);
     if (!found.problem.empty()) {
       diagnostics.push_back(ErrorAt(

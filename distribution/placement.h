@@ -19,7 +19,7 @@ struct Placement {
   std::map<std::string, std::string> process_of;
   // Name of a process that a user starts (openr join) -> address of its host.
   std::map<std::string, std::string> host_of;
-  std::map<std::string, Place> host_lines;  // lines of the file that define host_of
+  std::map<std::string, FilePosition> host_lines;  // lines of the file that define host_of
 
   bool empty() const { return process_of.empty(); }
   // Returns the names of all processes, sorted, each once.

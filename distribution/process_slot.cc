@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "distribution/latency.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {
@@ -93,8 +94,8 @@ void ProcessSlot::NotifyAbandoned() {
 
 // Asks the kernel only every kLivenessIntervalMs: a fast run calls this in each frame.
 bool ProcessSlot::HasEnded() const {
-  if (!has_joined_ || Latency::NowMs() < next_check_ms_) return false;
-  next_check_ms_ = Latency::NowMs() + kLivenessIntervalMs;
+  if (!has_joined_ || WallClockMs() < next_check_ms_) return false;
+  next_check_ms_ = WallClockMs() + kLivenessIntervalMs;
   return liveness_.HasEnded();
 }
 
@@ -122,14 +123,14 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
-             Latency::NowMs() - session_opened_ms_ < kSessionClaimMs) {
+             WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
     return;  // another requester holds the session; this one asks again
   } else {
     // A repeated request of the same requester gets the same session again.
     if (channel_ == nullptr || requester_id_ != id) {
       session_ = NewSessionName();
       OpenSession(session_);
-      session_opened_ms_ = Latency::NowMs();
+      session_opened_ms_ = WallClockMs();
       requester_id_ = id;
     }
     answer.session = arena.Text(session_);

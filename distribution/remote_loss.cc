@@ -7,8 +7,8 @@
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 

@@ -4,10 +4,10 @@
 #include <OPENR/ObjcommMessages.h>
 
 #include "distribution/remote_process.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/hasher.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 

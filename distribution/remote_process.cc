@@ -9,9 +9,10 @@
 
 #include "distribution/questions.h"
 #include "distribution/remote_object.h"
+#include "runtime/base/wall_clock.h"
 #include "runtime/core/api.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {
@@ -298,7 +299,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.insert(box);
   // The silence of an idle worker does not count, so the time starts anew.
-  if (running_.empty()) last_heard_ms_ = Latency::NowMs();
+  if (running_.empty()) last_heard_ms_ = WallClockMs();
   running_[object->id] = box;
   bool timed_out = false;
   Message* const wake = system_->AwaitReply(box, -1, wait_reason_, &timed_out);
@@ -334,14 +335,14 @@ bool RemoteProcess::HandleReceived() {
     }
   });
   if (!came) return false;
-  last_heard_ms_ = Latency::NowMs();
+  last_heard_ms_ = WallClockMs();
   if (std::exchange(is_silent_, false)) say_(fmt::format("process '{}' answers again", name_));
   return true;
 }
 
 // Tells the user of a worker that has work and sends nothing.
 void RemoteProcess::ReportSilence() {
-  if (running_.empty() || is_silent_ || Latency::NowMs() - last_heard_ms_ < kSilenceMs) return;
+  if (running_.empty() || is_silent_ || WallClockMs() - last_heard_ms_ < kSilenceMs) return;
   is_silent_ = true;
   say_(
       fmt::format("process '{}' (pid {}) has not answered for {} s: stopped, or busy; the others "

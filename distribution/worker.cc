@@ -11,10 +11,11 @@
 #include "distribution/latency.h"
 #include "distribution/liveness_check.h"
 #include "distribution/process_slot.h"
+#include "runtime/base/wall_clock.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/indivisible.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {
@@ -288,9 +289,9 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
 // unless this handler may take long: then they must not wait for it.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
-  const int64_t begin_ns = Latency::NowNs();
+  const int64_t begin_ns = WallClockNs();
   system_->RunMessages(1);
-  if (Latency::NowNs() - begin_ns < kFastHandlerNs) {
+  if (WallClockNs() - begin_ns < kFastHandlerNs) {
     fast_objects_.insert(id);
   } else {
     fast_objects_.erase(id);

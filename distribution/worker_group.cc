@@ -9,7 +9,8 @@
 #include "distribution/join_advice.h"
 #include "distribution/latency.h"
 #include "distribution/remote_object.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
+#include "runtime/base/wall_clock.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -297,7 +298,7 @@ void WorkerGroup::Pump(int64_t timeout_us) {
     if (IsInterrupted()) return;
     HandleReceived();
   }
-  const int64_t now_ns = Latency::NowNs();
+  const int64_t now_ns = WallClockNs();
   const bool is_time = now_ns >= next_check_ns_;
   if (is_time) next_check_ns_ = now_ns + kHealthIntervalNs;
   for (auto& [name, member] : members_) {

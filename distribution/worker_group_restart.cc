@@ -9,6 +9,7 @@
 
 #include "distribution/latency.h"
 #include "distribution/worker_group.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {
@@ -29,7 +30,7 @@ bool WorkerGroup::MayRestart(const Member& member) const {
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
   member->stage = stage;
-  member->since_ms = Latency::NowMs();
+  member->since_ms = WallClockMs();
   member->is_reported = false;
 }
 
@@ -82,7 +83,7 @@ void WorkerGroup::CheckRestart(Member* member) {
     throw ProcessLost(member->child->HowItEnded());
   // A free run goes on meanwhile, so an external worker may take any time.
   if (member->stage == Stage::kJoining && member->is_external && options_.is_free) return;
-  const int64_t waited_ms = Latency::NowMs() - member->since_ms;
+  const int64_t waited_ms = WallClockMs() - member->since_ms;
   if (waited_ms > options_.wait_ms)
     throw ProcessLost(fmt::format("process '{}' did not come back within {} s", member->name,
                                   options_.wait_ms / 1000));
@@ -109,10 +110,10 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
 // restarted.
 void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
-  if (member->attempt_failed && Latency::NowMs() - member->since_ms < kRetryPauseMs) return;
+  if (member->attempt_failed && WallClockMs() - member->since_ms < kRetryPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
     // A crashed process is given time to write its record on the stick.
-    if (member->crashed && Latency::NowMs() - member->since_ms < kCrashRecordMs) return;
+    if (member->crashed && WallClockMs() - member->since_ms < kCrashRecordMs) return;
     member->child.reset();  // the old process was cut off or stopped; it is killed here
   }
   if (!MayRestart(*member)) {

@@ -30,7 +30,7 @@
 #include "kit/shell_words.h"
 #include "kit/text_files.h"
 #include "kit/work_copy.h"
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {

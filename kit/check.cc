@@ -49,11 +49,11 @@ std::string Remarks::Shown(const std::string& file) const {
   return below == "." ? shown_root_ : (fs::path(shown_root_) / below).string();
 }
 
-void Remarks::Add(Remark::Kind kind, const Place& place, std::string text) {
+void Remarks::Add(Remark::Kind kind, const FilePosition& place, std::string text) {
   AddConsequence(kind, place, "", std::move(text));
 }
 
-void Remarks::AddConsequence(Remark::Kind kind, const Place& place, std::string cause,
+void Remarks::AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                              std::string text) {
   const std::string file = Shown(place.file);
   for (Remark& known : all_) {
@@ -68,20 +68,20 @@ void Remarks::AddConsequence(Remark::Kind kind, const Place& place, std::string 
 }
 
 void Remarks::Error(const std::string& file, std::string text) {
-  Add(Remark::Kind::kError, Place{file, 0, 0, ""}, std::move(text));
+  Add(Remark::Kind::kError, FilePosition{file, 0, 0, ""}, std::move(text));
 }
 
 void Remarks::Warning(const std::string& file, std::string text) {
-  Add(Remark::Kind::kWarning, Place{file, 0, 0, ""}, std::move(text));
+  Add(Remark::Kind::kWarning, FilePosition{file, 0, 0, ""}, std::move(text));
 }
 
 void Remarks::Note(const std::string& file, std::string text) {
-  Add(Remark::Kind::kNote, Place{file, 0, 0, ""}, std::move(text));
+  Add(Remark::Kind::kNote, FilePosition{file, 0, 0, ""}, std::move(text));
 }
 
 void Remarks::AddAll(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& d : diagnostics)
-    AddConsequence(KindOf(d.severity), Place{d.file, d.line, d.column, d.text}, d.message,
+    AddConsequence(KindOf(d.severity), FilePosition{d.file, d.line, d.column, d.text}, d.message,
                    d.message);
 }
 

@@ -36,11 +36,12 @@ class Remarks {
   Remarks(std::string real, std::string shown)
       : real_root_(std::move(real)), shown_root_(std::move(shown)) {}
 
-  void Add(Remark::Kind kind, const Place& place, std::string text);
+  void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
   // The first consequence of a cause in a file is kept, later ones are counted with their places.
   // Any name will do for `cause`.
-  void AddConsequence(Remark::Kind kind, const Place& place, std::string cause, std::string text);
+  void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
+                      std::string text);
 
   void Error(const std::string& file, std::string text);
   void Warning(const std::string& file, std::string text);

@@ -13,7 +13,7 @@
 #include "kit/robot_lacks.h"
 #include "kit/source_place.h"
 #include "kit/source_text.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "kit/image_match.h"
 #include "kit/text_files.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/gateway_config.h"
 #include "runtime/config/line_file.h"
 #include "runtime/config/ocf.h"
-#include "runtime/config/spelling.h"
 #include "runtime/core/image_file.h"
 
 namespace openr_host {

@@ -75,7 +75,7 @@ class ObjectCheck {
     CheckRegistration(stub.config);
   }
 
-  void CheckFunction(const std::string& function, const Place& place, const char* event) {
+  void CheckFunction(const std::string& function, const FilePosition& place, const char* event) {
     if (function.empty() || HasWord(code_, function)) return;
     remarks_->Add(Remark::Kind::kError, place,
                   fmt::format("no {}() in the sources of {}; declare: void {}({})", function,
@@ -192,7 +192,7 @@ bool IsDummy(const StubService& service) {
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks) {
   static const std::regex kPath("\"(/[mM][sS]/[^\"%\\\\]*)\"");
   std::vector<Diagnostic> ignored;
-  for (const Place& line : SplitLines(file, text, &ignored)) {
+  for (const FilePosition& line : SplitLines(file, text, &ignored)) {
     std::smatch match;
     if (!std::regex_search(line.text, match, kPath)) continue;
     for (const fs::path& part : fs::path(match[1].str())) {

@@ -8,12 +8,12 @@
 #include "kit/check_images.h"
 #include "kit/check_objects.h"
 #include "kit/text_files.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/address_config.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/gateway_config.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 #include "runtime/config/wlan_config.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -54,8 +54,8 @@ class StickCheck {
   }
 
   void CheckConnections();
-  void CheckService(const ServiceName& name, const std::string& section, const Place& place);
-  void ReportUnknown(const ServiceName& name, const Place& place);
+  void CheckService(const ServiceName& name, const std::string& section, const FilePosition& place);
+  void ReportUnknown(const ServiceName& name, const FilePosition& place);
   void CheckUnconnected(const std::set<std::string>& connected);
   void CheckGateway();
   void NoteOldAddresses(const GatewayConfig& host);
@@ -73,7 +73,7 @@ class StickCheck {
 
 // `section`: the robot design that the line is limited to, or "".
 void StickCheck::CheckService(const ServiceName& name, const std::string& section,
-                              const Place& place) {
+                              const FilePosition& place) {
   const std::string full = Compose(name);
   if (full.starts_with(kGatewayPrefix)) return;
   const auto [begin, end] = images_.services.equal_range(full);
@@ -89,7 +89,7 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
                             owner.name, owner.section, section, full));
 }
 
-void StickCheck::ReportUnknown(const ServiceName& name, const Place& place) {
+void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
   // All services of an object that is not there have one cause.
   std::string cause = name.object + ".";

@@ -19,7 +19,7 @@
 #include "kit/shell_words.h"
 #include "kit/stick_merge.h"
 #include "kit/text_files.h"
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 namespace {

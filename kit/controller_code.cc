@@ -134,7 +134,7 @@ std::set<std::string> ControllerCode::LeadingTo(const std::string& name) const {
   return names;
 }
 
-Place ControllerCode::PlaceOf(const CodeFile& file, size_t at) {
+FilePosition ControllerCode::PlaceOf(const CodeFile& file, size_t at) {
   const size_t origin = at < file.code.origins.size() ? file.code.origins[at] : file.source.size();
   return PlaceAt(file.name, file.source, origin);
 }

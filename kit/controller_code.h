@@ -61,7 +61,7 @@ class ControllerCode {
   // `name` and the functions that call it, directly or not.
   std::set<std::string> LeadingTo(const std::string& name) const;
 
-  static Place PlaceOf(const CodeFile& file, size_t at);
+  static FilePosition PlaceOf(const CodeFile& file, size_t at);
 
   // The first argument of a call as it is written, a macro as what it stands for.
   std::string FirstArgument(const CodeFile& file, const CodeCall& call) const;

@@ -8,8 +8,8 @@
 
 #include "kit/process.h"
 #include "kit/text_files.h"
+#include "runtime/base/temp_folder.h"
 #include "runtime/config/line_file.h"
-#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 namespace {
@@ -43,8 +43,8 @@ constexpr char kPrintVariables[] =
 Diagnostic AtWord(const fs::path& list, const std::string& text, const std::string& word,
                   std::string message) {
   std::vector<Diagnostic> ignored;
-  Place place{list, 1, 1, ""};
-  for (const Place& line : SplitLines(list, text, &ignored)) {
+  FilePosition place{list, 1, 1, ""};
+  for (const FilePosition& line : SplitLines(list, text, &ignored)) {
     const size_t at = line.text.find(word);
     if (line.line > 1 && at == std::string::npos) continue;
     place = line;

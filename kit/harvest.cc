@@ -10,8 +10,8 @@
 #include "cli/output_file.h"
 #include "kit/image_match.h"
 #include "kit/text_files.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/gateway_config.h"
-#include "runtime/config/spelling.h"
 #include "runtime/core/image_file.h"
 
 namespace openr_host {

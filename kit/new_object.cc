@@ -8,8 +8,8 @@
 #include "kit/image_match.h"
 #include "kit/new_object_text.h"
 #include "kit/text_files.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/ocf.h"
-#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {

@@ -4,7 +4,7 @@
 
 namespace openr_host {
 
-Place PlaceAt(const std::string& file, std::string_view text, size_t offset) {
+FilePosition PlaceAt(const std::string& file, std::string_view text, size_t offset) {
   const size_t begin = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
   const size_t end = std::min(text.find('\n', offset), text.size());
   const std::string_view before = text.substr(0, begin);

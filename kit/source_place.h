@@ -10,6 +10,6 @@
 namespace openr_host {
 
 // The line and column of `offset` in `text`, which is that of `file`.
-Place PlaceAt(const std::string& file, std::string_view text, size_t offset);
+FilePosition PlaceAt(const std::string& file, std::string_view text, size_t offset);
 
 }  // namespace openr_host

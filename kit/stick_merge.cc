@@ -103,7 +103,7 @@ std::vector<Diagnostic> CheckNames(const fs::path& folder) {
   for (const fs::path& entry : entries) {
     const std::string problem = WhyNotShortName(entry.filename());
     if (problem.empty()) continue;
-    Place place;
+    FilePosition place;
     place.file = entry.lexically_relative(folder);
     diagnostics.push_back(ErrorAt(place, problem));
   }
@@ -112,7 +112,7 @@ std::vector<Diagnostic> CheckNames(const fs::path& folder) {
 
 std::vector<Diagnostic> CheckWlanConfig(const std::string& file, const std::string& text) {
   std::vector<Diagnostic> diagnostics;
-  for (const Place& line : SplitLines(file, text, &diagnostics)) {
+  for (const FilePosition& line : SplitLines(file, text, &diagnostics)) {
     if (!IsRecord(line.text)) continue;
     const size_t equals = line.text.find('=');
     if (equals == std::string::npos) {
@@ -139,7 +139,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
   const fs::path config = FindBelow(stick, "OPEN-R/MW/CONF/OBJECT.CFG");
   const std::string text = ReadText(config).value_or("");
   bool has_power_monitor = false;
-  for (const Place& line : SplitLines("OPEN-R/MW/CONF/OBJECT.CFG", text, &diagnostics)) {
+  for (const FilePosition& line : SplitLines("OPEN-R/MW/CONF/OBJECT.CFG", text, &diagnostics)) {
     if (!IsRecord(line.text)) continue;
     const std::string path =
         WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
@@ -152,7 +152,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
     }
   }
   if (!has_power_monitor) {
-    Place place;
+    FilePosition place;
     place.file = "OPEN-R/MW/CONF/OBJECT.CFG";
     diagnostics.push_back(
         WarningAt(place, "no POWERMON.BIN: nothing handles the pause button and an empty battery"));

@@ -13,9 +13,9 @@
 #include <filesystem>
 
 #include "cli/install_paths.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/service_name.h"
-#include "runtime/config/spelling.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/image_file.h"
 #include "runtime/gateway/tcp_gateway.h"

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <new>
 
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
-#include "runtime/objcomm/state.h"
+#include "runtime/core/connection_state.h"
 #include "testing/bench.h"
 
 namespace openr::testing {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "openr/simulation/standing.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 #include "testing/bench.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/virtual_robot.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr::testing {

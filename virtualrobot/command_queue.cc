@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
 #include "virtualrobot/joint_watch.h"
 #include "virtualrobot/optional_bytes.h"

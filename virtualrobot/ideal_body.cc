@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/servo.h"
 

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 

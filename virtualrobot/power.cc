@@ -6,8 +6,8 @@
 #include <cstring>
 #include <new>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

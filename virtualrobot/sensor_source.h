@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/core/rng.h"
+#include "runtime/base/rng.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/devices.h"
 #include "virtualrobot/model/robot_model.h"

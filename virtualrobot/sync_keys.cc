@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/current.h"
-#include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/sound/audio_comm.h"
 #include "virtualrobot/virtual_robot_comm.h"

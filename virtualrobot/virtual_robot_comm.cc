@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/listeners.h"
 #include "virtualrobot/sound/audio_comm.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
 

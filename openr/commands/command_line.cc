@@ -10,7 +10,7 @@
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {

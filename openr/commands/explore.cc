@@ -29,6 +29,7 @@
 #include "openr/explore/schedule_file.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/pacing.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {

@@ -20,14 +20,14 @@ constexpr double kEnded_s = 10;   // that an ended run stays on the screen
 constexpr size_t kStateMax = 40;  // characters of a state in the table
 
 // Where an object runs.
-struct Place {
+struct ProcessHost {
   std::string process;
   std::string host;
   int64_t pid = 0;
   std::string lost;
 };
 
-Place PlaceOf(const RunStatus& run, const RunStatus::Object& object) {
+ProcessHost HostOf(const RunStatus& run, const RunStatus::Object& object) {
   for (const RunStatus::Process& process : run.processes) {
     if (!object.process.empty() && process.name == object.process)
       return {process.name, process.host, process.pid, process.lost};
@@ -59,7 +59,7 @@ using Row = std::array<std::string, kColumns>;
 using Widths = std::array<size_t, kColumns>;  // 0: left out
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
-  const Place place = PlaceOf(run, object);
+  const ProcessHost place = HostOf(run, object);
   const std::string process = place.process.empty() ? "-" : place.process;
   const bool is_timed = object.handlers.count > 0;
   return {has_robots ? fmt::format("{}:{}", object.robot, object.name) : object.name,
@@ -143,7 +143,7 @@ std::string Headline(const Run& run, double now_s) {
 }
 
 Json ObjectJson(const RunStatus& run, const RunStatus::Object& object) {
-  const Place place = PlaceOf(run, object);
+  const ProcessHost place = HostOf(run, object);
   const RunStatus::Times& times = object.handlers;
   return {{"robot", object.robot},
           {"name", object.name},

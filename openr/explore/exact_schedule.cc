@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "runtime/core/api.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "openr/explore/explore_schedule.h"
-#include "runtime/config/cost_config.h"
+#include "runtime/core/configured_cost.h"
 
 namespace openr_host {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "openr/explore/deviation.h"
-#include "runtime/core/rng.h"
+#include "runtime/base/rng.h"
 #include "runtime/core/schedule.h"
 
 namespace openr_host {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "openr/explore/shorten.h"
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "cli/output_file.h"
 #include "openr/simulation/pacing.h"
+#include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {

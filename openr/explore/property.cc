@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "openr/explore/property_file.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 #include "runtime/core/stalls.h"
 
 namespace openr_host {

@@ -14,8 +14,8 @@
 
 #include "cli/duration.h"
 #include "openr/explore/quantity.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -188,7 +188,7 @@ bool Compares(const Value& actual, const std::string& op, const std::string& exp
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics) {
   std::vector<PropertyRule> rules;
-  for (const Place& place : SplitLines(file, text, diagnostics)) {
+  for (const FilePosition& place : SplitLines(file, text, diagnostics)) {
     RecordLine line{place, SplitWords(place.text), ""};
     if (line.words.empty() || line.words[0].text[0] == '#') continue;
     if (auto rule = LineReader(line, diagnostics).Read()) rules.push_back(std::move(*rule));

@@ -29,8 +29,8 @@ struct PropertyRule {
   int64_t within_us = -1;  // -1: no limit
   std::string quantity;
   std::string op;
-  std::string value;  // the rest of the line
-  Place place;        // of the quantity
+  std::string value;   // the rest of the line
+  FilePosition place;  // of the quantity
 };
 
 // A bad line is reported and skipped.

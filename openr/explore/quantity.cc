@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {

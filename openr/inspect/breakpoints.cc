@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "openr/inspect/trace_file.h"
 #include "openr/simulation/simulation.h"
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 

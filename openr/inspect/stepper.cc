@@ -18,7 +18,7 @@
 #include "cli/duration.h"
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/trace_text.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {

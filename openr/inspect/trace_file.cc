@@ -16,8 +16,8 @@
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
-#include "runtime/config/spelling.h"
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -7,11 +7,12 @@
 
 #include "cli/duration.h"
 #include "openr/inspect/recorder.h"
-#include "openr/simulation/activity.h"
 #include "openr/run/console_feed.h"
 #include "openr/run/interrupt.h"
+#include "openr/simulation/activity.h"
 #include "openr/simulation/pacing.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/base/wall_clock.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/stalls.h"
 

@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include "runtime/base/wall_clock.h"
 #include "runtime/core/current.h"
 
 namespace openr_host {
@@ -10,13 +11,6 @@ namespace {
 constexpr int64_t kLateMaxNs = 100'000'000;
 
 }  // namespace
-
-int64_t WallClockNs() {
-  const ApiScope scope;  // objects have another clock; this call is not theirs
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 int64_t Pacer::DueNs(int64_t time_us) const {
   const double ahead_us = static_cast<double>(time_us - start_virtual_us_);

@@ -32,7 +32,4 @@ class Pacer {
   int64_t start_virtual_us_ = 0;
 };
 
-// The monotonic clock in nanoseconds; may be called while an object is running.
-int64_t WallClockNs();
-
 }  // namespace openr_host

@@ -2,7 +2,7 @@
 
 #include "cli/cache_folder.h"
 #include "openr/simulation/simulation.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {

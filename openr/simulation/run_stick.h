@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 

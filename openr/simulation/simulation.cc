@@ -14,6 +14,8 @@
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/pacing.h"
+#include "runtime/base/wall_clock.h"
+#include "runtime/core/configured_cost.h"
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
@@ -148,7 +150,7 @@ std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& option
 void Simulation::ReportUnusedCosts() {
   if (cost_ == nullptr) return;
   constexpr size_t kNamed = 10;
-  const std::vector<Place> unused = cost_->Unused();
+  const std::vector<FilePosition> unused = cost_->Unused();
   std::string lines;
   for (size_t i = 0; i < std::min(unused.size(), kNamed); ++i)
     lines += fmt::format("{}{} ({})", i == 0 ? "" : ", ", unused[i].line, unused[i].text);

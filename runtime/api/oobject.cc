@@ -3,8 +3,8 @@
 
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/assert.h"
 #include "runtime/core/system.h"
 
 using namespace openr_host;

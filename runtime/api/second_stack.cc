@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/config/spelling.h"
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/spelling.h"
 #include "runtime/core/current.h"
 #include "runtime/core/fiber.h"
 #include "runtime/core/fp_flags.h"

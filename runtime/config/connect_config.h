@@ -11,11 +11,11 @@
 namespace openr_host {
 
 struct ConnectRecord {
-  ServiceName subject;   // direction 'S'
-  ServiceName observer;  // direction 'O', same data type as the subject
-  std::string section;   // robot design the line is limited to; "" for every robot
-  Place subject_place;   // for "no such service" with a caret under the right name
-  Place observer_place;
+  ServiceName subject;         // direction 'S'
+  ServiceName observer;        // direction 'O', same data type as the subject
+  std::string section;         // robot design the line is limited to; "" for every robot
+  FilePosition subject_place;  // for "no such service" with a caret under the right name
+  FilePosition observer_place;
 };
 
 struct ConnectConfig {

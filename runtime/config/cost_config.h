@@ -13,20 +13,16 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "runtime/config/diagnostic.h"
-#include "runtime/core/cpu.h"
-#include "runtime/core/rng.h"
 
 namespace openr_host {
 
 struct CostRule {
-  Place place;
+  FilePosition place;
   std::string object;
   std::string entry;
   int64_t cost_us = 0;
@@ -48,35 +44,5 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text);
 
 // Whether `text` is what `pattern` says, '*' in it being any text, also none.
 bool MatchesPattern(std::string_view pattern, std::string_view text);
-
-// Charges what the file says.  Jitter is uniform, drawn from the generator "cost" of the seed.
-class ConfiguredCost : public CostModel {
- public:
-  ConfiguredCost(CostConfig config, uint64_t seed);
-
-  int64_t CostUs(const Object& object, uint32_t selector) override;
-  int64_t FrameUs() const override { return config_.frame_us; }
-  void HashState(Hasher* hasher) const override;
-
-  // Lines that fit no handler called so far.  One that another line below stands in for fits.
-  std::vector<Place> Unused() const;
-
- protected:
-  // What this call takes more, or less if negative: at most `range_us` > 0 to both sides.
-  virtual int64_t JitterUs(const Object& object, uint32_t selector, int64_t range_us);
-
- private:
-  struct Cost {
-    int64_t us = 0;
-    int64_t range_us = 0;
-  };
-  Cost Find(const Object& object, uint32_t selector);
-
-  const CostConfig config_;
-  std::vector<bool> used_;  // by rule
-  Rng rng_;
-  // Entries have their names by the time they are called first.
-  std::map<std::pair<ObjectId, uint32_t>, Cost> known_;
-};
 
 }  // namespace openr_host

@@ -16,8 +16,8 @@ struct DesignRecord {
   std::string keyword;  // case counts
   std::string path;     // as written, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; any case
   std::string section;  // robot design the line is limited to; "" for every robot
-  Place keyword_place;
-  Place path_place;
+  FilePosition keyword_place;
+  FilePosition path_place;
 };
 
 struct DesignConfig {

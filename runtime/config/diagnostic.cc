@@ -39,22 +39,22 @@ std::string RenderAs(const Diagnostic& d, const char* kind) {
   return result;
 }
 
-Diagnostic At(const Place& place, Severity severity, std::string message) {
+Diagnostic At(const FilePosition& place, Severity severity, std::string message) {
   return Diagnostic{severity, place.file, place.line, place.column, std::move(message), place.text};
 }
 
 }  // namespace
 
-Place AtColumn(Place place, int column) {
+FilePosition AtColumn(FilePosition place, int column) {
   place.column = column;
   return place;
 }
 
-Diagnostic ErrorAt(const Place& place, std::string message) {
+Diagnostic ErrorAt(const FilePosition& place, std::string message) {
   return At(place, Severity::kError, std::move(message));
 }
 
-Diagnostic WarningAt(const Place& place, std::string message) {
+Diagnostic WarningAt(const FilePosition& place, std::string message) {
   return At(place, Severity::kWarning, std::move(message));
 }
 

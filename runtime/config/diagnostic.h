@@ -12,9 +12,9 @@ enum class Severity {
   kNote,     // nothing is wrong; good to know
 };
 
-// A spot in a text file.  Records keep theirs, so that whatever turns out wrong with them
-// later ("no such service") is still reported at the right line, with a caret.
-struct Place {
+// A position in a text file.  A record keeps the position it was read from, so that a later
+// finding about it ("no such service") names the right line and has a caret.
+struct FilePosition {
   std::string file;  // as the caller named it
   int line = 0;      // from 1; 0 means the file as a whole
   int column = 0;    // from 1, in bytes; 0 means no caret
@@ -22,7 +22,7 @@ struct Place {
 };
 
 // The same line, another column.
-Place AtColumn(Place place, int column);
+FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {
   Severity severity = Severity::kError;
@@ -33,8 +33,8 @@ struct Diagnostic {
   std::string text;
 };
 
-Diagnostic ErrorAt(const Place& place, std::string message);
-Diagnostic WarningAt(const Place& place, std::string message);
+Diagnostic ErrorAt(const FilePosition& place, std::string message);
+Diagnostic WarningAt(const FilePosition& place, std::string message);
 
 bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <optional>
 
+#include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -46,7 +46,7 @@ class GatewayReader {
   }
 
  private:
-  void Refuse(const Place& place, std::string why) {
+  void Refuse(const FilePosition& place, std::string why) {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
@@ -192,7 +192,7 @@ std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const Gate
   };
   std::vector<Wire> known;
   const auto check = [&](const ServiceName& service, const std::string& section,
-                         const Place& place) {
+                         const FilePosition& place) {
     if (!Compose(service).starts_with(kGatewayPrefix)) return;
     std::vector<std::string> names;
     bool is_there = false;

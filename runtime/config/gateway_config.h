@@ -32,7 +32,7 @@ struct GatewayRecord {
   std::string host;       // address of the robot to connect to; "": this side listens
   std::string section;    // robot design the line is limited to; "" for every robot
   bool is_proxy = false;  // no service, but the OPEN-R calls of remote programs
-  Place place;
+  FilePosition place;
 
   std::string Name() const;  // of its service, as in the file
 };

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "runtime/config/characters.h"
-#include "runtime/config/spelling.h"
+#include "runtime/base/characters.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -48,7 +48,7 @@ class SectionFilter {
   void Enter(const RecordLine& line);
 
  private:
-  void CheckSpelling(const Place& place, const std::string& name);
+  void CheckSpelling(const FilePosition& place, const std::string& name);
 
   const std::string_view design_;
   std::vector<Diagnostic>* const diagnostics_;
@@ -80,7 +80,7 @@ void SectionFilter::Enter(const RecordLine& line) {
   is_open_ = design_ == kEveryDesign || EqualsIgnoringCase(name, design_);
 }
 
-void SectionFilter::CheckSpelling(const Place& place, const std::string& name) {
+void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& name) {
   const std::optional<std::string> known = ClosestMatch(name, kKnownDesigns);
   if (!known) return;
   if (EqualsIgnoringCase(name, *known)) {
@@ -95,7 +95,7 @@ void SectionFilter::CheckSpelling(const Place& place, const std::string& name) {
 }
 
 // Reports the first byte that is neither text nor blank; comments may hold any (Japanese ones do).
-bool HoldsControlByte(const Place& place, std::vector<Diagnostic>* diagnostics) {
+bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
     const unsigned char byte = static_cast<unsigned char>(place.text[i]);
     if ((byte >= 0x20 && byte != 0x7f) || byte == '\t') continue;
@@ -125,16 +125,16 @@ std::vector<Word> SplitWords(std::string_view text) {
   return words;
 }
 
-std::vector<Place> SplitLines(const std::string& file, std::string_view text,
-                              std::vector<Diagnostic>* diagnostics) {
-  std::vector<Place> lines;
-  Place first_binary;
+std::vector<FilePosition> SplitLines(const std::string& file, std::string_view text,
+                                     std::vector<Diagnostic>* diagnostics) {
+  std::vector<FilePosition> lines;
+  FilePosition first_binary;
   int binary_count = 0;
   int number = 0;
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     text.remove_prefix(kByteOrderMark.size());
     diagnostics->push_back(
-        WarningAt(Place{file, 0, 0, ""},
+        WarningAt(FilePosition{file, 0, 0, ""},
                   "starts with a UTF-8 byte order mark, which the robot would read as part of the "
                   "first line; save it without"));
   }
@@ -142,15 +142,15 @@ std::vector<Place> SplitLines(const std::string& file, std::string_view text,
     const std::string_view line = TakeLine(&text);
     number += 1;
     if (line.find('\0') != std::string_view::npos) {
-      if (binary_count == 0) first_binary = Place{file, number, 0, "(not shown)"};
+      if (binary_count == 0) first_binary = FilePosition{file, number, 0, "(not shown)"};
       binary_count += 1;
     } else if (line.size() > static_cast<size_t>(kLineBytesMax)) {
       const std::string start = std::string(line.substr(0, kQuotedBytesMax)) + "...";
       diagnostics->push_back(ErrorAt(
-          Place{file, number, 0, start},
+          FilePosition{file, number, 0, start},
           fmt::format("line of {} bytes, the limit is {}; skipped", line.size(), kLineBytesMax)));
     } else {
-      lines.push_back(Place{file, number, 1, std::string(line)});
+      lines.push_back(FilePosition{file, number, 1, std::string(line)});
     }
   }
   if (binary_count > 0) {
@@ -183,7 +183,7 @@ std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view te
                                     std::string_view design, std::vector<Diagnostic>* diagnostics) {
   std::vector<RecordLine> records;
   SectionFilter sections(design, diagnostics);
-  for (const Place& place : SplitLines(file, text, diagnostics)) {
+  for (const FilePosition& place : SplitLines(file, text, diagnostics)) {
     RecordLine line{place, SplitWords(place.text), sections.section()};
     if (line.words.empty() || line.words[0].text[0] == '#') continue;
     line.place.column = line.words[0].column;

@@ -32,15 +32,15 @@ std::vector<Word> SplitWords(std::string_view text);
 // The lines of a file, in order, each a Place with column 1.  Lines with NUL bytes or of more than
 // kLineBytesMax bytes are left out and reported (NULs once for the whole file, since a binary has
 // thousands); a UTF-8 byte order mark is dropped with a warning.
-std::vector<Place> SplitLines(const std::string& file, std::string_view text,
-                              std::vector<Diagnostic>* diagnostics);
+std::vector<FilePosition> SplitLines(const std::string& file, std::string_view text,
+                                     std::vector<Diagnostic>* diagnostics);
 
 struct RecordLine {
-  Place place;              // column of the first word
+  FilePosition place;       // column of the first word
   std::vector<Word> words;  // never empty
   std::string section;      // as written, "" before the first section
 
-  Place At(const Word& word) const { return AtColumn(place, word.column); }
+  FilePosition At(const Word& word) const { return AtColumn(place, word.column); }
 };
 
 // The records of a file with sections that hold for `design` ("ERS-210", or kEveryDesign).

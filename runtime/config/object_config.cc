@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 #include "runtime/config/stick_path.h"
 
 namespace openr_host {

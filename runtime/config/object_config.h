@@ -12,7 +12,7 @@ namespace openr_host {
 struct ObjectRecord {
   std::string path;     // as written, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; any case
   std::string section;  // robot design the line is limited to; "" for every robot
-  Place place;
+  FilePosition place;
 };
 
 struct ObjectConfig {

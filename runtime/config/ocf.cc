@@ -5,8 +5,8 @@
 #include <charconv>
 #include <limits>
 
+#include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -20,14 +20,14 @@ constexpr int64_t kMistypedHeapBytes = 16386;
 
 struct Field {
   std::string text;
-  Place place;
+  FilePosition place;
 };
 
 // All words of the file, comments left out.
 std::vector<Field> ReadFields(const std::string& file, std::string_view text,
                               std::vector<Diagnostic>* diagnostics) {
   std::vector<Field> fields;
-  for (const Place& line : SplitLines(file, text, diagnostics)) {
+  for (const FilePosition& line : SplitLines(file, text, diagnostics)) {
     const std::string_view content = std::string_view(line.text).substr(0, line.text.find('#'));
     for (const Word& word : SplitWords(content)) {
       fields.push_back({word.text, AtColumn(line, word.column)});
@@ -171,8 +171,9 @@ OcfResult ParseOcf(const std::string& file, std::string_view text) {
   OcfResult result;
   const std::vector<Field> fields = ReadFields(file, text, &result.diagnostics);
   if (fields.empty()) {
-    result.diagnostics.push_back(ErrorAt(
-        Place{file, 0, 0, ""}, "no description; write: object NAME 3072 16384 128 cache tlb user"));
+    result.diagnostics.push_back(
+        ErrorAt(FilePosition{file, 0, 0, ""},
+                "no description; write: object NAME 3072 16384 128 cache tlb user"));
   } else if (fields[0].text != "object") {
     result.diagnostics.push_back(ErrorAt(
         fields[0].place, fmt::format("the first word is '{}', must be 'object'{}", fields[0].text,

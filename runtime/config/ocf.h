@@ -30,7 +30,7 @@ struct Ocf {
   bool is_cached = true;       // "cache"
   bool is_translated = true;   // "tlb"
   bool is_user_mode = true;    // "user", not "kernel"
-  Place place;                 // of the name
+  FilePosition place;          // of the name
 };
 
 struct OcfResult {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -41,7 +41,7 @@ bool IsShortName(std::string_view part) {
 
 }  // namespace
 
-bool CheckStickPath(const Word& word, const Place& place, const char* what,
+bool CheckStickPath(const Word& word, const FilePosition& place, const char* what,
                     std::vector<Diagnostic>* diagnostics) {
   const std::string& path = word.text;
   if (path.find('\\') != std::string::npos) {
@@ -63,7 +63,7 @@ bool CheckStickPath(const Word& word, const Place& place, const char* what,
   while (true) {
     const size_t end = std::min(path.find('/', start), path.size());
     const std::string part = path.substr(start, end - start);
-    const Place here = AtColumn(place, word.column + static_cast<int>(start));
+    const FilePosition here = AtColumn(place, word.column + static_cast<int>(start));
     if (part.empty() || part == "." || part == "..") {
       const char* fault = part.empty() ? "an empty part" : "a part that is only dots";
       diagnostics->push_back(

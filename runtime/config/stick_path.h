@@ -12,7 +12,7 @@ namespace openr_host {
 // /MS/ (any case), uses '/', and has no empty, '.' or '..' part; otherwise reports an error that
 // calls it `what` ("object path").  A part that is not an 8.3 name is only a warning: the host
 // could open it, the robot's FAT file system cannot hold it.
-bool CheckStickPath(const Word& word, const Place& place, const char* what,
+bool CheckStickPath(const Word& word, const FilePosition& place, const char* what,
                     std::vector<Diagnostic>* diagnostics);
 
 }  // namespace openr_host

@@ -33,8 +33,8 @@ class StubParser {
   StubConfigResult Parse(const std::string& file, std::string_view text);
 
  private:
-  void ReadLine(const Place& place);
-  void FollowBlockComment(const Place& place);
+  void ReadLine(const FilePosition& place);
+  void FollowBlockComment(const FilePosition& place);
   void ReadObjectName(const StubLine& line);
   void ReadCount(const StubLine& line, Side* side);
   void ReadService(const StubLine& line);
@@ -43,10 +43,10 @@ class StubParser {
   void CheckCount(const std::string& file, const Side& side);
   void CheckExtra(const StubExtra& extra);
 
-  void Error(const Place& place, std::string message) {
+  void Error(const FilePosition& place, std::string message) {
     result_.diagnostics.push_back(ErrorAt(place, std::move(message)));
   }
-  void Warning(const Place& place, std::string message) {
+  void Warning(const FilePosition& place, std::string message) {
     result_.diagnostics.push_back(WarningAt(place, std::move(message)));
   }
 
@@ -61,12 +61,12 @@ class StubParser {
 };
 
 StubConfigResult StubParser::Parse(const std::string& file, std::string_view text) {
-  for (const Place& place : SplitLines(file, text, &result_.diagnostics)) ReadLine(place);
+  for (const FilePosition& place : SplitLines(file, text, &result_.diagnostics)) ReadLine(place);
   CheckWhole(file);
   return std::move(result_);
 }
 
-void StubParser::ReadLine(const Place& place) {
+void StubParser::ReadLine(const FilePosition& place) {
   FollowBlockComment(place);
   const std::optional<StubLine> line = RecognizeStubLine(place, &result_.diagnostics);
   if (!line) return;
@@ -93,7 +93,7 @@ void StubParser::ReadLine(const Place& place) {
 }
 
 // stub.cfg has no such comments on the robot (Sony's host tool has), so they only earn a warning.
-void StubParser::FollowBlockComment(const Place& place) {
+void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");
   const size_t close = place.text.rfind("*/");
   const bool opens = open != std::string::npos && open == place.text.find_first_not_of(" \t");
@@ -158,7 +158,8 @@ void StubParser::ReadExtra(const StubLine& line) {
 void StubParser::CheckWhole(const std::string& file) {
   const StubConfig& config = result_.config;
   if (!has_object_name_) {
-    Error(Place{file, 0, 0, ""}, "no ObjectName line; add: ObjectName : <the object's C++ class>");
+    Error(FilePosition{file, 0, 0, ""},
+          "no ObjectName line; add: ObjectName : <the object's C++ class>");
   }
   CheckCount(file, subjects_);
   CheckCount(file, observers_);
@@ -180,8 +181,9 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                       "null, null",
                       side.noun, object.empty() ? "Object" : object, side.dummy);
   if (!side.has_count) {
-    Error(Place{file, 0, 0, ""}, fmt::format("no {0} line; add: {0} : {1}{2}", side.count_word,
-                                             found == 0 ? 1 : found, dummy));
+    Error(FilePosition{file, 0, 0, ""},
+          fmt::format("no {0} line; add: {0} : {1}{2}", side.count_word, found == 0 ? 1 : found,
+                      dummy));
     return;
   }
   if (side.count < 0) return;  // reported already

@@ -18,12 +18,12 @@ struct StubService {
   // Member functions of the core class; "" where stub.cfg says null.
   std::string connect_function;  // subject: control event; observer: connect event
   std::string data_function;     // subject: ready event; observer: notify event
-  Place place;                   // of the name
+  FilePosition place;            // of the name
 };
 
 struct StubExtra {
   std::string function;
-  Place place;
+  FilePosition place;
 };
 
 // Subjects and observers are numbered independently, each in file order.
@@ -32,7 +32,7 @@ struct StubConfig {
   std::vector<StubService> subjects;
   std::vector<StubService> observers;
   std::vector<StubExtra> extras;
-  Place object_name_place;
+  FilePosition object_name_place;
 
   // 4 for the life cycle, two per service, one per extra.
   int NumOfSelectors() const;

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cstddef>
 
-#include "runtime/config/characters.h"
+#include "runtime/base/characters.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -66,7 +66,7 @@ bool StartsWith(std::string_view text, std::string_view start) {
 // Reports errors of one line.
 class Reporter {
  public:
-  Reporter(const Place& place, std::vector<Diagnostic>* diagnostics)
+  Reporter(const FilePosition& place, std::vector<Diagnostic>* diagnostics)
       : place_(place), diagnostics_(diagnostics) {}
 
   void Error(int column, std::string message) {
@@ -77,7 +77,7 @@ class Reporter {
   }
 
  private:
-  const Place& place_;
+  const FilePosition& place_;
   std::vector<Diagnostic>* const diagnostics_;
 };
 
@@ -238,7 +238,8 @@ void ParseFunctions(Piece rest, StubService* service, Reporter* reporter) {
 
 }  // namespace
 
-std::optional<StubLine> RecognizeStubLine(const Place& line, std::vector<Diagnostic>* diagnostics) {
+std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
+                                          std::vector<Diagnostic>* diagnostics) {
   Reporter reporter(line, diagnostics);
   Piece rest{line.text, 1};
   rest.SkipBlanks();

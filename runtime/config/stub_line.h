@@ -16,13 +16,14 @@ enum class StubKeyword { kObjectName, kNumOfSubject, kNumOfObserver, kService, k
 // A line that counts.
 struct StubLine {
   StubKeyword keyword = StubKeyword::kService;
-  std::string word;   // the keyword as written: NumOfOSubject and NumOfSubject are the same
-  Place place;        // of what follows the colon and its blanks
-  std::string value;  // what follows, trailing blanks removed
+  std::string word;    // the keyword as written: NumOfOSubject and NumOfSubject are the same
+  FilePosition place;  // of what follows the colon and its blanks
+  std::string value;   // what follows, trailing blanks removed
 };
 
 // nullopt when the line is ignored; warns when it looks as if it should not be.
-std::optional<StubLine> RecognizeStubLine(const Place& line, std::vector<Diagnostic>* diagnostics);
+std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
+                                          std::vector<Diagnostic>* diagnostics);
 
 // The C++ name in an ObjectName line; "" after an error.  The rest of the line is ignored.
 std::string ParseObjectName(const StubLine& line, std::vector<Diagnostic>* diagnostics);

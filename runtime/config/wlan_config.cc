@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "runtime/config/characters.h"
+#include "runtime/base/characters.h"
+#include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
-#include "runtime/config/spelling.h"
 
 namespace openr_host {
 namespace {
@@ -128,7 +128,7 @@ std::string_view TrimEnd(std::string_view text) {
   return text;
 }
 
-void ReadSetting(const Place& line, WlanResult* result) {
+void ReadSetting(const FilePosition& line, WlanResult* result) {
   const std::string_view text = TrimEnd(line.text);
   const size_t equals = text.find('=');
   const auto error = [&](size_t offset, std::string message) {
@@ -170,7 +170,7 @@ void ReadSetting(const Place& line, WlanResult* result) {
 
 WlanResult ParseWlanConfig(const std::string& file, std::string_view text) {
   WlanResult result;
-  for (const Place& line : SplitLines(file, text, &result.diagnostics)) {
+  for (const FilePosition& line : SplitLines(file, text, &result.diagnostics)) {
     const std::string_view content = TrimEnd(line.text);
     if (content.empty() || content.front() == '#') continue;
     ReadSetting(line, &result);

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 
 #ifndef MAP_FIXED_NOREPLACE
 #define MAP_FIXED_NOREPLACE 0x100000

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

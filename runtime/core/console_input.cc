@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/dispatcher.h"
-#include "runtime/core/hasher.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

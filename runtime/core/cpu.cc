@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "runtime/core/assert.h"
-#include "runtime/core/hasher.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

@@ -3,12 +3,12 @@
 #include <exception>
 #include <utility>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/upper_registers.h"
 #include "runtime/core/image.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/system.h"
-#include "runtime/core/upper_registers.h"
 
 namespace openr_host {
 
@@ -195,8 +195,10 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
                         fmt::format("uncaught exception in {}; on the robot abort()",
                                     object->EntryName(message->selector)));
   }
-  if (clock != nullptr)
+  if (clock != nullptr) {
+    const ApiScope scope;  // because code of an image sees the clock of the robot
     object->handler_ns_max = std::max(object->handler_ns_max, clock() - begin_ns);
+  }
   FinishHandler(object);
 }
 

@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/base/assert.h"
 #include "runtime/config/ocf.h"
-#include "runtime/core/assert.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/image_file.h"

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/temp_folder.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/handler_stack.h"
 #include "runtime/core/object.h"
-#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 

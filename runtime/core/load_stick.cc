@@ -6,11 +6,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/object_config.h"
 #include "runtime/config/ocf.h"
-#include "runtime/config/spelling.h"
 #include "runtime/core/image.h"
 #include "runtime/core/image_file.h"
 #include "runtime/core/system.h"

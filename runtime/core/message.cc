@@ -5,7 +5,7 @@
 #include <new>
 #include <tuple>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/schedule.h"
 
 namespace openr_host {

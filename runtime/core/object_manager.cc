@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "runtime/base/spelling.h"
 #include "runtime/config/service_name.h"
-#include "runtime/config/spelling.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/uplink.h"
 
 namespace openr_host {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/assert.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {

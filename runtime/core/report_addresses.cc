@@ -3,8 +3,8 @@
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {

@@ -1,6 +1,6 @@
 #include "runtime/core/robot_services.h"
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/base/rng.h"
 #include "runtime/core/message.h"
-#include "runtime/core/rng.h"
 
 namespace openr_host {
 

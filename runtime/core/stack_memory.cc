@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/memory_tools.h"
 
 #if __has_include(<valgrind/valgrind.h>)

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {

@@ -9,16 +9,16 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/assert.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/guard_pages.h"
 #include "runtime/core/image.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/stalls.h"
-#include "runtime/objcomm/state.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
@@ -26,24 +26,19 @@ namespace openr_host {
 static_assert(sizeof(ONotifyMessage) <= Message::kPayloadMax);
 static_assert(sizeof(OReadyMessage) <= Message::kPayloadMax);
 
-void AssertFailed(const char* file, int line, const char* condition, const std::string& details) {
-  std::fflush(stdout);
-  std::fprintf(stderr, "%s:%d: ASSERT(%s) failed%s%s\n", file, line, condition,
-               details.empty() ? "" : ": ", details.c_str());
-  if (const System* const system = t_current.system) {
-    const Object* const object = t_current.object;
-    std::fprintf(stderr, "  t=%lld us, object %s, message %llu, seed %llu\n",
-                 static_cast<long long>(system->now_us()),
-                 object == nullptr ? "(none)" : object->name.c_str(),
-                 static_cast<unsigned long long>(
-                     object == nullptr || object->running == nullptr ? 0 : object->running->number),
-                 static_cast<unsigned long long>(system->options().seed));
-  }
-  t_current = {};  // abort() of an object only ends its method; this one is ours
-  std::abort();
-}
-
 namespace {
+
+// Where the run stands, for failed assertions.
+std::string RunContext() {
+  const System* const system = t_current.system;
+  const Object* const object = t_current.object;
+  t_current = {};
+  if (system == nullptr) return "";
+  return fmt::format("  t={} us, object {}, message {}, seed {}\n", system->now_us(),
+                     object == nullptr ? "(none)" : object->name,
+                     object == nullptr || object->running == nullptr ? 0 : object->running->number,
+                     system->options().seed);
+}
 
 // The C library allocates the buffer of stdout when it is first used.  That must not be on the heap
 // of the object that happens to print first, which goes with the object.
@@ -62,6 +57,7 @@ std::vector<uint64_t> EndNumbers(int robot, const RunEnd& why) {
 System::System(SystemOptions options)
     : options_(std::move(options)), dispatcher_(std::make_unique<Dispatcher>(this)) {
   AllocateStandardOutput();
+  assert_context = &RunContext;
   regions_.set_uplink(options_.uplink);
   region_shares_.set_uplink(options_.uplink);
   using GivenBack = GuardPages::GivenBack;

@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/base/rng.h"
 #include "runtime/core/console_input.h"
 #include "runtime/core/cpu.h"
 #include "runtime/core/current.h"
@@ -31,7 +32,6 @@
 #include "runtime/core/object.h"
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
-#include "runtime/core/rng.h"
 #include "runtime/core/run_end.h"
 #include "runtime/core/schedule.h"
 #include "runtime/core/time_events.h"

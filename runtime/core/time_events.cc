@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {

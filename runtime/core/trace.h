@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/message.h"
 
 namespace openr_host {

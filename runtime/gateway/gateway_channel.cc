@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
 #include "runtime/gateway/tcp_gateway.h"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/gateway/tcp_gateway.h"
 
 namespace openr_host {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/gateway/proxy_client.h"
 #include "runtime/gateway/proxy_server.h"
 #include "runtime/gateway/proxy_services.h"

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/dispatcher.h"
-#include "runtime/core/hasher.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/dns_endpoint.h"
 #include "runtime/ipstack/tcp_endpoint.h"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <optional>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

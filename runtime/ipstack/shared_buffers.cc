@@ -1,6 +1,6 @@
 #include "runtime/ipstack/shared_buffers.h"
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 

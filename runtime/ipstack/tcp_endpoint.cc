@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "runtime/core/assert.h"
-#include "runtime/core/hasher.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/hasher.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/ipstack/tcp_endpoint.h"
 

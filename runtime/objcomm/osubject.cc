@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
-#include "runtime/core/assert.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 using namespace openr_host;
 

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <vector>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {

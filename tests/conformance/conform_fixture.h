@@ -13,9 +13,9 @@
 #include <string>
 #include <utility>
 
+#include "runtime/base/temp_folder.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/system.h"
-#include "runtime/core/temp_folder.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {

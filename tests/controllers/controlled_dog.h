@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 #include "tests/graph/pilot.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/virtual_robot.h"

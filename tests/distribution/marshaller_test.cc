@@ -12,8 +12,8 @@
 
 #include "runtime/core/api.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "runtime/base/temp_folder.h"
 #include "runtime/core/system.h"
-#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/body.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "runtime/config/cost_config.h"
+#include "runtime/core/configured_cost.h"
 #include "tests/virtualrobot/comm_fixture.h"
 
 namespace openr_host {

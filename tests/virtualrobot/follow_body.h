@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/body.h"
 
 namespace openr_host {

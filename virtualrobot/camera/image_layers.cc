@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <set>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
 #include "virtualrobot/model/robot_model.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "runtime/core/hasher.h"
-#include "runtime/core/upper_registers.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/upper_registers.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/ode/contact_finder.h"
 #include "virtualrobot/ode/contact_solver.h"

@@ -1,6 +1,6 @@
 #include "virtualrobot/sound/microphone.h"
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
 #include "virtualrobot/sound/sound_sink.h"
 

@@ -1,10 +1,9 @@
 // Cost files: what fits, and their complaints.
-#include "runtime/config/cost_config.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 
+#include "runtime/core/configured_cost.h"
 #include "tests/runtime/core/recorder.h"
 
 namespace openr_host::cost_config_test {
@@ -87,7 +86,7 @@ TEST_F(ConfiguredCostTest, LinesThatFitNoHandlerAreKnown) {
       ParseCostConfig("a.cost", "* * 10\na Entri 20\n# a\nb Entry 30\na Entry 40\n").config, 1);
   cost.CostUs(object->host(), object->entry);
   std::vector<int> lines;
-  for (const Place& place : cost.Unused()) lines.push_back(place.line);
+  for (const FilePosition& place : cost.Unused()) lines.push_back(place.line);
   EXPECT_EQ(lines, (std::vector<int>{2, 4}));
   EXPECT_EQ(cost.Unused()[0].text, "a Entri 20");
 }

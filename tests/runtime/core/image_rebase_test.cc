@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/base/temp_folder.h"
 #include "runtime/core/address_plan.h"
 #include "runtime/core/image_file.h"
-#include "runtime/core/temp_folder.h"
 
 namespace openr_host {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/core/rng.h"
+#include "runtime/base/rng.h"
 
 #include <gtest/gtest.h>
 

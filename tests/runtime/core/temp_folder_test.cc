@@ -1,4 +1,4 @@
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

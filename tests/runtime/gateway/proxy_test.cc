@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/base/temp_folder.h"
 #include "runtime/core/robot_services.h"
-#include "runtime/core/temp_folder.h"
 #include "runtime/gateway/proxy_client.h"
 #include "runtime/gateway/proxy_wire.h"
 #include "runtime/gateway/system_messages.h"

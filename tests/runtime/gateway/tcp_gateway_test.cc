@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 #include "runtime/stick/memory_stick.h"
 #include "tests/runtime/gateway/gateway_bytes.h"
 #include "tests/runtime/ipstack/net_probe.h"

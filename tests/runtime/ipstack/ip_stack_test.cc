@@ -4,7 +4,7 @@
 #include <ERA201D1.h>
 #include <IPEndpointMsg.h>
 
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 #include "tests/runtime/ipstack/net_probe.h"
 
 namespace openr_host {

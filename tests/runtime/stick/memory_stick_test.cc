@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "runtime/core/hasher.h"
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/hasher.h"
+#include "runtime/base/temp_folder.h"
 
 namespace openr_host {
 namespace {

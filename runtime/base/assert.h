@@ -13,6 +13,10 @@ namespace openr_host {
 [[noreturn]] void AssertFailed(const char* file, int line, const char* condition,
                                const std::string& details);
 
+// The function that returns where the run stood, as lines of text with their ends; null: no run.
+// It also ends the code of the object under way, because abort() would end only its method.
+extern std::string (*assert_context)();
+
 }  // namespace openr_host
 
 #define ASSERT(condition, ...)                                              \

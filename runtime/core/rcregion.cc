@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "runtime/core/assert.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/code_place.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/guard_pages.h"
 #include "runtime/core/imported_calls.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 using openr_host::ApiScope;
 using openr_host::kNoObject;

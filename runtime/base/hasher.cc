@@ -1,4 +1,4 @@
-#include "runtime/core/hasher.h"
+#include "runtime/base/hasher.h"
 
 #include <xxhash.h>
 // The same hashes with the widest registers of the processor the program finds itself on: Debian's

@@ -1,4 +1,4 @@
-#include "runtime/core/temp_folder.h"
+#include "runtime/base/temp_folder.h"
 
 #include <fmt/format.h>
 #include <signal.h>

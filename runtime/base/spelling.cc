@@ -1,4 +1,4 @@
-#include "runtime/config/spelling.h"
+#include "runtime/base/spelling.h"
 
 #include <fmt/format.h>
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
-#include "runtime/core/hasher.h"
+#include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
-#include "runtime/objcomm/state.h"
 
 namespace openr_host {
 

@@ -1,7 +1,7 @@
-#include "runtime/core/rng.h"
+#include "runtime/base/rng.h"
 
-#include "runtime/core/assert.h"
-#include "runtime/core/hasher.h"
+#include "runtime/base/assert.h"
+#include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {

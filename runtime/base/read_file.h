@@ -1,0 +1,13 @@
+// Reads files of the host.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace openr_host {
+
+// Returns the bytes of the file `path`; nullopt, with errno set, if it cannot be read to its end.
+// A folder cannot be read (EISDIR).
+std::optional<std::string> ReadFile(const std::string& path);
+
+}  // namespace openr_host

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "runtime/core/api.h"
+#include "runtime/core/connection_state.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+// Readies wait in the message queue of the subject's object; the robot refuses the 33rd message.
+// So an observer that asserts again and again would fail there.
+void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
+  constexpr int kTimesMax = 8;  // chosen: no program asserts that often on purpose
+  auto entry = std::find_if(asserted.begin(), asserted.end(),
+                            [&](const Asserted& each) { return each.subject == subject; });
+  if (entry == asserted.end()) entry = asserted.insert(asserted.end(), {subject, 0});
+  if (command != objcommCMD_ASSERT_READY) {
+    entry->times = 0;
+    return;
+  }
+  if (++entry->times != kTimesMax + 1 || object->is_system) return;
+  const Object* const peer = system->object(ObjectIdOf(subject.GetOID()));
+  system->AddFindingAbout(
+      object, Severity::kWarning,
+      fmt::format("{}: asserts ready to {} again and again ({} times) without a notification "
+                  "between; ready is a flag, once per notification is enough",
+                  service, peer == nullptr ? "an unknown object" : peer->name, entry->times));
+}
+
+OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
+  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  auto& ready = *new (message->payload) OReadyMessage;
+  ready.command = command;
+  ready.observerID = id;
+  message->size = sizeof ready;
+  message->kind = PayloadKind::kReady;
+  // Regions without a reference in this object go back.  Those that do not fit into this ready wait
+  // for the next one.
+  RCRegion* returned[MAX_NUM_DATA];
+  std::vector<RCRegion*>* regions = nullptr;
+  for (Held& entry : held) {
+    if (entry.subject == subject) regions = &entry.regions;
+  }
+  if (regions != nullptr) {
+    for (RCRegion* region : *regions) {
+      if (region->NumberOfReference() > 1 || ready.numOfData == MAX_NUM_DATA) continue;
+      returned[ready.numOfData] = region;
+      ready.rcRegion[ready.numOfData++] = RegionAccess::SourceOf(region);
+    }
+  }
+  const int count = ready.numOfData;
+  // Posted first: if the message is refused, this object keeps the regions.
+  const sError error = system->Post(message);
+  if (error != sSUCCESS) {
+    system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
+                              service, error));
+    return oSEND_FAIL;
+  }
+  CountReady(subject, command);
+  for (int i = 0; i < count; ++i) {
+    std::erase(*regions, returned[i]);
+    RegionAccess::GiveBack(returned[i]);
+  }
+  return oSUCCESS;
+}
+
+void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
+                  const std::vector<RCRegion*>& regions) {
+  System* const system = object->system;
+  Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
+  if (sender == nullptr) return;
+  // An object that is being replaced receives no more messages, so it gets its regions directly.
+  if (sender->is_leaving) {
+    for (RCRegion* const region : regions) sender->TakeBack(region);
+    return;
+  }
+  const CurrentScope scope(system, object);
+  Message* const message = system->NewMessage(sender->id, subject.GetSelector());
+  auto& ready = *new (message->payload) OReadyMessage;
+  ready.msgType = kDeassertOfLost;
+  ready.command = objcommCMD_DEASSERT_READY;
+  ready.observerID = OServiceEntry(OidOf(object->id), selector);
+  ready.numOfData = static_cast<int>(regions.size());
+  std::copy(regions.begin(), regions.end(), ready.rcRegion);
+  message->size = sizeof ready;
+  message->kind = PayloadKind::kReady;
+  if (system->Post(message) == sSUCCESS) return;
+  const CurrentScope there(system, sender);
+  const bool is_here = !sender->subjects.empty();  // the regions of a stand-in belong to a worker
+  for (RCRegion* const region : regions) {
+    if (is_here) {
+      region->RemoveReference();
+    } else {
+      sender->TakeBack(region);
+    }
+  }
+}
+
+void RefuseNotification(Object* object, const Message& message) {
+  const auto& notify = *reinterpret_cast<const ONotifyMessage*>(message.payload);
+  std::vector<RCRegion*> regions;
+  for (int i = 0; i < notify.numOfData; ++i) regions.push_back(notify.data[i].srcRCR);
+  SendDeassert(object, message.selector, notify.subjectID, regions);
+}
+
+}  // namespace openr_host
