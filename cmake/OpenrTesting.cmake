@@ -34,7 +34,7 @@ elseif(NOT TARGET openr::testing)
   # As the library was built: Eigen's vector code changes the layout of its types.
   target_compile_definitions(openr::testing INTERFACE EIGEN_DONT_VECTORIZE)
   target_compile_features(openr::testing INTERFACE cxx_std_20)
-  set(openr_libraries testing program output virtualrobot objects_common)
+  set(openr_libraries testing program cli virtualrobot objects_common)
   list(TRANSFORM openr_libraries REPLACE "(.+)" "${OPENR_HOST_PREFIX}/lib/libopenr_\\1.a")
   target_link_libraries(openr::testing INTERFACE
     ${openr_libraries} ${OPENR_HOST_PREFIX}/lib/libopenr_runtime.so

@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
-#include "distribution/questions.h"
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
+#include "distribution/worker_call_list.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 
@@ -17,6 +18,31 @@ namespace {
 
 // Longer delays and timeouts are refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
+
+// The targets of calls: of SystemCalls and CheckedCalls, and of the robot of the current object.
+struct CallTargets {
+  System* system;
+  CheckedCalls* calls;
+
+  SystemCalls* operator()(SystemCalls*) const { return calls; }
+  CheckedCalls* operator()(CheckedCalls*) const { return calls; }
+  RobotServices* operator()(RobotServices*) const {
+    return system->robot(t_current.object->robot).services.get();
+  }
+};
+
+// Whether the function has a meaning without a calling object: while objects are loaded.
+bool MayLackCaller(uint32_t function) {
+  constexpr uint32_t kFunctions[] = {
+      WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
+      WorkerCallList::NumberOf<&SystemCalls::PinRegion>(),
+      WorkerCallList::NumberOf<&SystemCalls::UnpinRegion>(),
+      WorkerCallList::NumberOf<&SystemCalls::Shutdown>(),
+      WorkerCallList::NumberOf<&SystemCalls::PowerOff>(),
+      WorkerCallList::NumberOf<&CheckedCalls::AddFindingAbout>(),
+  };
+  return std::find(std::begin(kFunctions), std::end(kFunctions), function) != std::end(kFunctions);
+}
 
 }  // namespace
 
@@ -32,9 +58,7 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
       // Effects of the handler before its question come first, as in one process.
       Apply(to_master, self);
       const CurrentScope scope(system_, self);
-      SendAnswer(AnswerQuestion(system_, self,
-                                {static_cast<QuestionKind>(in.kind), VectorOf(in.numbers),
-                                 StringOf(in.text), StringOf(in.bytes)}));
+      SendAnswer(Call(in.kind, {VectorOf(in.numbers), StringOf(in.text), StringOf(in.bytes)}));
       return true;
     }
     case openr_wire_TO_MASTER_ENTRY: {
@@ -63,7 +87,7 @@ Object* RemoteProcess::ObjectOf(ObjectId id) {
   return found->second;
 }
 
-void RemoteProcess::SendAnswer(const Answer& answer) {
+void RemoteProcess::SendAnswer(const CallResult& answer) {
   WireArena arena;
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_ANSWER);
   to_worker.body._u.answer = {answer.status, arena.Numbers(answer.numbers),
@@ -79,7 +103,7 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
       Post(effect._u.posted, self);
     } else {
       const openr_wire_Note& note = effect._u.note;
-      ApplyNote(static_cast<NoteKind>(note.kind), VectorOf(note.numbers), StringOf(note.text));
+      ApplyNote(note);
     }
   }
 }
@@ -94,14 +118,7 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
 
 // Whether the worker may send bytes of `region`: it is one of its own, or was sent to it.
 bool RemoteProcess::MayUse(uint32_t region) const {
-  return IsOwn(region) || marshaller_->HasExported(region);
-}
-
-// Whether an object of the worker owns the region or has made it.  An object may make a region and
-// give it to another one.
-bool RemoteProcess::IsOwn(uint32_t region) const {
-  const RegionTable& regions = system_->regions();
-  return objects_.contains(regions.OwnerOf(region)) || objects_.contains(regions.MakerOf(region));
+  return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
 
 // Checks that the sender of `in` is an object of this worker, and also the subject or observer.  A
@@ -171,87 +188,16 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   return error;
 }
 
-void RemoteProcess::Unpin(uint32_t region) {
-  const auto pins = pins_.find(region);
-  // Each unpin must have its pin, or a worker could free regions of other objects.
-  if (pins == pins_.end()) Refuse("a region given back twice");
-  if (--pins->second == 0) pins_.erase(pins);
-  system_->regions().Unpin(region);
+// Calls a function for the current object, which may be none while objects are loaded.
+CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
+  if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
+  return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);
 }
 
-void RemoteProcess::EndRobot(NoteKind kind, int robot, const RunEnd& why) {
-  if (kind == NoteKind::kPowerOff) {
-    system_->PowerOff(robot, why);
-  } else {
-    system_->Shutdown(robot, why);
-  }
-}
-
-void RemoteProcess::ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers,
-                              const std::string& text) {
-  const auto number = [&](size_t i) { return i < numbers.size() ? numbers[i] : 0; };
-  const auto region = static_cast<uint32_t>(number(0));
-  Object* const self = t_current.object;
-  switch (kind) {
-    case NoteKind::kFinding:
-      // An unknown severity is taken for an error.
-      system_->AddFindingAbout(system_->object(static_cast<ObjectId>(number(1)) - 1),
-                               number(0) <= static_cast<uint64_t>(Severity::kNote)
-                                   ? static_cast<Severity>(number(0))
-                                   : Severity::kError,
-                               text);
-      return;
-    case NoteKind::kShutdown:
-    case NoteKind::kPowerOff:
-      if (number(0) >= static_cast<uint64_t>(system_->robot_count())) Refuse("an unknown robot");
-      if (self != nullptr && number(0) != static_cast<uint64_t>(self->robot))
-        Refuse("the end of another robot");
-      if (number(1) >= kEndKinds) Refuse("an end of an unknown kind");
-      return EndRobot(kind, static_cast<int>(number(0)), {static_cast<EndKind>(number(1)), text});
-    case NoteKind::kDeleteRegion:
-      if (!objects_.contains(system_->regions().OwnerOf(region)))
-        Refuse("the end of a region that is not its own");
-      system_->regions().Delete(region);
-      return;
-    case NoteKind::kPin:
-      ++pins_[region];
-      return system_->regions().Pin(region);
-    case NoteKind::kUnpin:
-      return Unpin(region);
-    case NoteKind::kOwner:
-      if (!objects_.contains(system_->regions().OwnerOf(region)))
-        Refuse("a region that is not its own");
-      return system_->regions().SetOwner(region, static_cast<ObjectId>(number(1)));
-    default:
-      break;
-  }
-  // The notes below concern the current object.  While objects are loaded there is none.
-  if (self == nullptr) return;
-  switch (kind) {
-    case NoteKind::kOpenBox:
-      self->boxes.insert(number(0));
-      self->last_box = std::max(self->last_box, number(0));
-      return;
-    case NoteKind::kCloseBox:
-      self->boxes.erase(number(0));
-      // A reply that has arrived meanwhile is not wanted any more.
-      if (const auto reply = self->replies.find(number(0)); reply != self->replies.end()) {
-        system_->queue().Release(reply->second);
-        self->replies.erase(reply);
-      }
-      return;
-    case NoteKind::kQueueMax:
-      self->queue_max = static_cast<int>(number(0));
-      return;
-    case NoteKind::kMapBuffer:
-      return MapBuffer(self, static_cast<uint32_t>(number(0)), static_cast<uint32_t>(number(1)),
-                       number(2) != 0);
-    case NoteKind::kEntryName:
-      self->entry_names[static_cast<uint32_t>(number(0))] = text;
-      return;
-    default:
-      Refuse(fmt::format("note {}", static_cast<uint32_t>(kind)));
-  }
+void RemoteProcess::ApplyNote(const openr_wire_Note& note) {
+  if (note.kind >= WorkerCallList::kSize) Refuse(fmt::format("note {}", note.kind));
+  if (t_current.object == nullptr && !MayLackCaller(note.kind)) return;
+  Call(note.kind, {VectorOf(note.numbers), StringOf(note.text)});
 }
 
 }  // namespace openr_host

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "distribution/questions.h"
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
 #include "runtime/core/api.h"
@@ -57,10 +56,7 @@ void RemoteProcess::ReleaseAll() {
     // A waiting stand-in would otherwise wait for ever.
     if (object->blocked != nullptr) WakeHandler(id, object->blocked_box);
   }
-  for (const auto& [region, count] : pins_) {
-    for (int i = 0; i < count; ++i) system_->regions().Unpin(region);
-  }
-  pins_.clear();
+  calls_->ReleasePins();
   // Counters and heap use begin anew with the next process.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))

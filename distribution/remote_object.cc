@@ -3,6 +3,8 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/ObjcommMessages.h>
 
+#include <algorithm>
+
 #include "distribution/remote_process.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
@@ -18,6 +20,18 @@ std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
   fresh->last_box = last_box;
   fresh->unheard_count = unheard_count;
   return fresh;
+}
+
+void RemoteObject::SetDescription(const openr_wire_LoadedObject& in) {
+  limits.priority = std::clamp(in.priority, 0, 255);
+  limits.stack_bytes = in.stack_bytes;
+  limits.heap_bytes = in.heap_bytes;
+  std::set<uint32_t> selectors;
+  for (uint32_t i = 0; i < in.selectors._length; ++i)
+    selectors.insert(static_cast<uint32_t>(in.selectors._buffer[i]));
+  set_selectors(std::move(selectors));
+  for (uint32_t i = 0; i < in.names._length; ++i)
+    entry_names[in.names._buffer[i].selector] = in.names._buffer[i].name;
 }
 
 bool RemoteObject::Dispatch(uint32_t, void*) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "distribution/wire.h"
 #include "runtime/core/object.h"
 
 class RCRegion;
@@ -31,6 +32,8 @@ class RemoteObject : public Object {
 
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
+  // Copies what the worker has reported of the object that it has loaded.
+  void SetDescription(const openr_wire_LoadedObject& loaded);
 
   // Messages that were delivered while the worker was lost, or when it was.
   uint64_t unheard_count = 0;

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "distribution/questions.h"
 #include "distribution/remote_object.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/api.h"
@@ -159,7 +158,12 @@ void RemoteProcess::WaitForJoin(int64_t limit_ms, const std::string& advice,
 
 void RemoteProcess::Welcome(System* system, const openr_wire_Welcome& welcome) {
   system_ = system;
-  if (marshaller_ == nullptr) marshaller_ = std::make_unique<Marshaller>(system, false);
+  if (marshaller_ == nullptr) {
+    marshaller_ = std::make_unique<Marshaller>(system, false);
+    calls_ = std::make_unique<CheckedCalls>(
+        system, [this](ObjectId id) { return objects_.contains(id); },
+        [this](const std::string& what) { Refuse(what); });
+  }
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_WELCOME);
   to_worker.body._u.welcome = welcome;
   Send(to_worker);
@@ -206,7 +210,7 @@ bool RemoteProcess::HandleLoaded(const openr_wire_ToMaster& to_master,
     if (found == objects.end() || awaited_objects_.erase(entry.id) == 0)
       Refuse("an object that is not its own, or sent it twice");
     if (entry.problem != nullptr && *entry.problem != '\0') throw ProcessLost(entry.problem);
-    ApplyDescription(entry, found->second);
+    found->second->SetDescription(entry);
     RecordHeap(found->second->robot, entry.heap_here);
   }
   if (!awaited_objects_.empty()) Refuse("nothing of an object that it was to load");
@@ -448,7 +452,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
       Refuse(fmt::format("bytes of region {:#x}, which is not so", in.region));
-    if (!IsOwn(in.region))
+    if (!calls_->HasRegion(in.region))
       Refuse(fmt::format("bytes of region {:#x}, which is not its own", in.region));
     std::copy_n(in.bytes._buffer, in.bytes._length, reinterpret_cast<uint8_t*>(base));
   }

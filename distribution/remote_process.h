@@ -16,10 +16,11 @@
 #include <vector>
 
 #include "distribution/bus.h"
+#include "distribution/call_codec.h"
+#include "distribution/checked_calls.h"
 #include "distribution/latency.h"
 #include "distribution/marshaller.h"
 #include "distribution/process_slot.h"
-#include "runtime/core/uplink.h"
 
 class RCRegion;
 
@@ -28,7 +29,6 @@ namespace openr_host {
 class Object;
 class RemoteObject;
 class System;
-struct RunEnd;
 
 // The worker was brought down by the handler of one of its objects.
 struct ProcessCrashed : ProcessLost {
@@ -179,16 +179,14 @@ class RemoteProcess {
   [[noreturn]] void Crash(const openr_wire_Crashed& crashed);
   void WakeHandler(ObjectId object, uint64_t box);
   bool HandleRequest(const openr_wire_ToMaster& to_master);
-  void SendAnswer(const Answer& answer);
+  void SendAnswer(const CallResult& answer);
+  CallResult Call(uint32_t function, const CallArguments& arguments);
   void Apply(const openr_wire_ToMaster& to_master, Object* self);
-  void EndRobot(NoteKind kind, int robot, const RunEnd& why);
-  void ApplyNote(NoteKind kind, const std::vector<uint64_t>& numbers, const std::string& text);
-  void Unpin(uint32_t region);
+  void ApplyNote(const openr_wire_Note& note);
   int32_t Post(const openr_wire_PostedMessage& posted, Object* self);
   void Check(const openr_wire_Message& in, const Object* self);
   void CheckEnds(const openr_wire_Message& in, const Object* self);
   bool MayUse(uint32_t region) const;
-  bool IsOwn(uint32_t region) const;
   static bool Answers(const Message& message, const Object* self);
   void ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session);
   void ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session);
@@ -203,10 +201,10 @@ class RemoteProcess {
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
+  std::unique_ptr<CheckedCalls> calls_;  // made with system_
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // of this slot; counts the restarts
-  std::map<uint32_t, int> pins_;        // references that the worker's objects have, by region
   // Last counter of dropped messages that the worker reported.
   std::map<ObjectId, uint64_t> dropped_;
   std::map<int, uint64_t> heap_by_robot_;  // bytes used by the worker's objects, by robot

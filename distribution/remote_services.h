@@ -2,16 +2,18 @@
 // master, whose robot answers it.
 #pragma once
 
+#include "distribution/master_link.h"
 #include "runtime/core/robot_services.h"
-#include "runtime/core/uplink.h"
 
 namespace openr_host {
 
-class System;
+class RegionTable;
 
 class RemoteServices : public RobotServices {
  public:
-  explicit RemoteServices(System* system) : system_(system) {}
+  // `regions` has the memory of the objects here.  Both must outlive the services.
+  RemoteServices(MasterLink* master, const RegionTable* regions)
+      : master_(master), regions_(regions) {}
 
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
   OStatus ClosePrimitive(OPrimitiveID id) override;
@@ -44,12 +46,8 @@ class RemoteServices : public RobotServices {
   OStatus GetVolumeSwitch(OVolumeSwitch* volume) override;
 
  private:
-  System* const system_;
+  MasterLink* const master_;
+  const RegionTable* const regions_;
 };
-
-// Whether the question is a SetCdtVectorData(), whose bytes are copied to a region.
-bool IsSetCdt(const Question& question);
-// Answers such a question in the master, for an object of `robot`.
-Answer ServeRobotCall(System* system, int robot, const Question& question);
 
 }  // namespace openr_host

@@ -11,6 +11,7 @@
 #include "distribution/latency.h"
 #include "distribution/liveness_check.h"
 #include "distribution/process_slot.h"
+#include "distribution/worker_calls.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/indivisible.h"
@@ -156,7 +157,9 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.measure_stacks = welcome.measure;
   options.log_level = welcome.log_level;
   options.free_deliveries = INT64_MAX;  // the master counts deliveries
-  options.uplink = this;
+  options.make_calls = [this](System* system) {
+    return std::make_unique<WorkerCalls>(system, this);
+  };
   options.console = [this](std::string_view text) {
     // The watchdog must not interrupt a call of Cyclone DDS, whose locks ReportCrash() needs.
     const Indivisible indivisible;

@@ -19,8 +19,8 @@
 
 #include "distribution/bus.h"
 #include "distribution/marshaller.h"
+#include "distribution/master_link.h"
 #include "runtime/core/system.h"
-#include "runtime/core/uplink.h"
 
 namespace openr_host {
 
@@ -40,7 +40,7 @@ struct WorkerOptions {
   std::function<void(const std::string& stick)> begins;
 };
 
-class Worker : public Uplink {
+class Worker : public MasterLink {
  public:
   explicit Worker(WorkerOptions options);
   ~Worker() override;
@@ -55,10 +55,10 @@ class Worker : public Uplink {
   // of the object's code, but not inside a section that is Indivisible.
   void ReportCrash(std::string_view text);
 
-  // ---- Uplink
+  // ---- MasterLink
   int32_t Post(Message* message, int64_t delay_us) override;
-  void Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) override;
-  Answer Ask(const Question& question) override;
+  void Tell(uint32_t function, const CallArguments& arguments) override;
+  CallResult Ask(uint32_t function, const CallArguments& arguments) override;
   void Waits(uint64_t box, int64_t timeout_us, std::string_view why) override;
   void WaitsForLine(uint64_t box, size_t size) override;
 
@@ -109,8 +109,8 @@ class Worker : public Uplink {
   // Returns the next sample.  If `answer`, waits for an answer and keeps other samples for later.
   // Empty if the master is lost or the user ends this process.
   ReceivedSample Next(bool answer);
-  Answer WaitForAnswer();
-  // See worker_uplink.cc.
+  CallResult WaitForAnswer();
+  // See worker_link.cc.
   bool MayBeRefused(const Message& message);
   bool CancelPendingPin(uint64_t region);
   void TrackSharedBuffers(const Object& object, const Message& message);

@@ -80,7 +80,7 @@ std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
                          stick_);
   }
   Robot& robot = system_->robot(system_->AddRobot(StringOf(entry.design), std::move(stick)));
-  robot.services = std::make_unique<RemoteServices>(system_.get());
+  robot.services = std::make_unique<RemoteServices>(this, &system_->regions());
   return "";
 }
 

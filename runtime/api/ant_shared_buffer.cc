@@ -8,11 +8,8 @@ using openr_host::IpStack;
 
 namespace {
 
-void TellUplink(const antSharedBuffer& buffer, bool mapped) {
-  openr_host::Uplink* const uplink = openr_host::t_current.system->uplink();
-  if (uplink == nullptr) return;
-  uplink->Tell(openr_host::NoteKind::kMapBuffer,
-               {buffer.GetCookie(), buffer.GetRegion(), mapped ? uint64_t{1} : uint64_t{0}});
+void NoteMapping(const antSharedBuffer& buffer, bool mapped) {
+  openr_host::t_current.system->calls().NoteMapping(buffer.GetCookie(), buffer.GetRegion(), mapped);
 }
 
 }  // namespace
@@ -22,7 +19,7 @@ antError antSharedBuffer::Map() {
   IpStack* const stack = IpStack::OfCurrent();
   if (stack == nullptr) return ANT_FAIL;
   const antError error = stack->buffers().Map(*this, &base_);
-  if (error == ANT_SUCCESS) TellUplink(*this, true);
+  if (error == ANT_SUCCESS) NoteMapping(*this, true);
   return error;
 }
 
@@ -32,7 +29,7 @@ antError antSharedBuffer::UnMap() {
   base_ = nullptr;
   if (stack == nullptr) return ANT_FAIL;
   const antError error = stack->buffers().UnMap(*this);
-  if (error == ANT_SUCCESS) TellUplink(*this, false);
+  if (error == ANT_SUCCESS) NoteMapping(*this, false);
   return error;
 }
 

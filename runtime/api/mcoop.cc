@@ -3,10 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "runtime/api/mcoop_limits.h"
 #include "runtime/core/api.h"
@@ -32,25 +28,6 @@ sError CheckBox(const RID& rbox) {
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
   return self->boxes.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
-}
-
-// Names of Register(), for the current object's robot.
-std::map<std::string, ObjectId>& Names() {
-  return t_current.system->robot(t_current.object->robot).names;
-}
-
-// What another process answers that keeps the names; null: it is kept here.
-std::optional<Answer> AskNames(QuestionKind kind, std::vector<uint64_t> numbers, const char* name) {
-  Uplink* const uplink = t_current.system->uplink();
-  if (uplink == nullptr) return std::nullopt;
-  return uplink->Ask({kind, std::move(numbers), name});
-}
-
-openr_host::Object* FindByName(const char* name) {
-  openr_host::Object* const object = t_current.system->FindObject(t_current.object->robot, name);
-  if (object != nullptr) return object;
-  const auto found = Names().find(name);
-  return found == Names().end() ? nullptr : t_current.system->object(found->second);
 }
 
 }  // namespace
@@ -82,14 +59,10 @@ sError WhoAmI(OID* oid) {
 sError Find(const char* name, OID* oid) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || oid == nullptr) return sINVALIDARG;
-  if (const auto answer = AskNames(QuestionKind::kFindName, {}, name)) {
-    if (answer->status == sSUCCESS) *oid = OidOf(static_cast<ObjectId>(answer->number(0)));
-    return static_cast<sError>(answer->status);
-  }
-  const openr_host::Object* const found = FindByName(name);
-  if (found == nullptr) return sOBJNOTFOUND;
-  *oid = OidOf(found->id);
-  return sSUCCESS;
+  ObjectId found = kNoObject;
+  const sError error = t_current.system->calls().FindName(name, &found);
+  if (error == sSUCCESS) *oid = OidOf(found);
+  return error;
 }
 
 sError Register(OID oid, const char* name) {
@@ -98,19 +71,13 @@ sError Register(OID oid, const char* name) {
   if (std::strlen(name) > kObjectNameMax) return sOBLETNAMETOOLONG;
   const ObjectId id = ObjectIdOf(oid);
   if (t_current.system->object(id) == nullptr) return sINVALIDOID;
-  if (const auto answer = AskNames(QuestionKind::kRegisterName, {static_cast<uint64_t>(id)}, name))
-    return static_cast<sError>(answer->status);
-  if (FindByName(name) != nullptr) return sFAIL;
-  Names()[name] = id;
-  return sSUCCESS;
+  return t_current.system->calls().RegisterName(id, name);
 }
 
 sError Unregister(const char* name) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr) return sINVALIDARG;
-  if (const auto answer = AskNames(QuestionKind::kUnregisterName, {}, name))
-    return static_cast<sError>(answer->status);
-  return Names().erase(name) == 1 ? sSUCCESS : sOBJNOTFOUND;
+  return t_current.system->calls().UnregisterName(name);
 }
 
 // No source says whose names these are; here those of the caller's extra entries.
@@ -189,14 +156,7 @@ sError CleanRBox(RID rbox) {
   const ApiScope scope;
   const sError error = CheckBox(rbox);
   if (error != sSUCCESS) return error;
-  openr_host::Object* const self = t_current.object;
-  self->boxes.erase(rbox.GetValue());
-  if (Uplink* const uplink = t_current.system->uplink())
-    uplink->Tell(NoteKind::kCloseBox, {rbox.GetValue()});
-  if (const auto arrived = self->replies.find(rbox.GetValue()); arrived != self->replies.end()) {
-    t_current.system->queue().Release(arrived->second);
-    self->replies.erase(arrived);
-  }
+  t_current.system->calls().CloseBox(rbox.GetValue());
   return sSUCCESS;
 }
 

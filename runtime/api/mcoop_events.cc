@@ -14,8 +14,7 @@ sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
-  if (t_current.system->time_events().CountOf(t_current.object->id) >= kEventsMax)
-    return sFULLEVENTENTRY;
+  if (t_current.system->calls().CountEvents() >= kEventsMax) return sFULLEVENTENTRY;
   return sSUCCESS;
 }
 
@@ -34,9 +33,9 @@ sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, 
   if (info == nullptr) return sINVALIDTEVENTINFO;
   const sError error = CheckLetter(oid, size);
   if (error != sSUCCESS) return error;
-  const longword id = t_current.system->time_events().AddTimed(MakeLetter(oid, selector, msg, size),
-                                                               Microseconds(info->relativeTime),
-                                                               Microseconds(info->periodicTime));
+  const longword id = t_current.system->calls().AddTimedEvent(MakeLetter(oid, selector, msg, size),
+                                                              Microseconds(info->relativeTime),
+                                                              Microseconds(info->periodicTime));
   if (event != nullptr) event->value = id;
   return sSUCCESS;
 }
@@ -49,19 +48,16 @@ sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t siz
   if (!rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
   if (!self->boxes.contains(rbox.GetValue())) return sRIDNOTFOUND;
-  TimeEvents& events = t_current.system->time_events();
-  const longword id = events.AddReply(MakeLetter(oid, selector, msg, size), rbox.GetValue());
+  const longword id = t_current.system->calls().AddReplyEvent(MakeLetter(oid, selector, msg, size),
+                                                              rbox.GetValue());
   if (event != nullptr) event->value = id;
-  if (self->replies.contains(rbox.GetValue())) events.ReplyArrived(self->id, rbox.GetValue());
   return sSUCCESS;
 }
 
 sError CancelEvent(EventID event) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.system->time_events().Cancel(t_current.object->id, event.value)
-             ? sSUCCESS
-             : sINVALIDEVENTID;
+  return t_current.system->calls().CancelEvent(event.value) ? sSUCCESS : sINVALIDEVENTID;
 }
 
 // Only the length of the queue can be changed.
@@ -70,9 +66,7 @@ sError SetResourceValue(sResource resource, slongword value) {
   if (resource < rMAXMESSAGESIZE || resource > rMAXENTRIES) return sINVALIDRESOURCE;
   if (resource != rMAXQUEUESIZE) return sNOTSUPPORTED;
   if (value <= 0) return sINVALIDARG;
-  t_current.object->queue_max = value;
-  if (Uplink* const uplink = t_current.system->uplink())
-    uplink->Tell(NoteKind::kQueueMax, {static_cast<uint64_t>(value)});
+  t_current.system->calls().SetQueueMax(value);
   return sSUCCESS;
 }
 

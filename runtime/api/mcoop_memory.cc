@@ -23,7 +23,7 @@ sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (regions.BaseOf(id) == nullptr) return sINVALIDSHAREDMEMID;
   if (regions.OwnerOf(id) != t_current.object->id) return sPERMISSIONDENIEDSHAREDMEM;
   if (size == 0 || (size < regions.SizeOf(id)) == grows) return sINVALIDARG;
-  return regions.Resize(id, size) ? sSUCCESS : sNOMEMORY;
+  return t_current.system->calls().ResizeRegion(id, size) ? sSUCCESS : sNOMEMORY;
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegio
 sError DeleteSharedMemoryRegion(MemoryRegionID id) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.system->regions().Delete(id) ? sSUCCESS : sINVALIDSHAREDMEMID;
+  return t_current.system->calls().DeleteRegion(id) ? sSUCCESS : sINVALIDSHAREDMEMID;
 }
 
 sError AllowToAttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, OID oid,
@@ -72,14 +72,13 @@ sError AllowToAttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, O
   if (t_current.object == nullptr) return sFAIL;
   const ObjectId other = ObjectIdOf(oid);
   if (t_current.system->object(other) == nullptr) return sINVALIDOID;
-  return t_current.system->region_shares().Allow(t_current.object->id, id, info, other,
-                                                 givingOwnership);
+  return t_current.system->calls().AllowAccess(id, info, other, givingOwnership);
 }
 
 sError AttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, void** base) {
   const ApiScope scope;
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
-  const sError error = t_current.system->region_shares().Attach(t_current.object->id, id, info);
+  const sError error = t_current.system->calls().Attach(id, info);
   *base = error == sSUCCESS || error == sALREADYATTACHEDSHAREDMEM
               ? t_current.system->regions().BaseOf(id)
               : nullptr;
@@ -96,13 +95,13 @@ sError AttachMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info, void** b
 sError DetachMemoryRegion(MemoryRegionID id) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.system->region_shares().Detach(t_current.object->id, id);
+  return t_current.system->calls().Detach(id);
 }
 
 sError ChangeProtectionMemoryRegion(MemoryRegionID id, MemoryProtectionInfo info) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
-  return t_current.system->region_shares().ChangeProtection(t_current.object->id, id, info);
+  return t_current.system->calls().CheckAccess(id, info);
 }
 
 sError GrowMemoryRegion(MemoryRegionID id, size_t size) { return Resize(id, size, true); }

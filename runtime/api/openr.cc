@@ -199,7 +199,7 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
 
 OStatus DeleteDesignData(ODesignDataID id) {
   const ApiScope scope;
-  return t_current.system->regions().Delete(id) ? oSUCCESS : oINVALID_ARG;
+  return t_current.system->calls().DeleteRegion(id) ? oSUCCESS : oINVALID_ARG;
 }
 
 OStatus GetRobotDesign(char* robotDesign) {

@@ -11,9 +11,8 @@ namespace openr_host {
 inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
   *id = RegionTable::kNoRegion;
   if (bytes > kRobotMemoryBytes) return nullptr;
-  RegionTable& regions = t_current.system->regions();
-  *id = regions.New(bytes, t_current.object->id);
-  return regions.BaseOf(*id);
+  *id = t_current.system->calls().NewRegion(bytes, t_current.object->id);
+  return t_current.system->regions().BaseOf(*id);
 }
 
 }  // namespace openr_host

@@ -69,10 +69,10 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
 
 // `unknown` when `id` names no vector of that type.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
-  RegionTable& regions = t_current.system->regions();
+  const RegionTable& regions = t_current.system->regions();
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
   const auto* const info = reinterpret_cast<const ODataVectorInfo*>(regions.BaseOf(id));
-  return info->type == type && regions.Delete(id) ? oSUCCESS : unknown;
+  return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
 // What `count` elements of `each` bytes need, or more than any robot has.

@@ -60,22 +60,7 @@ void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   if (!waited && !terminal->text.empty()) WakeNext(terminal);
 }
 
-size_t ConsoleInput::ReadElsewhere(char* buffer, size_t size) {
-  Object* const self = t_current.object;
-  const uint64_t box = system_->NewReplyBox();
-  system_->uplink()->WaitsForLine(box, size);
-  self->blocked_why = kWhy;
-  Message* const line = system_->dispatcher().WaitFor(box);
-  self->blocked_why.clear();
-  self->boxes.erase(box);
-  const size_t count = std::min<size_t>(line->size, size);
-  std::memcpy(buffer, line->payload, count);
-  system_->queue().Release(line);
-  return count;
-}
-
 size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>& is_gone) {
-  if (system_->uplink() != nullptr) return ReadElsewhere(buffer, size);
   Object* const self = t_current.object;
   Terminal& terminal = terminals_[self->robot];
   while (terminal.text.empty()) {

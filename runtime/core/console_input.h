@@ -60,7 +60,6 @@ class ConsoleInput {
 
   void WakeNext(Terminal* terminal);
   void GiveUp(Terminal* terminal, ObjectId reader, uint64_t box);
-  size_t ReadElsewhere(char* buffer, size_t size);
 
   System* const system_;
   std::map<int, Terminal> terminals_;  // by robot

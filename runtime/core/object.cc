@@ -54,9 +54,7 @@ std::string Object::NameService(uint32_t selector, const char* kind) {
                                                : UNDEF;
   const auto found = services.find(entry);
   const std::string service = found == services.end() ? name : found->second;
-  entry_names[selector] = fmt::format("{} ({})", service, kind);
-  if (system->uplink() != nullptr)
-    system->uplink()->Tell(NoteKind::kEntryName, {selector}, entry_names[selector]);
+  system->calls().NameEntry(selector, fmt::format("{} ({})", service, kind));
   return service;
 }
 

@@ -92,7 +92,8 @@ RCRegion::RCRegion(size_t size)
   const ApiScope scope;
   RegionTable* const table = Table();
   ASSERT(table != nullptr, "new RCRegion outside of an object");
-  id_ = table->New(size, t_current.object == nullptr ? kNoObject : t_current.object->id);
+  id_ = t_current.system->calls().NewRegion(
+      size, t_current.object == nullptr ? kNoObject : t_current.object->id);
   if (is_by_image) {
     const void* const caller = openr_host::ReturnAddressInImage(__builtin_return_address(0));
     table->NotePlace(id_, static_cast<const char*>(caller) - 1);
@@ -123,12 +124,11 @@ RCRegion::RCRegion(MemoryRegionID id, offset_t offset, void* base, size_t size)
 }
 
 RCRegion::~RCRegion() {
-  RegionTable* const table = Table();
-  if (table == nullptr) return;
+  if (t_current.system == nullptr) return;
   if (type_ == SELF_ALLOCATED) {
-    table->Delete(id_);
+    t_current.system->calls().DeleteRegion(id_);
   } else if (source_ != nullptr) {
-    table->Unpin(id_);
+    t_current.system->calls().UnpinRegion(id_);
   }
 }
 
@@ -154,7 +154,7 @@ namespace openr_host {
 RCRegion* RegionAccess::Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size) {
   RCRegion* const region = new RCRegion(id, offset, source->Base(), size);
   region->source_ = source;
-  t_current.system->regions().Pin(id);
+  t_current.system->calls().PinRegion(id);
   GuardPages* const guard = t_current.system->guard_pages();
   const ObjectId self = t_current.object->id;
   if (guard != nullptr && !t_current.object->is_system &&

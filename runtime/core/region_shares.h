@@ -10,21 +10,16 @@
 #include <cstdint>
 #include <map>
 #include <utility>
-#include <vector>
 
 #include "runtime/core/message.h"
 
 namespace openr_host {
 
 class RegionTable;
-class Uplink;
 
 class RegionShares {
  public:
   explicit RegionShares(RegionTable* regions) : regions_(regions) {}
-
-  // Of a System that runs handlers for another one, which keeps the shares.
-  void set_uplink(Uplink* uplink) { uplink_ = uplink; }
 
   // All return an sError; `self` is the object that calls.
   int32_t Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info, ObjectId other,
@@ -43,20 +38,10 @@ class RegionShares {
     bool attached = false;
   };
 
-  // What the uplink of another process asked for.
- public:
-  int32_t Serve(ObjectId self, const std::vector<uint64_t>& numbers);
-
- private:
   // sSUCCESS when `self` may have `region` with `info`.
   int32_t Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const;
 
-  enum class ShareCall : uint64_t { kAllow, kAttach, kDetach, kCheck };
-  int32_t AskUplink(ShareCall call, uint32_t region, MemoryProtectionInfo info, ObjectId other,
-                    bool giving_ownership) const;
-
   RegionTable* const regions_;
-  Uplink* uplink_ = nullptr;
   std::map<std::pair<uint32_t, ObjectId>, Share> shares_;
 };
 

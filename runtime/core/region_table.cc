@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "runtime/base/hasher.h"
-#include "runtime/core/uplink.h"
 
 namespace openr_host {
 namespace {
@@ -38,11 +37,6 @@ char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
 }
 
 uint32_t RegionTable::New(size_t size, ObjectId owner) {
-  if (uplink_ != nullptr) {
-    const auto id = static_cast<uint32_t>(
-        uplink_->Ask({QuestionKind::kNewRegion, {size, static_cast<uint64_t>(owner)}}).number(0));
-    return AdoptOwn(id, size, owner) == nullptr ? kNoRegion : id;
-  }
   Slot fresh;
   if (free_.empty() && slots_.size() >= 0xffff) return kNoRegion;
   const auto next = static_cast<uint32_t>(slots_.size());
@@ -56,7 +50,7 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   Slot& slot = slots_[index];
   fresh.owner = fresh.maker = owner;
   fresh.generation = static_cast<uint16_t>(slot.generation + 1);
-  fresh.live = true;
+  fresh.live = fresh.is_reusable = true;
   slot = fresh;
   ++live_count_;
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
@@ -154,7 +148,7 @@ void RegionTable::FreeIfUnused(Slot* slot) {
   }
   memory_.Free(slot->base);
   slot->base = nullptr;
-  if (uplink_ == nullptr) free_.push_back(IndexOf(slot));
+  if (slot->is_reusable) free_.push_back(IndexOf(slot));
 }
 
 void RegionTable::NotePlace(uint32_t id, const void* address) {
@@ -186,7 +180,6 @@ bool RegionTable::Delete(uint32_t id) {
   slot->live = false;
   slot->maker = kNoObject;
   --live_count_;
-  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kDeleteRegion, {id});
   FreeIfUnused(slot);
   return true;
 }
@@ -225,14 +218,11 @@ void RegionTable::SetOwner(uint32_t id, ObjectId owner) {
   Slot* const slot = Find(id);
   if (slot == nullptr) return;
   slot->owner = owner;
-  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kOwner, {id, static_cast<uint64_t>(owner)});
 }
 
 bool RegionTable::Resize(uint32_t id, size_t size) {
   Slot* const slot = Find(id);
   if (slot == nullptr || size == 0 || size > slot->capacity) return false;
-  if (uplink_ != nullptr && uplink_->Ask({QuestionKind::kResizeRegion, {id, size}}).status == 0)
-    return false;
   slot->size = size;
   std::memset(slot->base + size, kGuard, kGuardBytes);
   return true;
@@ -245,17 +235,17 @@ bool RegionTable::WrittenBeyond(uint32_t id) const {
   return !std::all_of(guard, guard + kGuardBytes, [](char byte) { return byte == kGuard; });
 }
 
-void RegionTable::Pin(uint32_t id) {
-  if (Find(id) == nullptr) return;
+bool RegionTable::Pin(uint32_t id) {
+  if (Find(id) == nullptr) return false;
   KeepCopy(id);
-  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kPin, {id});
+  return true;
 }
 
-void RegionTable::Unpin(uint32_t id) {
+bool RegionTable::Unpin(uint32_t id) {
   const Slot* const slot = Find(id);
-  if (slot == nullptr || slot->pins == 0) return;
+  if (slot == nullptr || slot->pins == 0) return false;
   DropCopy(id);
-  if (uplink_ != nullptr) uplink_->Tell(NoteKind::kUnpin, {id});
+  return true;
 }
 
 int RegionTable::CountOf(ObjectId owner) const {

@@ -18,7 +18,6 @@
 namespace openr_host {
 
 class Hasher;
-class Uplink;
 
 class RegionTable {
  public:
@@ -28,10 +27,6 @@ class RegionTable {
   RegionTable& operator=(const RegionTable&) = delete;
 
   static constexpr uint32_t kNoRegion = 0;
-
-  // Of a System that runs handlers for another one, which gives the ids and counts as well: it is
-  // told of every change.
-  void set_uplink(Uplink* uplink) { uplink_ = uplink; }
 
   // The block of an id given there; null when there is no memory.  One that belongs to an object
   // elsewhere is a copy and lasts while it is pinned, with KeepCopy() first of all; a later copy of
@@ -79,8 +74,8 @@ class RegionTable {
 
   // Keeps the memory of a block that somebody still reads.  Unknown ids are
   // ignored: a region may wrap memory that is not ours.
-  void Pin(uint32_t id);
-  void Unpin(uint32_t id);
+  bool Pin(uint32_t id);
+  bool Unpin(uint32_t id);
 
   // Live blocks of one owner.
   int CountOf(ObjectId owner) const;
@@ -103,9 +98,10 @@ class RegionTable {
     int pins = 0;
     uint16_t generation = 0;
     bool live = false;
-    size_t capacity = 0;  // what it was made with
+    size_t capacity = 0;       // what it was made with
+    bool is_reusable = false;  // New() chose the slot, so it may choose it again
     bool is_copy = false;
-    bool is_idle = false;  // a copy that nobody has: memory for the next one
+    bool is_idle = false;  // a copy without users: its memory is for the next one
   };
 
   Slot* FindMemory(uint32_t id);  // also of an idle copy
@@ -123,7 +119,6 @@ class RegionTable {
   std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices
   int live_count_ = 0;
-  Uplink* uplink_ = nullptr;
 };
 
 }  // namespace openr_host

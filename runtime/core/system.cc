@@ -16,6 +16,7 @@
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/guard_pages.h"
 #include "runtime/core/image.h"
+#include "runtime/core/local_calls.h"
 #include "runtime/core/object_manager.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/stalls.h"
@@ -48,18 +49,14 @@ void AllocateStandardOutput() {
   if (isatty(STDOUT_FILENO)) setvbuf(stdout, nullptr, _IOLBF, 0);
 }
 
-std::vector<uint64_t> EndNumbers(int robot, const RunEnd& why) {
-  return {static_cast<uint64_t>(robot), static_cast<uint64_t>(why.kind)};
-}
-
 }  // namespace
 
 System::System(SystemOptions options)
-    : options_(std::move(options)), dispatcher_(std::make_unique<Dispatcher>(this)) {
+    : options_(std::move(options)),
+      calls_(options_.make_calls ? options_.make_calls(this) : std::make_unique<LocalCalls>(this)),
+      dispatcher_(std::make_unique<Dispatcher>(this)) {
   AllocateStandardOutput();
   assert_context = &RunContext;
-  regions_.set_uplink(options_.uplink);
-  region_shares_.set_uplink(options_.uplink);
   using GivenBack = GuardPages::GivenBack;
   if (options_.guard_regions) {
     guard_pages_ = std::make_unique<GuardPages>(GivenBack::kGone);
@@ -125,13 +122,12 @@ Object* System::FindObject(int robot, std::string_view name) const {
 }
 
 void System::Boot() { manager_->PostBoot(); }
-void System::Shutdown(int robot, const RunEnd& why) {
-  if (uplink() != nullptr) {
-    uplink()->Tell(NoteKind::kShutdown, EndNumbers(robot, why), why.why);
-  } else {
-    NoteEnd(robot, why);
-    manager_->PostShutdown(robot);
-  }
+
+void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
+
+void System::BeginShutdown(int robot, const RunEnd& why) {
+  NoteEnd(robot, why);
+  manager_->PostShutdown(robot);
 }
 
 void System::NoteEnd(int index, const RunEnd& why) {
@@ -152,8 +148,9 @@ void System::Shutdown(const RunEnd& why) {
   for (int i = 0; i < std::max(1, robot_count()); ++i) Shutdown(i, why);
 }
 
-void System::PowerOff(int index, const RunEnd& why) {
-  if (uplink() != nullptr) uplink()->Tell(NoteKind::kPowerOff, EndNumbers(index, why), why.why);
+void System::PowerOff(int robot, const RunEnd& why) { calls_->PowerOff(robot, why); }
+
+void System::CutPower(int index, const RunEnd& why) {
   const bool is_shutdown = why.kind == EndKind::kPowerOff;  // its reason was noted before
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
@@ -218,7 +215,11 @@ int32_t System::Post(Message* message, int64_t delay_us) {
     return sINVALIDOID;
   }
   if (t_current.object != nullptr && t_current.object->is_image) ReportHostAddresses(*message);
-  if (uplink() != nullptr) return uplink()->Post(message, delay_us);
+  return calls_->Post(message, delay_us);
+}
+
+int32_t System::Enqueue(Message* message, int64_t delay_us) {
+  Object* const target = object(message->target);
   if (Object* const self = t_current.object; self != nullptr && self->is_busy) {
     self->outbox.push_back({message, delay_us});
     return sSUCCESS;
@@ -284,8 +285,7 @@ void System::DoWhatIsDue() {
 uint64_t System::NewReplyBox() {
   ASSERT(t_current.object != nullptr, "only an object waits for a reply");
   Object* const self = t_current.object;
-  self->boxes.insert(++self->last_box);
-  if (uplink() != nullptr) uplink()->Tell(NoteKind::kOpenBox, {self->last_box});
+  calls_->OpenBox(self->last_box + 1);
   return self->last_box;
 }
 
@@ -301,17 +301,7 @@ Message* System::AwaitReply(uint64_t box, int64_t timeout_us, std::string_view w
                             bool* timed_out) {
   Object* const self = t_current.object;
   self->blocked_why = why;
-  Message* wake = nullptr;  // an empty answer from ourselves, should nothing else come
-  if (uplink() != nullptr) {
-    uplink()->Waits(box, timeout_us, why);
-  } else if (timeout_us >= 0) {
-    wake = NewMessage(self->id, 0);
-    wake->is_reply = true;
-    wake->reply_box = box;
-    wake->payload_hash = 1;
-    wake->kind = PayloadKind::kHashed;
-    Post(wake, timeout_us);
-  }
+  Message* const wake = calls_->BeginWait(box, timeout_us, why);
   Message* const message = dispatcher_->WaitFor(box);
   self->blocked_why.clear();
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
@@ -365,8 +355,7 @@ int32_t System::Reply(const ReplyTicket& ticket, const void* data, size_t size,
   if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
   const Object* const asker = object(ticket.to);
   if (asker == nullptr) return sRBOXWASCLEANED;
-  // Whose boxes are elsewhere, the uplink looks.
-  if (uplink() == nullptr && !asker->boxes.contains(ticket.box)) return sRBOXWASCLEANED;
+  if (!calls_->AcceptsReply(asker->id, ticket.box)) return sRBOXWASCLEANED;
   Message* const message = NewMessage(ticket.to, 0);
   message->is_reply = true;
   message->reply_box = ticket.box;
@@ -386,6 +375,10 @@ void System::AddFinding(Severity severity, std::string text) {
 }
 
 void System::AddFindingAbout(const Object* object, Severity severity, std::string text) {
+  calls_->AddFinding(object, severity, text);
+}
+
+void System::RecordFinding(const Object* object, Severity severity, std::string text) {
   const Object* const current = t_current.object;
   Finding finding;
   finding.severity = severity;
@@ -395,12 +388,6 @@ void System::AddFindingAbout(const Object* object, Severity severity, std::strin
       current == nullptr || current->running == nullptr ? 0 : current->running->number;
   finding.time_us = now_us_;
   finding.text = std::move(text);
-  if (uplink() != nullptr) {
-    uplink()->Tell(NoteKind::kFinding,
-                   {static_cast<uint64_t>(severity),
-                    static_cast<uint64_t>(object == nullptr ? 0 : object->id + 1)},
-                   finding.text);
-  }
   findings_.Add(std::move(finding));
 }
 

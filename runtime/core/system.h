@@ -34,9 +34,9 @@
 #include "runtime/core/region_table.h"
 #include "runtime/core/run_end.h"
 #include "runtime/core/schedule.h"
+#include "runtime/core/system_calls.h"
 #include "runtime/core/time_events.h"
 #include "runtime/core/trace.h"
-#include "runtime/core/uplink.h"
 
 namespace openr_host {
 
@@ -82,8 +82,8 @@ struct SystemOptions {
   // asserted ready; data changed on their way become an error finding.  Costs some us a
   // notification.
   bool guard_regions = false;
-  // Of a System that runs handlers for another one.  Must outlive this one.
-  Uplink* uplink = nullptr;
+  // Makes the calls of handlers; null: LocalCalls, on the tables of this System.
+  std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
 
 // A wire of CONNECT.CFG, or one made in code.
@@ -189,6 +189,9 @@ class System {
   bool powered_off() const { return powered_off_; }  // all robots are off; nothing runs
   // The robot stops at once, as OPENR::Fatal does.
   void PowerOff(int robot, const RunEnd& why = {});
+  // Do the same with the tables of this process.
+  void BeginShutdown(int robot, const RunEnd& why);
+  void CutPower(int robot, const RunEnd& why);
 
   // Why a robot goes off, and why the run ends for a reason that is not one of its robots'.  The
   // first reason is kept, but for a PowerOff() during a shutdown.  Those two do it themselves.
@@ -234,6 +237,9 @@ class System {
   // `timeout_us` < 0: for ever.  Returns an sError.
   int32_t Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
                size_t reply_size, int64_t timeout_us = -1);
+
+  // Queues a message of this process; Post() without the calls of the handler.
+  int32_t Enqueue(Message* message, int64_t delay_us);
 
   // The same in two steps.
   int32_t SendWithReply(Message* message, uint64_t* box);
@@ -292,7 +298,7 @@ class System {
   const Findings& findings() const { return findings_; }
   const SystemOptions& options() const { return options_; }
   MessageQueue& queue() { return queue_; }
-  Uplink* uplink() const { return options_.uplink; }  // null in a run of one process
+  SystemCalls& calls() { return *calls_; }
   Dispatcher& dispatcher() { return *dispatcher_; }
 
   uint64_t trace_hash() const { return trace_.hash(); }
@@ -302,6 +308,8 @@ class System {
   // About the current object, if any.
   void AddFinding(Severity severity, std::string text);
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
+  // Adds it to findings() of this process.
+  void RecordFinding(const Object* object, Severity severity, std::string text);
 
   // "JointMover waits for the answer of IPStack since t=1.248 s", one line each.
   std::vector<std::string> WhoWaits() const;
@@ -341,6 +349,7 @@ class System {
   void ReturnHeld(Object* object);
 
   SystemOptions options_;
+  const std::unique_ptr<SystemCalls> calls_;
   int64_t now_us_ = 0;
   uint64_t last_number_ = 0;
   bool booted_ = false;

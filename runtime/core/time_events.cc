@@ -16,25 +16,7 @@ uint32_t TimeEvents::Add(Event event) {
   return last_id_;
 }
 
-namespace {
-
-std::string BytesOf(const TimeEvents::Letter& letter) {
-  return {letter.bytes.begin(), letter.bytes.end()};
-}
-
-}  // namespace
-
 uint32_t TimeEvents::AddTimed(Letter letter, int64_t first_us, int64_t period_us) {
-  if (Uplink* const uplink = system_->uplink()) {
-    return static_cast<uint32_t>(
-        uplink
-            ->Ask({QuestionKind::kTimedEvent,
-                   {static_cast<uint64_t>(letter.target), letter.selector,
-                    static_cast<uint64_t>(first_us), static_cast<uint64_t>(period_us)},
-                   "",
-                   BytesOf(letter)})
-            .number(0));
-  }
   Event event;
   event.letter = std::move(letter);
   event.due_us = system_->now_us() + first_us;
@@ -43,15 +25,6 @@ uint32_t TimeEvents::AddTimed(Letter letter, int64_t first_us, int64_t period_us
 }
 
 uint32_t TimeEvents::AddReply(Letter letter, uint64_t box) {
-  if (Uplink* const uplink = system_->uplink()) {
-    return static_cast<uint32_t>(
-        uplink
-            ->Ask({QuestionKind::kReplyEvent,
-                   {static_cast<uint64_t>(letter.target), letter.selector, box},
-                   "",
-                   BytesOf(letter)})
-            .number(0));
-  }
   Event event;
   event.letter = std::move(letter);
   event.box = box;
@@ -59,8 +32,6 @@ uint32_t TimeEvents::AddReply(Letter letter, uint64_t box) {
 }
 
 bool TimeEvents::Cancel(ObjectId owner, uint32_t id) {
-  if (Uplink* const uplink = system_->uplink())
-    return uplink->Ask({QuestionKind::kCancelEvent, {id}}).status == 1;
   const auto found = events_.find(id);
   if (found == events_.end() || found->second.letter.owner != owner) return false;
   events_.erase(found);
@@ -68,8 +39,6 @@ bool TimeEvents::Cancel(ObjectId owner, uint32_t id) {
 }
 
 int TimeEvents::CountOf(ObjectId owner) const {
-  if (Uplink* const uplink = system_->uplink())
-    return static_cast<int>(uplink->Ask({QuestionKind::kEventCount}).number(0));
   return static_cast<int>(std::count_if(events_.begin(), events_.end(), [owner](const auto& entry) {
     return entry.second.letter.owner == owner;
   }));

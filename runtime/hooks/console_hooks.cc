@@ -29,7 +29,7 @@ ssize_t ReadConsole(char* buffer, size_t size) {
                                  "for a line; it gets the end of the input");
     return 0;
   }
-  return static_cast<ssize_t>(t_current.system->console_input().Read(buffer, size));
+  return static_cast<ssize_t>(t_current.system->calls().ReadLine(buffer, size));
 }
 
 // The standard input of the current object.

@@ -188,9 +188,7 @@ std::string HostPath(const char* path, StickUse use) {
     errno = EROFS;
     return "";
   }
-  stick->NoteWritten(path);
-  if (Uplink* const uplink = system->uplink())
-    uplink->Ask({QuestionKind::kWriteFile, {}, std::string(path)});
+  system->calls().NoteFileWritten(path);
   return location.path;
 }
 

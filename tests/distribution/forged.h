@@ -15,6 +15,7 @@
 
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
+#include "distribution/worker_call_list.h"
 #include "runtime/core/api.h"
 #include "tests/distribution/wait_until.h"
 #include "tests/runtime/objcomm/probe.h"
@@ -88,11 +89,14 @@ class ForgedTest : public ::testing::Test {
         arena_.Sequence<decltype(to_master.effects)>(std::vector<openr_wire_Effect>{effect});
     return to_master;
   }
-  openr_wire_ToMaster Note(NoteKind kind, std::vector<uint64_t> numbers) {
+  template <auto kFunction>
+  openr_wire_ToMaster Note(std::vector<uint64_t> numbers) {
+    return NoteOf(WorkerCallList::NumberOf<kFunction>(), std::move(numbers));
+  }
+  openr_wire_ToMaster NoteOf(uint32_t function, std::vector<uint64_t> numbers) {
     openr_wire_Effect effect{};
     effect._d = openr_wire_EFFECT_NOTE;
-    effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(std::move(numbers)),
-                      arena_.Text("")};
+    effect._u.note = {function, arena_.Numbers(std::move(numbers)), arena_.Text("")};
     return With(effect);
   }
   openr_wire_Message Message(openr_wire_PayloadKind kind) const {
@@ -126,14 +130,16 @@ class ForgedTest : public ::testing::Test {
     ready.regions = arena_.Sequence<decltype(ready.regions)>(std::move(regions));
     return Post(message);
   }
-  openr_wire_ToMaster Ask(int32_t object, QuestionKind kind, std::vector<uint64_t> numbers,
+  template <auto kFunction>
+  openr_wire_ToMaster Ask(int32_t object, std::vector<uint64_t> numbers,
                           const std::string& text = "") {
+    return AskOf(object, WorkerCallList::NumberOf<kFunction>(), std::move(numbers), text);
+  }
+  openr_wire_ToMaster AskOf(int32_t object, uint32_t function, std::vector<uint64_t> numbers,
+                            const std::string& text = "") {
     openr_wire_ToMaster to_master = New(openr_wire_TO_MASTER_QUESTION);
-    to_master.body._u.question = {object,
-                                  static_cast<uint32_t>(kind),
-                                  arena_.Numbers(std::move(numbers)),
-                                  arena_.Text(text),
-                                  {}};
+    to_master.body._u.question = {
+        object, function, arena_.Numbers(std::move(numbers)), arena_.Text(text), {}};
     return to_master;
   }
 

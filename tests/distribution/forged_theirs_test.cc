@@ -9,8 +9,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr uint64_t kSetCdt = 15;  // RobotCall of SetCdtVectorData()
-
 class ForgedTheirsTest : public ForgedTest {
  protected:
   // Sends the worker's object a notification with region_here_.
@@ -90,7 +88,7 @@ TEST_F(ForgedTheirsTest, NetworkDataInTheRegionOfAnother) {
 
 TEST_F(ForgedTheirsTest, TheEndOfAnotherRobot) {
   system_.AddRobot("ERS-210", nullptr);
-  EXPECT_THAT(LossBy(Note(NoteKind::kPowerOff, {1})), HasSubstr("the end of another robot"));
+  EXPECT_THAT(LossBy(Note<&SystemCalls::PowerOff>({1})), HasSubstr("the end of another robot"));
   EXPECT_FALSE(system_.robot(1).powered_off);
 }
 
@@ -109,14 +107,14 @@ TEST_F(ForgedTheirsTest, OnlyTheSystemTellsTheObjectManagerWhatToDo) {
 }
 
 TEST_F(ForgedTheirsTest, AFindingOfAnUnknownSeverityIsAnError) {
-  EXPECT_EQ(LossBy(Note(NoteKind::kFinding, {77, 0})), "");
+  EXPECT_EQ(LossBy(Note<&CheckedCalls::AddFindingAbout>({0, 77})), "");
   EXPECT_EQ(system_.findings().all().back().severity, Severity::kError);
 }
 
 TEST_F(ForgedTheirsTest, ANewRegionForAnother) {
   const int count = system_.regions().CountOf(sender_->host().id);
   const auto here = static_cast<uint64_t>(sender_->host().id);
-  Deliver({Ask(remote_->id, QuestionKind::kNewRegion, {kBytes, here}), Stopped()});
+  Deliver({Ask<&SystemCalls::NewRegion>(remote_->id, {kBytes, here}), Stopped()});
   EXPECT_EQ(system_.regions().CountOf(sender_->host().id), count);
 }
 
@@ -124,7 +122,7 @@ TEST_F(ForgedTheirsTest, AServiceOfAnUnknownObject) {
   for (const int32_t target : {kNobody, sender_->host().id}) {
     const auto number = static_cast<uint64_t>(target);
     Deliver(
-        {Ask(remote_->id, QuestionKind::kRegisterService, {number, kEntry}, "A.B.C.S"), Stopped()});
+        {Ask<&SystemCalls::RegisterService>(remote_->id, {number, kEntry}, "A.B.C.S"), Stopped()});
     EXPECT_FALSE(system_.robot(0).directory.contains("A.B.C.S"));
   }
 }
@@ -132,7 +130,7 @@ TEST_F(ForgedTheirsTest, AServiceOfAnUnknownObject) {
 TEST_F(ForgedTheirsTest, AColourTableInTheRegionOfAnother) {
   const std::string bytes(kBytes, 'x');
   for (const uint32_t region : {region_here_, region_there_}) {
-    openr_wire_ToMaster to_master = Ask(remote_->id, QuestionKind::kService, {kSetCdt, region});
+    openr_wire_ToMaster to_master = Ask<&CheckedCalls::SetColourTable>(remote_->id, {region});
     to_master.body._u.question.bytes = WireArena::View(bytes.data(), bytes.size());
     Deliver({to_master, Stopped()});
   }

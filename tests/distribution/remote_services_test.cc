@@ -7,6 +7,8 @@
 #include <cstring>
 #include <string>
 
+#include "distribution/worker_call_list.h"
+#include "distribution/worker_calls.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 
@@ -123,33 +125,46 @@ class NotingRobot : public RobotServices {
 };
 
 // Answers questions at once, like the master does.
-class StraightUplink : public Uplink {
+class DirectLink : public MasterLink {
  public:
-  explicit StraightUplink(System* master) : master_(master) {}
-  Answer Ask(const Question& question) override {
-    if (question.kind == QuestionKind::kService) return ServeRobotCall(master_, 0, question);
-    return {0, {master_->regions().New(question.numbers.at(0), 0)}};  // kNewRegion
+  explicit DirectLink(System* master)
+      : master_(master),
+        calls_(
+            master, [](ObjectId) { return true; }, [](const std::string&) {}) {}
+
+  CallResult Ask(uint32_t function, const CallArguments& arguments) override {
+    const CurrentScope scope(master_, master_->object(0));
+    return WorkerCallList::Call(function, *this, arguments);
   }
   int32_t Post(Message*, int64_t) override { return 0; }
-  void Tell(NoteKind, std::vector<uint64_t>, std::string_view) override {}
+  void Tell(uint32_t, const CallArguments&) override {}
   void Waits(uint64_t, int64_t, std::string_view) override {}
   void WaitsForLine(uint64_t, size_t) override {}
 
+  // The targets of calls.
+  SystemCalls* operator()(SystemCalls*) { return &calls_; }
+  CheckedCalls* operator()(CheckedCalls*) { return &calls_; }
+  RobotServices* operator()(RobotServices*) { return master_->robot(0).services.get(); }
+
  private:
   System* const master_;
+  CheckedCalls calls_;
 };
 
 class RemoteServicesTest : public testing::Test {
  protected:
-  RemoteServicesTest() : uplink(&master), worker(OptionsWith(&uplink)), services(&worker) {
+  RemoteServicesTest()
+      : link(&master), worker(OptionsWith(&link)), services(&link, &worker.regions()) {
     auto noting = std::make_unique<NotingRobot>();
     robot = noting.get();
     robot->system = &master;
     master.robot(master.AddRobot("ERS-210", nullptr)).services = std::move(noting);
   }
-  static SystemOptions OptionsWith(Uplink* uplink) {
+  static SystemOptions OptionsWith(MasterLink* link) {
     SystemOptions options;
-    options.uplink = uplink;
+    options.make_calls = [link](System* system) {
+      return std::make_unique<WorkerCalls>(system, link);
+    };
     return options;
   }
   // Returns what the robot was asked by a call with this result.
@@ -159,7 +174,7 @@ class RemoteServicesTest : public testing::Test {
   }
 
   System master;
-  StraightUplink uplink;
+  DirectLink link;
   System worker;
   RemoteServices services;
   NotingRobot* robot = nullptr;
@@ -216,7 +231,7 @@ TEST_F(RemoteServicesTest, SyncKeys) {
 }
 
 TEST_F(RemoteServicesTest, ADetectionTableComesWithItsBytes) {
-  const uint32_t region = worker.regions().New(6, 0);
+  const uint32_t region = worker.calls().NewRegion(6, 0);
   std::memcpy(worker.regions().BaseOf(region), "table", 6);
   EXPECT_EQ(Heard(services.SetCdtVectorData(region)), "cdt 'table'");
 }
@@ -264,13 +279,6 @@ TEST_F(RemoteServicesTest, ClockAndVolume) {
   OVolumeSwitch volume = 0;
   EXPECT_EQ(Heard(services.GetVolumeSwitch(&volume)), "volume?");
   EXPECT_EQ(volume, ovolumeSW2);
-}
-
-// The first number selects the function; an unknown one selects none.
-TEST_F(RemoteServicesTest, AFunctionThatIsNoneIsNotSupported) {
-  EXPECT_EQ(ServeRobotCall(&master, 0, {QuestionKind::kService, {999}}).status, oNOT_SUPPORTED);
-  EXPECT_EQ(ServeRobotCall(&master, 0, {QuestionKind::kService, {}, "PRM:/x"}).status, kStatus)
-      << "no number is 0, as everywhere";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The Uplink of a worker: what handlers do and ask that concerns other processes goes to the
-// master.
+// The MasterLink of a worker: posts, notes and questions of its handlers become samples.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
@@ -11,9 +10,17 @@
 #include <utility>
 
 #include "distribution/worker.h"
+#include "distribution/worker_call_list.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/indivisible.h"
 
 namespace openr_host {
+namespace {
+
+constexpr uint32_t kPinRegion = WorkerCallList::NumberOf<&SystemCalls::PinRegion>();
+constexpr uint32_t kUnpinRegion = WorkerCallList::NumberOf<&SystemCalls::UnpinRegion>();
+
+}  // namespace
 
 // Sends a sample, or ends the process.  It must not throw: an exception would pass through the code
 // of the object that runs, which might catch it or be blamed for it.
@@ -121,8 +128,7 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
 // be sent.  Most observers take a region and give it back in one handler.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
-    return effect._d == openr_wire_EFFECT_NOTE &&
-           effect._u.note.kind == static_cast<uint32_t>(NoteKind::kPin) &&
+    return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
            effect._u.note.numbers._buffer[0] == region;
   };
   // The latest pin is searched for: earlier ones may belong to other references to the region.
@@ -132,30 +138,32 @@ bool Worker::CancelPendingPin(uint64_t region) {
   return true;
 }
 
-void Worker::Tell(NoteKind kind, std::vector<uint64_t> numbers, std::string_view text) {
+void Worker::Tell(uint32_t function, const CallArguments& arguments) {
   const Indivisible indivisible;
-  if (is_shutting_down_ || (kind == NoteKind::kUnpin && CancelPendingPin(numbers.front()))) return;
+  ASSERT(arguments.bytes.empty(), "a call without an answer has no bytes on the wire");
+  if (is_shutting_down_) return;
+  if (function == kUnpinRegion && CancelPendingPin(arguments.numbers.front())) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
-  effect._u.note = {static_cast<uint32_t>(kind), arena_.Numbers(numbers), arena_.Text(text)};
+  effect._u.note = {function, arena_.Numbers(arguments.numbers), arena_.Text(arguments.text)};
   effects_.push_back(effect);
 }
 
-Answer Worker::Ask(const Question& question) {
+CallResult Worker::Ask(uint32_t function, const CallArguments& arguments) {
   const Indivisible indivisible;
   if (is_shutting_down_) return {};
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
   // Effects of the handler so far go with the question, because the answer may depend on them.
   to_master.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
-                                static_cast<uint32_t>(question.kind),
-                                arena_.Numbers(question.numbers), arena_.Text(question.text),
-                                WireArena::View(question.bytes.data(), question.bytes.size())};
+                                function, arena_.Numbers(arguments.numbers),
+                                arena_.Text(arguments.text),
+                                WireArena::View(arguments.bytes.data(), arguments.bytes.size())};
   MoveEffectsTo(&to_master);
   Send(to_master);
   return WaitForAnswer();
 }
 
-Answer Worker::WaitForAnswer() {
+CallResult Worker::WaitForAnswer() {
   try {
     if (const ReceivedSample to_worker = Next(true)) {
       const openr_wire_Answer& answer = to_worker->body._u.answer;

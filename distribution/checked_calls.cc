@@ -1,0 +1,155 @@
+#include "distribution/checked_calls.h"
+
+#include <fmt/format.h>
+#include <sError.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/api/mcoop_limits.h"
+#include "runtime/core/api.h"
+#include "runtime/core/robot_services.h"
+#include "runtime/core/system.h"
+#include "runtime/ipstack/ip_stack.h"
+
+namespace openr_host {
+namespace {
+
+// Longer times are refused; a RelativeTime cannot hold them anyway.
+constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
+
+constexpr uint64_t kResultMax = 1024;  // bytes; no request of ControlPrimitive() returns more
+
+bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }
+
+TimeEvents::Letter LetterOfCaller(const TimeEvents::Letter& letter) {
+  TimeEvents::Letter own = letter;
+  own.owner = t_current.object->id;
+  return own;
+}
+
+}  // namespace
+
+uint32_t CheckedCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+                                     int64_t period_us) {
+  if (!IsTime(first_us) || !IsTime(period_us)) return 0;
+  return LocalCalls::AddTimedEvent(LetterOfCaller(letter), first_us, period_us);
+}
+
+uint32_t CheckedCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
+  return LocalCalls::AddReplyEvent(LetterOfCaller(letter), box);
+}
+
+int32_t CheckedCalls::RegisterName(ObjectId object, std::string_view name) {
+  if (name.empty()) return sINVALIDARG;
+  if (name.size() > kObjectNameMax) return sOBLETNAMETOOLONG;
+  if (system_->object(object) == nullptr) return sINVALIDOID;
+  return LocalCalls::RegisterName(object, name);
+}
+
+OStatus CheckedCalls::RegisterService(ObjectId object, uint32_t selector, std::string_view name) {
+  if (!is_own_(object) || name.size() > oserviceNAME_MAX) return oFAIL;
+  return LocalCalls::RegisterService(object, selector, name);
+}
+
+uint32_t CheckedCalls::NewRegion(size_t size, ObjectId owner) {
+  const bool is_allowed = size <= kRobotMemoryBytes && (owner == kNoObject || is_own_(owner));
+  return is_allowed ? LocalCalls::NewRegion(size, owner) : RegionTable::kNoRegion;
+}
+
+bool CheckedCalls::DeleteRegion(uint32_t region) {
+  if (!is_own_(system_->regions().OwnerOf(region)))
+    refuse_("the end of a region that is not its own");
+  return LocalCalls::DeleteRegion(region);
+}
+
+bool CheckedCalls::ResizeRegion(uint32_t region, size_t size) {
+  return is_own_(system_->regions().OwnerOf(region)) && LocalCalls::ResizeRegion(region, size);
+}
+
+bool CheckedCalls::PinRegion(uint32_t region) {
+  ++pins_[region];
+  return LocalCalls::PinRegion(region);
+}
+
+bool CheckedCalls::UnpinRegion(uint32_t region) {
+  const auto pins = pins_.find(region);
+  // Each unpin must have its pin, or a worker could free regions of other objects.
+  if (pins == pins_.end()) refuse_("a region given back twice");
+  if (--pins->second == 0) pins_.erase(pins);
+  return LocalCalls::UnpinRegion(region);
+}
+
+void CheckedCalls::ReleasePins() {
+  for (const auto& [region, count] : pins_) {
+    for (int i = 0; i < count; ++i) LocalCalls::UnpinRegion(region);
+  }
+  pins_.clear();
+}
+
+bool CheckedCalls::HasRegion(uint32_t region) const {
+  const RegionTable& regions = system_->regions();
+  return is_own_(regions.OwnerOf(region)) || is_own_(regions.MakerOf(region));
+}
+
+// Makes the same mapping in the master, whose IPStack looks at it when the object sends.
+void CheckedCalls::NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) {
+  IpStack* const stack = IpStack::OfCurrent();
+  if (stack == nullptr) return;
+  const antSharedBuffer buffer(region, 0, cookie);
+  void* base = nullptr;
+  if (is_mapped) {
+    stack->buffers().Map(buffer, &base);
+  } else {
+    stack->buffers().UnMap(buffer);
+  }
+}
+
+void CheckedCalls::CheckRobot(int robot, const RunEnd& why) const {
+  const Object* const self = t_current.object;
+  if (robot < 0 || robot >= system_->robot_count()) refuse_("an unknown robot");
+  if (self != nullptr && robot != self->robot) refuse_("the end of another robot");
+  if (static_cast<int>(why.kind) >= kEndKinds) refuse_("an end of an unknown kind");
+}
+
+void CheckedCalls::Shutdown(int robot, const RunEnd& why) {
+  CheckRobot(robot, why);
+  LocalCalls::Shutdown(robot, why);
+}
+
+void CheckedCalls::PowerOff(int robot, const RunEnd& why) {
+  CheckRobot(robot, why);
+  LocalCalls::PowerOff(robot, why);
+}
+
+void CheckedCalls::AddFindingAbout(ObjectId about, Severity severity, std::string_view text) {
+  const bool is_known = severity >= Severity::kError && severity <= Severity::kNote;
+  AddFinding(system_->object(about), is_known ? severity : Severity::kError, text);
+}
+
+OStatus CheckedCalls::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request,
+                                       const std::string& parameter, uint64_t result_size,
+                                       std::string* result) {
+  std::string parameter_copy = parameter;  // because the function takes memory it may write
+  result->assign(std::min(result_size, kResultMax), '\0');
+  return system_->robot(t_current.object->robot)
+      .services->ControlPrimitive(id, request, parameter.empty() ? nullptr : parameter_copy.data(),
+                                  parameter.size(), result->empty() ? nullptr : result->data(),
+                                  result->size());
+}
+
+OStatus CheckedCalls::SetColourTable(uint32_t region, const std::string& bytes) {
+  char* const base = system_->regions().BaseOf(region);
+  if (base != nullptr && !HasRegion(region)) {
+    system_->AddFinding(Severity::kError,
+                        fmt::format("SetCdtVectorData({:#x}): the memory is in another process of "
+                                    "a distributed run; place both objects in one",
+                                    region));
+    return oINVALID_ARG;
+  }
+  if (base != nullptr)
+    std::memcpy(base, bytes.data(), std::min(bytes.size(), system_->regions().SizeOf(region)));
+  return system_->robot(t_current.object->robot).services->SetCdtVectorData(region);
+}
+
+}  // namespace openr_host

@@ -1,0 +1,66 @@
+// Calls that handlers in a worker make to the master.
+//
+// A worker may be faulty, so everything is checked before it is done: a worker speaks only for its
+// own objects, regions and robots.
+#pragma once
+
+#include <OPENR/OPENRAPI.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "runtime/core/local_calls.h"
+
+namespace openr_host {
+
+class CheckedCalls : public LocalCalls {
+ public:
+  // Whether an object is one of the worker's.
+  using IsOwn = std::function<bool(ObjectId)>;
+  // Throws ProcessLost: the worker has done "what".
+  using Refuse = std::function<void(const std::string& what)>;
+
+  CheckedCalls(System* system, IsOwn is_own, Refuse refuse)
+      : LocalCalls(system), is_own_(std::move(is_own)), refuse_(std::move(refuse)) {}
+
+  uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+                         int64_t period_us) override;
+  uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) override;
+  int32_t RegisterName(ObjectId object, std::string_view name) override;
+  OStatus RegisterService(ObjectId object, uint32_t selector, std::string_view name) override;
+  uint32_t NewRegion(size_t size, ObjectId owner) override;
+  bool DeleteRegion(uint32_t region) override;
+  bool ResizeRegion(uint32_t region, size_t size) override;
+  bool PinRegion(uint32_t region) override;
+  bool UnpinRegion(uint32_t region) override;
+  void NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) override;
+  void Shutdown(int robot, const RunEnd& why) override;
+  void PowerOff(int robot, const RunEnd& why) override;
+
+  // AddFinding() with an id; kNoObject: about the system.
+  void AddFindingAbout(ObjectId about, Severity severity, std::string_view text);
+
+  // Functions of the robot whose arguments are memory.
+  OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, const std::string& parameter,
+                           uint64_t result_size, std::string* result);
+  // Copies the bytes to `region` for RobotServices::SetCdtVectorData().
+  OStatus SetColourTable(uint32_t region, const std::string& bytes);
+
+  // Whether an object of the worker owns the region or has made it.  An object may make a region
+  // and give it to another one.
+  bool HasRegion(uint32_t region) const;
+
+  // Releases what the objects of a lost worker have pinned.
+  void ReleasePins();
+
+ private:
+  void CheckRobot(int robot, const RunEnd& why) const;
+
+  const IsOwn is_own_;
+  const Refuse refuse_;
+  std::map<uint32_t, int> pins_;  // references that the worker's objects have, by region
+};
+
+}  // namespace openr_host

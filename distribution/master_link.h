@@ -1,0 +1,33 @@
+// The way of a worker's handlers to the master.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "distribution/call_codec.h"
+
+namespace openr_host {
+
+struct Message;
+
+class MasterLink {
+ public:
+  virtual ~MasterLink() = default;
+
+  // See SystemCalls::Post().
+  virtual int32_t Post(Message* message, int64_t delay_us) = 0;
+
+  // Makes the master call a function of WorkerCallList.  Tell() does not wait and has no result;
+  // its arguments have no bytes.
+  virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
+  virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
+
+  // The current object is about to wait for the reply to `box`; timeout_us < 0: for ever.
+  virtual void Waits(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
+  // The current object is about to wait for a line of the console, of at most `size` bytes, which
+  // comes as the reply to `box`.
+  virtual void WaitsForLine(uint64_t box, size_t size) = 0;
+};
+
+}  // namespace openr_host

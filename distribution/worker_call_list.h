@@ -1,0 +1,78 @@
+// The calls that a worker sends to the master, by their numbers on the wire.
+//
+// A new function of SystemCalls or RobotServices is one line here and one in WorkerCalls or
+// RemoteServices; call_codec.h does the rest.  The order of the list is part of the protocol
+// (openr_wire::VERSION).
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "distribution/call_codec.h"
+#include "distribution/checked_calls.h"
+#include "runtime/core/robot_services.h"
+#include "runtime/core/system_calls.h"
+
+namespace openr_host {
+
+template <auto... kFunctions>
+struct CallList {
+  static constexpr uint32_t kSize = sizeof...(kFunctions);
+
+  template <auto kFunction>
+  static constexpr uint32_t NumberOf() {
+    uint32_t number = 0;
+    const bool is_found = ((IsSame<kFunction, kFunctions>() || (++number, false)) || ...);
+    return is_found ? number : throw "the function is not in the list";
+  }
+
+  // Calls function `number`.  `target_of` returns the target of a class that is asked for by a null
+  // pointer to it.  REQUIRES: number < kSize.
+  template <typename TargetOf>
+  static CallResult Call(uint32_t number, TargetOf&& target_of, const CallArguments& arguments) {
+    CallResult result;
+    uint32_t index = 0;
+    ((index++ == number ? (result = CallOne<kFunctions>(target_of, arguments), true) : false) ||
+     ...);
+    return result;
+  }
+
+ private:
+  template <auto kFirst, auto kSecond>
+  static constexpr bool IsSame() {
+    return std::is_same_v<std::integral_constant<decltype(kFirst), kFirst>,
+                          std::integral_constant<decltype(kSecond), kSecond>>;
+  }
+
+  template <auto kFunction, typename TargetOf>
+  static CallResult CallOne(TargetOf&& target_of, const CallArguments& arguments) {
+    using Function = call_codec::Signature<decltype(kFunction)>;
+    return Function::Call(kFunction, target_of(static_cast<typename Function::Class*>(nullptr)),
+                          arguments);
+  }
+};
+
+using WorkerCallList = CallList<
+    &SystemCalls::OpenBox, &SystemCalls::CloseBox, &SystemCalls::SetQueueMax,
+    &SystemCalls::AddTimedEvent, &SystemCalls::AddReplyEvent, &SystemCalls::CancelEvent,
+    &SystemCalls::CountEvents, &SystemCalls::RegisterName, &SystemCalls::FindName,
+    &SystemCalls::UnregisterName, &SystemCalls::RegisterService, &SystemCalls::NameEntry,
+    &SystemCalls::NewRegion, &SystemCalls::DeleteRegion, &SystemCalls::ResizeRegion,
+    &SystemCalls::PinRegion, &SystemCalls::UnpinRegion, &SystemCalls::AllowAccess,
+    &SystemCalls::Attach, &SystemCalls::Detach, &SystemCalls::CheckAccess,
+    &SystemCalls::NoteMapping, &CheckedCalls::AddFindingAbout, &SystemCalls::Shutdown,
+    &SystemCalls::PowerOff, &SystemCalls::NoteFileWritten, &CheckedCalls::SetColourTable,
+    // Functions of OPENR:: about devices.
+    &RobotServices::OpenPrimitive, &RobotServices::ClosePrimitive, &CheckedCalls::ControlPrimitive,
+    &RobotServices::EnableJointGain, &RobotServices::DisableJointGain, &RobotServices::SetJointGain,
+    &RobotServices::GetJointGain, &RobotServices::RegisterDefaultJointGain,
+    &RobotServices::SetDefaultJointGain, &RobotServices::GetDefaultJointGain,
+    &RobotServices::GetJointValue, &RobotServices::GetSensorValue, &RobotServices::NewSyncKey,
+    &RobotServices::CancelSyncKey, &RobotServices::DivideSyncKey, &RobotServices::SetMotorPower,
+    &RobotServices::GetBootCondition, &RobotServices::Shutdown, &RobotServices::GetPowerStatus,
+    &RobotServices::ObservePowerStatus, &RobotServices::UnobservePowerStatus,
+    &RobotServices::SetTime, &RobotServices::GetTime, &RobotServices::SetTimeDifference,
+    &RobotServices::GetTimeDifference, &RobotServices::SetVolumeSwitch,
+    &RobotServices::GetVolumeSwitch>;
+
+}  // namespace openr_host

@@ -1,0 +1,159 @@
+#include "runtime/core/local_calls.h"
+
+#include <sError.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "runtime/core/system.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+Robot& RobotOfCaller(System* system) { return system->robot(t_current.object->robot); }
+
+}  // namespace
+
+int32_t LocalCalls::Post(Message* message, int64_t delay_us) {
+  return system_->Enqueue(message, delay_us);
+}
+
+void LocalCalls::OpenBox(uint64_t box) {
+  Object* const self = t_current.object;
+  self->boxes.insert(box);
+  self->last_box = std::max(self->last_box, box);
+}
+
+void LocalCalls::CloseBox(uint64_t box) {
+  Object* const self = t_current.object;
+  self->boxes.erase(box);
+  const auto arrived = self->replies.find(box);
+  if (arrived == self->replies.end()) return;
+  system_->queue().Release(arrived->second);
+  self->replies.erase(arrived);
+}
+
+bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
+  return system_->object(asker)->boxes.contains(box);
+}
+
+Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
+  if (timeout_us < 0) return nullptr;
+  // The caller sends itself an empty reply, which comes when the time is over.
+  Message* const wake = system_->NewMessage(t_current.object->id, 0);
+  wake->is_reply = true;
+  wake->reply_box = box;
+  wake->payload_hash = 1;
+  wake->kind = PayloadKind::kHashed;
+  system_->Post(wake, timeout_us);
+  return wake;
+}
+
+size_t LocalCalls::ReadLine(char* buffer, size_t size) {
+  return system_->console_input().Read(buffer, size);
+}
+
+void LocalCalls::SetQueueMax(int32_t messages) { t_current.object->queue_max = messages; }
+
+uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
+                                   int64_t period_us) {
+  return system_->time_events().AddTimed(letter, first_us, period_us);
+}
+
+uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
+  const uint32_t event = system_->time_events().AddReply(letter, box);
+  const Object* const self = t_current.object;
+  if (self->replies.contains(box)) system_->time_events().ReplyArrived(self->id, box);
+  return event;
+}
+
+bool LocalCalls::CancelEvent(uint32_t event) {
+  return system_->time_events().Cancel(t_current.object->id, event);
+}
+
+int LocalCalls::CountEvents() { return system_->time_events().CountOf(t_current.object->id); }
+
+int32_t LocalCalls::RegisterName(ObjectId object, std::string_view name) {
+  ObjectId known = kNoObject;
+  if (LocalCalls::FindName(name, &known) == sSUCCESS) return sFAIL;
+  RobotOfCaller(system_).names[std::string(name)] = object;
+  return sSUCCESS;
+}
+
+int32_t LocalCalls::FindName(std::string_view name, ObjectId* object) {
+  const Robot& robot = RobotOfCaller(system_);
+  if (const Object* const loaded = system_->FindObject(robot.index, name)) {
+    *object = loaded->id;
+    return sSUCCESS;
+  }
+  const auto found = robot.names.find(std::string(name));
+  if (found == robot.names.end() || system_->object(found->second) == nullptr) return sOBJNOTFOUND;
+  *object = found->second;
+  return sSUCCESS;
+}
+
+int32_t LocalCalls::UnregisterName(std::string_view name) {
+  return RobotOfCaller(system_).names.erase(std::string(name)) == 1 ? sSUCCESS : sOBJNOTFOUND;
+}
+
+OStatus LocalCalls::RegisterService(ObjectId object, uint32_t selector, std::string_view name) {
+  auto& directory = RobotOfCaller(system_).directory;
+  if (!directory.emplace(name, std::pair(object, selector)).second) return oALREADY_EXIST;
+  t_current.object->services[selector] = name;
+  return oSUCCESS;
+}
+
+void LocalCalls::NameEntry(uint32_t selector, std::string_view name) {
+  t_current.object->entry_names[selector] = name;
+}
+
+uint32_t LocalCalls::NewRegion(size_t size, ObjectId owner) {
+  return system_->regions().New(size, owner);
+}
+
+bool LocalCalls::DeleteRegion(uint32_t region) { return system_->regions().Delete(region); }
+
+bool LocalCalls::ResizeRegion(uint32_t region, size_t size) {
+  return system_->regions().Resize(region, size);
+}
+
+bool LocalCalls::PinRegion(uint32_t region) { return system_->regions().Pin(region); }
+bool LocalCalls::UnpinRegion(uint32_t region) { return system_->regions().Unpin(region); }
+
+int32_t LocalCalls::AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
+                                bool giving_ownership) {
+  return system_->region_shares().Allow(t_current.object->id, region, info, other,
+                                        giving_ownership);
+}
+
+int32_t LocalCalls::Attach(uint32_t region, MemoryProtectionInfo info) {
+  return system_->region_shares().Attach(t_current.object->id, region, info);
+}
+
+int32_t LocalCalls::Detach(uint32_t region) {
+  return system_->region_shares().Detach(t_current.object->id, region);
+}
+
+int32_t LocalCalls::CheckAccess(uint32_t region, MemoryProtectionInfo info) {
+  return system_->region_shares().ChangeProtection(t_current.object->id, region, info);
+}
+
+// The IPStack of this process made the mapping, so it is known here.
+void LocalCalls::NoteMapping(uint32_t, uint32_t, bool) {}
+
+void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_view text) {
+  system_->RecordFinding(about, severity, std::string(text));
+}
+
+void LocalCalls::Shutdown(int robot, const RunEnd& why) { system_->BeginShutdown(robot, why); }
+
+void LocalCalls::PowerOff(int robot, const RunEnd& why) { system_->CutPower(robot, why); }
+
+bool LocalCalls::NoteFileWritten(std::string_view path) {
+  if (MemoryStick* const stick = RobotOfCaller(system_).stick.get()) stick->NoteWritten(path);
+  return true;
+}
+
+}  // namespace openr_host
