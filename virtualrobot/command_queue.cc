@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
 #include "virtualrobot/joint_watch.h"
@@ -11,27 +12,28 @@
 #include "virtualrobot/sync_keys.h"
 
 namespace openr_host {
+
 bool CommandQueue::Add(RCRegion* region) {
   if (waiting_.size() >= kMax) return false;
-  waiting_.push_back(region);
+  waiting_.emplace_back(region);
   return true;
 }
 
-RCRegion* CommandQueue::TakeFinished(int64_t frame) {
-  if (playing_ == nullptr || frame < end_) return nullptr;
-  RCRegion* const finished = playing_;
-  playing_ = nullptr;
-  elements_.clear();
-  return finished;
+bool CommandQueue::ReleaseFinished(int64_t frame) {
+  if (!playing_ || frame < end_) return false;
+  elements_.clear();  // their data are in the region
+  playing_.Release();
+  return true;
 }
 
 void CommandQueue::Start(int64_t frame, const EffectorPort& port,
                          std::vector<std::string>* problems) {
-  playing_ = waiting_.front();
+  ASSERT(!playing_, "a vector starts while another one plays");
+  playing_ = std::move(waiting_.front());
   waiting_.pop_front();
   turn_.Next();
-  const SentVector vector =
-      ReadSentVector(playing_, sizeof(OCommandInfo), "command vector", *port.system, problems);
+  const SentVector vector = ReadSentVector(playing_.get(), sizeof(OCommandInfo), "command vector",
+                                           *port.system, problems);
   if (vector.header != nullptr && !NamesItsMemory(vector, *port.system)) {
     problems->push_back(
         "command vector: its memRegionID names other memory than it came in (made without "
@@ -78,17 +80,16 @@ void CommandQueue::FindFace(const Devices& devices, std::vector<std::string>* pr
 }
 
 void CommandQueue::Announce(SyncKeys* sync_keys) {
-  if (playing_ == nullptr && !waiting_.empty())
-    turn_.Announce(SyncKeyOf(*waiting_.front()), sync_keys);
+  if (!playing_ && !waiting_.empty()) turn_.Announce(SyncKeyOf(*waiting_.front()), sync_keys);
 }
 
 void CommandQueue::Apply(int64_t frame, const EffectorPort& port,
                          std::vector<std::string>* problems) {
-  if (playing_ == nullptr && !waiting_.empty() &&
+  if (!playing_ && !waiting_.empty() &&
       turn_.MayStart(SyncKeyOf(*waiting_.front()), *port.sync_keys, problems)) {
     Start(frame, port, problems);
   }
-  if (playing_ == nullptr || frame < start_) return;
+  if (!playing_ || frame < start_) return;
   for (Element& element : elements_) {
     if (frame >= element.ends) {
       if (element.command_frame + 1 >= element.command.frames) continue;  // holds its last value
@@ -105,9 +106,9 @@ void CommandQueue::Apply(int64_t frame, const EffectorPort& port,
 
 void CommandQueue::HashState(Hasher* hasher) const {
   hasher->Add(static_cast<uint64_t>(waiting_.size()));
-  for (const RCRegion* region : waiting_) hasher->Add(region->MemID());
+  for (const RegionReference& region : waiting_) hasher->Add(region->MemID());
   hasher->Add(turn_.announced());
-  hasher->Add(playing_ == nullptr ? 0 : playing_->MemID());
+  hasher->Add(playing_ ? playing_->MemID() : 0);
   hasher->Add(start_);
   hasher->Add(end_);
   for (const Element& element : elements_) {

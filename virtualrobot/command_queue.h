@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "virtualrobot/command_vector.h"
+#include "virtualrobot/region_reference.h"
 #include "virtualrobot/vector_turn.h"
 
 namespace openr_host {
@@ -41,13 +42,13 @@ class CommandQueue {
   // Vectors that may wait; the robot's number is not known, samples need four.
   static constexpr size_t kMax = 32;
 
-  // Takes the region over with the reference the caller added.  False when the
-  // queue is full.
+  // Appends the vector in `region` and refers to the region until the vector is over.  Returns
+  // false when the queue is full.
   bool Add(RCRegion* region);
 
-  // Ends the vector that is over before frame `frame` begins, if any: its region,
-  // whose reference goes to the caller.
-  RCRegion* TakeFinished(int64_t frame);
+  // Releases the region of a vector that is over before frame `frame` begins.  Returns false when
+  // there is no such vector.
+  bool ReleaseFinished(int64_t frame);
 
   // Starts what is due and applies the set points of frame `frame`.  What is wrong with a
   // vector that starts is described in `problems`.
@@ -57,7 +58,6 @@ class CommandQueue {
   // queues of a robot before the first Apply() of a frame.
   void Announce(SyncKeys* sync_keys);
 
-  bool idle() const { return waiting_.empty() && playing_ == nullptr; }
   void HashState(Hasher* hasher) const;
 
  private:
@@ -70,9 +70,9 @@ class CommandQueue {
   void Start(int64_t frame, const EffectorPort& port, std::vector<std::string>* problems);
   void FindFace(const Devices& devices, std::vector<std::string>* problems);
 
-  std::deque<RCRegion*> waiting_;
+  std::deque<RegionReference> waiting_;
   VectorTurn turn_;  // of the first that waits
-  RCRegion* playing_ = nullptr;
+  RegionReference playing_;
   int64_t start_ = 0;  // frame in which it begins
   int64_t end_ = 0;    // first frame after it
   std::vector<Element> elements_;

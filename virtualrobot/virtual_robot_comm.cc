@@ -58,10 +58,7 @@ void OVirtualRobotComm::Frame() {
 
 void OVirtualRobotComm::FinishVectors() {
   for (Source& source : sources_) {
-    while (RCRegion* const region = source.queue.TakeFinished(robot_->frame_)) {
-      region->RemoveReference();
-      effector_->AssertReady(source.subject);
-    }
+    while (source.queue.ReleaseFinished(robot_->frame_)) effector_->AssertReady(source.subject);
   }
 }
 
@@ -95,16 +92,14 @@ void OVirtualRobotComm::ReadCamera() {
   SendImage();
   if (!HasListener(*image_)) return;
   std::string problem;
-  exposed_ = robot_->camera_.MakeVector(robot_->frame_, *robot_->body_, &problem);
-  exposed_->AddReference();
+  exposed_ = RegionReference(robot_->camera_.MakeVector(robot_->frame_, *robot_->body_, &problem));
   if (!problem.empty()) system().AddFinding(Severity::kError, "camera: " + problem);
 }
 
 void OVirtualRobotComm::SendImage() {
-  if (exposed_ == nullptr) return;
-  SendToListeners(image_, exposed_);
-  exposed_->RemoveReference();
-  exposed_ = nullptr;
+  if (!exposed_) return;
+  SendToListeners(image_, exposed_.get());
+  exposed_.Release();
 }
 
 void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {
@@ -114,10 +109,7 @@ void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {
   if (source == sources_.end()) source = sources_.insert(sources_.end(), Source{subject, {}});
   std::vector<std::string> problems;
   for (int i = 0; i < event.NumOfData(); ++i) {
-    RCRegion* const region = event.RCData(i);
-    region->AddReference();
-    if (source->queue.Add(region)) continue;
-    region->RemoveReference();
+    if (source->queue.Add(event.RCData(i))) continue;
     problems.push_back(fmt::format(
         "Effector: more than {} command vectors of one subject wait; the newest is dropped",
         CommandQueue::kMax));

@@ -49,7 +49,7 @@ class OVirtualRobotComm : public CodeObject {
   OObserver* effector_;
   OSubject* sensor_;
   OSubject* image_;
-  RCRegion* exposed_ = nullptr;  // the image that is being read out; one reference is ours
+  RegionReference exposed_;  // the image that is being read out
   Selector frame_;
   bool running_ = false;
   std::vector<Source> sources_;  // in order of first appearance

@@ -49,10 +49,7 @@ void OVirtualRobotAudioComm::Frame() {
 }
 
 void OVirtualRobotAudioComm::GiveReadies() {
-  while (const auto sent = queue_.TakeFinished()) {
-    sent->region->RemoveReference();
-    speaker_->AssertReady(sent->subject);
-  }
+  while (const auto subject = queue_.ReleaseFinished()) speaker_->AssertReady(*subject);
 }
 
 void OVirtualRobotAudioComm::PlayFrame() {
@@ -80,10 +77,7 @@ void OVirtualRobotAudioComm::PlayFrame() {
 void OVirtualRobotAudioComm::NotifySpeaker(const ONotifyEvent& event) {
   const SubjectID subject = event.SenderID().GetSubjectID();
   for (int i = 0; i < event.NumOfData(); ++i) {
-    RCRegion* const region = event.RCData(i);
-    region->AddReference();
-    if (queue_.Add({region, subject})) continue;
-    region->RemoveReference();
+    if (queue_.Add(event.RCData(i), subject)) continue;
     system().AddFindingAbout(system().object(ObjectIdOf(subject.GetOID())), Severity::kWarning,
                              fmt::format("Speaker: more than {} sound vectors wait; the newest is "
                                          "dropped",

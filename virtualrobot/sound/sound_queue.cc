@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
 #include "virtualrobot/optional_bytes.h"
@@ -43,21 +44,21 @@ std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
 
 }  // namespace
 
-bool SoundQueue::Add(const Sent& sent) {
+bool SoundQueue::Add(RCRegion* region, const SubjectID& subject) {
   if (waiting_.size() >= kMax) return false;
-  waiting_.push_back(sent);
+  waiting_.push_back({RegionReference(region), subject});
   return true;
 }
 
-std::optional<SoundQueue::Sent> SoundQueue::TakeFinished() {
+std::optional<SubjectID> SoundQueue::ReleaseFinished() {
   if (finished_.empty()) return std::nullopt;
-  const Sent sent = finished_.front();
+  const SubjectID subject = finished_.front().subject;
   finished_.pop_front();
-  return sent;
+  return subject;
 }
 
 void SoundQueue::Announce(SyncKeys* sync_keys) {
-  if (playing_.region == nullptr && !waiting_.empty())
+  if (!playing_.region && !waiting_.empty())
     turn_.Announce(SyncKeyOf(*waiting_.front().region), sync_keys);
 }
 
@@ -94,15 +95,16 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
 
 void SoundQueue::Start(int64_t frame, bool behind_another, const SoundPort& port,
                        std::vector<SoundProblem>* problems) {
-  playing_ = waiting_.front();
+  ASSERT(!playing_.region, "a sound vector starts while another one plays");
+  playing_ = std::move(waiting_.front());
   waiting_.pop_front();
   turn_.Next();
   sounds_.clear();
   sound_ = 0;
   position_ = 0;
   std::vector<std::string> found;
-  const SentVector vector =
-      ReadSentVector(playing_.region, sizeof(OSoundInfo), "sound vector", *port.system, &found);
+  const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
+                                           "sound vector", *port.system, &found);
   const int64_t wait = WaitOf(vector, &found);
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, *port.system)) {
@@ -142,7 +144,7 @@ bool SoundQueue::Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
   bool played = false;
   std::vector<std::string> waiting_problems;
   for (int filled = 0; filled < kSoundSamplesPerFrame;) {
-    if (playing_.region == nullptr) {
+    if (!playing_.region) {
       if (waiting_.empty()) break;
       const Sent& head = waiting_.front();
       const bool may_start =
@@ -160,8 +162,7 @@ bool SoundQueue::Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
       filled = kSoundSamplesPerFrame;  // without sound: the frame is its length
     }
     if (sound_ < sounds_.size()) continue;
-    finished_.push_back(playing_);
-    playing_ = {};
+    finished_.push_back(std::move(playing_));
   }
   return played;
 }
@@ -170,7 +171,7 @@ void SoundQueue::HashState(Hasher* hasher) const {
   hasher->Add(static_cast<uint64_t>(waiting_.size()));
   for (const Sent& sent : waiting_) hasher->Add(sent.region->MemID());
   hasher->Add(turn_.announced());
-  hasher->Add(playing_.region == nullptr ? 0 : playing_.region->MemID());
+  hasher->Add(playing_.region ? playing_.region->MemID() : 0);
   for (const Sound& sound : sounds_) {
     hasher->Add(sound.data != nullptr);
     hasher->Add(sound.samples);

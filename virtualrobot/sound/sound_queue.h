@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "virtualrobot/primitive_table.h"
+#include "virtualrobot/region_reference.h"
 #include "virtualrobot/sound/speaker.h"
 #include "virtualrobot/vector_memory.h"
 #include "virtualrobot/vector_turn.h"
@@ -46,17 +47,13 @@ class SoundQueue {
   // Vectors that may wait; the robot's number is not known, samples need two.
   static constexpr size_t kMax = 32;
 
-  struct Sent {
-    RCRegion* region = nullptr;
-    SubjectID subject;
-  };
+  // Appends the vector in `region`, sent by `subject`, and refers to the region until the vector is
+  // over.  Returns false when the queue is full.
+  bool Add(RCRegion* region, const SubjectID& subject);
 
-  // Takes the region over with the reference the caller added.  False when full.
-  bool Add(const Sent& sent);
-
-  // A vector that was over before the frame that begins, if any; its region's reference
-  // goes to the caller.
-  std::optional<Sent> TakeFinished();
+  // Releases the region of the oldest vector that was over before the frame that begins, and
+  // returns the vector's subject; nothing when there is no such vector.
+  std::optional<SubjectID> ReleaseFinished();
 
   // Tells the keys when a vector that carries one has come to the head; before Fill().
   void Announce(SyncKeys* sync_keys);
@@ -65,12 +62,15 @@ class SoundQueue {
   bool Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
             std::vector<SoundProblem>* problems);
 
-  bool busy() const {
-    return !waiting_.empty() || !finished_.empty() || playing_.region != nullptr;
-  }
+  bool busy() const { return !waiting_.empty() || !finished_.empty() || playing_.region; }
   void HashState(Hasher* hasher) const;
 
  private:
+  struct Sent {
+    RegionReference region;
+    SubjectID subject;
+  };
+
   // One sound of the vector that plays.
   struct Sound {
     const byte* data;  // null: silence
