@@ -6,10 +6,9 @@
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "runtime/core/api.h"
 #include "virtualrobot/frame_number.h"
-#include "virtualrobot/joint_watch.h"
-#include "virtualrobot/optional_bytes.h"
-#include "virtualrobot/sync_keys.h"
+#include "virtualrobot/robot_parts.h"
 
 namespace openr_host {
 
@@ -26,24 +25,24 @@ bool CommandQueue::ReleaseFinished(int64_t frame) {
   return true;
 }
 
-void CommandQueue::Start(int64_t frame, const EffectorPort& port,
-                         std::vector<std::string>* problems) {
+void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
   ASSERT(!playing_, "a vector starts while another one plays");
   playing_ = std::move(waiting_.front());
   waiting_.pop_front();
   turn_.Next();
   const SentVector vector = ReadSentVector(playing_.get(), sizeof(OCommandInfo), "command vector",
-                                           *port.system, problems);
-  if (vector.header != nullptr && !NamesItsMemory(vector, *port.system)) {
+                                           robot_->system, problems);
+  if (vector.header != nullptr && !NamesItsMemory(vector, robot_->system)) {
     problems->push_back(
         "command vector: its memRegionID names other memory than it came in (made without "
         "NewCommandVectorData(), or its header copied); the robot would look for the commands "
         "there");
   }
   start_ = frame + WaitOf(vector, problems);
-  if (vector.header != nullptr) port.optional->Take(*vector.header, problems);
-  ReadCommandElements(vector, FrameNumber(start_), port.primitives, &read_, problems);
-  port.watch->VectorStarts(read_, *port.body, port.motor_power, port.motor_power_cut, problems);
+  if (vector.header != nullptr) robot_->optional.Take(*vector.header, problems);
+  ReadCommandElements(vector, FrameNumber(start_), &robot_->primitives, &read_, problems);
+  robot_->watch.VectorStarts(read_, robot_->body->state(), robot_->power.motor_power(),
+                             robot_->power.pause(), problems);
   uint32_t longest = 1;  // an empty vector ends with the frame
   for (const CommandElement& command : read_) {
     uint32_t length = 0;
@@ -53,15 +52,16 @@ void CommandQueue::Start(int64_t frame, const EffectorPort& port,
     elements_.push_back({command, 0, start_ + command.FrameLength(0)});
   }
   end_ = start_ + longest;
-  FindFace(*port.devices, problems);
+  FindFace(problems);
 }
 
-void CommandQueue::FindFace(const Devices& devices, std::vector<std::string>* problems) {
+void CommandQueue::FindFace(std::vector<std::string>* problems) {
   face_ = -1;
   bool a = false, b = false;
   for (size_t e = 0; e < elements_.size(); ++e) {
     const CommandElement& command = elements_[e].command;
-    if (command.type != odataLED_COMMAND3 || !devices.OnFace(command.primitive->index)) continue;
+    if (command.type != odataLED_COMMAND3 || !robot_->devices.OnFace(command.primitive->index))
+      continue;
     if (face_ < 0 ||
         command.primitive->index > elements_[static_cast<size_t>(face_)].command.primitive->index) {
       face_ = static_cast<int>(e);
@@ -79,15 +79,16 @@ void CommandQueue::FindFace(const Devices& devices, std::vector<std::string>* pr
   }
 }
 
-void CommandQueue::Announce(SyncKeys* sync_keys) {
-  if (!playing_ && !waiting_.empty()) turn_.Announce(SyncKeyOf(*waiting_.front()), sync_keys);
+void CommandQueue::AnnounceFirst() {
+  if (!playing_ && !waiting_.empty())
+    turn_.Announce(SyncKeyOf(*waiting_.front()), &robot_->sync_keys);
 }
 
-void CommandQueue::Apply(int64_t frame, const EffectorPort& port,
-                         std::vector<std::string>* problems) {
+void CommandQueue::Apply(int64_t frame, std::vector<std::string>* problems) {
+  robot_->devices.set_commander(ObjectIdOf(subject_.GetOID()));
   if (!playing_ && !waiting_.empty() &&
-      turn_.MayStart(SyncKeyOf(*waiting_.front()), *port.sync_keys, problems)) {
-    Start(frame, port, problems);
+      turn_.MayStart(SyncKeyOf(*waiting_.front()), robot_->sync_keys, problems)) {
+    Start(frame, problems);
   }
   if (!playing_ || frame < start_) return;
   for (Element& element : elements_) {
@@ -96,11 +97,11 @@ void CommandQueue::Apply(int64_t frame, const EffectorPort& port,
       ++element.command_frame;
       element.ends += element.command.FrameLength(element.command_frame);
     }
-    element.command.Apply(element.command_frame, port.devices);
+    element.command.Apply(element.command_frame, &robot_->devices);
   }
   if (face_ >= 0) {
     const Element& last = elements_[static_cast<size_t>(face_)];
-    port.devices->SetFaceMode(last.command.Mode(last.command_frame));
+    robot_->devices.SetFaceMode(last.command.Mode(last.command_frame));
   }
 }
 

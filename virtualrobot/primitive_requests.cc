@@ -11,6 +11,7 @@ namespace openr_host {
 // What a request is asked with.
 struct RequestCall {
   VirtualRobot& robot;
+  RobotParts& parts;
   const Primitive& primitive;
   OPrimitiveID id;
   const void* param;
@@ -41,13 +42,13 @@ struct PrimitiveRequests {
   // A request that only switches something.
   template <auto device, auto set, bool on>
   static OStatus Switch(const RequestCall& call) {
-    (call.robot.*device.*set)(on);
+    (call.parts.*device.*set)(on);
     return oSUCCESS;
   }
   // A setting of the camera that knows its values.
   template <auto set>
   static OStatus Choose(const RequestCall& call) {
-    return (call.robot.camera_.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;
+    return (call.parts.camera.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;
   }
 
   static OStatus SetVolume(const RequestCall& call);
@@ -68,28 +69,28 @@ OStatus PrimitiveRequests::SetVolume(const RequestCall& call) {
   const longword volume = ParamOf(call, OPrimitiveControl_SpeakerVolume(0)).volume;
   const auto loudness = [](longword v) { return static_cast<sword>(v & 0xffff); };
   if (loudness(volume) > loudness(ospkvol10dB)) {
-    call.robot.Warn(
+    call.parts.Warn(
         fmt::format("speaker volume {:#x} is louder than ospkvol10dB ({:#x}); on the robot it may "
                     "damage the circuit (volumes are two's complement, 0 is loud)",
                     volume & 0xffff, ospkvol10dB));
   }
-  call.robot.speaker_.SetVolume(volume);
+  call.parts.speaker.SetVolume(volume);
   return oSUCCESS;
 }
 
 OStatus PrimitiveRequests::SetSoundType(const RequestCall& call) {
   const longword type = ParamOf(call, OPrimitiveControl_SpeakerSoundType(0)).type;
-  return call.robot.speaker_.SetSoundType(type) ? oSUCCESS : oINVALID_ARG;
+  return call.parts.speaker.SetSoundType(type) ? oSUCCESS : oINVALID_ARG;
 }
 
 OStatus PrimitiveRequests::GetSoundType(const RequestCall& call) {
-  const OPrimitiveControl_SpeakerSoundType result(call.robot.speaker_.sound_type().type);
+  const OPrimitiveControl_SpeakerSoundType result(call.parts.speaker.sound_type().type);
   std::memcpy(call.result, &result, sizeof result);
   return oSUCCESS;
 }
 
 OStatus PrimitiveRequests::SetJoint2(const RequestCall& call) {
-  call.robot.devices_.SetTarget(
+  call.parts.devices.SetTarget(
       call.primitive.index, ParamOf(call, OPrimitiveControl_JointCommandValue2(0)).command.value);
   return oSUCCESS;
 }
@@ -99,31 +100,30 @@ OStatus PrimitiveRequests::GetJoint2(const RequestCall& call) {
 }
 
 OStatus PrimitiveRequests::SetJoint4(const RequestCall& call) {
-  call.robot.devices_.plungers[static_cast<size_t>(call.primitive.index)].state =
+  call.parts.devices.plungers[static_cast<size_t>(call.primitive.index)].state =
       ParamOf(call, OPrimitiveControl_JointCommandValue4(0)).command.value;
   return oSUCCESS;
 }
 
 OStatus PrimitiveRequests::SetLed2(const RequestCall& call) {
-  call.robot.devices_.SetLed2(call.primitive.index,
-                              ParamOf(call, OPrimitiveControl_LEDCommandValue2(0)).command.led);
+  call.parts.devices.SetLed2(call.primitive.index,
+                             ParamOf(call, OPrimitiveControl_LEDCommandValue2(0)).command.led);
   return oSUCCESS;
 }
 
 OStatus PrimitiveRequests::SetLed3(const RequestCall& call) {
   const auto param = ParamOf(call, OPrimitiveControl_LEDCommandValue3(0, oled3_MODE_A));
   const OLEDCommandValue3& command = param.command;
-  call.robot.devices_.SetLed3(call.primitive.index, command);
-  if (call.robot.devices_.OnFace(call.primitive.index))
-    call.robot.devices_.SetFaceMode(command.mode);
+  call.parts.devices.SetLed3(call.primitive.index, command);
+  if (call.parts.devices.OnFace(call.primitive.index)) call.parts.devices.SetFaceMode(command.mode);
   return oSUCCESS;
 }
 
 const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
     {oprmreqSPEAKER_MUTE_ON, oprimitiveSPEAKER, 0, 0,
-     Switch<&VirtualRobot::speaker_, &Speaker::set_mute, true>},
+     Switch<&RobotParts::speaker, &Speaker::set_mute, true>},
     {oprmreqSPEAKER_MUTE_OFF, oprimitiveSPEAKER, 0, 0,
-     Switch<&VirtualRobot::speaker_, &Speaker::set_mute, false>},
+     Switch<&RobotParts::speaker, &Speaker::set_mute, false>},
     {oprmreqSPEAKER_SET_VOLUME, oprimitiveSPEAKER, sizeof(OPrimitiveControl_SpeakerVolume), 0,
      SetVolume},
     {oprmreqSPEAKER_SET_SOUND_TYPE, oprimitiveSPEAKER, sizeof(OPrimitiveControl_SpeakerSoundType),
@@ -136,13 +136,13 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      sizeof(OPrimitiveControl_MasterTuningMIDI), 0, Nothing},
 
     {oprmreqMIC_UNI, oprimitiveMIC, 0, 0,
-     Switch<&VirtualRobot::microphone_, &Microphone::set_directional, true>},
+     Switch<&RobotParts::microphone, &Microphone::set_directional, true>},
     {oprmreqMIC_OMNI, oprimitiveMIC, 0, 0,
-     Switch<&VirtualRobot::microphone_, &Microphone::set_directional, false>},
+     Switch<&RobotParts::microphone, &Microphone::set_directional, false>},
     {oprmreqMIC_ALC_ON, oprimitiveMIC, 0, 0,
-     Switch<&VirtualRobot::microphone_, &Microphone::set_level_control, true>},
+     Switch<&RobotParts::microphone, &Microphone::set_level_control, true>},
     {oprmreqMIC_ALC_OFF, oprimitiveMIC, 0, 0,
-     Switch<&VirtualRobot::microphone_, &Microphone::set_level_control, false>},
+     Switch<&RobotParts::microphone, &Microphone::set_level_control, false>},
 
     {oprmreqCAM_SET_WHITE_BALANCE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam),
      0, Choose<&CameraDevice::SetWhiteBalance>},
@@ -154,13 +154,13 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
     {oprmreqCAM_GET_CDT_TABLE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_Cdt),
      sizeof(OPrimitiveControl_Cdt), NotSupported},
     {oprmreqCAM_AE_ON, oprimitiveFBKIMAGESENSOR, 0, 0,
-     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_exposure, true>},
+     Switch<&RobotParts::camera, &CameraDevice::set_auto_exposure, true>},
     {oprmreqCAM_AE_OFF, oprimitiveFBKIMAGESENSOR, 0, 0,
-     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_exposure, false>},
+     Switch<&RobotParts::camera, &CameraDevice::set_auto_exposure, false>},
     {oprmreqCAM_AWB_ON, oprimitiveFBKIMAGESENSOR, 0, 0,
-     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_white_balance, true>},
+     Switch<&RobotParts::camera, &CameraDevice::set_auto_white_balance, true>},
     {oprmreqCAM_AWB_OFF, oprimitiveFBKIMAGESENSOR, 0, 0,
-     Switch<&VirtualRobot::camera_, &CameraDevice::set_auto_white_balance, false>},
+     Switch<&RobotParts::camera, &CameraDevice::set_auto_white_balance, false>},
 
     {oprmreqJOINT2_SET_COMMAND, oprimitiveJOINT2, sizeof(OPrimitiveControl_JointCommandValue2), 0,
      SetJoint2},
@@ -185,11 +185,11 @@ const PrimitiveRequests::Row* PrimitiveRequests::Find(OPrimitiveRequest request,
 
 OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
                                        size_t param_size, void* result, size_t result_size) {
-  const Primitive* const primitive = primitives_.Find(id);
+  const Primitive* const primitive = parts_.primitives.Find(id);
   if (primitive == nullptr) return oINVALID_PRIMITIVE_ID;
   const auto* const row = PrimitiveRequests::Find(request, primitive->type);
   if (row == nullptr) {
-    Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
+    parts_.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
     return oINVALID_ARG;
   }
   const auto fits = [](size_t wanted, const void* data, size_t size) {
@@ -197,7 +197,7 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
            (data != nullptr && size == wanted);
   };
   if (!fits(row->param_size, param, param_size) || !fits(row->result_size, result, result_size)) {
-    Warn(
+    parts_.Warn(
         fmt::format("ControlPrimitive: request {} of {} takes {} bytes and answers {}, got room "
                     "for {} and {}",
                     request, primitive->locator, row->param_size, row->result_size,
@@ -205,8 +205,8 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
     return oINVALID_ARG;
   }
   if (!primitive->opened())
-    Warn(fmt::format("ControlPrimitive: nobody opened {}", primitive->locator));
-  return row->act({*this, *primitive, id, param, result});
+    parts_.Warn(fmt::format("ControlPrimitive: nobody opened {}", primitive->locator));
+  return row->act({*this, parts_, *primitive, id, param, result});
 }
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// The robot behind OPENR::, OVirtualRobotComm and OVirtualRobotAudioComm: devices, power,
-// sound, camera and a body.
+// The robot as the functions of OPENR:: see it: each call of an object about primitives, gains,
+// power or time is answered here.  Frames are run by OVirtualRobotComm (virtual_robot_comm.cc).
 //
 //   RobotModel model = LoadRobotModel(".../ers210.json");
 //   AddVirtualRobot(&system, dog, model, MakeOdeBody(model, World()),
@@ -11,31 +11,9 @@
 #include <vector>
 
 #include "runtime/core/robot_services.h"
-#include "virtualrobot/body.h"
-#include "virtualrobot/camera/camera.h"
-#include "virtualrobot/camera/image_source.h"
-#include "virtualrobot/devices.h"
-#include "virtualrobot/joint_watch.h"
-#include "virtualrobot/optional_bytes.h"
-#include "virtualrobot/power.h"
-#include "virtualrobot/primitive_table.h"
-#include "virtualrobot/safe_posture.h"
-#include "virtualrobot/sensor_source.h"
-#include "virtualrobot/sound/microphone.h"
-#include "virtualrobot/sound/sound_sink.h"
-#include "virtualrobot/sound/sound_source.h"
-#include "virtualrobot/sound/speaker.h"
-#include "virtualrobot/sync_keys.h"
+#include "virtualrobot/robot_parts.h"
 
 namespace openr_host {
-
-// What a robot is connected with; nothing has to be.
-struct VirtualRobotOptions {
-  std::unique_ptr<SoundSink> speaker;       // null: its sound goes nowhere
-  std::unique_ptr<SoundSource> microphone;  // null: silence
-  std::unique_ptr<ImageSource> camera;      // null: the test pattern
-  Battery battery;                          // full at boot, and drains
-};
 
 class VirtualRobot : public RobotServices {
  public:
@@ -45,30 +23,44 @@ class VirtualRobot : public RobotServices {
   ~VirtualRobot() override;
 
   // ---- for the program, tests and pictures
-  const RobotModel& model() const { return model_; }
-  const Body& body() const { return *body_; }
-  Body& body() { return *body_; }
-  const Devices& devices() const { return devices_; }
-  const Speaker& speaker() const { return speaker_; }
-  Power& power() { return power_; }
-  int64_t frame() const { return frame_ - first_frame_; }  // frames completed since boot
-  // The number of the first frame, as on a robot that has been on for days.  REQUIRES: before
-  // Boot().
-  void set_first_frame(int64_t frame) { frame_ = first_frame_ = frame; }
-  const OSensorValue& sensor(int index) const { return sensors_.Latest(index); }
-  // Whether the camera has completed an image with the newest frame, and what it shows: see
-  // CameraDevice::Look().
-  bool ImageIsDue() const { return camera_.Due(frame_); }
-  std::string Look(Picture* picture) { return camera_.Look(frame_, *body_, picture); }
-  // The run is over: the file of the speaker is complete.  "FILE: cannot be written: why", or "".
-  std::string CloseFiles() { return speaker_.Close(); }
+  const RobotModel& model() const { return parts_.model; }
+  const Body& body() const { return *parts_.body; }
+  Body& body() { return *parts_.body; }
+  const Devices& devices() const { return parts_.devices; }
+  const Speaker& speaker() const { return parts_.speaker; }
+  Power& power() { return parts_.power; }
+  const OSensorValue& sensor(int index) const { return parts_.sensors.Latest(index); }
 
-  // Sticks objects' pause button in: see Power::PressPause().
-  void PressPause() { power_.PressPause(); }
+  // Frames completed since boot.
+  int64_t frame() const { return parts_.frame - parts_.first_frame; }
 
-  // An object that sent command vectors is gone; see SafePosture.
-  void CommanderIsGone(ObjectId object) { safe_posture_.CommanderIsGone(object, frame_); }
-  void CommanderIsBack(ObjectId object) { safe_posture_.CommanderIsBack(object); }
+  // Sets the number of the first frame, as on a robot that has been on for days.
+  // REQUIRES: no frame has run yet.
+  void set_first_frame(int64_t frame);
+
+  // Whether the camera completed an image with the newest frame.
+  bool ImageIsDue() const { return parts_.camera.Due(parts_.frame); }
+
+  // Takes the picture that the camera has just completed; see CameraDevice::TakePicture().
+  std::string TakePicture(Picture* picture) {
+    return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
+  }
+
+  // Completes the file of the speaker at the end of the run.  Returns "" or "FILE: cannot be
+  // written: why".
+  std::string CloseFiles() { return parts_.speaker.Close(); }
+
+  // Presses the pause button, as a person would on the robot's back; see Power::PressPause().
+  void PressPause() { parts_.power.PressPause(); }
+
+  // Tells that the object, which may have sent command vectors, has crashed; see SafePosture.
+  void CommanderIsGone(ObjectId object) {
+    parts_.safe_posture.CommanderIsGone(object, parts_.frame);
+  }
+  void CommanderIsBack(ObjectId object) { parts_.safe_posture.CommanderIsBack(object); }
+
+  // The parts of this robot, for its system objects.
+  RobotParts& parts() { return parts_; }
 
   // ---- RobotServices
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override;
@@ -104,47 +96,23 @@ class VirtualRobot : public RobotServices {
   void HashState(Hasher* hasher) const override;
 
  private:
-  friend class OVirtualRobotComm;
-  friend class OVirtualRobotAudioComm;
-  friend struct PrimitiveRequests;  // of ControlPrimitive()
-
-  // Runs the frame that ends now: body, samples.  True when a sensor vector is complete.
-  bool FinishFrame();
-
-  // What has been pushing for too long makes the robot shut down.
-  void WatchLoad();
-
-  // For one joint, or for all opened ones when `id` is oprimitiveID_UNDEF.
+  // Calls `function` with the index of one joint, or of every opened joint when `id` is
+  // oprimitiveID_UNDEF.
   template <typename Function>
   OStatus ForJoints(OPrimitiveID id, Function function);
 
-  // After a change of gains or motor power.
-  void LookAtServos();
-  // A finding about the object that called.
-  void Warn(std::string text);
-  // Reading a primitive that nobody opened means nothing on the robot.
+  // Warns about servos that a change of gains or motor power has just made active.
+  void CheckServos();
+
+  // The primitive that `function` of OPENR:: is to read; null when it has no sensor.  Warns when no
+  // object opened it, because its value means nothing on the robot then.
   const Primitive* Readable(OPrimitiveID id, const char* function);
 
-  System* const system_;
-  const int robot_;
-  const RobotModel& model_;
-  std::unique_ptr<Body> body_;
-  PrimitiveTable primitives_;
-  Devices devices_;
-  Power power_;
-  SensorSource sensors_;
-  SyncKeys sync_keys_;
-  OptionalBytes optional_;
-  JointWatch watch_;
-  Speaker speaker_;
-  Microphone microphone_;
-  CameraDevice camera_;
-  SafePosture safe_posture_;
-  int64_t first_frame_ = 0;
-  int64_t frame_ = 0;
+  RobotParts parts_;
 };
 
-// Gives robot `robot` of `system` a body and the objects that stand for it.
+// Gives robot `robot` of `system` a body and its system objects, OVirtualRobotComm and
+// OVirtualRobotAudioComm.
 // `model` must outlive the system.
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
                               std::unique_ptr<Body> body, VirtualRobotOptions options = {});

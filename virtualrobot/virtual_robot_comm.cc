@@ -3,23 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/listeners.h"
+#include "virtualrobot/robot_parts.h"
 #include "virtualrobot/sound/audio_comm.h"
-#include "virtualrobot/virtual_robot.h"
 
 namespace openr_host {
 
-OVirtualRobotComm::OVirtualRobotComm(VirtualRobot* robot) : robot_(robot) {
+OVirtualRobotComm::OVirtualRobotComm(RobotParts* robot) : robot_(*robot) {
   effector_ = AddObserver("OVirtualRobotComm.Effector.OCommandVectorData.O",
                           [this](const ONotifyEvent& event) { NotifyEffector(event); });
   sensor_ = AddSubject("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
   image_ = AddSubject("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S");
-  AddSubject("OVirtualRobotComm.Alert.OPrimitiveMapData.S");  // obsolete; nothing comes
+  // Obsolete on the robot: connections to it are accepted, and it never sends.
+  AddSubject("OVirtualRobotComm.Alert.OPrimitiveMapData.S");
   host().post_class = MessageClass::kVector;
 }
 
@@ -45,87 +47,97 @@ void OVirtualRobotComm::PostNextFrame() {
   system().Post(message, next - system().now_us());
 }
 
+// All that happens at the boundary between two frames, in this order.
 void OVirtualRobotComm::Frame() {
-  const bool vector_complete = robot_->FinishFrame();
-  FinishVectors();
-  ApplyCommands();
-  if (vector_complete && HasListener(*sensor_))
-    SendToListeners(sensor_, robot_->sensors_.MakeVector(robot_->optional_));
-  ReadCamera();
+  // 1. The frame that ends: the body moves for 8 ms under the set points in force, then its sensors
+  //    are sampled.
+  robot_.body->Advance(robot_.devices.Commands(robot_.power.motor_power()));
+  const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);
+  const int64_t frame = ++robot_.frame;  // the frame that begins
+  robot_.power.Update();
+  ReportOverload();
+
+  // 2. Command vectors that are over: their subjects may send the next ones.
+  for (CommandQueue& queue : queues_) {
+    while (queue.ReleaseFinished(frame)) effector_->AssertReady(queue.subject());
+  }
+
+  // 3. Commands of the frame that begins.  All queues announce before any vector starts, because
+  //    vectors with parts of one synchronisation key start together.
+  for (CommandQueue& queue : queues_) queue.AnnounceFirst();
+  if (sound_ != nullptr) sound_->AnnounceFirst();
+  for (CommandQueue& queue : queues_) {
+    std::vector<std::string> problems;
+    queue.Apply(frame, &problems);
+    Report(queue.subject(), std::move(problems));
+  }
+  robot_.safe_posture.Apply(frame, &robot_.devices);
+
+  // 4. The sensor vector, which has the samples of four frames.
+  if (is_vector_complete && HasListener(*sensor_)) {
+    SendToListeners(sensor_, robot_.sensors.MakeVector(robot_.optional));
+  }
+
+  // 5. The camera.  An image leaves when the next one is taken.  No source says how long reading it
+  //    out takes, but BallTrackingHead finds the angles that belong to an image in the two newest
+  //    sensor vectors (robot.md 14), so an image comes 4 to 8 frames after the frame it shows.
+  if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
+    if (exposed_) SendToListeners(image_, exposed_.get());
+    exposed_.Release();
+    if (HasListener(*image_)) {
+      std::string problem;
+      exposed_ = RegionReference(robot_.camera.MakeVector(frame, *robot_.body, &problem));
+      if (!problem.empty()) system().AddFinding(Severity::kError, "camera: " + problem);
+    }
+  }
+
+  // 6. Sound has its own object and gets its turn by a message.
   if (sound_ != nullptr) sound_->WakeIfNeeded();
   if (running_) PostNextFrame();
 }
 
-void OVirtualRobotComm::FinishVectors() {
-  for (Source& source : sources_) {
-    while (source.queue.ReleaseFinished(robot_->frame_)) effector_->AssertReady(source.subject);
-  }
-}
-
-void OVirtualRobotComm::ApplyCommands() {
-  EffectorPort port;
-  port.primitives = &robot_->primitives_;
-  port.devices = &robot_->devices_;
-  port.sync_keys = &robot_->sync_keys_;
-  port.optional = &robot_->optional_;
-  port.watch = &robot_->watch_;
-  port.system = &system();
-  port.body = &robot_->body_->state();
-  port.motor_power = robot_->power_.motor_power();
-  port.motor_power_cut = robot_->power_.pause();
-  for (Source& source : sources_) source.queue.Announce(&robot_->sync_keys_);
-  if (sound_ != nullptr) sound_->Announce();
-  std::vector<std::string> problems;
-  for (Source& source : sources_) {
-    robot_->devices_.set_commander(ObjectIdOf(source.subject.GetOID()));
-    source.queue.Apply(robot_->frame_, port, &problems);
-    if (!problems.empty()) Report(source.subject, &problems);
-  }
-  robot_->safe_posture_.Apply(robot_->frame_, &robot_->devices_);
-}
-
-// An image leaves when the next one is taken.  Nobody says how long reading it out takes, but
-// BallTrackingHead finds the angles that belong to it in the two newest sensor vectors (robot.md
-// 14): it comes 4 to 8 frames after the frame it shows.
-void OVirtualRobotComm::ReadCamera() {
-  if (image_->NumberOfObservers() == 0 || !robot_->camera_.Due(robot_->frame_)) return;
-  SendImage();
-  if (!HasListener(*image_)) return;
-  std::string problem;
-  exposed_ = RegionReference(robot_->camera_.MakeVector(robot_->frame_, *robot_->body_, &problem));
-  if (!problem.empty()) system().AddFinding(Severity::kError, "camera: " + problem);
-}
-
-void OVirtualRobotComm::SendImage() {
-  if (!exposed_) return;
-  SendToListeners(image_, exposed_.get());
-  exposed_.Release();
+// Reports a motor that has pushed at its limit for 30 s.  The robot shuts down then; here it does
+// with --strict only, so that a run without it can be looked at further.
+void OVirtualRobotComm::ReportOverload() {
+  const int joint = robot_.watch.OverloadedJoint(robot_.body->state());
+  if (joint < 0) return;
+  system().AddFinding(
+      Severity::kError,
+      fmt::format("PPM::PWM Limit Over!! Motor:{} ({}); MECHA_LOAD_HIGH. SHUTDOWN.: asked for 78 % "
+                  "of its drive or more for 30 s, the robot shuts down",
+                  joint, robot_.model.joints[static_cast<size_t>(joint)].locator));
+  if (!system().options().strict) return;
+  system().Shutdown(robot_.robot_index,
+                    {EndKind::kStrict, fmt::format("motor {} was at its limit for 30 s", joint)});
 }
 
 void OVirtualRobotComm::NotifyEffector(const ONotifyEvent& event) {
   const SubjectID subject = event.SenderID().GetSubjectID();
-  auto source = std::find_if(sources_.begin(), sources_.end(),
-                             [&](const Source& each) { return each.subject == subject; });
-  if (source == sources_.end()) source = sources_.insert(sources_.end(), Source{subject, {}});
+  auto queue = std::find_if(queues_.begin(), queues_.end(),
+                            [&](const CommandQueue& each) { return each.subject() == subject; });
+  if (queue == queues_.end()) {
+    queues_.push_back(CommandQueue(subject, &robot_));
+    queue = queues_.end() - 1;
+  }
   std::vector<std::string> problems;
   for (int i = 0; i < event.NumOfData(); ++i) {
-    if (source->queue.Add(event.RCData(i))) continue;
+    if (queue->Add(event.RCData(i))) continue;
     problems.push_back(fmt::format(
         "Effector: more than {} command vectors of one subject wait; the newest is dropped",
         CommandQueue::kMax));
   }
-  Report(subject, &problems);
+  Report(subject, std::move(problems));
 }
 
-void OVirtualRobotComm::Report(const SubjectID& subject, std::vector<std::string>* problems) {
+void OVirtualRobotComm::Report(const SubjectID& subject, std::vector<std::string> problems) {
   const Object* const sender = system().object(ObjectIdOf(subject.GetOID()));
-  for (std::string& problem : *problems)
+  for (std::string& problem : problems) {
     system().AddFindingAbout(sender, Severity::kWarning, std::move(problem));
-  problems->clear();
+  }
 }
 
 void OVirtualRobotComm::HashState(Hasher* hasher) const {
-  for (const Source& source : sources_) source.queue.HashState(hasher);
+  for (const CommandQueue& queue : queues_) queue.HashState(hasher);
 }
 
 }  // namespace openr_host

@@ -1,27 +1,27 @@
-// The system object with the services Effector, Sensor and FbkImageSensor; the clock of
-// the robot.
-//
-// Frame n lasts from n * 8 ms to (n + 1) * 8 ms.  At its end the body has moved and
-// the samples of frame n are taken; then vectors that are over get their ready, and
-// the set points of frame n + 1 are put in force.
+// The system object with the services Effector, Sensor and FbkImageSensor.  It is the clock of the
+// robot: Frame() runs every 8 ms, from n * 8 ms to (n + 1) * 8 ms for frame n, and is posted for
+// the end of the frame.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "runtime/core/code_object.h"
 #include "virtualrobot/command_queue.h"
+#include "virtualrobot/region_reference.h"
 
 namespace openr_host {
 
 class OVirtualRobotAudioComm;
-class VirtualRobot;
+struct RobotParts;
 
 class OVirtualRobotComm : public CodeObject {
  public:
-  explicit OVirtualRobotComm(VirtualRobot* robot);
+  // `robot` must outlive the object.
+  explicit OVirtualRobotComm(RobotParts* robot);
   ~OVirtualRobotComm() override;
 
-  // The object to be woken in frames in which it has something to do.
+  // The object that plays and records sound in the same frames.  Null: there is none.
   void set_sound(OVirtualRobotAudioComm* sound) { sound_ = sound; }
 
   OStatus DoStart(const OSystemEvent& event) override;
@@ -29,30 +29,22 @@ class OVirtualRobotComm : public CodeObject {
   void HashState(Hasher* hasher) const override;
 
  private:
-  struct Source {
-    SubjectID subject;
-    CommandQueue queue;
-  };
-
   void NotifyEffector(const ONotifyEvent& event);
   void Frame();
   void PostNextFrame();
-  void FinishVectors();
-  void ApplyCommands();
-  void ReadCamera();
-  void SendImage();
-  // Findings about whoever sent the vector.
-  void Report(const SubjectID& subject, std::vector<std::string>* problems);
+  void ReportOverload();
+  // Adds a warning about the object of `subject` for each problem.
+  void Report(const SubjectID& subject, std::vector<std::string> problems);
 
-  VirtualRobot* const robot_;
+  RobotParts& robot_;
   OVirtualRobotAudioComm* sound_ = nullptr;
   OObserver* effector_;
   OSubject* sensor_;
   OSubject* image_;
-  RegionReference exposed_;  // the image that is being read out
+  RegionReference exposed_;  // the image that is being read out of the camera's sensor
   Selector frame_;
   bool running_ = false;
-  std::vector<Source> sources_;  // in order of first appearance
+  std::vector<CommandQueue> queues_;  // one for each subject, in the order of their first vectors
 };
 
 }  // namespace openr_host

@@ -140,7 +140,7 @@ RCRegion* CameraDevice::MakeVector(int64_t frame, const Body& body, std::string*
   return region;
 }
 
-std::string CameraDevice::Look(int64_t frame, const Body& body, Picture* picture) {
+std::string CameraDevice::TakePicture(int64_t frame, const Body& body, Picture* picture) {
   picture->width = model_.width_px;
   picture->height = model_.height_px;
   picture->rgb.resize(picture_.rgb.size());

@@ -40,9 +40,10 @@ class CameraDevice {
   // What the source could not do goes to `problem`.  Runs as code of an object.
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
-  // The same image for somebody outside of the run, before it is cut into bands: in the size of
-  // the sensor, with gain, shutter and white balance.  Returns "" or why there is none.
-  std::string Look(int64_t frame, const Body& body, Picture* picture);
+  // The same image for a reader outside of the run, before it is split into layers: in the size of
+  // the sensor, with gain, shutter and white balance.  Changes no state.  Returns "" or why there
+  // is no picture.
+  std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
   void HashState(Hasher* hasher) const;
 

@@ -5,11 +5,11 @@
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/listeners.h"
-#include "virtualrobot/virtual_robot.h"
+#include "virtualrobot/robot_parts.h"
 
 namespace openr_host {
 
-OVirtualRobotAudioComm::OVirtualRobotAudioComm(VirtualRobot* robot) : robot_(robot) {
+OVirtualRobotAudioComm::OVirtualRobotAudioComm(RobotParts* robot) : robot_(*robot), queue_(robot) {
   speaker_ = AddObserver("OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
                          [this](const ONotifyEvent& event) { NotifySpeaker(event); });
   mic_ = AddSubject("OVirtualRobotAudioComm.Mic.OSoundVectorData.S");
@@ -30,10 +30,10 @@ OStatus OVirtualRobotAudioComm::DoDestroy(const OSystemEvent&) {
   return oSUCCESS;
 }
 
-void OVirtualRobotAudioComm::Announce() { queue_.Announce(&robot_->sync_keys_); }
+void OVirtualRobotAudioComm::AnnounceFirst() { queue_.AnnounceFirst(); }
 
 void OVirtualRobotAudioComm::WakeIfNeeded() {
-  const bool mic_due = robot_->microphone_.Due(robot_->frame_) && HasListener(*mic_);
+  const bool mic_due = robot_.microphone.Due(robot_.frame) && HasListener(*mic_);
   if (!running_ || (!queue_.busy() && !mic_due)) return;
   Message* const message = system().NewMessage(host().id, frame_);
   message->message_class = MessageClass::kFrame;
@@ -43,8 +43,8 @@ void OVirtualRobotAudioComm::WakeIfNeeded() {
 void OVirtualRobotAudioComm::Frame() {
   GiveReadies();
   PlayFrame();
-  if (robot_->microphone_.Due(robot_->frame_) && HasListener(*mic_)) {
-    SendToListeners(mic_, robot_->microphone_.MakeVector(robot_->frame_));
+  if (robot_.microphone.Due(robot_.frame) && HasListener(*mic_)) {
+    SendToListeners(mic_, robot_.microphone.MakeVector(robot_.frame));
   }
 }
 
@@ -54,23 +54,21 @@ void OVirtualRobotAudioComm::GiveReadies() {
 
 void OVirtualRobotAudioComm::PlayFrame() {
   if (!queue_.busy()) return;
-  const SoundPort port = {&robot_->primitives_, &robot_->speaker_, &robot_->sync_keys_,
-                          &robot_->optional_, &system()};
   SoundFrame samples;
   std::vector<SoundProblem> problems;
-  const bool plays = queue_.Fill(robot_->frame_, port, &samples, &problems);
+  const bool plays = queue_.Fill(robot_.frame, &samples, &problems);
   for (SoundProblem& problem : problems) {
     system().AddFindingAbout(system().object(ObjectIdOf(problem.subject.GetOID())),
                              Severity::kWarning, std::move(problem.text));
   }
   if (!plays) return;
-  const bool power = robot_->power_.motor_power();
-  if (!power && !robot_->power_.pause()) {
+  const bool power = robot_.power.motor_power();
+  if (!power && !robot_.power.pause()) {
     system().AddFinding(Severity::kWarning,
                         "sound is played while motor power is off; the speaker's amplifier has "
                         "none either (OPENR::SetMotorPower(opowerON))");
   }
-  const std::string problem = robot_->speaker_.Play(robot_->frame_, samples, power);
+  const std::string problem = robot_.speaker.Play(robot_.frame, samples, power);
   if (!problem.empty()) system().AddFinding(Severity::kError, "Speaker: " + problem);
 }
 

@@ -11,20 +11,22 @@
 
 namespace openr_host {
 
-class VirtualRobot;
+struct RobotParts;
 
 class OVirtualRobotAudioComm : public CodeObject {
  public:
-  explicit OVirtualRobotAudioComm(VirtualRobot* robot);
+  explicit OVirtualRobotAudioComm(RobotParts* robot);
   ~OVirtualRobotAudioComm() override;
 
   OStatus DoStart(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
 
-  // For OVirtualRobotComm: tells the keys of a sound vector that has come to the head,
-  // then wakes this object if it has anything to do in the frame that begins.
-  void Announce();
+  // Called by OVirtualRobotComm in every frame.  See SoundQueue::AnnounceFirst().
+  void AnnounceFirst();
+
+  // Called by OVirtualRobotComm at the end of every frame: posts the message that runs Frame(), if
+  // there is sound to play or to record.
   void WakeIfNeeded();
 
  private:
@@ -32,9 +34,8 @@ class OVirtualRobotAudioComm : public CodeObject {
   void Frame();
   void GiveReadies();
   void PlayFrame();
-  void SendMicVector();
 
-  VirtualRobot* const robot_;
+  RobotParts& robot_;
   OObserver* speaker_;
   OSubject* mic_;
   Selector frame_;

@@ -7,8 +7,7 @@
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
-#include "virtualrobot/optional_bytes.h"
-#include "virtualrobot/sync_keys.h"
+#include "virtualrobot/robot_parts.h"
 
 namespace openr_host {
 namespace {
@@ -57,15 +56,15 @@ std::optional<SubjectID> SoundQueue::ReleaseFinished() {
   return subject;
 }
 
-void SoundQueue::Announce(SyncKeys* sync_keys) {
+void SoundQueue::AnnounceFirst() {
   if (!playing_.region && !waiting_.empty())
-    turn_.Announce(SyncKeyOf(*waiting_.front().region), sync_keys);
+    turn_.Announce(SyncKeyOf(*waiting_.front().region), &robot_.sync_keys);
 }
 
 void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_number,
-                           const SoundPort& port, std::vector<std::string>* problems) {
+                           std::vector<std::string>* problems) {
   OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
-  const SoundType& type = port.speaker->sound_type();
+  const SoundType& type = robot_.speaker.sound_type();
   info.frameNumber = frame_number;
   size_t bytes = info.dataSize;
   if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
@@ -76,7 +75,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
                     "ignored",
                     info.dataSize, bytes));
   }
-  std::string problem = Objection(info, port.primitives->Find(info.primitiveID));
+  std::string problem = Objection(info, robot_.primitives.Find(info.primitiveID));
   const bool audible = problem.empty();
   if (!audible) {
     problem += "; it is silent and takes its time";
@@ -93,8 +92,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   if (sound.samples > 0) sounds_.push_back(sound);
 }
 
-void SoundQueue::Start(int64_t frame, bool behind_another, const SoundPort& port,
-                       std::vector<SoundProblem>* problems) {
+void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProblem>* problems) {
   ASSERT(!playing_.region, "a sound vector starts while another one plays");
   playing_ = std::move(waiting_.front());
   waiting_.pop_front();
@@ -104,19 +102,18 @@ void SoundQueue::Start(int64_t frame, bool behind_another, const SoundPort& port
   position_ = 0;
   std::vector<std::string> found;
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
-                                           "sound vector", *port.system, &found);
+                                           "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
-  if (vector.header != nullptr && !NamesItsMemory(vector, *port.system)) {
+  if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
     found.push_back(fmt::format(
         "OSpeakerObserver::DoneWriteAsync() error {} (oINVALID_DATA_VECTOR_ID): memRegionID of the "
         "sound vector is {:#x}, it came in {:#x} (made without NewSoundVectorData(), or its header "
         "copied); it is not played",
         oINVALID_DATA_VECTOR_ID, vector.header->memRegionID, playing_.region->MemID()));
   } else if (vector.header != nullptr) {
-    port.optional->Take(*vector.header, &found);
-    for (int i = 0; i < vector.elements; ++i)
-      ReadSound(vector, i, FrameNumber(start_), port, &found);
+    robot_.optional.Take(*vector.header, &found);
+    for (int i = 0; i < vector.elements; ++i) ReadSound(vector, i, FrameNumber(start_), &found);
   }
   for (std::string& text : found) problems->push_back({playing_.subject, std::move(text)});
 }
@@ -138,8 +135,7 @@ int SoundQueue::Copy(int from, SoundFrame* samples) {
   return end;
 }
 
-bool SoundQueue::Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
-                      std::vector<SoundProblem>* problems) {
+bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems) {
   samples->fill(0);
   bool played = false;
   std::vector<std::string> waiting_problems;
@@ -148,11 +144,11 @@ bool SoundQueue::Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
       if (waiting_.empty()) break;
       const Sent& head = waiting_.front();
       const bool may_start =
-          turn_.MayStart(SyncKeyOf(*head.region), *port.sync_keys, &waiting_problems);
+          turn_.MayStart(SyncKeyOf(*head.region), robot_.sync_keys, &waiting_problems);
       for (std::string& text : waiting_problems)
         problems->push_back({head.subject, std::move(text)});
       if (!may_start) break;
-      Start(frame, filled > 0, port, problems);
+      Start(frame, filled > 0, problems);
     }
     if (frame < start_) break;
     if (sound_ < sounds_.size()) {

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "virtualrobot/primitive_table.h"
 #include "virtualrobot/region_reference.h"
 #include "virtualrobot/sound/speaker.h"
 #include "virtualrobot/vector_memory.h"
@@ -23,18 +22,7 @@
 namespace openr_host {
 
 class Hasher;
-class OptionalBytes;
-class SyncKeys;
-class System;
-
-// What sound vectors are played by and what they are checked against.
-struct SoundPort {
-  PrimitiveTable* primitives = nullptr;
-  const Speaker* speaker = nullptr;
-  SyncKeys* sync_keys = nullptr;
-  OptionalBytes* optional = nullptr;
-  System* system = nullptr;
-};
+struct RobotParts;
 
 // A problem with a vector, and whose it is.
 struct SoundProblem {
@@ -44,8 +32,11 @@ struct SoundProblem {
 
 class SoundQueue {
  public:
-  // Vectors that may wait; the robot's number is not known, samples need two.
+  // Vectors that may wait.  The number of the robot is not known; Sony's samples need two.
   static constexpr size_t kMax = 32;
+
+  // For vectors that the speaker of `robot` plays.  `robot` must outlive the queue.
+  explicit SoundQueue(RobotParts* robot) : robot_(*robot) {}
 
   // Appends the vector in `region`, sent by `subject`, and refers to the region until the vector is
   // over.  Returns false when the queue is full.
@@ -55,12 +46,12 @@ class SoundQueue {
   // returns the vector's subject; nothing when there is no such vector.
   std::optional<SubjectID> ReleaseFinished();
 
-  // Tells the keys when a vector that carries one has come to the head; before Fill().
-  void Announce(SyncKeys* sync_keys);
+  // Tells the synchronisation keys of the robot when a vector with a key has become the first that
+  // waits.  REQUIRES: called before Fill() and before command vectors of the frame start.
+  void AnnounceFirst();
 
   // The samples of frame `frame`; false when nothing plays.
-  bool Fill(int64_t frame, const SoundPort& port, SoundFrame* samples,
-            std::vector<SoundProblem>* problems);
+  bool Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems);
 
   bool busy() const { return !waiting_.empty() || !finished_.empty() || playing_.region; }
   void HashState(Hasher* hasher) const;
@@ -80,16 +71,16 @@ class SoundQueue {
   };
 
   // `behind_another`: in the same frame, of which a wait does not count.
-  void Start(int64_t frame, bool behind_another, const SoundPort& port,
-             std::vector<SoundProblem>* problems);
-  void ReadSound(const SentVector& vector, int index, longword frame_number, const SoundPort& port,
+  void Start(int64_t frame, bool behind_another, std::vector<SoundProblem>* problems);
+  void ReadSound(const SentVector& vector, int index, longword frame_number,
                  std::vector<std::string>* problems);
   // Fills from `samples[from]` on; where it stopped.
   int Copy(int from, SoundFrame* samples);
 
+  RobotParts& robot_;
   std::deque<Sent> waiting_;
-  VectorTurn turn_;  // of the first that waits
-  Sent playing_;     // no region: none
+  VectorTurn turn_;  // of the first vector in waiting_
+  Sent playing_;     // without a region when no vector plays
   int64_t start_ = 0;
   std::vector<Sound> sounds_;
   size_t sound_ = 0;      // that plays

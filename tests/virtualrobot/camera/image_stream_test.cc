@@ -225,7 +225,7 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   });
   const uint64_t before = system.state_hash();
   Picture picture;
-  EXPECT_EQ(robot->Look(&picture), "");
+  EXPECT_EQ(robot->TakePicture(&picture), "");
   EXPECT_EQ(picture.width, 352);
   EXPECT_EQ(picture.height, 288);
   EXPECT_EQ(picture.rgb.size(), 3u * 352 * 288);
@@ -237,7 +237,7 @@ TEST_F(ImageTest, SomebodyOutsideSeesTheSameWithItsSettings) {
   RunToFrame(11);
   EXPECT_FALSE(robot->ImageIsDue());
   source->problem = "a.png: cannot be read";
-  EXPECT_EQ(robot->Look(&picture), "a.png: cannot be read");
+  EXPECT_EQ(robot->TakePicture(&picture), "a.png: cannot be read");
 }
 
 // Colours and sides are those of the vector that objects get of the same image.
@@ -255,7 +255,7 @@ TEST_F(ImageTest, SomebodyOutsideSeesWhatObjectsSee) {
   Boot();
   RunToFrame(10);
   Picture picture;
-  EXPECT_EQ(robot->Look(&picture), "");
+  EXPECT_EQ(robot->TakePicture(&picture), "");
   OFbkImage luminance = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Y);
   OFbkImage red = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Cr);
   OFbkImage blue = viewer->Band(ofbkimageLAYER_H, ofbkimageBAND_Cb);

@@ -1,0 +1,56 @@
+#include "virtualrobot/robot_parts.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "runtime/base/hasher.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+namespace {
+
+// The generator is named after the robot, so that a further robot changes nothing for the others.
+Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
+
+}  // namespace
+
+RobotParts::RobotParts(System* system_in, int robot_index_in, const RobotModel& model_in,
+                       std::unique_ptr<Body> body_in, VirtualRobotOptions options)
+    : system(*system_in),
+      robot_index(robot_index_in),
+      model(model_in),
+      body(std::move(body_in)),
+      primitives(model),
+      devices(model),
+      power(&system, options.battery),
+      sensors(model, primitives, NoiseOf(robot_index, system.options().seed)),
+      watch(model, devices),
+      speaker(std::move(options.speaker)),
+      microphone(std::move(options.microphone), primitives.IdOf(model.microphone_locator),
+                 model.microphone_frames),
+      camera(std::move(options.camera), model.camera, primitives.IdOf(model.camera.locator)),
+      safe_posture(model) {}
+
+void RobotParts::Warn(std::string text) { system.AddFinding(Severity::kWarning, std::move(text)); }
+
+void RobotParts::Reseed(uint64_t seed) { sensors.set_noise(NoiseOf(robot_index, seed)); }
+
+void RobotParts::HashState(Hasher* hasher) const {
+  hasher->Add(model.content_hash);
+  hasher->Add(frame);
+  body->HashState(hasher);
+  primitives.HashState(hasher);
+  devices.HashState(hasher);
+  power.HashState(hasher);
+  sensors.HashState(hasher);
+  sync_keys.HashState(hasher);
+  optional.HashState(hasher);
+  watch.HashState(hasher);
+  speaker.HashState(hasher);
+  microphone.HashState(hasher);
+  camera.HashState(hasher);
+  safe_posture.HashState(hasher);
+}
+
+}  // namespace openr_host
