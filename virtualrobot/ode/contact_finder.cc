@@ -9,12 +9,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A box that lies flat touches with four corners; more can only be below the floor when
-// the box is deep in it, and four still push it out.
+// Contacts of one box with the floor.  A box that lies flat touches with four corners.  More
+// corners are below the floor only when the box is deep in it, and four contacts push it out as
+// well.
 constexpr int kCornersMax = 4;
 
-// ODE's box collider makes up to eight points.  Asked for fewer it drops some by their
-// angle, through atan2 of libm, whose bits differ between CPUs.
+// ODE's box collider finds up to eight points.  All are asked for, because ODE would choose fewer
+// by their angle, with atan2 of libm, whose bits differ between CPUs.
 constexpr int kPointsMax = 8;
 
 }  // namespace
@@ -54,19 +55,20 @@ int ContactFinder::features() const {
   return static_cast<int>(model_.paws.size() + 8 * model_.bodies.size());
 }
 
-void ContactFinder::Find(std::vector<ContactPoint>* points) const {
-  points->clear();
+const std::vector<ContactPoint>& ContactFinder::Find() {
+  points_.clear();
   for (size_t i = 0; i < bodies_.size(); ++i) {
-    FindBoxOnFloor(static_cast<int>(i), points);
-    if (!world_boxes_.empty()) FindOnBoxes(static_cast<int>(i), -1, points);
+    FindBoxOnFloor(static_cast<int>(i));
+    if (!world_boxes_.empty()) FindOnStaticBoxes(static_cast<int>(i), -1);
   }
   for (size_t k = 0; k < model_.paws.size(); ++k) {
-    FindPawOnFloor(static_cast<int>(k), points);
-    if (!world_boxes_.empty()) FindOnBoxes(model_.paws[k].body, static_cast<int>(k), points);
+    FindPawOnFloor(static_cast<int>(k));
+    if (!world_boxes_.empty()) FindOnStaticBoxes(model_.paws[k].body, static_cast<int>(k));
   }
+  return points_;
 }
 
-void ContactFinder::FindPawOnFloor(int paw, std::vector<ContactPoint>* points) const {
+void ContactFinder::FindPawOnFloor(int paw) {
   const Paw& model_paw = model_.paws[paw];
   const dReal* p = dBodyGetPosition(bodies_[model_paw.body]);
   const dReal* R = dBodyGetRotation(bodies_[model_paw.body]);
@@ -81,10 +83,10 @@ void ContactFinder::FindPawOnFloor(int paw, std::vector<ContactPoint>* points) c
   point.p_W = Vector3d(p[0] + R[0] * l.x() + R[1] * l.y() + R[2] * l.z(),
                        p[1] + R[4] * l.x() + R[5] * l.y() + R[6] * l.z(), -depth_m);
   point.depth_m = depth_m;
-  points->push_back(point);
+  points_.push_back(point);
 }
 
-void ContactFinder::FindBoxOnFloor(int body, std::vector<ContactPoint>* points) const {
+void ContactFinder::FindBoxOnFloor(int body) {
   const Vector3d half = model_.bodies[body].size_m / 2;
   const dReal* p = dBodyGetPosition(bodies_[body]);
   const dReal* R = dBodyGetRotation(bodies_[body]);
@@ -103,12 +105,11 @@ void ContactFinder::FindBoxOnFloor(int body, std::vector<ContactPoint>* points) 
     point.p_W =
         Vector3d(p[0] + R[0] * x + R[1] * y + R[2] * w, p[1] + R[4] * x + R[5] * y + R[6] * w, z);
     point.depth_m = -z;
-    points->push_back(point);
+    points_.push_back(point);
   }
 }
 
-// Part `body`, or its paw, against the static boxes.
-void ContactFinder::FindOnBoxes(int body, int paw, std::vector<ContactPoint>* points) const {
+void ContactFinder::FindOnStaticBoxes(int body, int paw) {
   const dGeomID part = paw >= 0 ? paw_balls_[paw] : part_boxes_[body];
   dReal reach[6];
   dGeomGetAABB(part, reach);
@@ -129,7 +130,7 @@ void ContactFinder::FindOnBoxes(int body, int paw, std::vector<ContactPoint>* po
       point.p_W = Vector3d(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
       point.normal_W = Vector3d(found[i].normal[0], found[i].normal[1], found[i].normal[2]);
       point.depth_m = found[i].depth;
-      points->push_back(point);
+      points_.push_back(point);
     }
   }
 }

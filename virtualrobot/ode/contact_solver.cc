@@ -2,25 +2,27 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
+#include "virtualrobot/ode/ode_vectors.h"
 
 namespace openr_host {
 namespace {
 
 using Eigen::Vector3d;
 
-// After a contact turned out not to hold, it is solved with bounds for this many steps
-// more, so that a paw that slides or rattles does not cost two solves each time.
+// Steps for which a contact stays bounded after it did not stick while held, so that a paw that
+// slides or rattles does not cost two solves in each step.
 constexpr int8_t kWaitSteps = 16;
 
-// Solves with held contacts before all are bounded: those that fail are let go each time.
-constexpr int kTriesMax = 3;
+// Solves of a step with held contacts.  After each one the contacts that did not stick are bounded;
+// after the last one all contacts are.
+constexpr int kHeldSolvesMax = 3;
+static_assert(kHeldSolvesMax + 1 == ContactSolver::kSolvesMax);
 
-// A bounded contact is held next when its force lies inside this share of the cone.  One
-// that slides lies on the border.
+// Share of the friction cone in which the force of a bounded contact must lie for the contact to be
+// held in the next step.  The force of a contact that slides lies on the border of the cone.
 constexpr double kWellInside = 0.8;
-
-Vector3d ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -37,6 +39,10 @@ ContactSolver::~ContactSolver() { dJointGroupDestroy(group_); }
 
 void ContactSolver::Step(const std::vector<ContactPoint>& points,
                          const std::function<void()>& step) {
+  for (const ContactPoint& point : points) {
+    ASSERT(point.feature >= 0 && static_cast<size_t>(point.feature) < wait_.size(), "feature {}",
+           point.feature);
+  }
   held_.assign(points.size(), false);
   for (size_t i = 0; i < points.size(); ++i) {
     held_[i] = settings_.hold && wait_[points[i].feature] == 0;
@@ -44,34 +50,36 @@ void ContactSolver::Step(const std::vector<ContactPoint>& points,
   const bool any_held = std::find(held_.begin(), held_.end(), true) != held_.end();
   if (any_held) Save();
   SolveOnce(points, step);
-  for (int tries = 1; any_held && !HeldOnesStick(points); ++tries) {
+  for (int solves = 1; any_held && !AllHeldStick(points); ++solves) {
+    ASSERT(solves <= kHeldSolvesMax, "no contact is held any more, yet one does not stick");
     Restore();
     for (size_t i = 0; i < points.size(); ++i) {
-      if (tries == kTriesMax || wait_[points[i].feature] != 0) held_[i] = false;
+      if (solves == kHeldSolvesMax || wait_[points[i].feature] != 0) held_[i] = false;
     }
     SolveOnce(points, step);
   }
   ChooseNext(points);
 }
 
-// What is not in contact, or slides, must stick for one bounded step before it is held.
+// Chooses the features that may be held in the next step: those that stick in this one.  A feature
+// that slides or does not touch must first stick in a step in which its contact is bounded.
 void ContactSolver::ChooseNext(const std::vector<ContactPoint>& points) {
-  sticks_.assign(wait_.size(), false);
+  is_sticking_.assign(wait_.size(), false);
   for (size_t i = 0; i < points.size(); ++i) {
-    sticks_[points[i].feature] = Sticks(points[i], feedback_[i], kWellInside);
+    is_sticking_[points[i].feature] = IsSticking(points[i], feedback_[i], kWellInside);
   }
   for (size_t k = 0; k < wait_.size(); ++k) {
     if (wait_[k] > 1) {
       wait_[k] -= 1;
     } else {
-      wait_[k] = sticks_[k] ? 0 : 1;
+      wait_[k] = is_sticking_[k] ? 0 : 1;
     }
   }
 }
 
 void ContactSolver::SolveOnce(const std::vector<ContactPoint>& points,
                               const std::function<void()>& step) {
-  feedback_.resize(points.size());  // before the joints point into it
+  feedback_.resize(points.size());  // before the loop, because joints keep pointers into it
   for (size_t i = 0; i < points.size(); ++i) {
     if (held_[i]) {
       AddHeld(points[i], &feedback_[i]);
@@ -83,8 +91,9 @@ void ContactSolver::SolveOnce(const std::vector<ContactPoint>& points,
   dJointGroupEmpty(group_);
 }
 
-// The ball's error is the depth along the normal, so erp and cfm mean what they mean for a
-// contact; along the ground its error is zero and cfm is the contact's slip.
+// Makes a ball joint between the point of the body and the point of the ground above it.  The error
+// of the joint is the depth along the normal, so erp and cfm mean what they mean for a contact.
+// Along the ground the error is zero, and cfm acts like the slip of a contact.
 void ContactSolver::AddHeld(const ContactPoint& point, dJointFeedback* feedback) {
   const Vector3d out = point.p_W + point.depth_m * point.normal_W;
   const dJointID joint = dJointCreateBall(world_, group_);
@@ -115,9 +124,8 @@ void ContactSolver::AddBounded(const ContactPoint& point, dJointFeedback* feedba
   dJointSetFeedback(joint, feedback);
 }
 
-// Whether the contact presses and its force along the ground is inside `share` of the cone.
-bool ContactSolver::Sticks(const ContactPoint& point, const dJointFeedback& feedback,
-                           double share) const {
+bool ContactSolver::IsSticking(const ContactPoint& point, const dJointFeedback& feedback,
+                               double share) const {
   const Vector3d force = ToEigen(feedback.f1);
   const double press = force.dot(point.normal_W);
   const double along2 = (force - press * point.normal_W).squaredNorm();
@@ -125,10 +133,10 @@ bool ContactSolver::Sticks(const ContactPoint& point, const dJointFeedback& feed
   return press > 0 && along2 <= limit * limit;
 }
 
-bool ContactSolver::HeldOnesStick(const std::vector<ContactPoint>& points) {
+bool ContactSolver::AllHeldStick(const std::vector<ContactPoint>& points) {
   bool all = true;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (!held_[i] || Sticks(points[i], feedback_[i], 1)) continue;
+    if (!held_[i] || IsSticking(points[i], feedback_[i], 1)) continue;
     wait_[points[i].feature] = kWaitSteps;
     all = false;
   }

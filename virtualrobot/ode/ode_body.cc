@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/upper_registers.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/ode/contact_finder.h"
 #include "virtualrobot/ode/contact_solver.h"
-#include "virtualrobot/ode/hinge_measure.h"
 #include "virtualrobot/ode/ode_process.h"
+#include "virtualrobot/ode/ode_vectors.h"
 
 namespace openr_host {
 namespace {
@@ -21,15 +22,7 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Vector3d ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
-
-Matrix3d RotationOf(dBodyID body) {
-  const dReal* r = dBodyGetRotation(body);
-  Matrix3d R;
-  R << r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10];
-  return R;
-}
-
+// Throws when a part or a joint of the model lacks what physics needs.
 void RefuseUnlessPhysical(const RobotModel& model) {
   for (const BodyPart& body : model.bodies) {
     if (!body.has_box || !(body.mass_kg > 0)) {
@@ -50,54 +43,15 @@ void RefuseUnlessPhysical(const RobotModel& model) {
 
 }  // namespace
 
-class OdeBody::Impl {
- public:
-  Impl(const RobotModel& model, const World& world, const OdeSettings& settings);
-  ~Impl();
-
-  void Advance(const std::vector<JointCommand>& commands);
-  void HashState(Hasher* hasher) const;
-  Isometry3d PoseOf(int body) const;
-  double HingeError() const;
-
-  struct PushForce {
-    int body;
-    Vector3d force_W, p_W;
-  };
-  std::vector<PushForce> pushes;
-  BodyState state;
-  const World world;
-  const std::vector<dBodyID>& bodies() const { return bodies_; }
-
- private:
-  void MakeBodies(const RestingPose& pose, const std::vector<Isometry3d>& X_BL);
-  void MakeHinges(const RestingPose& pose, const std::vector<Isometry3d>& X_BL);
-  void Step(double step_s);
-  void SolveStep(double step_s);
-  void ReadState();
-
-  const RobotModel& model_;
-  const OdeSettings settings_;
-  dWorldID world_;
-  std::vector<dBodyID> bodies_;
-  std::vector<dJointID> hinges_;
-  std::vector<HingeAxis> axes_;
-  std::vector<Servo> servos_;
-  std::unique_ptr<ContactFinder> finder_;
-  std::unique_ptr<ContactSolver> solver_;
-  std::vector<ContactPoint> points_;
-  uint64_t random_seed_ = 1;  // of ODE's generator in this world
-};
-
-OdeBody::Impl::Impl(const RobotModel& model, const World& world_in, const OdeSettings& settings)
-    : world(world_in), model_(model), settings_(settings) {
+OdeBody::OdeBody(const RobotModel& model, const World& world, const OdeSettings& settings)
+    : model_(model), surroundings_(world), settings_(settings) {
   RefuseUnlessPhysical(model);
   InitOde();
   world_ = dWorldCreate();
   dWorldSetGravity(world_, 0, 0, -kGravity_m_s2);
   dWorldSetERP(world_, settings.joint_erp);
   dWorldSetCFM(world_, settings.joint_cfm);
-  dWorldSetAutoDisableFlag(world_, 0);
+  dWorldSetAutoDisableFlag(world_, 0);  // a robot that lies still must answer the next command
   dWorldSetContactMaxCorrectingVel(world_, settings.depart_speed_m_s);
   dWorldSetQuickStepNumIterations(world_, settings.quick_iterations);
 
@@ -107,25 +61,27 @@ OdeBody::Impl::Impl(const RobotModel& model, const World& world_in, const OdeSet
   MakeBodies(pose, X_BL);
   MakeHinges(pose, X_BL);
 
-  finder_ = std::make_unique<ContactFinder>(model, world, bodies_);
-  solver_ = std::make_unique<ContactSolver>(world_, bodies_, finder_->features(),
-                                            ContactSettings{.friction = world.floor_friction,
-                                                            .erp = settings.contact_erp,
-                                                            .cfm = settings.contact_cfm,
-                                                            .hold = settings.hold_contacts});
-  state.joints.resize(model.joints.size());
+  finder_ = std::make_unique<ContactFinder>(model, surroundings_, bodies_);
+  solver_ =
+      std::make_unique<ContactSolver>(world_, bodies_, finder_->features(),
+                                      ContactSettings{.friction = surroundings_.floor_friction,
+                                                      .erp = settings.contact_erp,
+                                                      .cfm = settings.contact_cfm,
+                                                      .hold = settings.hold_contacts});
+  state_.joints.resize(model.joints.size());
   ReadState();
-  state.paws = pose.paws;
-  state.gravity_B = state.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
+  state_.paws = pose.paws;
+  state_.gravity_B = state_.X_WB.linear().transpose() * Vector3d(0, 0, -kGravity_m_s2);
 }
 
-OdeBody::Impl::~Impl() {
+OdeBody::~OdeBody() {
+  // Both refer to bodies of the world, so they go first.
   solver_.reset();
   finder_.reset();
   dWorldDestroy(world_);  // with its bodies and hinges
 }
 
-void OdeBody::Impl::MakeBodies(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
+void OdeBody::MakeBodies(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
   for (size_t i = 0; i < model_.bodies.size(); ++i) {
     const BodyPart& part = model_.bodies[i];
     // Uniform density inside the bounding box (Hohl 2004, section 3.1.3).
@@ -144,7 +100,7 @@ void OdeBody::Impl::MakeBodies(const RestingPose& pose, const std::vector<Isomet
   }
 }
 
-void OdeBody::Impl::MakeHinges(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
+void OdeBody::MakeHinges(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
   for (const JointModel& joint : model_.joints) {
     const dJointID hinge = dJointCreateHinge(world_, nullptr);
     dJointAttach(hinge, bodies_[joint.child], bodies_[joint.parent]);
@@ -152,6 +108,8 @@ void OdeBody::Impl::MakeHinges(const RestingPose& pose, const std::vector<Isomet
     const Vector3d anchor = X_WL * joint.anchor_m, axis = X_WL.linear() * joint.axis;
     dJointSetHingeAnchor(hinge, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
+    // The motor of the hinge has no limit of its own, because Step() states the servo's torque
+    // line.
     dJointSetHingeParam(hinge, dParamFMax, dInfinity);
     hinges_.push_back(hinge);
     axes_.push_back(HingeAxisOf(joint));
@@ -159,49 +117,51 @@ void OdeBody::Impl::MakeHinges(const RestingPose& pose, const std::vector<Isomet
   }
 }
 
-void OdeBody::Impl::Advance(const std::vector<JointCommand>& commands) {
-  const Vector3d v_before_W = state.v_WB;
+void OdeBody::Advance(const std::vector<JointCommand>& commands) {
+  ASSERT(commands.size() == servos_.size(), "{} commands for {} joints", commands.size(),
+         servos_.size());
+  const Vector3d v_before_W = state_.v_WB;
   for (size_t j = 0; j < servos_.size(); ++j) {
-    servos_[j].BeginFrame(commands[j], state.joints[j].angle_rad);
+    servos_[j].BeginFrame(commands[j], state_.joints[j].angle_rad);
   }
-  state.paws.assign(model_.paws.size(), false);
+  state_.paws.assign(model_.paws.size(), false);
   for (int i = 0; i < settings_.steps_per_frame; ++i) Step(kFrame_s / settings_.steps_per_frame);
-  pushes.clear();
+  pushes_.clear();
   for (size_t j = 0; j < servos_.size(); ++j) {
-    JointState& joint = state.joints[j];
+    JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  const Vector3d acceleration_W = (state.v_WB - v_before_W) / kFrame_s;  // mean of the frame
-  state.gravity_B =
-      state.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);
+  const Vector3d acceleration_W = (state_.v_WB - v_before_W) / kFrame_s;  // mean of the frame
+  state_.gravity_B =
+      state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);
 }
 
-// A servo's torque line t = t0 - b v becomes the sixth row of its hinge, which ODE states as
-// v = vel - cfm * t with t unbounded: vel = t0 / b, cfm = 1 / b.  ODE finds t together with
-// all other forces, at the speed v of the end of the step.  It is a torque that gives way,
-// not a prescribed speed, which would be cfm = 0.
-void OdeBody::Impl::Step(double step_s) {
+// A servo's torque t falls with the speed v of the joint: t = t0 - b v.  The motor of an ODE hinge
+// obeys v = vel - cfm * t, so vel = t0 / b and cfm = 1 / b make it this servo.  ODE then finds t
+// together with all other forces, for the speed v at the end of the step.
+void OdeBody::Step(double step_s) {
   for (size_t j = 0; j < servos_.size(); ++j) {
     const TorqueLine line =
-        servos_[j].Step(state.joints[j].angle_rad, state.joints[j].speed_rad_s, step_s);
+        servos_[j].Step(state_.joints[j].angle_rad, state_.joints[j].speed_rad_s, step_s);
     dJointSetHingeParam(hinges_[j], dParamVel, line.zero_speed_nm / line.slope_nm_s);
     dJointSetHingeParam(hinges_[j], dParamCFM, 1 / line.slope_nm_s);
   }
-  finder_->Find(&points_);
-  solver_->Step(points_, [this, step_s] { SolveStep(step_s); });
-  for (const ContactPoint& point : points_) {
-    if (point.paw >= 0) state.paws[point.paw] = true;
+  const std::vector<ContactPoint>& points = finder_->Find();
+  solver_->Step(points, [this, step_s] { SolveStep(step_s); });
+  for (const ContactPoint& point : points) {
+    if (point.paw >= 0) state_.paws[point.paw] = true;
   }
   ReadState();
 }
 
-void OdeBody::Impl::SolveStep(double step_s) {
-  for (const PushForce& push : pushes) {
+void OdeBody::SolveStep(double step_s) {
+  for (const PushForce& push : pushes_) {
     dBodyAddForceAtPos(bodies_[push.body], push.force_W.x(), push.force_W.y(), push.force_W.z(),
                        push.p_W.x(), push.p_W.y(), push.p_W.z());
   }
   const OdeRandomScope random(&random_seed_);
-  ClearUpperRegisters();  // because libode is SSE code, at a third of the speed otherwise
+  // libode is SSE code.  Without this call it runs at a third of the speed after AVX code.
+  ClearUpperRegisters();
   if (settings_.solver == OdeSettings::Solver::kExact) {
     dWorldStep(world_, step_s);
   } else {
@@ -209,22 +169,22 @@ void OdeBody::Impl::SolveStep(double step_s) {
   }
 }
 
-void OdeBody::Impl::ReadState() {
+void OdeBody::ReadState() {
   for (size_t j = 0; j < servos_.size(); ++j) {
     const JointModel& joint = model_.joints[j];
     const dBodyID parent = bodies_[joint.parent], child = bodies_[joint.child];
-    state.joints[j].angle_rad = MeasureAngle(axes_[j], parent, child);
-    state.joints[j].speed_rad_s = MeasureSpeed(axes_[j], parent, child);
+    state_.joints[j].angle_rad = MeasureAngle(axes_[j], parent, child);
+    state_.joints[j].speed_rad_s = MeasureSpeed(axes_[j], parent, child);
   }
   const Matrix3d R = RotationOf(bodies_[0]);
   const Vector3d centre_W = R * model_.bodies[0].centre_m;  // from B's origin
-  state.X_WB.linear() = R;
-  state.X_WB.translation() = ToEigen(dBodyGetPosition(bodies_[0])) - centre_W;
-  state.w_WB = ToEigen(dBodyGetAngularVel(bodies_[0]));
-  state.v_WB = ToEigen(dBodyGetLinearVel(bodies_[0])) - state.w_WB.cross(centre_W);
+  state_.X_WB.linear() = R;
+  state_.X_WB.translation() = ToEigen(dBodyGetPosition(bodies_[0])) - centre_W;
+  state_.w_WB = ToEigen(dBodyGetAngularVel(bodies_[0]));
+  state_.v_WB = ToEigen(dBodyGetLinearVel(bodies_[0])) - state_.w_WB.cross(centre_W);
 }
 
-Isometry3d OdeBody::Impl::PoseOf(int body) const {
+Isometry3d OdeBody::PoseOf(int body) const {
   Isometry3d X_WL;
   X_WL.linear() = RotationOf(bodies_[body]);
   X_WL.translation() =
@@ -233,7 +193,17 @@ Isometry3d OdeBody::Impl::PoseOf(int body) const {
   return X_WL;
 }
 
-double OdeBody::Impl::HingeError() const {
+std::vector<Isometry3d> OdeBody::BodyPoses() const {
+  std::vector<Isometry3d> X_WL;
+  for (size_t i = 0; i < bodies_.size(); ++i) X_WL.push_back(PoseOf(static_cast<int>(i)));
+  return X_WL;
+}
+
+double OdeBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
+  return openr_host::RayDistance(surroundings_, p_W, direction_W, max_m);
+}
+
+double OdeBody::HingeError() const {
   double error_m = 0;
   for (const dJointID hinge : hinges_) {
     dVector3 end1, end2;
@@ -244,8 +214,8 @@ double OdeBody::Impl::HingeError() const {
   return error_m;
 }
 
-void OdeBody::Impl::HashState(Hasher* hasher) const {
-  HashWorld(world, hasher);
+void OdeBody::HashState(Hasher* hasher) const {
+  HashWorld(surroundings_, hasher);
   std::vector<double> values;
   values.reserve(13 * bodies_.size() + 3);
   for (const dBodyID body : bodies_) {
@@ -254,47 +224,23 @@ void OdeBody::Impl::HashState(Hasher* hasher) const {
     values.insert(values.end(), dBodyGetLinearVel(body), dBodyGetLinearVel(body) + 3);
     values.insert(values.end(), dBodyGetAngularVel(body), dBodyGetAngularVel(body) + 3);
   }
-  values.insert(values.end(), state.gravity_B.data(), state.gravity_B.data() + 3);
+  values.insert(values.end(), state_.gravity_B.data(), state_.gravity_B.data() + 3);
   hasher->AddBytes(values.data(), values.size() * sizeof(double));
-  for (const bool touches : state.paws) hasher->Add(touches);
+  for (const bool touches : state_.paws) hasher->Add(touches);
   for (const Servo& servo : servos_) servo.HashState(hasher);
   solver_->HashState(hasher);
   hasher->Add(random_seed_);
-  for (const PushForce& push : pushes) {
+  for (const PushForce& push : pushes_) {
     hasher->Add(push.body);
     hasher->AddBytes(push.force_W.data(), 3 * sizeof(double));
     hasher->AddBytes(push.p_W.data(), 3 * sizeof(double));
   }
 }
 
-OdeBody::OdeBody(const RobotModel& model, const World& world, const OdeSettings& settings)
-    : impl_(std::make_unique<Impl>(model, world, settings)) {}
-
-OdeBody::~OdeBody() = default;
-
-void OdeBody::Advance(const std::vector<JointCommand>& commands) { impl_->Advance(commands); }
-
-const BodyState& OdeBody::state() const { return impl_->state; }
-
-double OdeBody::RayDistance(const Vector3d& p_W, const Vector3d& direction_W, double max_m) const {
-  return openr_host::RayDistance(impl_->world, p_W, direction_W, max_m);
-}
-
-std::vector<Isometry3d> OdeBody::BodyPoses() const {
-  std::vector<Isometry3d> X_WL;
-  for (size_t i = 0; i < impl_->bodies().size(); ++i) {
-    X_WL.push_back(impl_->PoseOf(static_cast<int>(i)));
-  }
-  return X_WL;
-}
-
-void OdeBody::HashState(Hasher* hasher) const { impl_->HashState(hasher); }
-
 void OdeBody::Push(int body, const Vector3d& force_W, const Vector3d& p_W) {
-  impl_->pushes.push_back({body, force_W, p_W});
+  ASSERT(body >= 0 && static_cast<size_t>(body) < bodies_.size(), "no part {}", body);
+  pushes_.push_back({body, force_W, p_W});
 }
-
-double OdeBody::HingeError() const { return impl_->HingeError(); }
 
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world) {
   return std::make_unique<OdeBody>(model, world);

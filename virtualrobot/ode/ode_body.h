@@ -2,18 +2,31 @@
 // that drive torques, contacts of paws and boxes with floor and static boxes.
 //
 // docs/body.md gives the parameters, their sources and what they were measured to do.
-// ODE is process-wide in two ways, both taken care of: its random generator is set from
-// the body before every step and put back after it; its thread pool is never used.
+// ODE has two things of which a process has only one.  Its random generator is set from the body
+// before every step and put back after it; its thread pool is never used.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "virtualrobot/body.h"
+#include "virtualrobot/kinematics.h"
+#include "virtualrobot/ode/hinge_measure.h"
 #include "virtualrobot/servo.h"
+
+// ODE's world, body and joint.  Declared here because only virtualrobot/ode includes ODE's headers.
+struct dxWorld;
+struct dxBody;
+struct dxJoint;
 
 namespace openr_host {
 
-// The one parameter set; tests and benchmarks may ask for another solver or step.
+class ContactFinder;
+class ContactSolver;
+
+// Parameters of the simulation.  Every run has the defaults; tests and benchmarks may ask for
+// another solver or step.
 struct OdeSettings {
   enum class Solver { kExact, kQuick };  // dWorldStep, dWorldQuickStep
   Solver solver = Solver::kExact;
@@ -36,7 +49,7 @@ class OdeBody : public Body {
   ~OdeBody() override;
 
   void Advance(const std::vector<JointCommand>& commands) override;
-  const BodyState& state() const override;
+  const BodyState& state() const override { return state_; }
   double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                      double max_m) const override;
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
@@ -49,8 +62,31 @@ class OdeBody : public Body {
   double HingeError() const;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  struct PushForce {
+    int body;
+    Eigen::Vector3d force_W, p_W;
+  };
+
+  void MakeBodies(const RestingPose& pose, const std::vector<Eigen::Isometry3d>& X_BL);
+  void MakeHinges(const RestingPose& pose, const std::vector<Eigen::Isometry3d>& X_BL);
+  void Step(double step_s);
+  void SolveStep(double step_s);
+  void ReadState();
+  Eigen::Isometry3d PoseOf(int body) const;
+
+  const RobotModel& model_;
+  const World surroundings_;
+  const OdeSettings settings_;
+  BodyState state_;
+  dxWorld* world_;
+  std::vector<dxBody*> bodies_;   // order of RobotModel::bodies
+  std::vector<dxJoint*> hinges_;  // order of RobotModel::joints, as are the next two
+  std::vector<HingeAxis> axes_;
+  std::vector<Servo> servos_;
+  std::unique_ptr<ContactFinder> finder_;
+  std::unique_ptr<ContactSolver> solver_;
+  std::vector<PushForce> pushes_;  // of the next Advance()
+  uint64_t random_seed_ = 1;       // of ODE's generator in this world
 };
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// ODE's process-wide parts, kept from making one world depend on another.
+// Keeps worlds of ODE independent of each other, although a process has one ODE.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@ namespace openr_host {
 // Initialises ODE once per process, without threads: its thread pool is not repeatable.
 void InitOde();
 
-// While it lives, ODE's random generator belongs to one world: it starts from *seed and
-// leaves its last value there; what other worlds had is put back.  Resetting the generator
-// to a constant before each step instead would make the solvers try the same order for
-// ever, which ruins convergence.
+// Gives ODE's random generator to one world for the life of this object: the generator starts from
+// *seed and its last value is stored there.  The destructor puts back the value of the other
+// worlds. The generator is not reset to a constant before each step, because the solvers would then
+// try the same order in every step and converge badly.
 class OdeRandomScope {
  public:
   explicit OdeRandomScope(uint64_t* seed);
