@@ -1,8 +1,6 @@
 #include "virtualrobot/json_reader.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace openr_host {
 
@@ -85,14 +83,6 @@ std::vector<double> JsonReader::Numbers(size_t count) const {
   for (const JsonReader& element : Elements()) numbers.push_back(element.Number());
   if (numbers.size() != count) Fail("must have {} numbers, has {}", count, numbers.size());
   return numbers;
-}
-
-std::string ReadTextFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be opened for reading", path));
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (file.bad()) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-  return text;
 }
 
 }  // namespace openr_host

@@ -56,7 +56,4 @@ class JsonReader {
   const char* separator_;  // between place_ and the name of a member
 };
 
-// The whole file as text.  Throws std::runtime_error when it cannot be read.
-std::string ReadTextFile(const std::string& path);
-
 }  // namespace openr_host

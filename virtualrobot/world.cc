@@ -7,6 +7,7 @@
 #include "runtime/base/hasher.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
+#include "virtualrobot/whole_file.h"
 
 namespace openr_host {
 namespace {
@@ -82,7 +83,7 @@ World ParseWorld(const std::string& text, const std::string& name) {
   return world;
 }
 
-World LoadWorld(const std::string& path) { return ParseWorld(ReadTextFile(path), path); }
+World LoadWorld(const std::string& path) { return ParseWorld(ReadWholeFile(path), path); }
 
 void HashWorld(const World& world, Hasher* hasher) {
   hasher->Add(world.floor_friction);

@@ -6,6 +6,7 @@
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
 #include "virtualrobot/model/robot_model.h"
+#include "virtualrobot/whole_file.h"
 
 namespace openr_host {
 namespace {
@@ -290,7 +291,7 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
 }
 
 RobotModel LoadRobotModel(const std::string& path) {
-  return ParseRobotModel(ReadTextFile(path), path);
+  return ParseRobotModel(ReadWholeFile(path), path);
 }
 
 }  // namespace openr_host

@@ -41,9 +41,9 @@ class MemorySoundSink : public SoundSink {
   std::vector<Entry> entries;
 };
 
-// A WAV file, 16 kHz, 16 bits, mono, whose time is the virtual time since boot; its sizes
-// are right once the sink is closed, or gone.  Throws std::runtime_error "FILE: cannot be written:
-// ...".
+// A WAV file, 16 kHz, 16 bits, mono, in which time is the virtual time since boot.  The file is
+// complete after every frame, so it can be read even if the process is killed.  Throws
+// std::runtime_error "FILE: cannot be written: why".
 std::unique_ptr<SoundSink> OpenSpeakerFile(const std::string& file);
 
 }  // namespace openr_host

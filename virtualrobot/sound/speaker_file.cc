@@ -1,9 +1,7 @@
 // The speaker's sound as a WAV file.
 #include <fmt/format.h>
+#include <sndfile.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -13,57 +11,44 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kFrameBytes = kSoundSamplesPerFrame * 2;
-
-std::string Failed(const std::string& file) {
-  return fmt::format("{}: cannot be written: {}", file, std::strerror(errno));
-}
-
 class SpeakerFile : public SoundSink {
  public:
-  explicit SpeakerFile(std::string file)
-      : file_(std::move(file)), stream_(std::fopen(file_.c_str(), "wb")) {
-    if (stream_ == nullptr) throw std::runtime_error(Failed(file_));
-    WriteHeader();
+  explicit SpeakerFile(std::string file) : file_(std::move(file)) {
+    SF_INFO info{};
+    info.samplerate = kSoundRate;
+    info.channels = 1;
+    info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+    stream_ = sf_open(file_.c_str(), SFM_WRITE, &info);
+    if (stream_ == nullptr) throw std::runtime_error(Failed());
+    // The header is right after every frame, so the file can be read even if the run is killed.
+    sf_command(stream_, SFC_SET_UPDATE_HEADER_AUTO, nullptr, SF_TRUE);
   }
 
   ~SpeakerFile() override { Close(); }
 
-  // Silent frames are left out, as a hole of zeros.
+  // Places a frame by its time, so that frames without sound are a hole of zeros in the file.
   std::string Play(int64_t frame, const SoundFrame& samples) override {
-    std::string bytes;
-    for (const int16_t sample : samples) {
-      bytes += static_cast<char>(sample & 0xff);
-      bytes += static_cast<char>(sample >> 8 & 0xff);
-    }
-    if (std::fseek(stream_, static_cast<long>(kHeaderBytes + frame * kFrameBytes), SEEK_SET) != 0 ||
-        std::fwrite(bytes.data(), 1, bytes.size(), stream_) != bytes.size()) {
-      return Failed(file_);
-    }
-    end_ = (frame + 1) * kFrameBytes;
-    return "";
+    const auto count = static_cast<sf_count_t>(samples.size());
+    const bool is_written = sf_seek(stream_, frame * kSoundSamplesPerFrame, SEEK_SET) >= 0 &&
+                            sf_write_short(stream_, samples.data(), count) == count &&
+                            sf_error(stream_) == 0;
+    return is_written ? "" : Failed();
   }
 
   std::string Close() override {
     if (stream_ == nullptr) return "";
-    const bool has_header = WriteHeader();
-    const std::string problem = has_header ? "" : Failed(file_);
-    const bool is_closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
-    return has_header && !is_closed ? Failed(file_) : problem;
+    const int error = sf_close(std::exchange(stream_, nullptr));
+    return error == 0 ? ""
+                      : fmt::format("{}: cannot be written: {}", file_, sf_error_number(error));
   }
 
  private:
-  static constexpr int64_t kHeaderBytes = 44;
-
-  bool WriteHeader() {
-    const std::string header = WavHeader(kSoundRate, static_cast<uint32_t>(end_));
-    return std::fseek(stream_, 0, SEEK_SET) == 0 &&
-           std::fwrite(header.data(), 1, header.size(), stream_) == header.size();
+  std::string Failed() const {
+    return fmt::format("{}: cannot be written: {}", file_, SoundFileError(stream_));
   }
 
   const std::string file_;
-  std::FILE* stream_;  // null: closed
-  int64_t end_ = 0;    // bytes of sound
+  SNDFILE* stream_ = nullptr;  // null: closed
 };
 
 }  // namespace

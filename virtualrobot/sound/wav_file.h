@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace openr_host {
@@ -13,20 +12,19 @@ namespace openr_host {
 struct WavSound {
   int rate_hz = 0;
   int channels = 0;              // 1 or 2
-  std::vector<int16_t> samples;  // interleaved; 8-bit samples moved into the upper byte
+  std::vector<int16_t> samples;  // interleaved; 8-bit samples are in the upper byte
 };
 
-// Throws std::runtime_error "NAME: ..." when `bytes` are no WAV file or hold another kind
-// of sound.  A data chunk that is cut off is read as far as it goes.
-WavSound ParseWav(std::string_view bytes, const std::string& name);
-
-// The same from a file.
+// Reads the whole file.  A file that is cut off is read as far as it goes.  Throws
+// std::runtime_error "FILE: ..." when the file cannot be read, is no WAV file or holds another kind
+// of sound.
 WavSound ReadWavFile(const std::string& file);
 
-// At another rate, by straight lines between samples; a mono sound on both sides.
+// Converts to another rate, by straight lines between samples.  A mono sound goes to both sides.
 std::vector<OSoundSampleStereo16> ToStereo(const WavSound& sound, int rate_hz);
 
-// The 44 bytes before `data_bytes` of 16-bit mono.
-std::string WavHeader(int rate_hz, uint32_t data_bytes);
+// The reason of the newest error of `sndfile` (a SNDFILE*; null: of the newest attempt to open a
+// file), without the words that libsndfile puts around the system's text.
+std::string SoundFileError(void* sndfile);
 
 }  // namespace openr_host

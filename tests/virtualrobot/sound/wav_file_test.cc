@@ -30,41 +30,62 @@ std::string Wav(uint32_t kind, uint32_t channels, uint32_t rate, uint32_t bits,
   return "RIFF" + Little(static_cast<uint32_t>(body.size()), 4) + body;
 }
 
+// The name of a file that is removed with this object.
+struct ScratchWav {
+  const std::string name = testing::TempDir() + "wav_file_test_a.wav";
+  ~ScratchWav() { std::remove(name.c_str()); }
+};
+
+// Reads `bytes` from a file named a.wav.
+WavSound Read(const std::string& bytes) {
+  const ScratchWav file;
+  std::ofstream(file.name, std::ios::binary) << bytes;
+  return ReadWavFile(file.name);
+}
+
+// The complaint about such a file, without its folder.
 std::string ErrorIn(const std::string& bytes) {
   try {
-    ParseWav(bytes, "a.wav");
+    Read(bytes);
   } catch (const std::runtime_error& error) {
-    return error.what();
+    const std::string text = error.what();
+    return text.substr(text.find("a.wav"));
   }
   return "";
 }
 
 TEST(WavFileTest, SixteenBitStereoIsReadBehindOtherChunks) {
-  const WavSound sound = ParseWav(Wav(1, 2, 16000, 16, Little(0x8001, 2) + Little(7, 2)), "a.wav");
+  const WavSound sound = Read(Wav(1, 2, 16000, 16, Little(0x8001, 2) + Little(7, 2)));
   EXPECT_EQ(sound.rate_hz, 16000);
   EXPECT_EQ(sound.channels, 2);
   EXPECT_THAT(sound.samples, testing::ElementsAre(-32767, 7));
 }
 
 TEST(WavFileTest, EightBitsAreUnsignedInTheFile) {
-  EXPECT_THAT(ParseWav(Wav(1, 1, 8000, 8, "\x80\xff\x01"), "a.wav").samples,
+  EXPECT_THAT(Read(Wav(1, 1, 8000, 8, "\x80\xff\x01")).samples,
               testing::ElementsAre(0, 127 * 256, -127 * 256));
 }
 
 TEST(WavFileTest, ADataChunkThatIsCutOffIsReadAsFarAsItGoes) {
   std::string bytes = Wav(1, 1, 8000, 16, Little(1, 2) + Little(2, 2));
   bytes.resize(bytes.size() - 1);
-  EXPECT_THAT(ParseWav(bytes, "a.wav").samples, testing::ElementsAre(1));
+  EXPECT_THAT(Read(bytes).samples, testing::ElementsAre(1));
 }
 
 TEST(WavFileTest, WhatIsNotReadIsNamed) {
-  EXPECT_EQ(ErrorIn("hello"), "a.wav: is no WAV file");
-  EXPECT_EQ(ErrorIn("RIFF    WAVE"), "a.wav: has no format chunk");
+  EXPECT_EQ(ErrorIn("hello"), "a.wav: is no WAV file that can be read: Format not recognised");
+  EXPECT_EQ(ErrorIn(""), "a.wav: is no WAV file that can be read: Format not recognised");
+  EXPECT_EQ(ErrorIn("RIFF    WAVE"),
+            "a.wav: is no WAV file that can be read: Error in WAV file. No 'data' chunk marker");
   EXPECT_EQ(ErrorIn(Wav(3, 1, 8000, 32, "")),
-            "a.wav: holds sound of format 3; only PCM (1) is read");
-  EXPECT_EQ(ErrorIn(Wav(1, 1, 8000, 24, "")), "a.wav: has 24 bits per sample; 8 or 16 are read");
+            "a.wav: holds samples of kind '32 bit float'; PCM of 8 or 16 bits is read");
+  EXPECT_EQ(ErrorIn(Wav(1, 1, 8000, 24, "")),
+            "a.wav: holds samples of kind 'Signed 24 bit PCM'; PCM of 8 or 16 bits is read");
   EXPECT_EQ(ErrorIn(Wav(1, 6, 8000, 16, "")), "a.wav: has 6 channels; 1 or 2 are read");
-  EXPECT_EQ(ErrorIn(Wav(1, 1, 0, 16, "")), "a.wav: has 0 samples a second; 1 to 192000 are read");
+  EXPECT_EQ(ErrorIn(Wav(1, 1, 200'000, 16, "")),
+            "a.wav: has 200000 samples a second; 1 to 192000 are read");
+  EXPECT_THAT(ErrorIn(Wav(1, 1, 0, 16, "")),
+              testing::StartsWith("a.wav: is no WAV file that can be read: "));
 }
 
 TEST(WavFileTest, AnotherRateIsReachedByStraightLinesAndMonoGoesToBothSides) {
@@ -80,28 +101,49 @@ TEST(WavFileTest, AnotherRateIsReachedByStraightLinesAndMonoGoesToBothSides) {
 }
 
 TEST(WavFileTest, TheSpeakersFileIsTheVirtualTimeAndCanBeTheMicrophones) {
-  const std::string file = testing::TempDir() + "speaker_file_test.wav";
+  const ScratchWav file;
   {
-    const auto sink = OpenSpeakerFile(file);
+    const auto sink = OpenSpeakerFile(file.name);
     SoundFrame samples;
     samples.fill(1000);
     EXPECT_EQ(sink->Play(0, samples), "");
     samples.fill(-2000);
     EXPECT_EQ(sink->Play(2, samples), "");  // frame 1 is silent
   }
-  const WavSound sound = ReadWavFile(file);
+  const WavSound sound = ReadWavFile(file.name);
   EXPECT_EQ(sound.rate_hz, 16000);
   EXPECT_EQ(sound.channels, 1);
   ASSERT_EQ(sound.samples.size(), 3u * kSoundSamplesPerFrame);
   EXPECT_EQ(sound.samples[127], 1000);
   EXPECT_EQ(sound.samples[128], 0);
   EXPECT_EQ(sound.samples[256], -2000);
-  const auto source = OpenMicrophoneFile(file, AfterEnd::kSilence);
+  const auto source = OpenMicrophoneFile(file.name, AfterEnd::kSilence);
   OSoundSampleStereo16 heard;
   source->Read(300, &heard, 1);
   EXPECT_EQ(heard.L, -2000);
   EXPECT_EQ(heard.R, -2000);
-  std::remove(file.c_str());
+}
+
+TEST(WavFileTest, TheSpeakersFileCanBeReadWhileTheRunGoesOn) {
+  const ScratchWav file;
+  const auto sink = OpenSpeakerFile(file.name);
+  EXPECT_TRUE(ReadWavFile(file.name).samples.empty());
+  SoundFrame samples;
+  samples.fill(1000);
+  EXPECT_EQ(sink->Play(3, samples), "");
+  const WavSound sound = ReadWavFile(file.name);
+  ASSERT_EQ(sound.samples.size(), 4u * kSoundSamplesPerFrame);
+  EXPECT_EQ(sound.samples[383], 0);
+  EXPECT_EQ(sound.samples[384], 1000);
+}
+
+TEST(WavFileTest, AFileThatIsMissingIsNamed) {
+  try {
+    ReadWavFile("/no/such/a.wav");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "/no/such/a.wav: cannot be read: No such file or directory");
+  }
 }
 
 TEST(WavFileTest, AFileThatCannotBeWrittenIsNamed) {
