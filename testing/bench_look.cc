@@ -6,6 +6,7 @@
 #include "openr/simulation/standing.h"
 #include "runtime/base/spelling.h"
 #include "testing/bench.h"
+#include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 #include "virtualrobot/virtual_robot.h"
 
@@ -17,7 +18,6 @@ using openr_host::VirtualRobot;
 
 namespace {
 
-constexpr double kDegPerRad = 180 / 3.14159265358979323846;
 constexpr int kStandingFrames = 75;
 
 // Index of the device with that name or locator.
@@ -89,7 +89,7 @@ void Bench::PressPause() { dog().PressPause(); }
 
 double Bench::JointDeg(std::string_view name) const {
   const auto& joints = dog().body().state().joints;
-  return joints[IndexOf(model_->joints, name, "joint")].angle_rad * kDegPerRad;
+  return openr_host::Degrees(joints[IndexOf(model_->joints, name, "joint")].angle_rad);
 }
 
 int64_t Bench::SensorValue(std::string_view name) const {
@@ -101,11 +101,11 @@ int Bench::LedIntensity(std::string_view name) const {
 }
 
 double Bench::RollDeg() const {
-  return openr_host::RpyOf(dog().body().state().X_WB.linear()).x() * kDegPerRad;
+  return openr_host::Degrees(openr_host::RpyOf(dog().body().state().X_WB.linear()).x());
 }
 
 double Bench::PitchDeg() const {
-  return openr_host::RpyOf(dog().body().state().X_WB.linear()).y() * kDegPerRad;
+  return openr_host::Degrees(openr_host::RpyOf(dog().body().state().X_WB.linear()).y());
 }
 
 bool Bench::Standing(Place place) {

@@ -14,14 +14,14 @@
 namespace openr_host {
 namespace {
 
-constexpr double kMicro = 1e-6;
+constexpr double kRadPerUrad = 1e-6;
 // Chosen: a joint that was left alone for a moment sags less than that.
 const double kFar_rad = Radians(10);
 // Chosen: for up to a second a program is not to blame for a limp joint that sinks while it goes
 // through the steps of the opening.  The head of an ERS-210 sinks 27 degrees in 136 ms.
 constexpr int kHalfSecondFrames = 62;
 // Chosen: the vendor's own walks ask for up to 20 degrees in a frame.
-const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kMicro);
+const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
 // Chosen: 32 frames, a quarter of a second, of set points that are not 0 and below 11
 // micro-radians.
 constexpr slongword kTinyUrad = 10;
@@ -48,12 +48,12 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool acts = devices_.Acts(static_cast<int>(j), motor_power);
     const bool begins = acts && !joints_[j].acted;
     joints_[j].acted = acts;
-    const bool sank = Sank(joints_[j], devices_.joints[j].target_urad * kMicro);
+    const bool sank = Sank(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
-    const double target = device.target_urad * kMicro;
+    const double target = device.target_urad * kRadPerUrad;
     if (device.commanded && (std::fabs(target - measured) <= kFar_rad || sank)) continue;
     joints_[j].told_start = true;
     problems->push_back(fmt::format(
@@ -86,7 +86,7 @@ void JointWatch::LookForJump(size_t joint, const CommandElement& element, double
                              std::vector<std::string>* problems) {
   const JointDevice& device = devices_.joints[joint];
   int64_t before =
-      device.commanded ? device.target_urad : static_cast<int64_t>(measured_rad / kMicro);
+      device.commanded ? device.target_urad : static_cast<int64_t>(measured_rad / kRadPerUrad);
   for (int i = 0; i < element.frames && !joints_[joint].told_jump; ++i) {
     const int64_t urad = element.Urad(i);
     if (std::llabs(urad - before) > kJumpUrad) {
@@ -94,8 +94,8 @@ void JointWatch::LookForJump(size_t joint, const CommandElement& element, double
       problems->push_back(fmt::format(
           "{}: set point jumps from {:.1f} to {:.1f} degrees in one frame; nothing ramps it, the "
           "joint goes there at full power (interpolate, 8 ms a frame)",
-          model_.joints[joint].locator, Degrees(static_cast<double>(before) * kMicro),
-          Degrees(static_cast<double>(urad) * kMicro)));
+          model_.joints[joint].locator, Degrees(static_cast<double>(before) * kRadPerUrad),
+          Degrees(static_cast<double>(urad) * kRadPerUrad)));
     }
     before = urad;
   }
@@ -133,7 +133,7 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
       LookForJump(j, element, measured, problems);
       continue;
     }
-    const double goal = element.Urad(element.frames - 1) * kMicro;
+    const double goal = element.Urad(element.frames - 1) * kRadPerUrad;
     if (joints_[j].told_effect || motor_power_cut || std::fabs(goal - measured) <= kFar_rad ||
         Sank(joints_[j], goal))
       continue;

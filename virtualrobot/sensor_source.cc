@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-constexpr double kMicro = 1e6;
+constexpr double kMicro = 1e6;    // sensor values are in millionths of their SI unit
 constexpr int kSignalMax = 1023;  // 10-bit converter (Level 2 Reference Guide, 4.2.2)
 constexpr slongword kTemperatureMicroC =
     30'000'000;  // of the thermo sensor; chosen, nothing is simulated

@@ -25,6 +25,7 @@ Vector3d Unit(const JsonReader& direction) {
   return v / v.norm();
 }
 
+// A range from a pair of numbers in the file; `scale` is the file's unit in ours.
 Range Span(const JsonReader& pair, double scale) {
   const std::vector<double> v = pair.Numbers(2);
   if (v[0] > v[1]) pair.Fail("runs from {} to {}, must rise", v[0], v[1]);
@@ -83,13 +84,13 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
   }
   joint.anchor_m = Metres(row.At("anchor"));
   if (!child.has_box) child.centre_m = joint.anchor_m;  // the best guess for its mass
-  joint.soft_rad = Span(row.At("soft"), kPi / 180);
-  joint.hard_rad = Span(row.At("hard"), kPi / 180);
+  joint.soft_rad = Span(row.At("soft"), Radians(1));
+  joint.hard_rad = Span(row.At("hard"), Radians(1));
   if (joint.soft_rad.min < joint.hard_rad.min || joint.soft_rad.max > joint.hard_rad.max) {
     row.At("soft").Fail("must lie inside 'hard'");
   }
   if (joint.hard_rad.max - joint.hard_rad.min <= 0) row.At("hard").Fail("leaves no room to move");
-  joint.speed_rad_s = Span(row.At("speed"), kPi / 180);
+  joint.speed_rad_s = Span(row.At("speed"), Radians(1));
   if (!(joint.speed_rad_s.min > 0)) row.At("speed").Fail("must be > 0");
   joint.gains = ReadGains(row.At("pid"));
   if (row.Has("torque")) joint.stall_torque_nm = row.At("torque").NumberAbove(0);
