@@ -21,8 +21,9 @@ std::string Identifier(std::string design) {
   return design;
 }
 
-std::string Look(const std::map<std::string, std::string>& names, const std::string& key,
-                 const std::string& device) {
+// The constant of the objects for a type of the model file; `device` names the device in the error.
+std::string ConstantOf(const std::map<std::string, std::string>& names, const std::string& key,
+                       const std::string& device) {
   const auto found = names.find(key);
   if (found == names.end()) {
     throw std::runtime_error(
@@ -31,21 +32,30 @@ std::string Look(const std::map<std::string, std::string>& names, const std::str
   return found->second;
 }
 
-std::string LedKind(const Light& led) {
-  return Look({{"LED2", "ledLED2"}, {"LED3", "ledLED3"}}, led.type, led.title);
+std::string LedKind(const LightRow& led) {
+  return ConstantOf({{"LED2", "ledLED2"}, {"LED3", "ledLED3"}}, led.type, led.title);
 }
-std::string PlungerKind(const Plunger& plunger) {
-  return Look({{"Joint3", "plungerJOINT3"}, {"Joint4", "plungerJOINT4"}}, plunger.type,
-              plunger.title);
+std::string PlungerKind(const PlungerRow& plunger) {
+  return ConstantOf({{"Joint3", "plungerJOINT3"}, {"Joint4", "plungerJOINT4"}}, plunger.type,
+                    plunger.title);
 }
-std::string SensorKind(const Sensor& sensor) {
-  return Look({{"switch", "sensorkindSWITCH"},
-               {"force", "sensorkindFORCE"},
-               {"distance", "sensorkindLENGTH"},
-               {"temperature", "sensorkindTEMPERATURE"},
-               {"acceleration", "sensorkindACCELERATION"},
-               {"raw", "sensorkindRAW"}},
-              sensor.kind, sensor.title);
+const char* KindOf(SensorKind kind) {
+  switch (kind) {
+    case SensorKind::kForce:
+      return "sensorkindFORCE";
+    case SensorKind::kDistance:
+      return "sensorkindLENGTH";
+    case SensorKind::kSwitch:
+      return "sensorkindSWITCH";
+    case SensorKind::kTemperature:
+      return "sensorkindTEMPERATURE";
+    case SensorKind::kAcceleration:
+      return "sensorkindACCELERATION";
+    case SensorKind::kJoint:  // joints have a table of their own
+    case SensorKind::kRaw:
+      return "sensorkindRAW";
+  }
+  return "sensorkindRAW";
 }
 
 // An empty table is left out (C++98 has no array of size 0); RobotRow() then writes a 0.
@@ -58,25 +68,25 @@ void Table(std::string* out, const char* type, const std::string& name,
   *out += "};\n\n";
 }
 
-void ModelTables(std::string* out, const Model& model, const std::string& id) {
-  Table(out, "JointConstants", "JOINTS_" + id, model.joints, [](const Joint& j) {
+void ModelTables(std::string* out, const RobotTables& model, const std::string& id) {
+  Table(out, "JointConstants", "JOINTS_" + id, model.joints, [](const JointRow& j) {
     return fmt::format("\"{}\", \"{}\", \"{}\",\n     {}, {}, {}, {}, {}, {}, {{{}}}, {}, {}",
                        j.name, j.title, j.locator, j.min_urad, j.max_urad, j.min_cdeg, j.max_cdeg,
                        j.min_speed_cdeg, j.max_speed_cdeg, fmt::join(j.gain, ", "), j.sensor,
                        j.mtn);
   });
-  Table(out, "LedConstants", "LEDS_" + id, model.leds, [](const Light& led) {
+  Table(out, "LedConstants", "LEDS_" + id, model.leds, [](const LightRow& led) {
     return fmt::format("\"{}\", \"{}\", {}", led.title, led.locator, LedKind(led));
   });
-  Table(out, "PlungerConstants", "PLUNGERS_" + id, model.plungers, [](const Plunger& plunger) {
+  Table(out, "PlungerConstants", "PLUNGERS_" + id, model.plungers, [](const PlungerRow& plunger) {
     return fmt::format("\"{}\", \"{}\", {}", plunger.title, plunger.locator, PlungerKind(plunger));
   });
-  Table(out, "SensorConstants", "SENSORS_" + id, model.sensors, [](const Sensor& s) {
+  Table(out, "SensorConstants", "SENSORS_" + id, model.sensors, [](const SensorRow& s) {
     return fmt::format("\"{}\", \"{}\", {}, {}, {}, {}, 0", s.title, s.locator,
-                       s.kind == "switch" ? "sensorBINARY" : "sensorOTHER", SensorKind(s),
-                       s.touch_limit, s.index);
+                       s.kind == SensorKind::kSwitch ? "sensorBINARY" : "sensorOTHER",
+                       KindOf(s.kind), s.touch_limit, s.index);
   });
-  Table(out, "PostureConstants", "POSTURES_" + id, model.postures, [](const Posture& p) {
+  Table(out, "PostureConstants", "POSTURES_" + id, model.postures, [](const PostureRow& p) {
     return fmt::format("\"{}\", {{{}}}", p.name, fmt::join(p.urad, ", "));
   });
 }
@@ -85,7 +95,7 @@ std::string TableName(const char* prefix, bool empty, const std::string& id) {
   return empty ? "0" : prefix + id;
 }
 
-std::string RobotRow(const Model& m, const std::string& id) {
+std::string RobotRow(const RobotTables& m, const std::string& id) {
   return fmt::format(
       "    {{\"{}\", {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {{\"{}\", {}, {}, "
       "{}}}}},\n",
@@ -100,24 +110,24 @@ std::string RobotRow(const Model& m, const std::string& id) {
 
 }  // namespace
 
-std::string HeaderText(const std::vector<Model>& models) {
+std::string HeaderText(const std::vector<RobotTables>& robots) {
   std::string out = kBanner;
   out +=
       "#ifndef RobotConstants_h_DEFINED\n#define RobotConstants_h_DEFINED\n\n#include "
       "\"RobotDescription.h\"\n\n";
   out += "// Index in ROBOTS.\nenum RobotIndex {";
-  for (const Model& model : models) out += " " + Identifier(model.design) + ",";
+  for (const RobotTables& model : robots) out += " " + Identifier(model.design) + ",";
   out +=
       " NUM_ROBOTS };\n\nextern const RobotConstants ROBOTS[NUM_ROBOTS];\n\n#endif // "
       "RobotConstants_h_DEFINED\n";
   return out;
 }
 
-std::string SourceText(const std::vector<Model>& models) {
+std::string SourceText(const std::vector<RobotTables>& robots) {
   std::string out = kBanner;
   out += "#include \"RobotConstants.h\"\n\n";
   std::string rows;
-  for (const Model& model : models) {
+  for (const RobotTables& model : robots) {
     const std::string id = Identifier(model.design);
     const std::pair<const char*, size_t> sizes[] = {{"JOINTS", model.joints.size()},
                                                     {"LEDS", model.leds.size()},

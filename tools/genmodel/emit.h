@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "model_file.h"
+#include "robot_tables.h"
 
 namespace openr_host::genmodel {
 
-std::string HeaderText(const std::vector<Model>& models);
+std::string HeaderText(const std::vector<RobotTables>& robots);
 
 // Throws std::runtime_error for a kind of device that objects/ does not know.
-std::string SourceText(const std::vector<Model>& models);
+std::string SourceText(const std::vector<RobotTables>& robots);
 
 }  // namespace openr_host::genmodel

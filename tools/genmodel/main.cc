@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "emit.h"
-#include "model_file.h"
+#include "robot_tables.h"
+#include "virtualrobot/model/robot_model.h"
 
 namespace {
 
@@ -37,11 +38,12 @@ int main(int argc, char** argv) {
   const std::filesystem::path directory = argv[1];
   const std::vector<std::string> paths(argv + 2, argv + argc);
   try {
-    std::vector<openr_host::genmodel::Model> models;
-    for (const std::string& path : paths) models.push_back(openr_host::genmodel::ReadModel(path));
+    std::vector<openr_host::genmodel::RobotTables> robots;
+    for (const std::string& path : paths)
+      robots.push_back(openr_host::genmodel::TablesOf(openr_host::LoadRobotModel(path)));
     std::filesystem::create_directories(directory);
-    WriteIfChanged(directory / "RobotConstants.h", openr_host::genmodel::HeaderText(models));
-    WriteIfChanged(directory / "RobotConstants.cc", openr_host::genmodel::SourceText(models));
+    WriteIfChanged(directory / "RobotConstants.h", openr_host::genmodel::HeaderText(robots));
+    WriteIfChanged(directory / "RobotConstants.cc", openr_host::genmodel::SourceText(robots));
   } catch (const std::exception& error) {
     fmt::print(stderr, "openr_genmodel: {}\n", error.what());
     return 1;

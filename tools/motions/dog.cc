@@ -3,34 +3,40 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "virtualrobot/det_math.h"
+#include "virtualrobot/model/robot_model.h"
 
 namespace openr_host::motions {
 namespace {
 
-using nlohmann::json;
+constexpr double kMmPerM = 1000;
 
-const json& Row(const json& model, const char* list, const char* key, const std::string& name) {
-  for (const json& row : model.at(list).at("rows")) {
-    if (row.at(key) == name) return row;
+// Where `p_m` is in the plane of a leg, seen from the leg's J1 axis.  `side` is 1 for a fore and -1
+// for a hind leg.
+LegPoint FromAxis(const Eigen::Vector3d& p_m, const Eigen::Vector3d& axis_m, double side) {
+  const Eigen::Vector3d p_mm = kMmPerM * p_m, axis_mm = kMmPerM * axis_m;
+  return {side * (p_mm.x() - axis_mm.x()), p_mm.z() - axis_mm.z()};
+}
+
+const JointModel& JointOf(const RobotModel& model, const std::string& name) {
+  const int index = model.FindJoint(name);
+  if (index < 0) throw std::runtime_error(fmt::format("{}: no joint '{}'", model.name, name));
+  return model.joints[static_cast<size_t>(index)];
+}
+
+const Paw& PawOf(const RobotModel& model, const std::string& leg) {
+  for (const Paw& paw : model.paws) {
+    if (paw.leg == leg) return paw;
   }
-  throw std::runtime_error(fmt::format("no '{}' in '{}'", name, list));
+  throw std::runtime_error(fmt::format("{}: no paw of leg '{}'", model.name, leg));
 }
 
-// Column x or z of a place, from J1 of the leg.
-LegPoint FromAxis(const json& place, const json& axis, double side) {
-  return {side * (place.at(0).get<double>() - axis.at(0).get<double>()),
-          place.at(2).get<double>() - axis.at(2).get<double>()};
-}
-
-// A leg from three places of the model; `side` is 1 for a fore and -1 for a hind leg.
-Leg ReadLeg(const json& model, const std::string& name, double side) {
-  const json& axis = Row(model, "joints", "name", name + "_j1").at("anchor");
-  const LegPoint knee =
-      FromAxis(Row(model, "joints", "name", name + "_j3").at("anchor"), axis, side);
-  const LegPoint paw = FromAxis(Row(model, "paws", "leg", name).at("centre"), axis, side);
+Leg LegOfModel(const RobotModel& model, const std::string& name, double side) {
+  const Eigen::Vector3d& axis_m = JointOf(model, name + "_j1").anchor_m;
+  const LegPoint knee = FromAxis(JointOf(model, name + "_j3").anchor_m, axis_m, side);
+  const LegPoint paw = FromAxis(PawOf(model, name).centre_m, axis_m, side);
   return Leg(knee, {paw.out - knee.out, paw.up - knee.up});
 }
 
@@ -44,21 +50,16 @@ Stance Blend(const Stance& from, const Stance& to, double share) {
 }
 
 Dog::Dog(const std::string& model_path) {
-  std::ifstream file(model_path);
-  if (!file) throw std::runtime_error(fmt::format("cannot read robot model {}", model_path));
-  try {
-    const json model = json::parse(file);
-    const std::string design = model.at("design");
-    robot_ = FindRobot(design.c_str());
-    if (robot_ == nullptr)
-      throw std::runtime_error(fmt::format("design '{}' is not in RobotConstants", design));
-    fore_ = ReadLeg(model, "LF", 1);
-    hind_ = ReadLeg(model, "LH", -1);
-    axis_mm_ = Row(model, "joints", "name", "LF_j1").at("anchor").at(0);
-    ball_mm_ = Row(model, "paws", "leg", "LF").at("radius");
-  } catch (const json::exception& error) {
-    throw std::runtime_error(fmt::format("robot model {}: {}", model_path, error.what()));
+  const RobotModel model = LoadRobotModel(model_path);
+  robot_ = FindRobot(model.design.c_str());
+  if (robot_ == nullptr) {
+    throw std::runtime_error(
+        fmt::format("{}: design '{}' is not in RobotConstants", model_path, model.design));
   }
+  fore_ = LegOfModel(model, "LF", 1);
+  hind_ = LegOfModel(model, "LH", -1);
+  axis_mm_ = kMmPerM * JointOf(model, "LF_j1").anchor_m.x();
+  ball_mm_ = kMmPerM * PawOf(model, "LF").radius_m;
 }
 
 std::vector<std::string> Dog::Locators() const {
@@ -133,7 +134,7 @@ void Dog::Set(KeyFrame* frame, const std::string& joint, double rad,
     if (urad < limits.minUrad || urad > limits.maxUrad) {
       throw std::domain_error(
           fmt::format("{}: {} at {:.1f} degrees, its software limits are {:.1f} to {:.1f}", what,
-                      joint, rad * 180 / M_PI, limits.minCdeg / 100.0, limits.maxCdeg / 100.0));
+                      joint, Degrees(rad), limits.minCdeg / 100.0, limits.maxCdeg / 100.0));
     }
   }
   frame->angles_urad[IndexOf(joint)] = urad;

@@ -1,12 +1,13 @@
 #include "postures.h"
 
-#include <cmath>
 #include <string>
+
+#include "virtualrobot/det_math.h"
 
 namespace openr_host::motions {
 namespace {
 
-constexpr double kDeg = M_PI / 180;
+constexpr double kDeg = Radians(1);
 
 // Key frames on the way, each `interpolation` + 1 ticks of 16 ms after the one before.
 void Go(const Dog& dog, const Dog::Pose& from, const Dog::Pose& to, int count, int interpolation,

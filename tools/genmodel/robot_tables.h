@@ -1,0 +1,62 @@
+// What the objects need of a robot, in the units of the objects: angles in micro-radians, and in
+// hundredths of a degree for limits, speeds and accelerations, rounded to the nearest.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "virtualrobot/model/robot_model.h"
+
+namespace openr_host::genmodel {
+
+struct JointRow {
+  std::string name, title, locator;
+  int32_t min_urad = 0, max_urad = 0;
+  int32_t min_cdeg = 0, max_cdeg = 0;
+  int32_t min_speed_cdeg = 0, max_speed_cdeg = 0;
+  std::vector<int> gain;  // six: P, I, D, then their shifts
+  int sensor = -1, mtn = -1;
+};
+
+struct LightRow {
+  std::string title, locator, type;  // "LED2", "LED3"
+};
+
+struct PlungerRow {
+  std::string title, locator, type;  // "Joint3", "Joint4"
+};
+
+struct SensorRow {
+  std::string title, locator;
+  SensorKind kind = SensorKind::kRaw;
+  int index = -1;            // in the sensor vector
+  int32_t touch_limit = -1;  // touched above this; -1: not a touch sensor
+};
+
+struct CameraRow {
+  std::string locator;
+  int width = 0, height = 0;  // of its largest layer, pixels
+  int32_t fov_urad = 0;       // from left to right
+};
+
+struct PostureRow {
+  std::string name;
+  std::vector<int32_t> urad;  // order of joints, inside the software limits
+};
+
+struct RobotTables {
+  std::string design;
+  std::vector<JointRow> joints;
+  std::vector<LightRow> leds;
+  std::vector<PlungerRow> plungers;
+  std::vector<SensorRow> sensors;  // joints left out
+  int sensor_elements = 0;         // joints included
+  CameraRow camera;
+  std::vector<PostureRow> postures;
+  int32_t min_acceleration_cdeg = 0, default_acceleration_cdeg = 0, max_acceleration_cdeg = 0;
+};
+
+RobotTables TablesOf(const RobotModel& model);
+
+}  // namespace openr_host::genmodel
