@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 
 int Battery::PercentAt(int64_t time_us) const {
+  ASSERT(time_us >= 0, "{} us", time_us);
   if (!drains) return percent;
   const int64_t used = std::min(time_us, kEmptyUs) * 100 / kEmptyUs;
   return static_cast<int>(std::max<int64_t>(percent - used, 0));

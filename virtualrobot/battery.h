@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-// Below it the bit for low capacity is set, at which objects shut the robot down.  Chosen.
+// Capacity below which the bit for low capacity is set.  Objects shut the robot down then.  Chosen.
 constexpr int kLowCapacityPercent = 10;
 
 struct Battery {
@@ -15,17 +15,19 @@ struct Battery {
   static constexpr int64_t kEmptyUs = int64_t{90} * 60 * 1'000'000;
 
   int percent = 100;   // of the full capacity, at boot: 1 to 100
-  bool drains = true;  // 1 % less every 54 s, down to 0 %; else it stays as it is
+  bool drains = true;  // loses 1 % every 54 s, down to 0 %; otherwise the percentage stays
 
-  // Whether the bit for low capacity is set from the boot on, so that no object hears of a change.
+  // Whether the bit for low capacity is set at boot.  Then it never changes, so no object is
+  // notified.
   bool is_low_at_boot() const { return percent < kLowCapacityPercent; }
 
-  // Remaining capacity in percent after so much virtual time.
+  // Remaining capacity in percent, `time_us` of virtual time after boot.
   int PercentAt(int64_t time_us) const;
 };
 
-// "100%": full, and stays so.  "drain": full at boot.  "1%" to "99%": so much at boot, and drains
-// as fast.  Returns "" or what is wrong with `text`, and what was probably meant.
+// Reads "100%" (full, and stays full), "drain" (full at boot, and drains) or "1%" to "99%"
+// (capacity at boot, and drains).  Returns "", or what is wrong with `text` and what was probably
+// meant.
 std::string ParseBattery(std::string_view text, Battery* battery);
 
 }  // namespace openr_host

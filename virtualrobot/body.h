@@ -1,4 +1,4 @@
-// The seam to physics: one robot body in its world, advanced frame by frame.
+// The interface to physics: one robot body in its world, advanced frame by frame.
 //
 // A Body belongs to one virtual robot, is touched from one thread, and is a
 // deterministic function of its model, its world, its seed and the commands it
@@ -21,29 +21,29 @@ class Hasher;
 inline constexpr double kFrame_s = 0.008;
 inline constexpr double kGravity_m_s2 = 9.80665;
 
-// What one joint's servo is told for one frame.
+// The command to the servo of one joint for one frame.
 struct JointCommand {
   double target_rad = 0;  // set point in force during the frame
-  bool enabled = false;   // gain enabled and motor power on; otherwise the joint is limp
+  bool enabled = false;   // whether gain and motor power are on; otherwise the joint is limp
   PidGains gains;
 };
 
-// What one joint's sensors report at the end of a frame.
+// The state of one joint at the end of a frame.
 struct JointState {
   double angle_rad = 0;
   double speed_rad_s = 0;
-  double drive = 0;  // what the servo asked for, in PWM counts, before the clamp at +-255
+  double drive = 0;  // drive that the servo asked for, in PWM counts, before the clamp at +-255
 };
 
 struct BodyState {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  // of B's origin, in W, m/s
-  Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();  // in W, rad/s
-  // Gravity minus acceleration of B's origin, mean of the frame, in B, m/s^2: what an
-  // accelerometer of the robot reads, about (0, 0, -9.8) when it stands still.
+  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  // velocity of B's origin, in W, m/s
+  Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();  // angular velocity of B, in W, rad/s
+  // Gravity minus the acceleration of B's origin, mean of the frame, in B, m/s^2.  An accelerometer
+  // of the robot reads this: about (0, 0, -9.8) when the robot stands still.
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
   std::vector<JointState> joints;  // order of RobotModel::joints
-  std::vector<bool> paws;          // order of RobotModel::paws: touches something
+  std::vector<bool> paws;          // whether each paw touches something; order of RobotModel::paws
 };
 
 class Body {
@@ -60,15 +60,15 @@ class Body {
   virtual double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                              double max_m) const = 0;
 
-  // X_WL of all parts, order of RobotModel::bodies: maps a point as the model file gives it
-  // (in B at zero angles: box centres, sensors, camera) to where it is in W now.
+  // Pose X_WL of each part, order of RobotModel::bodies.  Maps a point of the part, given as in the
+  // model file (in B at zero angles), to its place in W now.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
 
-  // Adds everything that decides the future to `hasher`.
+  // Adds everything that decides the body's future to `hasher`.
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// Both start in the model's sleeping posture, at rest on the floor, limp.
+// Make a body that lies in the model's sleeping posture, at rest on the floor, limp.
 // `model` must outlive the body.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world);
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world);

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/fresh_command.h"
 
 namespace openr_host {
 namespace {
 
-constexpr uint32_t kEarFrames = 16;
+constexpr uint32_t kEarFrames = 16;  // 128 ms
 
 ODataType CommandTypeOf(const Primitive& primitive) {
   switch (primitive.type) {
@@ -29,7 +30,7 @@ ODataType CommandTypeOf(const Primitive& primitive) {
   }
 }
 
-// Command frame `i`; one that was never filled is all 0.
+// Command frame `i`.  A frame that the program never filled counts as 0.
 template <typename Value>
 Value As(const OCommandData& data, int i) {
   static_assert(sizeof(Value) == sizeof(OCommandValue));
@@ -39,7 +40,7 @@ Value As(const OCommandData& data, int i) {
   return value;
 }
 
-// Why nothing can be done with the element; empty when it can.
+// The reason why the element moves nothing; empty when it does.
 std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || !primitive->opened()) {
     return fmt::format(
@@ -54,7 +55,8 @@ std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Frames in use, 0..16; what is beyond or was never filled is a problem.
+// Number of command frames, 0 to 16.  More frames, and frames that were never filled, are a
+// problem.
 int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string* problem) {
   const int frames = static_cast<int>(std::min<longword>(info.numFrames, ocommandMAX_FRAMES));
   if (info.numFrames > ocommandMAX_FRAMES) {
@@ -98,11 +100,18 @@ uint32_t CommandElement::FrameLength(int i) const {
   return std::max<uint32_t>(length, 1);
 }
 
-slongword CommandElement::Urad(int i) const { return As<OJointCommandValue2>(*data, i).value; }
+slongword CommandElement::Urad(int i) const {
+  ASSERT(type == odataJOINT_COMMAND2, "type {}", type);
+  return As<OJointCommandValue2>(*data, i).value;
+}
 
-OLED3Mode CommandElement::Mode(int i) const { return As<OLEDCommandValue3>(*data, i).mode; }
+OLED3Mode CommandElement::Mode(int i) const {
+  ASSERT(type == odataLED_COMMAND3, "type {}", type);
+  return As<OLEDCommandValue3>(*data, i).mode;
+}
 
 void CommandElement::Apply(int i, Devices* devices) const {
+  ASSERT(primitive != nullptr && i >= 0 && i < frames, "frame {} of {}", i, frames);
   const auto index = static_cast<size_t>(primitive->index);
   switch (type) {
     case odataJOINT_COMMAND2:

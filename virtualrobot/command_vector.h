@@ -1,4 +1,4 @@
-// A command vector as its subject filled it, checked so that it can be played.
+// The elements of a command vector, checked so that they can be played.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -12,15 +12,15 @@
 
 namespace openr_host {
 
-// One element.  Its data stay readable while the region is referred to.
+// One element of a command vector.  Its data are in the region of the vector.
 struct CommandElement {
-  const Primitive* primitive = nullptr;  // null: takes its time and moves nothing
+  const Primitive* primitive = nullptr;  // null: the element takes its time and moves nothing
   const OCommandData* data = nullptr;
   ODataType type = odataUNDEF;
   int frames = 0;  // 0..ocommandMAX_FRAMES
 
-  // Robot frames that command frame `i` lasts: 1 for a joint, 16 for an ERS-210 ear (128
-  // ms; seed report, 5.3.4), the period of a light or an ERS-7 ear, where 0 counts as 1.
+  // Robot frames that command frame `i` lasts: 1 for a joint, 16 for an ear of an ERS-210 (128 ms;
+  // Hohl 2004, 5.3.4), the period for a light or an ear of an ERS-7, where 0 counts as 1.
   uint32_t FrameLength(int i) const;
 
   // Set point of joint frame `i`.  REQUIRES: type is odataJOINT_COMMAND2.
@@ -29,12 +29,12 @@ struct CommandElement {
   // Mode of light frame `i`.  REQUIRES: type is odataLED_COMMAND3.
   OLED3Mode Mode(int i) const;
 
-  // Puts command frame `i` in force.  REQUIRES: primitive is not null.
+  // Puts command frame `i` in force.  REQUIRES: primitive is not null, 0 <= i < frames.
   void Apply(int i, Devices* devices) const;
 };
 
-// All elements of `vector`; what is wrong with one is described in `problems`.  Writes
-// `frame_number` into the infos.
+// Replaces *elements by all elements of `vector`.  Adds a text to `problems` for each element that
+// has a mistake.  Writes `frame_number` into the infos of the vector, where its sender can read it.
 void ReadCommandElements(const SentVector& vector, longword frame_number,
                          PrimitiveTable* primitives, std::vector<CommandElement>* elements,
                          std::vector<std::string>* problems);

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -11,7 +13,7 @@ constexpr double kHalfPi1 = 0x1.921fb544p+0;
 constexpr double kHalfPi2 = 0x1.0b4611a6p-34;
 constexpr double kHalfPi3 = 0x1.3198a2e037073p-69;
 
-// Taylor sums on |r| <= pi/4, where the first term left out is below 1e-17.
+// Taylor sums of sine and cosine on |r| <= pi/4, where the first term left out is below 1e-17.
 double SinKernel(double r) {
   const double z = r * r;
   double sum = 1.0 / 355687428096000.0;  // 1/17!
@@ -44,6 +46,7 @@ struct Quadrant {
 };
 
 Quadrant Reduce(double x) {
+  ASSERT(x >= -1e6 && x <= 1e6, "an angle of {} rad", x);
   const double turns = x * (2.0 / kPi);
   const int64_t n = static_cast<int64_t>(turns < 0 ? turns - 0.5 : turns + 0.5);
   const double nd = static_cast<double>(n);
@@ -58,6 +61,7 @@ double SinOfQuadrant(const Quadrant& a, int shift) {
   return (q & 2) ? -magnitude : magnitude;
 }
 
+// atan(k / 8) for k = 0 to 8.
 constexpr double kAtanOfEighths[9] = {
     0x0.0p+0,
     0x1.fd5ba9aac2f6ep-4,
@@ -74,7 +78,8 @@ constexpr double kAtanOfEighths[9] = {
 double AtanOfRatio(double small, double large) {
   const int k = static_cast<int>(small / large * 8 + 0.5);
   const double c = k / 8.0;
-  // atan(t) = atan(c) + atan((t - c) / (1 + t c)), and the rest is at most 1/16.
+  // atan(t) = atan(c) + atan((t - c) / (1 + t c)).  The argument of the second term is at most
+  // 1/16, so a short sum is enough.
   const double u = (small - c * large) / (large + c * small);
   const double z = u * u;
   double sum = 1.0 / 13.0;

@@ -1,9 +1,9 @@
-// Sine, cosine and arc tangent whose bits are the same on every x86-64.
+// Sine, cosine and arc tangent whose results have the same bits on every x86-64.
 //
-// glibc picks variants with fused multiply-add at run time, so its last bit depends on
-// the CPU.  These use only +, -, *, / and sqrt, which IEEE 754 rounds in one way, and
-// must be compiled without contraction (-ffp-contract=off).  All code whose results
-// become state calls these and never libm.
+// glibc chooses variants with fused multiply-add at run time, so the last bit of its results
+// depends on the CPU.  The functions here use only +, -, *, / and sqrt, which IEEE 754 rounds in
+// one way. They must be compiled without contraction (-ffp-contract=off).  All code whose results
+// become state calls them and never libm.
 #pragma once
 
 namespace openr_host {

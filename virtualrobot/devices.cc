@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {
 
 constexpr int kIntensityMax = 255;
-constexpr char kHead[] = "PRM:/r1/";  // what is plugged into the neck
+constexpr char kHead[] = "PRM:/r1/";  // all locators of devices in the head begin so
 
 }  // namespace
 
@@ -35,6 +36,7 @@ const std::vector<JointCommand>& Devices::Commands(bool motor_power) {
 }
 
 void Devices::SetTarget(int joint, slongword urad) {
+  ASSERT(joint >= 0 && static_cast<size_t>(joint) < joints.size(), "joint {}", joint);
   JointDevice& device = joints[static_cast<size_t>(joint)];
   device.target_urad = urad;
   device.commanded = true;
@@ -48,6 +50,7 @@ void Devices::SetLed2(int led, OLEDValue value) {
 void Devices::SetLed3(int led, const OLEDCommandValue3& value) {
   LedDevice& device = leds[static_cast<size_t>(led)];
   device.intensity = std::clamp<int>(value.intensity, 0, kIntensityMax);
+  // The robot keeps the old mode when a command has none of its two modes.
   if (value.mode == oled3_MODE_A || value.mode == oled3_MODE_B) device.mode = value.mode;
 }
 

@@ -1,4 +1,4 @@
-// The state of everything a command vector can touch: joints, lights, ears.
+// The state of everything that command vectors set: joints, lights and ears.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -20,12 +20,12 @@ class Hasher;
 using GainWords = std::array<word, 6>;
 
 struct JointDevice {
-  slongword target_urad = 0;       // set point; at boot unrelated to where the joint is
-  bool commanded = false;          // a set point has come since boot
-  ObjectId commander = kNoObject;  // whose set point it is
+  slongword target_urad = 0;       // set point; 0 at boot, wherever the joint is
+  bool commanded = false;          // whether a set point has come since boot
+  ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
   GainWords gains{};                    // all 0 while disabled
-  std::optional<GainWords> registered;  // RegisterDefaultJointGain()
+  std::optional<GainWords> registered;  // gains kept by RegisterDefaultJointGain()
 };
 
 struct LedDevice {
@@ -41,21 +41,21 @@ class Devices {
  public:
   explicit Devices(const RobotModel& model);
 
-  // What the servos are told for the coming frame.
+  // Commands to the servos for the coming frame.  Valid until the next call.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
-  // Whose command vectors are being applied.
+  // Sets the object whose command vector is applied next.  SetTarget() notes it as the commander.
   void set_commander(ObjectId object) { commander_ = object; }
   void SetTarget(int joint, slongword urad);
   void SetLed2(int led, OLEDValue value);
   void SetLed3(int led, const OLEDCommandValue3& value);
 
-  // Lights of the ERS-7's face share one mode: the one given for the last of them in a
-  // command (field-notes.md, 10.1).
+  // Whether the light belongs to the face of an ERS-7.  All lights of a face share one mode: that
+  // of the last of them in a command (field-notes.md, 10.1).
   bool OnFace(int led) const { return on_face_[static_cast<size_t>(led)]; }
   void SetFaceMode(OLED3Mode mode);
 
-  // Whether the servo of `joint` can move it.
+  // Whether the servo of `joint` moves the joint: it has power and a P gain.
   bool Acts(int joint, bool motor_power) const;
 
   OStatus EnableGain(int joint);
@@ -70,7 +70,7 @@ class Devices {
 
  private:
   ObjectId commander_ = kNoObject;
-  std::vector<bool> on_face_;  // by light
+  std::vector<bool> on_face_;  // [light]
   std::vector<JointCommand> commands_;
 };
 

@@ -1,4 +1,4 @@
-// The one counter of the robot: frames of 8 ms since boot.
+// The frame number: a count of frames of 8 ms, in which all data of the robot are dated.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -8,8 +8,7 @@
 namespace openr_host {
 
 // The number that commands, sensors, images and sound carry for the `frame`-th frame since
-// boot.  It begins anew after oframeMAX_NUMBER, at 0 (the robot's choice between 0 and
-// 1 is not known).
+// boot.  After oframeMAX_NUMBER comes 0; it is not known whether the robot continues with 0 or 1.
 inline longword FrameNumber(int64_t frame) {
   return static_cast<longword>(frame % (int64_t{oframeMAX_NUMBER} + 1));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 
 namespace openr_host {
@@ -19,6 +20,8 @@ IdealBody::IdealBody(const RobotModel& model, const World& world) : model_(model
 }
 
 void IdealBody::Advance(const std::vector<JointCommand>& commands) {
+  ASSERT(commands.size() == state_.joints.size(), "{} commands for {} joints", commands.size(),
+         state_.joints.size());
   for (size_t j = 0; j < commands.size(); ++j) {
     JointState& joint = state_.joints[j];
     double angle_rad = joint.angle_rad;

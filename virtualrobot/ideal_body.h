@@ -1,13 +1,13 @@
-// A body without physics: joints are where they are told to be.
+// A body without physics: joints are where their commands say.
 //
-// An enabled joint reaches its set point within the frame, kept to its mechanical stops; a
-// disabled one stays where it is.  The robot rests on the flat floor z = 0 on whatever part
-// is lowest under its centre of mass, as a stiff statue would (PlaceOnFloor()).
+// An enabled joint reaches its set point within the frame, but does not pass its mechanical stops.
+// A disabled joint stays where it is.  The robot rests on the flat floor z = 0 as a stiff statue
+// would (PlaceOnFloor()).
 //
-// What it does not do: it never walks, turns, slides or falls over (x, y and yaw stay 0);
-// it ignores gains, drives (always 0), torques, time and speed limits; it does not feel
-// the boxes of its world, which only its distance sensor sees; its base velocity is 0 and
-// its acceleration is gravity alone.
+// The body never walks, turns, slides or falls over: x, y and yaw stay 0.  It ignores gains,
+// torques and speed limits; drives are always 0.  It does not touch the boxes of its world, but its
+// distance sensor sees them.  The velocity of its base is 0, and an accelerometer measures gravity
+// only.
 #pragma once
 
 #include "virtualrobot/body.h"
@@ -22,8 +22,8 @@ class IdealBody : public Body {
 
   void Advance(const std::vector<JointCommand>& commands) override;
 
-  // The base is placed when somebody asks and a joint has moved since; frames nobody looks
-  // at cost next to nothing.
+  // state() and BodyPoses() compute the pose of the base only when a joint has moved since the last
+  // call.  So a frame whose state is not read costs next to nothing.
   const BodyState& state() const override;
   double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                      double max_m) const override;
@@ -37,8 +37,8 @@ class IdealBody : public Body {
   const RobotModel& model_;
   const World world_;
   mutable BodyState state_;
-  mutable std::vector<Eigen::Isometry3d> X_WL_;  // as BodyPoses() says
-  mutable bool placed_ = false;  // state_'s base and paws, and X_WL_, belong to its joint angles
+  mutable std::vector<Eigen::Isometry3d> X_WL_;  // result of BodyPoses()
+  mutable bool placed_ = false;  // whether base and paws of state_, and X_WL_, fit its joint angles
 };
 
 }  // namespace openr_host

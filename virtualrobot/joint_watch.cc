@@ -15,15 +15,17 @@ namespace openr_host {
 namespace {
 
 constexpr double kRadPerUrad = 1e-6;
-// Chosen: a joint that was left alone for a moment sags less than that.
+// Distance from which a joint counts as far from its set point.  Chosen: a joint that is limp for a
+// moment sags less.
 const double kFar_rad = Radians(10);
-// Chosen: for up to a second a program is not to blame for a limp joint that sinks while it goes
-// through the steps of the opening.  The head of an ERS-210 sinks 27 degrees in 136 ms.
+// Chosen: a limp joint may sink for up to a second while a program goes through the steps that open
+// it. The head of an ERS-210 sinks 27 degrees in 136 ms, which is no mistake of the program.
 constexpr int kHalfSecondFrames = 62;
-// Chosen: the vendor's own walks ask for up to 20 degrees in a frame.
+// Change of a set point in one frame that counts as a jump.  Chosen: the vendor's own walks change
+// set points by up to 20 degrees in a frame.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
-// Chosen: 32 frames, a quarter of a second, of set points that are not 0 and below 11
-// micro-radians.
+// Set points count as radians when they are 1 to 10 micro-radians, either sign, for 32 frames (a
+// quarter of a second).  Chosen.
 constexpr slongword kTinyUrad = 10;
 constexpr int kTinyFrames = 32;
 constexpr double kLoad = 0.78 * kDriveFull;
@@ -48,13 +50,13 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool acts = devices_.Acts(static_cast<int>(j), motor_power);
     const bool begins = acts && !joints_[j].acted;
     joints_[j].acted = acts;
-    const bool sank = Sank(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
+    const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;
-    if (device.commanded && (std::fabs(target - measured) <= kFar_rad || sank)) continue;
+    if (device.commanded && (std::fabs(target - measured) <= kFar_rad || has_sunk)) continue;
     joints_[j].told_start = true;
     problems->push_back(fmt::format(
         "{}: its gains take effect {}; the joint is at {:.1f} degrees and goes to {:.1f} at full "
@@ -65,12 +67,12 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
   }
 }
 
-bool JointWatch::Sank(const Joint& joint, double goal_rad) {
+bool JointWatch::HasSunk(const Joint& joint, double goal_rad) {
   return !joint.has_acted && goal_rad >= std::min(joint.now.low, joint.before.low) - kFar_rad &&
          goal_rad <= std::max(joint.now.high, joint.before.high) + kFar_rad;
 }
 
-void JointWatch::FollowLimpJoints(const BodyState& body) {
+void JointWatch::NoteLimpJoints(const BodyState& body) {
   const bool next = ++limp_frames_ == kHalfSecondFrames;
   if (next) limp_frames_ = 0;
   for (size_t j = 0; j < joints_.size(); ++j) {
@@ -82,8 +84,8 @@ void JointWatch::FollowLimpJoints(const BodyState& body) {
   }
 }
 
-void JointWatch::LookForJump(size_t joint, const CommandElement& element, double measured_rad,
-                             std::vector<std::string>* problems) {
+void JointWatch::CheckForJump(size_t joint, const CommandElement& element, double measured_rad,
+                              std::vector<std::string>* problems) {
   const JointDevice& device = devices_.joints[joint];
   int64_t before =
       device.commanded ? device.target_urad : static_cast<int64_t>(measured_rad / kRadPerUrad);
@@ -101,14 +103,14 @@ void JointWatch::LookForJump(size_t joint, const CommandElement& element, double
   }
 }
 
-void JointWatch::LookForRadians(size_t joint, const CommandElement& element,
-                                std::vector<std::string>* problems) {
+void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
+                                 std::vector<std::string>* problems) {
   Joint& watched = joints_[joint];
   for (int i = 0; i < element.frames; ++i) {
     const slongword urad = element.Urad(i);
     const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
     watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
-    // Nobody who takes radians for micro-radians ever gets further than 4.
+    // An angle in radians is never more than 4, so a larger number proves that the unit is right.
     watched.was_in_urad = watched.was_in_urad || urad < -kTinyUrad || urad > kTinyUrad;
   }
   if (watched.tiny_frames < kTinyFrames || watched.told_radians || watched.was_in_urad) return;
@@ -128,14 +130,14 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
       continue;
     const auto j = static_cast<size_t>(element.primitive->index);
     const double measured = body.joints[j].angle_rad;
-    LookForRadians(j, element, problems);
+    CheckForRadians(j, element, problems);
     if (devices_.Acts(element.primitive->index, motor_power)) {
-      LookForJump(j, element, measured, problems);
+      CheckForJump(j, element, measured, problems);
       continue;
     }
     const double goal = element.Urad(element.frames - 1) * kRadPerUrad;
     if (joints_[j].told_effect || motor_power_cut || std::fabs(goal - measured) <= kFar_rad ||
-        Sank(joints_[j], goal))
+        HasSunk(joints_[j], goal))
       continue;
     joints_[j].told_effect = true;
     (motor_power ? without_gain : without_power).push_back(element.primitive->locator);
@@ -152,8 +154,8 @@ void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const
   }
 }
 
-int JointWatch::OverloadedJoint(const BodyState& body) {
-  FollowLimpJoints(body);
+int JointWatch::NoteFrame(const BodyState& body) {
+  NoteLimpJoints(body);
   int overloaded = -1;
   for (size_t j = 0; j < joints_.size(); ++j) {
     const double drive = body.joints[j].drive;

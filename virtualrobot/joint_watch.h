@@ -1,7 +1,10 @@
-// What developers did to joints without meaning it, noticed and said once per joint: servos
-// that begin to act far from where the joint is, set points that jump, commands that cannot
-// have an effect, radians for micro-radians, a motor that pushes for half a minute
-// (field-notes.md, 7).
+// Finds common mistakes of programs that move joints, and reports each mistake once per joint
+// (field-notes.md, 7):
+//   - a servo begins to act while its set point is far from the joint's position,
+//   - set points jump,
+//   - set points have no effect, because power or gain is off,
+//   - set points are in radians instead of micro-radians,
+//   - a motor pushes at its limit for 30 s.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +25,19 @@ class JointWatch {
   // `model` and `devices` must outlive the watch.
   JointWatch(const RobotModel& model, const Devices& devices);
 
-  // After a change of gains or motor power: servos that act from now on.
+  // Checks the servos that begin to act.  Called after each change of gains or motor power.
   void ServosChanged(const BodyState& body, bool motor_power, std::vector<std::string>* problems);
 
-  // Before the first frame of a vector with these elements.  `motor_power_cut`: by the
-  // pause button, so that programs in the middle of a movement are not to blame.
+  // Checks a command vector with these elements.  Called before its first frame.  `motor_power_cut`
+  // says that the pause button has cut motor power; then set points without effect are no mistake
+  // of a program in the middle of a movement.
   void VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                     bool motor_power, bool motor_power_cut, std::vector<std::string>* problems);
 
-  // After every frame.  Index of a motor that has been asked for 78 % of its drive or more
-  // for 30 s without a break (BBS 1735, support; how the robot averages is not known);
-  // -1: none.
-  int OverloadedJoint(const BodyState& body);
+  // Notes the state of the joints after a frame, and returns the index of a motor that has just
+  // been asked for 78 % of its drive or more for 30 s without a break (BBS 1735, support; how the
+  // robot averages is not known); -1 when there is none.  Called after every frame.
+  int NoteFrame(const BodyState& body);
 
   void HashState(Hasher* hasher) const;
 
@@ -43,32 +47,34 @@ class JointWatch {
     double high = -std::numeric_limits<double>::infinity();
   };
   struct Joint {
-    bool acted = false;       // when it was last looked at
-    bool told_start = false;  // what has been said
+    bool acted = false;       // whether the servo acted at the last change of gains or power
+    bool told_start = false;  // what has been reported already
     bool told_jump = false;
     bool told_effect = false;
     bool told_radians = false;
-    bool was_in_urad = false;  // a set point that no radian reaches
+    bool was_in_urad = false;  // whether a set point was too large for an angle in radians
     int tiny_frames = 0;       // successive set points that look like radians
     int loaded_frames = 0;
-    // Until its servo acts for the first time: where it was in this half second and the one before.
+    // Until the servo acts for the first time: range of the joint's positions in this half second
+    // and in the one before.
     bool has_acted = false;
     Range_rad now, before;
   };
 
-  // Whether the joint was at `goal_rad` a moment ago and only sank since then.
-  static bool Sank(const Joint& joint, double goal_rad);
-  void FollowLimpJoints(const BodyState& body);
+  // Whether the joint was near `goal_rad` in the last second and, still limp, has only sunk since.
+  static bool HasSunk(const Joint& joint, double goal_rad);
+  // Notes the positions of joints whose servos have not acted yet.
+  void NoteLimpJoints(const BodyState& body);
 
-  void LookForJump(size_t joint, const CommandElement& element, double measured_rad,
-                   std::vector<std::string>* problems);
-  void LookForRadians(size_t joint, const CommandElement& element,
-                      std::vector<std::string>* problems);
+  void CheckForJump(size_t joint, const CommandElement& element, double measured_rad,
+                    std::vector<std::string>* problems);
+  void CheckForRadians(size_t joint, const CommandElement& element,
+                       std::vector<std::string>* problems);
 
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
-  int limp_frames_ = 0;  // of this half second
+  int limp_frames_ = 0;  // frames of this half second
 };
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// A JSON value together with where it stands, so that every complaint can say so:
+// A JSON value together with its place in the file.  Every error names the place:
 // "model.json: joints.rows[3].hard: ...".  Used by the readers of models and worlds.
 #pragma once
 
@@ -19,7 +19,7 @@ class JsonReader {
   // and column when it is not JSON.
   static nlohmann::json ParseText(const std::string& text, const std::string& file);
 
-  // The whole of `file`.  `value` must outlive the reader.
+  // For the root value of `file`.  `value` must outlive the reader.
   JsonReader(const nlohmann::json& value, std::string file)
       : JsonReader(value, std::move(file), ": ") {}
 
@@ -31,13 +31,14 @@ class JsonReader {
 
   bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
 
-  // A member that must be there.
+  // The member `key`.  Fails when the member is missing.
   JsonReader At(const char* key) const;
 
-  // The elements of an array.
+  // The elements of an array.  All functions from here on fail when the value is of another kind.
   std::vector<JsonReader> Elements() const;
 
-  // Refuses members that are not in `keys`: a misspelt name must not be silently ignored.
+  // Fails when there is a member that is not in `keys`, because a misspelt name must not be
+  // ignored.
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;
@@ -53,7 +54,7 @@ class JsonReader {
 
   const nlohmann::json& value_;
   std::string place_;
-  const char* separator_;  // between place_ and the name of a member
+  const char* separator_;  // text between place_ and the name of a member
 };
 
 }  // namespace openr_host

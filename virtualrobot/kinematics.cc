@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/base/assert.h"
 #include "virtualrobot/det_math.h"
 
 namespace openr_host {
@@ -14,11 +15,11 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A paw whose ball is nearer to the floor than this touches it; the balls of a posture
-// that stands on all four lie in one plane within 0.1 mm (ERS-210, all postures).
+// A paw whose ball is nearer to the floor than this counts as touching it.  In all standing
+// postures of the ERS-210 the four balls lie in one plane within 0.1 mm.
 constexpr double kTouch_m = 0.0005;
 
-// X * p without the fourth row of X.
+// X * p.  Does not compute the fourth row of X, which is always 0, 0, 0, 1.
 Vector3d Moved(const Isometry3d& X, const Vector3d& p) { return X.linear() * p + X.translation(); }
 
 // R_WB with yaw 0 whose third row is `up_B`, the world's up seen from B.
@@ -34,7 +35,7 @@ Matrix3d LevelRotation(const Vector3d& up_B) {
   return R;
 }
 
-// Everything that can touch the floor, in B.
+// All balls and boxes of a robot that can touch the floor, in B.
 class Hull {
  public:
   Hull(const RobotModel& model, const std::vector<Isometry3d>& X_BL) {
@@ -51,8 +52,8 @@ class Hull {
     }
   }
 
-  // The point that lies furthest against the direction `n_B`; of a ball its lowest point
-  // for the direction `up_B`, a unit vector near n_B.
+  // The point that lies furthest against the direction `n_B`.  A ball is taken as one point, the
+  // lowest for the direction `up_B`, which is a unit vector near n_B.
   Vector3d LowestAlong(const Vector3d& n_B, const Vector3d& up_B) const {
     double best = std::numeric_limits<double>::infinity();
     Vector3d lowest = Vector3d::Zero();
@@ -92,6 +93,7 @@ double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
 }
 
+// Whether the triangle lies under or over p, seen from above.
 bool Under(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }
@@ -111,28 +113,30 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
   return {o + Vector3d(10, 0, 0), o + Vector3d(-5, 8, 0), o + Vector3d(-5, -8, 0)};
 }
 
-// Turns `t`, which has `centre` over it, into the face of the lower hull pierced by the
-// vertical through `centre`, all seen in a frame turned by R from B: swaps one corner after
-// another for the point that sticks out most, keeping `centre` inside.
+// Moves the triangle `t` down until it is the face of the lower hull under `centre`.  In each pass
+// the hull's point that is furthest below the triangle's plane replaces a corner, the one whose
+// loss leaves `centre` over the triangle.  `t` and `centre` are in a frame turned by R from B.
+// REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
-  for (int swaps = 0; swaps < 64; ++swaps) {
+  constexpr int kSwapsMax = 64;  // far more than hulls of these robots need
+  for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
     const Vector3d n_B = R.transpose() * Vector3d(-plane.a, -plane.b, 1);
     const Vector3d p = R * hull.LowestAlong(n_B, R.row(2));
     if (p.z() > plane.a * p.x() + plane.b * p.y() + plane.c - 1e-9) return;
     Triangle next = *t;
-    for (int k = 0; k < 3; ++k) {  // which corner p replaces
+    for (int k = 0; k < 3; ++k) {  // corner that p replaces
       next = *t;
       next[k] = p;
       if (Under(next, centre)) break;
     }
-    if (Cross2(next[0], next[1], next[2]) < 1e-12) return;  // p in line with an edge: as good
+    if (Cross2(next[0], next[1], next[2]) < 1e-12) return;  // p lies in line with an edge
     *t = next;
   }
 }
 
-// What must lie over the support: the centre of mass; the middle of the paws for a model
-// without boxes, which has nothing but its paws to rest on.
+// The point that must lie over the support: the centre of mass.  For a model without boxes it is
+// the middle of the paws, because such a robot can rest on its paws only.
 Vector3d SupportedPoint(const RobotModel& model, const std::vector<Isometry3d>& X_BL) {
   if (model.bodies[0].has_box) return CentreOfMass(model, X_BL);
   Vector3d sum = Vector3d::Zero();
@@ -164,6 +168,8 @@ Vector3d RpyOf(const Matrix3d& R) {
 }
 
 std::vector<Isometry3d> LinkPoses(const RobotModel& model, const std::vector<double>& angles_rad) {
+  ASSERT(angles_rad.size() == model.joints.size(), "{} angles for {} joints", angles_rad.size(),
+         model.joints.size());
   std::vector<Isometry3d> X_BL(model.bodies.size(), Isometry3d::Identity());
   for (size_t i = 1; i < model.bodies.size(); ++i) {  // a parent comes before its children
     const int j = model.bodies[i].joint;
@@ -196,7 +202,8 @@ RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Isometry3d>&
   Matrix3d R = Matrix3d::Identity();
   Triangle support = HugeTriangleOver(centre_B);
   double height_m = 0;
-  // Each turn makes the last support level; the next looks along the new vertical.
+  // Each pass levels the robot on the support found last.  The next pass searches along the new
+  // vertical, until the support is level already.
   for (int turn = 0; turn < 8; ++turn) {
     SinkToSupport(hull, R, R * centre_B, &support);
     const Plane plane = Through(support);
@@ -211,6 +218,7 @@ RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Isometry3d>&
   RestingPose pose;
   pose.X_WB.linear() = R;
   pose.X_WB.translation() = Vector3d(0, 0, height_m);
+  // A paw may hang a little over the plane of the three points that carry the robot.
   for (const Paw& paw : model.paws) {
     const Vector3d p_W = Moved(pose.X_WB, Moved(X_BL[paw.body], paw.centre_m));
     pose.paws.push_back(p_W.z() - paw.radius_m < kTouch_m);

@@ -1,7 +1,7 @@
 // Where the parts of a robot are for given joint angles, and how it rests on a flat floor.
 //
-// Everything here is a function of the model and the angles, with the same bits on every
-// build (det_math.h; Eigen without vectorization).
+// All results depend on the model and the angles only and have the same bits in every build
+// (det_math.h; Eigen without vectorization).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,23 +21,24 @@ Eigen::Matrix3d RotationFromRpy(const Eigen::Vector3d& rpy_rad);
 // Roll, pitch, yaw of a rotation; inverse of RotationFromRpy() for |pitch| < pi/2.
 Eigen::Vector3d RpyOf(const Eigen::Matrix3d& R);
 
-// X_BL of all bodies, order of RobotModel::bodies: maps a point of the model file (given in
-// B at zero angles) to where it is in B at `angles_rad`.  REQUIRES: one angle per joint.
+// Pose X_BL of each body, order of RobotModel::bodies.  Maps a point of the body, given as in the
+// model file (in B at zero angles), to its place in B at `angles_rad`.  REQUIRES: one angle per
+// joint.
 std::vector<Eigen::Isometry3d> LinkPoses(const RobotModel& model,
                                          const std::vector<double>& angles_rad);
 
 // Centre of mass in B of the parts at `X_BL` (as LinkPoses() returns them), in metres.
 Eigen::Vector3d CentreOfMass(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
-// A stiff robot put down on the floor z = 0.
+// The pose of a stiff robot that rests on the floor z = 0.
 struct RestingPose {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  // x = y = 0, yaw 0
-  std::vector<bool> paws;  // order of RobotModel::paws: on the floor
+  std::vector<bool> paws;  // whether each paw is on the floor; order of RobotModel::paws
 };
 
-// The attitude in which the robot, stiff at `angles_rad`, stands on paws or boxes with its
-// centre of mass over the support: the face of its lower hull that lies under the centre.
-// Looks for the face near the attitude it would have upright; a robot is not turned over.
+// Computes how a robot that is stiff at `angles_rad` rests on the floor: on the face of its lower
+// hull that lies under its centre of mass.  The hull is that of paws and boxes.  The search begins
+// with an upright robot, so the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
 // The same for parts at `X_BL`, as LinkPoses() returns them.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);

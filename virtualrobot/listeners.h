@@ -1,11 +1,14 @@
-// Streams of the robot go to observers that want them: one that deasserted its ready gets
-// nothing, and nothing waits for it, until it asserts again (robot.md, 5.4).
+// Sending of the robot's streams (sensors, images, sound).
+//
+// An observer that has deasserted its ready receives nothing until it asserts again, and no vector
+// is kept for it (robot.md, 5.4).
 #pragma once
 
 #include <OPENR/OSubject.h>
 
 namespace openr_host {
 
+// Whether any observer of `subject` accepts vectors now.
 inline bool HasListener(const OSubject& subject) {
   for (auto observer = subject.begin(); observer != subject.end(); ++observer) {
     if (subject.ReadyStatus(observer->GetObserverID()) >= 0) return true;
@@ -13,6 +16,7 @@ inline bool HasListener(const OSubject& subject) {
   return false;
 }
 
+// Sends the vector to all observers that accept vectors now.
 inline void SendToListeners(OSubject* subject, RCRegion* vector) {
   for (auto observer = subject->begin(); observer != subject->end(); ++observer) {
     if (subject->ReadyStatus(observer->GetObserverID()) < 0) continue;

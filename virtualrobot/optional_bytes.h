@@ -1,9 +1,9 @@
-// The mail slot between whoever sends commands or sound and whoever reads sensors: bytes
-// that ride in the header of a vector (Level 2 Reference Guide, 4.1).
+// Optional bytes in the headers of vectors (Level 2 Reference Guide, 4.1).  With them, programs
+// that send commands or sound pass data to programs that read sensors.
 //
-// The marked range of a command or sound vector is copied when the vector begins to play,
-// and stands in every sensor vector that is made from then on.  Whether the robot copies
-// at reception instead is not known.
+// A command or sound vector marks a range of bytes in its header.  The range is copied when the
+// vector begins to play, and every later sensor vector carries the copy.  It is not known whether
+// the robot copies when it receives the vector instead.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -18,10 +18,11 @@ class Hasher;
 
 class OptionalBytes {
  public:
-  // Copies the range that `sent` marks, if any; one that is out of bounds is a problem.
+  // Copies the range that `sent` marks, if any.  Describes in `problems` a range that is out of
+  // bounds.
   void Take(const ODataVectorInfo& sent, std::vector<std::string>* problems);
 
-  // Into the header of a sensor vector.
+  // Writes the copy into the header of a sensor vector.
   void Put(ODataVectorInfo* header) const;
 
   void HashState(Hasher* hasher) const;

@@ -18,7 +18,7 @@ constexpr word kFullCapacityMah = 2000;  // chosen
 constexpr word kVoltageMv = 7400;        // two lithium cells; chosen
 constexpr sword kCurrentMa = -1300;      // discharging is negative (inferred); chosen
 
-// Whether a change from `before` to `now` is one the filter asks for.
+// Whether `filter` asks for the change from `before` to `now`.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
   if (((before.robotStatus ^ now.robotStatus) & filter.robotStatus) != 0) return true;
   if (((before.batteryStatus ^ now.batteryStatus) & filter.batteryStatus) != 0) return true;
@@ -60,7 +60,7 @@ OPowerStatus Power::Status() const {
 }
 
 void Power::SetMotorPower(bool on) {
-  if (pause_ && on) return;  // the button has cut it
+  if (pause_ && on) return;  // the pause button has cut it for good
   motor_power_ = on;
   NotifyChange();
 }

@@ -1,4 +1,4 @@
-// Power, battery, clock and pause button of one robot, and who watches them.
+// Power, battery, clock and pause button of one robot, and the objects that observe them.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>
@@ -22,19 +22,21 @@ class Power {
 
   bool pause() const { return pause_; }
 
-  // The pause button: sets the bit; the hardware cuts motor power (field notes, 7.12).
+  // Presses the pause button.  Its bit is set, and the hardware cuts motor power (field-notes.md,
+  // 7.12).
   void PressPause();
 
   OPowerStatus Status() const;
 
-  bool is_battery_low() const;  // as orsbBATTERY_CAPACITY_LOW says
+  bool is_battery_low() const;  // the bit orsbBATTERY_CAPACITY_LOW
   int remaining_percent() const { return RemainingCapacity(); }
 
+  // Notifies `entry` of the changes that `filter` asks for.  Replaces an earlier filter of `entry`.
   void Observe(const OPowerStatus& filter, const OServiceEntry& entry);
-  // False when nobody observes with that entry.
+  // Returns false when there is no observer with that entry.
   bool Unobserve(const OServiceEntry& entry);
 
-  // Once a frame: what changes with time.
+  // Tells the observers of changes that come with time.  Called once a frame.
   void Update();
 
   void SetTimeDifference(sbyte hours);
@@ -64,8 +66,8 @@ class Power {
   bool pause_ = false;
   sbyte time_difference_ = 0;
   byte volume_ = 3;
-  int64_t clock_offset_s_ = 0;  // RTC minus virtual time
-  OPowerStatus last_;           // as the watchers know it
+  int64_t clock_offset_s_ = 0;  // time of the robot's clock minus virtual time
+  OPowerStatus last_;           // the status of which the observers were told
   std::vector<Watcher> watchers_;
 };
 

@@ -1,4 +1,4 @@
-// ControlPrimitive(): one row per request (robot.md, 13.3).
+// ControlPrimitive(): a table with one row per request (robot.md, 13.3).
 #include <fmt/format.h>
 
 #include <cstring>
@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-// What a request is asked with.
+// The arguments of a request, checked against its row of the table.
 struct RequestCall {
   VirtualRobot& robot;
   RobotParts& parts;
@@ -39,13 +39,13 @@ struct PrimitiveRequests {
   static OStatus Nothing(const RequestCall&) { return oSUCCESS; }
   static OStatus NotSupported(const RequestCall&) { return oNOT_SUPPORTED; }
 
-  // A request that only switches something.
+  // A request that only sets a bool of a device.
   template <auto device, auto set, bool on>
   static OStatus Switch(const RequestCall& call) {
     (call.parts.*device.*set)(on);
     return oSUCCESS;
   }
-  // A setting of the camera that knows its values.
+  // A request that sets the camera and refuses unknown values.
   template <auto set>
   static OStatus Choose(const RequestCall& call) {
     return (call.parts.camera.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;
@@ -64,7 +64,8 @@ struct PrimitiveRequests {
   static const Row* Find(OPrimitiveRequest request, OPrimitiveType type);
 };
 
-// Louder than -10 dB works, and may damage the circuit (field-notes.md, 10.5).
+// A volume above -10 dB is accepted, with a warning, because it may damage the circuit of the robot
+// (field-notes.md, 10.5).
 OStatus PrimitiveRequests::SetVolume(const RequestCall& call) {
   const longword volume = ParamOf(call, OPrimitiveControl_SpeakerVolume(0)).volume;
   const auto loudness = [](longword v) { return static_cast<sword>(v & 0xffff); };

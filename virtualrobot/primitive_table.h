@@ -1,8 +1,8 @@
-// Every primitive of a robot: its CPC locator, its id, what it is.
+// All primitives of a robot: locator, id, kind.
 //
-// Ids are fixed properties of the model, the same for every object and run: 0x1000
-// plus the place in this table, which begins with the elements of the sensor vector.
-// How the robot encodes its ids is not known.
+// Ids depend on the model only, so they are the same for every object and in every run: 0x1000 plus
+// the place in this table, which begins with the elements of the sensor vector.  How the robot
+// encodes its ids is not known.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -22,10 +22,10 @@ enum class PrimitiveKind { kJoint, kSensor, kLed, kPlunger, kSpeaker, kMicrophon
 struct Primitive {
   std::string locator;
   PrimitiveKind kind = PrimitiveKind::kSensor;
-  OPrimitiveType type = oprimitiveUNDEF;  // by the word behind the dash of the locator
-  int index = -1;                         // in the model's list of its kind
-  int sensor = -1;                        // its element of the sensor vector; -1: in none
-  int open_count = 0;                     // OpenPrimitive() less ClosePrimitive(), all objects
+  OPrimitiveType type = oprimitiveUNDEF;  // named by the word behind the dash of the locator
+  int index = -1;                         // in the model's list of this kind
+  int sensor = -1;                        // element of the sensor vector; -1: none
+  int open_count = 0;                     // calls of OpenPrimitive() minus ClosePrimitive(), >= 0
 
   bool opened() const { return open_count > 0; }
 };

@@ -1,9 +1,10 @@
-// What becomes of joints whose commander is gone: an object that ran in a process of its own and
-// crashed.
+// Moves joints to a safe posture after the object that commanded them has crashed in a process of
+// its own.
 //
-// They keep their last set point for a while, then go slowly to the sleeping posture, in which
-// nothing can fall.  A joint that another object commands meanwhile is left to it.  (A robot has no
-// such thing: there a crash stops all objects.  The times are ours to choose.)
+// The joints keep their last set point for a while.  Then they go slowly to the sleeping posture,
+// in which the robot cannot fall.  A joint that another object commands meanwhile is left to that
+// object.  The robot has no such function, because there a crash stops all objects; the times are
+// our choice.
 #pragma once
 
 #include <cstdint>
@@ -24,16 +25,16 @@ class SafePosture {
 
   explicit SafePosture(const RobotModel& model) : model_(model) {}
 
-  // Object `commander` is gone since frame `frame`.
+  // Tells that object `commander` has crashed in frame `frame`.
   void CommanderIsGone(ObjectId commander, int64_t frame) {
     gone_.push_back({commander, frame, {}});
   }
-  // A new one is in its place: its joints are its own again.
+  // Tells that the object runs again.  Its joints are no longer moved from here.
   void CommanderIsBack(ObjectId commander) {
     std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
   }
 
-  // Set points of frame `frame`, after those of command vectors.
+  // Sets the set points of frame `frame`.  Called after those of command vectors are set.
   void Apply(int64_t frame, Devices* devices);
 
   void HashState(Hasher* hasher) const;
@@ -41,8 +42,8 @@ class SafePosture {
  private:
   struct Gone {
     ObjectId commander;
-    int64_t since;                     // frame
-    std::vector<slongword> from_urad;  // set points at the beginning of the move; empty before
+    int64_t since;                     // frame of the crash
+    std::vector<slongword> from_urad;  // set points when the move begins; empty before
   };
 
   const RobotModel& model_;

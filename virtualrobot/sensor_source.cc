@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/frame_number.h"
@@ -17,12 +18,13 @@ constexpr slongword kTemperatureMicroC =
     30'000'000;  // of the thermo sensor; chosen, nothing is simulated
 constexpr double kRayMaxM = 2.0;
 
-// To whole units, halves away from zero; the same on every machine.
+// Rounds to whole millionths, halves away from zero, with the same result on every machine.
 slongword ToMicro(double value) {
   const double scaled = value * kMicro;
   return static_cast<slongword>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
 }
 
+// The output of the 10-bit converter for an angle.
 word SignalOf(double angle_rad, const Range& range) {
   const double part = (angle_rad - range.min) / (range.max - range.min);
   return static_cast<word>(std::clamp(part, 0.0, 1.0) * kSignalMax + 0.5);
@@ -61,6 +63,7 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
       noise_(noise),
       latest_(model.sensors.size()),
       frames_(model.sensors.size() * kFramesPerVector) {
+  // Padding is set as well, because all bytes of the samples are hashed.
   std::memset(static_cast<void*>(latest_.data()), 0, latest_.size() * sizeof latest_[0]);
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
 }
@@ -82,7 +85,8 @@ OSensorValue SensorSource::JointValueOf(int joint, const Body& body, const Devic
   return sample;
 }
 
-// The robot's distance sensor, by the model's table; noise is uniform.
+// Converts the distance by the model's table, between whose rows values lie on straight lines, and
+// adds uniform noise.
 slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
   const Eigen::Isometry3d X_WP = body.BodyPoses()[static_cast<size_t>(sensor.body)];
@@ -121,7 +125,7 @@ OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const
       sample.value = kTemperatureMicroC;
       break;
     default:
-      break;  // touch sensors: nobody touches the dog
+      break;  // touch sensors stay 0, because nobody touches the robot
   }
   return sample;
 }
@@ -132,6 +136,7 @@ void SensorSource::SampleNow(const Body& body, const Devices& devices) {
 }
 
 bool SensorSource::Sample(int64_t frame, const Body& body, const Devices& devices) {
+  ASSERT(collected_ >= 0 && collected_ < kFramesPerVector, "{} frames", collected_);
   if (collected_ == 0) first_frame_ = frame;
   const size_t count = latest_.size();
   for (size_t i = 0; i < count; ++i) {
@@ -164,6 +169,7 @@ RCRegion* SensorSource::FreeVector() {
 }
 
 RCRegion* SensorSource::MakeVector(const OptionalBytes& optional) {
+  ASSERT(collected_ == 0, "{} frames of the next vector are in place", collected_);
   RCRegion* const region = FreeVector();
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
   optional.Put(&vector->vectorInfo);

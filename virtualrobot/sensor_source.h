@@ -1,4 +1,4 @@
-// Samples of all sensors, frame by frame, and the vectors made of them.
+// Samples of all sensors, frame by frame, and the sensor vectors made of them.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -23,23 +23,24 @@ class SensorSource {
  public:
   static constexpr int kFramesPerVector = 4;  // Level 2 Reference Guide, 3.1
 
-  // `noise` names the generator of this robot's sensor noise.
+  // `noise` is the generator of this robot's sensor noise.
   SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise);
 
   void set_noise(Rng noise) { noise_ = noise; }
 
-  // Takes the samples of frame `frame`.  True when a vector is complete.
+  // Takes the samples of frame `frame`.  Returns whether a vector is complete with them.
   bool Sample(int64_t frame, const Body& body, const Devices& devices);
 
-  // Samples outside of the frames of vectors: what a program that polls sees before
-  // the first frame is over.
+  // Takes samples that belong to no vector, for a program that reads a sensor before the first
+  // frame is over.
   void SampleNow(const Body& body, const Devices& devices);
 
   // The newest sample of one element (OJointValue for joints).
   const OSensorValue& Latest(int sensor) const { return latest_[static_cast<size_t>(sensor)]; }
 
-  // The four newest frames, in a vector that nobody else refers to.  The region's
-  // one reference stays here.  Runs as code of an object.
+  // A vector with the four newest frames, in a region to which no object refers.  The one reference
+  // to the region stays here.  REQUIRES: Sample() has just returned true.  Runs as code of an
+  // object.
   RCRegion* MakeVector(const OptionalBytes& optional);
 
   void HashState(Hasher* hasher) const;
@@ -55,8 +56,8 @@ class SensorSource {
   Rng noise_;
   std::vector<OSensorValue> latest_;
   std::vector<OSensorValue> frames_;  // [frame][sensor], kFramesPerVector frames
-  int64_t first_frame_ = 0;
-  int collected_ = 0;
+  int64_t first_frame_ = 0;           // number of frames_[0]
+  int collected_ = 0;  // frames of the next vector that are in frames_; below kFramesPerVector
   VectorPool pool_;
 };
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 
 namespace openr_host {
 namespace {
 
-// g * 2^(s - 16), exact.  Shifts beyond 32 say nothing a drive of 255 could follow.
+// The factor that `gain` and `shift` stand for: gain * 2^(shift - 16), exact.  Shifts above 32
+// count as 32, because that gain asks for the full drive already.
 double Effective(uint16_t gain, uint16_t shift) {
   double value = gain;
   for (int s = shift; s < 16; ++s) value *= 0.5;
@@ -23,7 +25,11 @@ Servo::Servo(const JointModel& joint, const ServoSettings& settings)
       motor_slope_nm_s_(joint.stall_torque_nm /
                         (settings.no_load_speed_ratio * joint.speed_rad_s.max)),
       hard_rad_(joint.hard_rad),
-      settings_(settings) {}
+      settings_(settings) {
+  ASSERT(joint.stall_torque_nm > 0, "{}: {} N m", joint.name, joint.stall_torque_nm);
+  ASSERT(joint.hard_rad.max > joint.hard_rad.min, "{}: no room between the stops", joint.name);
+  ASSERT(joint.speed_rad_s.max > 0, "{}: no planned speed", joint.name);
+}
 
 void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
   if (!command.enabled) {
@@ -31,12 +37,13 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
     integral_ = 0;
     return;
   }
-  // A servo that wakes up knows no earlier set point, so its first gives no D kick.
+  // The D part acts on the change of the set point.  A servo that was off has no earlier set point,
+  // so its first one counts as unchanged.
   const double last_rad = enabled_ ? target_rad_ : command.target_rad;
   enabled_ = true;
   target_rad_ = command.target_rad;
   target_speed_rad_s_ = (target_rad_ - last_rad) / kFrame_s;
-  if (!(gains_ == command.gains)) {
+  if (!(gains_ == command.gains)) {  // they seldom change, and the conversion takes time
     gains_ = command.gains;
     p_ = Effective(gains_.p, gains_.p_shift) * counts_per_rad_;
     i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;
@@ -67,14 +74,15 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
   const double drive = Drive(angle_rad, speed_rad_s);
   if (drive > kDriveFull) return {stall_nm_, motor_slope_nm_s_};
   if (drive < -kDriveFull) return {-stall_nm_, motor_slope_nm_s_};
-  // P and D act on the state at the end of the step, angle + step * v and v: implicit, so
-  // that stiff gains on a light link stay stable at any step.
+  // P and D act on the state at the end of the step: angle + step * v, and v.  So stiff gains on a
+  // light link stay stable with any step.
   const double nm_per_count = stall_nm_ / kDriveFull;
   return {nm_per_count * (drive + d_ * speed_rad_s),
           motor_slope_nm_s_ + nm_per_count * (d_ + p_ * step_s)};
 }
 
-// Dry friction without the jump at speed 0: viscous below the creep speed, constant above.
+// Dry friction, made viscous below the creep speed, because a force that jumps at speed 0 would
+// make the joint tremble.
 TorqueLine Servo::LimpLine(double speed_rad_s) const {
   const double speed =
       std::max(speed_rad_s < 0 ? -speed_rad_s : speed_rad_s, settings_.limp_creep_rad_s);

@@ -1,11 +1,11 @@
-// One joint's position servo and motor, without the mechanics it drives.
+// The position servo and the motor of one joint, without the mechanics that they move.
 //
-// The controller works on A/D counts as the robot's does and asks for a drive in PWM
-// counts; the motor turns the drive into torque along a straight torque-speed line.  The
-// result is that line for one step of the physics, to be solved together with the body
-// (ode/): explicit damping of this size would blow up the light links.
+// The controller works on A/D counts, as the robot's does, and asks for a drive in PWM counts.  The
+// motor turns the drive into torque along a straight torque-speed line.  A step returns that line,
+// and physics (ode/) solves it together with the body, because an explicit torque with so much
+// damping would make the light links unstable.
 //
-// docs/body.md gives source or reasoning for every number here.
+// docs/body.md gives the source or the reason of every number here.
 #pragma once
 
 #include "virtualrobot/body.h"
@@ -32,13 +32,13 @@ struct TorqueLine {
 
 class Servo {
  public:
-  // REQUIRES: joint.stall_torque_nm > 0.
+  // REQUIRES: the joint has torque, room between its stops and a planned speed (each > 0).
   Servo(const JointModel& joint, const ServoSettings& settings);
 
-  // Takes the command of the next frame: once per frame, before its steps.
+  // Takes the command of the next frame.  Called once per frame, before the steps of the frame.
   void BeginFrame(const JointCommand& command, double angle_rad);
 
-  // What motor, friction and stops do to the joint during the next step of `step_s`.
+  // Torque of motor, friction and stops on the joint during the next step of `step_s` seconds.
   TorqueLine Step(double angle_rad, double speed_rad_s, double step_s) const;
 
   // Drive asked for at the given state, in PWM counts, not clamped; 0 when limp.
@@ -50,14 +50,14 @@ class Servo {
   TorqueLine MotorLine(double angle_rad, double speed_rad_s, double step_s) const;
   TorqueLine LimpLine(double speed_rad_s) const;
 
-  // Of the joint.
+  // Constants of the joint.
   double counts_per_rad_;
   double stall_nm_;
   double motor_slope_nm_s_;  // stall torque over no-load speed
   Range hard_rad_;
   ServoSettings settings_;
 
-  // Of the frame.
+  // The command of the running frame, and the integral over all frames.
   bool enabled_ = false;
   PidGains gains_;
   double target_rad_ = 0;

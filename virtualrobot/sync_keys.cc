@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 
 namespace openr_host {
@@ -44,7 +45,10 @@ bool SyncKeys::Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) {
 void SyncKeys::Arrive(OVRSyncKey key) {
   Group* const group = Find(key);
   if (group == nullptr) return;
-  if (++group->arrived == group->parts) group->alive = false;  // all may start; the key is used up
+  ++group->arrived;
+  ASSERT(group->arrived <= group->parts, "{} of {} parts", group->arrived, group->parts);
+  // With the last part all vectors may start, and the key is used up.
+  if (group->arrived == group->parts) group->alive = false;
 }
 
 bool SyncKeys::MayStart(OVRSyncKey key) const { return Find(key) == nullptr; }

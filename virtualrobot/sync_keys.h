@@ -1,8 +1,8 @@
 // Synchronisation keys: command vectors that start together.
 //
-// A key can be divided; vectors that carry its parts wait until every part has
-// arrived.  A part that never comes holds the others up until the key is cancelled: what
-// the robot does then is not known.
+// A key can be divided into parts.  Vectors that carry the parts wait until the vectors of all
+// parts have arrived.  If the vector of one part never comes, the others wait until the key is
+// cancelled; what the robot does in this case is not known.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -16,18 +16,23 @@ class Hasher;
 
 class SyncKeys {
  public:
-  // ovrsynckeyUNDEF when all keys are in use.
+  // Makes a key.  Returns ovrsynckeyUNDEF when all keys are in use.
   OVRSyncKey New();
+
+  // Ends a key, so that all vectors with its parts may start.  Returns false when there is no such
+  // key.
   bool Cancel(OVRSyncKey key);
-  // Splits `key` in two; false when it does not exist or has all its parts.
+
+  // Splits `key` in two.  Returns false when there is no such key, or when it has as many parts as
+  // a key may have.
   bool Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 
-  // A vector with this key came to the head of its queue.
+  // Tells that a vector with this key is the first of its queue now.
   void Arrive(OVRSyncKey key);
-  // Whether such a vector may start; true for keys that do not exist (any more).
+  // Whether a vector with this key may start.  True for keys that do not exist, or exist no more.
   bool MayStart(OVRSyncKey key) const;
 
-  // "1 of 2 parts have come", for messages to people.
+  // A text for reports: "1 of 2 parts have come".
   std::string Progress(OVRSyncKey key) const;
 
   void HashState(Hasher* hasher) const;
@@ -35,11 +40,11 @@ class SyncKeys {
  private:
   struct Group {
     bool alive = false;
-    longword serial = 0;  // tells the keys of this slot's successive groups apart
-    int parts = 0;        // handed out
-    int arrived = 0;
+    longword serial = 0;  // number of groups that have used this slot, so that old keys are known
+    int parts = 0;        // keys made by New() and Divide()
+    int arrived = 0;      // <= parts
   };
-  // A key: serial << 8 | slot << 4 | part.
+  // A key is serial << 8 | slot << 4 | part.
   static constexpr int kSlots = ovrsynckeyMAX_NUM_KEY;
   Group* Find(OVRSyncKey key);
   const Group* Find(OVRSyncKey key) const { return const_cast<SyncKeys*>(this)->Find(key); }

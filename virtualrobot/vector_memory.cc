@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/body.h"
 
@@ -12,11 +13,11 @@ namespace {
 
 constexpr longword kWaitFrames = 1250;  // 10 s; chosen: nobody means to wait longer
 
-// What the sender says its region has, and what there is.
+// Bytes of the region that may be read: no more than its sender says, and no more than there are.
 size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());
-  if (block == 0) return region.Size();  // memory that is not the robot's
+  if (block == 0) return region.Size();  // memory of another kind, whose size is not known here
   return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
 }
 
@@ -45,6 +46,7 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
                     "element {} is the last",
                     kind, static_cast<int64_t>(header.maxNumData) - 1));
   }
+  // Each number is limited by the one before, because an object can write any number into a header.
   const size_t room = (vector.bytes - sizeof header) / info_size;
   const size_t made_for = std::min<size_t>(header.maxNumData, room);
   if (header.numData > made_for) {
@@ -83,12 +85,13 @@ int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems) {
 
 RCRegion* VectorPool::Free() const {
   for (RCRegion* region : regions_) {
-    if (region->NumberOfReference() == 1) return region;
+    if (region->NumberOfReference() == 1) return region;  // the one reference is the pool's
   }
   return nullptr;
 }
 
 void VectorPool::Add(RCRegion* region) {
+  ASSERT(region->NumberOfReference() == 1, "{} references", region->NumberOfReference());
   regions_.push_back(region);
   if (regions_.size() != kMany) return;
   t_current.system->AddFinding(

@@ -1,5 +1,5 @@
-// What all vectors have in common, whoever made them: a header in shared memory whose
-// numbers an object may have spoilt, and regions that are used again when they are free.
+// Memory of vectors: safe reading of vectors that objects sent, and regions for vectors that the
+// robot sends.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -12,42 +12,45 @@ namespace openr_host {
 
 class System;
 
-// A vector that an object sent, seen no further than its region reaches.
+// A vector that an object sent.  The object may have written wrong numbers into its header, so
+// nothing behind the end of the region is read.
 struct SentVector {
   RCRegion* region = nullptr;
-  size_t bytes = 0;                   // that may be looked at
-  ODataVectorInfo* header = nullptr;  // null: they are too few for one
-  int elements = 0;                   // numData, as far as there is memory for their infos
+  size_t bytes = 0;                   // bytes that may be read
+  ODataVectorInfo* header = nullptr;  // null: the bytes are too few for a header
+  int elements = 0;                   // numData, but no more than have memory for their infos
 
-  // Address of `size` bytes at `offset` of the vector; null when they are not all inside.
+  // Address of `size` bytes at `offset` of the vector; null when some of them lie outside.
   char* At(size_t offset, size_t size) const;
 };
 
-// Describes in `problems` what is wrong with the vector as a whole; `kind` is "command
-// vector" or "sound vector".  `info_size` is that of one element's info.
+// Reads the header of the vector in `region`.  Adds a text to `problems` for each thing that is
+// wrong with it.  `kind` is "command vector" or "sound vector"; `info_size` is the size of the info
+// of one element.
 SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, System& system,
                           std::vector<std::string>* problems);
 
-// Whether the header names the memory it came in.  The robot finds the vector by that id
-// and answers a wrong one with oINVALID_DATA_VECTOR_ID.  A vector in memory that the robot
-// itself made counts as good: TCPGateway puts there what a program elsewhere sent, whose id
-// is one of that program's machine.
+// Whether the header has the id of the memory in which the vector came.  The robot finds the vector
+// by that id and answers a wrong id with oINVALID_DATA_VECTOR_ID.  A vector in memory of a system
+// object counts as good with any id: TCPGateway copies vectors of programs on other machines there,
+// and their headers have ids of those machines.
 bool NamesItsMemory(const SentVector& vector, System& system);
 
-// The key of a vector that waits; ovrsynckeyUNDEF when it is too small to have one.
+// The synchronisation key of a vector; ovrsynckeyUNDEF when the region is too small for a header.
 OVRSyncKey SyncKeyOf(const RCRegion& region);
 
-// Frames by which a vector is to be delayed; more than 10 s is pointed out.
+// Frames by which the vector asks to be delayed.  More than 10 s is a problem.
 int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems);
 
-// Regions that the robot fills for objects, of one stream.  One to which somebody refers is
-// never filled again.
+// Regions that the robot fills for one stream of vectors and uses again when they are free.  A
+// region is free when no object refers to it.
 class VectorPool {
  public:
-  // Null when all are in use: make one and Add() it.
+  // A free region.  Null when all are in use; then the caller makes one and calls Add().
   RCRegion* Free() const;
 
-  // Objects that keep many are a finding.  Runs as code of an object.
+  // Takes over `region` with one reference.  Adds a finding when objects keep very many regions.
+  // Runs as code of an object.
   void Add(RCRegion* region);
 
  private:
@@ -56,8 +59,8 @@ class VectorPool {
   std::vector<RCRegion*> regions_;
 };
 
-// A new region for a vector with `elements` infos and `data_bytes` behind them; the
-// header is filled in, one reference belongs to the caller.
+// Makes a region for a vector with `elements` infos and `data_bytes` behind them, and fills in the
+// header.  The one reference to it belongs to the caller.
 RCRegion* NewVectorRegion(ODataType type, size_t info_size, size_t elements, size_t data_bytes);
 
 }  // namespace openr_host

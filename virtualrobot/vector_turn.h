@@ -1,5 +1,5 @@
-// When the vector at the head of a queue may begin: at once, or with the other parts of
-// its synchronisation key.
+// Decides when the first vector of a queue may start: at once, or together with the vectors that
+// carry the other parts of its synchronisation key.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -14,14 +14,17 @@ namespace openr_host {
 
 class VectorTurn {
  public:
-  // `key` is that of the vector at the head.  Once a frame, for all queues of a robot before
-  // MayStart() of any.
+  // Tells `keys` that the first vector, which carries `key`, waits to start.  Further calls for the
+  // same vector change nothing.  Called in each frame for all queues of a robot before MayStart()
+  // of any of them.
   void Announce(OVRSyncKey key, SyncKeys* keys) {
     if (announced_) return;
     keys->Arrive(key);
     announced_ = true;
   }
 
+  // Whether the first vector may start in this frame.  A vector that has waited for 10 s is a
+  // problem.
   bool MayStart(OVRSyncKey key, const SyncKeys& keys, std::vector<std::string>* problems) {
     if (keys.MayStart(key)) return true;
     if (++frames_waited_ == kLongFrames) {
@@ -35,7 +38,7 @@ class VectorTurn {
 
   bool announced() const { return announced_; }
 
-  // The vector has begun; the next one is at the head.
+  // Tells that the first vector has started, so that the next one is the first now.
   void Next() { *this = {}; }
 
  private:

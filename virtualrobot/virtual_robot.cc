@@ -41,6 +41,7 @@ OStatus VirtualRobot::ClosePrimitive(OPrimitiveID id) {
   Primitive* const primitive = parts_.primitives.Find(id);
   if (primitive == nullptr || !primitive->opened()) return oINVALID_PRIMITIVE_ID;
   --primitive->open_count;
+  ASSERT(primitive->open_count >= 0, "{}: {}", primitive->locator, primitive->open_count);
   return oSUCCESS;
 }
 
@@ -167,7 +168,7 @@ OStatus VirtualRobot::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey
   return oFAIL;
 }
 
-// All or nothing: a table that is wrong leaves the others as they were.
+// Sets all tables of the vector, or none: a wrong table leaves the camera's tables as they were.
 OStatus VirtualRobot::SetCdtVectorData(MemoryRegionID id) {
   RegionTable& regions = parts_.system.regions();
   if (regions.SizeOf(id) < sizeof(OCdtVectorData)) return oFAIL;
@@ -197,7 +198,8 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
   return oSUCCESS;
 }
 
-// Before System::Shutdown(), which knows neither button nor battery.
+// Notes why the robot ends.  Called before System::Shutdown(), which knows neither button nor
+// battery.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
   const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;

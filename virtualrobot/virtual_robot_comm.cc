@@ -99,7 +99,7 @@ void OVirtualRobotComm::Frame() {
 // Reports a motor that has pushed at its limit for 30 s.  The robot shuts down then; here it does
 // with --strict only, so that a run without it can be looked at further.
 void OVirtualRobotComm::ReportOverload() {
-  const int joint = robot_.watch.OverloadedJoint(robot_.body->state());
+  const int joint = robot_.watch.NoteFrame(robot_.body->state());
   if (joint < 0) return;
   system().AddFinding(
       Severity::kError,

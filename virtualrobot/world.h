@@ -11,10 +11,10 @@ class Hasher;
 
 // A static box in the world W; W has z up and its floor at z = 0.
 struct WorldBox {
-  std::string name;                   // appears in messages about this box
+  std::string name;                   // named in errors about this box
   Eigen::Vector3d size_m{0, 0, 0};    // full edges, each > 0
   Eigen::Vector3d centre_m{0, 0, 0};  // of the box, in W
-  double yaw_rad = 0;                 // about z, from above counterclockwise
+  double yaw_rad = 0;                 // about z, counterclockwise seen from above
 };
 
 struct World {
