@@ -8,9 +8,9 @@
 namespace openr_host {
 namespace {
 
-// The source shows the world as the default settings do.  Gain and shutter make all of it
-// brighter or darker; white balance moves red against blue as the square root of the colour
-// temperature does (chosen; no measurement is known).  All over 256, by the parameter.
+// Pictures of the source look as with the default settings.  Gain and shutter make them brighter or
+// darker.  White balance multiplies red and divides blue by a factor, the square root of the ratio
+// of colour temperatures (chosen; no measurement is known).  Index: the parameter; unit: 1/256.
 constexpr int kOne = 256;
 constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // 0, 0, 6 dB
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // 1/50, 1/100, 1/200 s
@@ -65,7 +65,7 @@ void CameraDevice::set_auto_white_balance(bool on) {
   ChooseExposure();
 }
 
-// An automatic brings about what the defaults show.
+// With an automatic function the picture looks as with the default settings.
 void CameraDevice::ChooseExposure() {
   const int light = auto_exposure_ ? kOne : kGain[gain_] * kShutter[shutter_] / kOne;
   const int red = auto_white_balance_ ? kOne : kRed[white_balance_];
@@ -90,7 +90,7 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   shot.frame = frame - 1;
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
-  // Lenses look along x of their part, or down from it about y.
+  // The lens looks along `direction` and is not rolled, so its y axis is horizontal in the part.
   const Eigen::Vector3d& x = model_.direction;
   const Eigen::Vector3d y = Eigen::Vector3d::UnitZ().cross(x).normalized();
   Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
@@ -113,7 +113,7 @@ RCRegion* CameraDevice::FreeVector() {
   return region;
 }
 
-// Anew for every image: an object that had the vector may have written into it.
+// Called for every image, because an object that had the vector before may have written into it.
 void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
   size_t offset = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {

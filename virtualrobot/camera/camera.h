@@ -20,10 +20,11 @@ class Hasher;
 
 class CameraDevice {
  public:
-  // Without a source it sees the test pattern.  `model` must outlive the camera.
+  // Null as `source` is the test pattern.  `model` must outlive the camera.
   CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
 
-  // What the requests of OPrimitiveControl.h set; false for a value that is not in it.
+  // Settings of the requests in OPrimitiveControl.h.  Return false for a value that is not listed
+  // there.
   bool SetWhiteBalance(longword mode);
   bool SetGain(longword gain);
   bool SetShutter(longword shutter);
@@ -31,13 +32,16 @@ class CameraDevice {
   void set_auto_white_balance(bool on);
   ColourTables& tables() { return tables_; }
 
-  // Images completed when frame `frame` begins, since boot; ERS-210: one every 5 frames.
+  // Number of images since boot that are complete when frame `frame` begins.  An ERS-210 has one
+  // every 5 frames.
   int64_t ImagesBefore(int64_t frame) const;
+  // Whether an image was completed just before `frame`.
   bool Due(int64_t frame) const { return ImagesBefore(frame) > ImagesBefore(frame - 1); }
 
-  // The image completed just before `frame`, in a vector that nobody else refers to; the
-  // sensors of frame `frame` - 1 belong to it.  The region's one reference stays here.
-  // What the source could not do goes to `problem`.  Runs as code of an object.
+  // A vector with the image that was completed just before `frame`, in a region to which no object
+  // refers.  The samples of frame `frame` - 1 belong to the image.  The one reference to the region
+  // stays here.  *problem is "" or why the source has no picture; then the image is the last one.
+  // Runs as code of an object.
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
   // The same image for a reader outside of the run, before it is split into layers: in the size of
@@ -62,8 +66,8 @@ class CameraDevice {
   Exposure exposure_;
   VectorPool pool_;
 
-  // Defaults: Model Information ERS-210, 4.1.2; which of the two gains of 0 dB and that the
-  // automatics are off is chosen.
+  // Defaults are those of Model Information ERS-210, 4.1.2.  Chosen: which of the two gains of 0 dB
+  // is the default, and that both automatic functions are off.
   longword white_balance_ = ocamparamWB_FL_MODE;
   longword gain_ = ocamparamGAIN_MID;
   longword shutter_ = ocamparamSHUTTER_MID;

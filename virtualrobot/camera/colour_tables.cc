@@ -23,7 +23,7 @@ bool ColourTables::Set(const OCdtInfo& info) {
   const auto bit = static_cast<uint8_t>(info.channel);
   for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
     const longword packed = info.table[segment];
-    // ocdtINIT detects nothing; taken as a rectangle it would be the one neutral grey.
+    // ocdtINIT must detect no colour.  Read as a rectangle, it would detect neutral grey.
     const bool unused = packed == ocdtINIT;
     Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
     Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);

@@ -1,5 +1,6 @@
-// Colour detection: eight tables, each a rectangle of Cr and Cb for every one of 32
-// segments of luminance, and the picture of bits they make (robot.md, 11.3).
+// Colour detection (robot.md, 11.3).  A table is a colour: for each of 32 segments of luminance it
+// has a rectangle of Cr and Cb.  There are eight tables, called channels, and a pixel gets one bit
+// for each.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -14,7 +15,7 @@ class Hasher;
 
 class ColourTables {
  public:
-  // Sets the table of one channel.  False when `info.channel` is not one channel.
+  // Sets the table of one channel.  Returns false when `info.channel` is not exactly one channel.
   bool Set(const OCdtInfo& info);
 
   bool empty() const { return used_ == 0; }
@@ -28,11 +29,11 @@ class ColourTables {
   void HashState(Hasher* hasher) const;
 
  private:
-  // [segment][value]: channels whose range holds the value.
+  // [segment][value]: bits of the channels whose range contains the value.
   using Bits = std::array<std::array<uint8_t, 256>, ocdtMAX_Y_SEGMENT>;
   Bits cr_{};
   Bits cb_{};
-  uint8_t used_ = 0;  // channels that were set
+  uint8_t used_ = 0;  // bits of the channels that have a table
 };
 
 }  // namespace openr_host

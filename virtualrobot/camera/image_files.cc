@@ -1,4 +1,4 @@
-// Pictures from files: PNG by libpng, PPM by hand.
+// Reading pictures from files: PNG with libpng, PPM with code of our own.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -37,13 +37,13 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   }
   image.format = PNG_FORMAT_RGB;
   Picture picture = Empty(static_cast<int>(image.width), static_cast<int>(image.height));
-  const png_color black = {0, 0, 0};  // behind what is transparent
+  const png_color black = {0, 0, 0};  // background of transparent pixels
   if (png_image_finish_read(&image, &black, picture.rgb.data(), 0, nullptr) == 0)
     Fail(file, fmt::format("cannot be read: {}", image.message));
   return picture;
 }
 
-// The next number of a PPM header; blanks and comments go before it.
+// Reads the next number of a PPM header, after blanks and comments.
 int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
   while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
     if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);

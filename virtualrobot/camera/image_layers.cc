@@ -13,10 +13,11 @@ constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, 
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }
 
-// Luminance of a colour; the weights make the programs' formula for G right.
+// Luminance of a colour.  The weights fit the formula by which programs compute G.
 int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 
-// The tag: field counter, then the frequencies of channels 4..7 and 0..3.
+// Writes the tag: the field counter, then how often the colours of channels 4 to 7 and 0 to 3 were
+// detected, in units of 16 pixels.
 void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
   std::fill_n(tag, kTagSize, byte{0});
   tag[0] = static_cast<byte>(field_counter & 0xff);
@@ -116,7 +117,7 @@ void ImageLayers::DetectColours(const byte* layer_m, const ColourTables& tables,
     std::fill_n(layer_c, BytesOf(ofbkimageLAYER_C), byte{0});
     return;
   }
-  std::array<int, 256> pixels{};  // by their bits
+  std::array<int, 256> pixels{};  // number of pixels with these bits
   const auto w = static_cast<size_t>(WidthOf(ofbkimageLAYER_M));
   for (int y = 0; y < HeightOf(ofbkimageLAYER_M); ++y, layer_m += kBands * w, layer_c += w) {
     for (size_t x = 0; x < w; ++x) {
@@ -133,8 +134,12 @@ void ImageLayers::DetectColours(const byte* layer_m, const ColourTables& tables,
 
 void ImageLayers::Make(const Picture& picture, const Exposure& exposure, const ColourTables& tables,
                        word field_counter, OFbkImageVectorData* vector) {
+  ASSERT(picture.width == width_ && picture.height == height_, "{} x {}", picture.width,
+         picture.height);
   const auto data = [&](OFbkImageLayer layer) { return vector->GetData(static_cast<int>(layer)); };
   ReadPicture(picture, exposure, data(ofbkimageLAYER_H));
+  // Each layer is made from the luminance of the one before, so the first one needs the picture
+  // only.
   const byte* light = luminance_.data();
   size_t row_bytes = static_cast<size_t>(width_);
   for (const OFbkImageLayer layer : kColourLayers) {

@@ -1,14 +1,15 @@
-// From a picture to the four layers of an image vector (robot.md, 11).
+// Converts a picture to the four layers of an image vector (robot.md, 11).
 //
 // Layer H has half the sensor's pixels in each direction, M half of H's, L half of M's.
-// Bands are interleaved row by row: Y, Cr, Cb, and the three bands that double the
-// resolution of Y, LH, HL, HH.  With a b / c d the four pixels that one pixel of Y stands
-// for, and each high band offset by 128:
+// Each has six bands, interleaved row by row: Y, Cr, Cb, and LH, HL, HH, from which programs
+// compute Y in twice the resolution.  One pixel of Y stands for four pixels of the picture, a and b
+// above c and d.  Each of the last three bands is offset by 128:
 //
 //   Y = (a+b+c+d)/4   LH = (a+b-c-d)/4   HL = (a-b+c-d)/4   HH = (a-b-c+d)/4
 //
-// Cr = R - Y and Cb = B - Y, offset by 128 and cut off at 0 and 255: what programs undo
-// with R = Y + Cr, G = Y - 0.51 Cr - 0.19 Cb, B = Y + Cb.
+// Cr = R - Y and Cb = B - Y, offset by 128 and cut off at 0 and 255.  Programs compute
+// R = Y + Cr, G = Y - 0.51 Cr - 0.19 Cb, B = Y + Cb.  Layer C has the colours that were detected in
+// M.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -22,7 +23,7 @@
 
 namespace openr_host {
 
-// How bright each colour of the picture comes out: [red, green, blue][value].
+// Maps the values of a picture to those of the image: [red, green, blue][value].
 using Exposure = std::array<std::array<uint8_t, 256>, 3>;
 
 class ImageLayers {
@@ -31,23 +32,24 @@ class ImageLayers {
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;
-  size_t BytesOf(OFbkImageLayer layer) const;  // of its data
+  size_t BytesOf(OFbkImageLayer layer) const;  // size of the data of a layer
   int WidthOf(OFbkImageLayer layer) const;
   int HeightOf(OFbkImageLayer layer) const;
 
-  // Fills the data of all layers of `vector`, whose infos are filled in.  The last row of each
-  // layer, of its Y band where it has one, begins with the tag instead of pixels.
+  // Fills in the data of all layers of `vector`.  The last row of each layer (of the Y band, if
+  // there is one) begins with the tag instead of pixels.  REQUIRES: `picture` has the size of the
+  // sensor; the infos of `vector` are filled in.
   void Make(const Picture& picture, const Exposure& exposure, const ColourTables& tables,
             word field_counter, OFbkImageVectorData* vector);
 
  private:
-  size_t BytesOfRow(OFbkImageLayer layer) const;  // of all its bands
+  size_t BytesOfRow(OFbkImageLayer layer) const;  // all bands together
   void ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h);
-  // Y and the high bands of a layer from luminance of twice its size.
+  // Computes Y, LH, HL and HH of a layer from luminance of twice the size.
   void SplitLuminance(const byte* from, size_t row_bytes, OFbkImageLayer layer, byte* to) const;
-  // Cr and Cb of a layer from those of the layer above.
+  // Computes Cr and Cb of a layer from those of the layer with twice the size.
   void HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const;
-  // Layer C from layer M; counts the pixels of each channel.
+  // Computes layer C from layer M, and counts the pixels of each channel.
   void DetectColours(const byte* layer_m, const ColourTables& tables, byte* layer_c,
                      std::array<int, ocdtNUM_CHANNELS>* counts) const;
 

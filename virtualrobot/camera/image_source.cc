@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -11,10 +13,10 @@ using Colour = std::array<uint8_t, 3>;
 
 constexpr Colour kBars[] = {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 255, 0},
                             {255, 0, 255},   {255, 0, 0},   {0, 0, 255},   {0, 0, 0}};
-// The ball's colour.  The camera sees Cr 216 and Cb 140, well inside the tables of ball programs,
-// which end at Cr 230.
+// The ball's colour.  In the image it has Cr 216 and Cb 140, well inside the colour tables of
+// programs that look for the ball, which end at Cr 230.
 constexpr Colour kPink = {250, 115, 174};
-constexpr int kCells = 16;
+constexpr int kCells = 16;   // bits of the image's number that are shown
 constexpr int kRound = 100;  // images until the ball is back: 4 s
 
 void Put(Picture* picture, int x, int y, const Colour& colour) {
@@ -42,7 +44,7 @@ Picture Still(int width, int height) {
   return picture;
 }
 
-// Along the middle of the picture and back.
+// Draws the ball, which moves along the middle of the picture and back.
 void DrawBall(int64_t number, Picture* picture) {
   const int radius = picture->height / 8;
   const int way = picture->width - 2 * radius;
@@ -76,6 +78,11 @@ std::string TestPattern::Capture(const CameraShot& shot, Picture* picture) {
   DrawBall(shot.number, picture);
   DrawNumber(shot.number, picture);
   return "";
+}
+
+MemoryImageSource::MemoryImageSource(std::vector<Picture> pictures)
+    : pictures_(std::move(pictures)) {
+  ASSERT(!pictures_.empty(), "a source without pictures");
 }
 
 std::string MemoryImageSource::Capture(const CameraShot& shot, Picture* picture) {

@@ -1,4 +1,5 @@
-// From model/*.json to RobotModel: units become SI, names become indices, nonsense is refused.
+// Reads model/*.json into a RobotModel: units become SI, names become indices, and impossible
+// values are refused.
 #include <cmath>
 #include <set>
 
@@ -83,7 +84,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
   joint.anchor_m = Metres(row.At("anchor"));
-  if (!child.has_box) child.centre_m = joint.anchor_m;  // the best guess for its mass
+  // Without a box the place of the child's mass is not known; the joint is the best guess.
+  if (!child.has_box) child.centre_m = joint.anchor_m;
   joint.soft_rad = Span(row.At("soft"), Radians(1));
   joint.hard_rad = Span(row.At("hard"), Radians(1));
   if (joint.soft_rad.min < joint.hard_rad.min || joint.soft_rad.max > joint.hard_rad.max) {
@@ -150,7 +152,7 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   if (row.Has("direction")) sensor.direction = Unit(row.At("direction"));
   if (row.Has("lookup")) sensor.lookup = ReadLookup(row.At("lookup"));
   if (sensor.kind == SensorKind::kDistance && sensor.body >= 0) {
-    row.At("place"), row.At("direction"), row.At("lookup");  // one without the other is no use
+    row.At("place"), row.At("direction"), row.At("lookup");  // fails when one of them is missing
   }
   const int index = static_cast<int>(model->sensors.size());
   if (sensor.kind == SensorKind::kJoint) {
@@ -237,7 +239,7 @@ void ReadPostures(const JsonReader& root, RobotModel* model) {
       const JointModel& joint = model->joints[j];
       const double degrees = posture.angles_rad[j];
       posture.angles_rad[j] = Radians(degrees);
-      // Half a degree of grace for hand-made postures at a stop.
+      // Postures that were measured at a stop of a real robot may be wrong by half a degree.
       if (degrees < Degrees(joint.hard_rad.min) - 0.5 ||
           degrees > Degrees(joint.hard_rad.max) + 0.5) {
         row.At("degrees").Fail("posture '{}' asks {} for {} degrees, its stops are at {} and {}",

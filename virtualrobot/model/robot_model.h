@@ -1,9 +1,9 @@
 // A robot as plain data: bodies, joints, limits, gains, sensors, lights, postures.
 //
-// The numbers live in model/*.json, each table with the tag of its source; this is
-// what a program sees of them.  Units are SI and radians here (the files have mm, g,
-// degrees).  All places, axes and box centres are given in the base frame B with all
-// joints at 0; there every link frame coincides with B (docs/body.md).
+// The numbers are in model/*.json, where each table names its source.  Units here are SI and
+// radians; the files have mm, g and degrees.  All places, axes and box centres are given in the
+// base frame B with all joints at 0.  In this pose the frame of every link coincides with B
+// (docs/body.md).
 #pragma once
 
 #include <Eigen/Core>
@@ -38,7 +38,7 @@ struct BodyPart {
   int joint = -1;                     // index of the joint that carries it; -1 for the trunk
 };
 
-// The ball at the end of a leg; part of `body`, without mass of its own.
+// The ball at the end of a leg.  It is a part of `body` and has no mass of its own.
 struct Paw {
   std::string leg;  // "LF", "LH", "RF", "RH"
   int body = -1;
@@ -47,8 +47,8 @@ struct Paw {
   int sensor = -1;  // index of its switch in RobotModel::sensors
 };
 
-// One motor with its hinge.  The angle is the right-handed rotation of `child`
-// about `axis` and equals the OPEN-R joint value.
+// One motor with its hinge.  The angle of the joint is the right-handed rotation of `child` about
+// `axis` and equals the OPEN-R joint value.
 struct JointModel {
   std::string name;     // "LF_j1"
   std::string locator;  // "PRM:/r2/c1-Joint2:j1"
@@ -56,13 +56,13 @@ struct JointModel {
   int child = -1;
   Eigen::Vector3d axis{0, 0, 0};  // unit vector along an axis of B, either sign
   Eigen::Vector3d anchor_m{0, 0, 0};
-  Range soft_rad;              // what commands should keep to
+  Range soft_rad;              // limits for commands
   Range hard_rad;              // mechanical stops
-  Range speed_rad_s;           // limits of a planned movement
+  Range speed_rad_s;           // slowest and fastest planned movement
   PidGains gains;              // the vendor's standard gains
-  double stall_torque_nm = 0;  // at full drive and no speed; 0: not established
+  double stall_torque_nm = 0;  // torque at full drive and speed 0; 0: not known
   int sensor = -1;             // index in RobotModel::sensors
-  int mtn = -1;                // index in a motion file of this robot; -1: in none
+  int mtn = -1;                // index in the key frames of motion files; -1: in none
 };
 
 struct Led {
@@ -86,24 +86,24 @@ struct Plunger {
 
 enum class SensorKind { kJoint, kForce, kDistance, kSwitch, kTemperature, kAcceleration, kRaw };
 
-// One row of the distance table: at `distance_m` the sensor says `value_m`, plus or
-// minus noise * value_m.
+// One row of the distance table: at `distance_m` the sensor measures `value_m`, plus or minus
+// noise * value_m.
 struct DistanceRow {
   double distance_m = 0;
   double value_m = 0;
   double noise = 0;
 };
 
-// One element of a sensor vector; the index in RobotModel::sensors is its place there.
+// One element of a sensor vector, at the same index as in RobotModel::sensors.
 struct Sensor {
   std::string name;
   std::string locator;
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
   int64_t min = 0, max = 0;  // in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
-  int joint = -1;            // kJoint: whose angle
+  int joint = -1;            // kJoint: the joint whose angle is measured
   int paw = -1;              // kSwitch of a paw: index in RobotModel::paws
-  int body = -1;             // kDistance: where it sits; -1: place unknown
+  int body = -1;             // kDistance: the part that carries the sensor; -1: not known
   Eigen::Vector3d place_m{0, 0, 0};
   Eigen::Vector3d direction{
       0, 0, 0};  // unit vector; kDistance: of the ray, kAcceleration: of the axis in B
@@ -128,8 +128,8 @@ struct Posture {
 
 struct RobotModel {
   std::string name;                     // "ERS-210"
-  std::string design;                   // what OPENR::GetRobotDesign says
-  std::vector<std::string> mtn_labels;  // design labels of motion files made for it
+  std::string design;                   // result of OPENR::GetRobotDesign()
+  std::vector<std::string> mtn_labels;  // design labels of motion files for this robot
   std::vector<BodyPart> bodies;
   std::vector<Paw> paws;
   std::vector<JointModel> joints;
@@ -140,24 +140,25 @@ struct RobotModel {
   Camera camera;
   std::string speaker_locator;
   std::string microphone_locator;
-  int microphone_frames = 0;  // of 8 ms, in one vector
+  int microphone_frames = 0;  // frames of 8 ms in one sound vector
   std::vector<Posture> postures;
-  uint64_t content_hash = 0;  // of the text it was read from
+  uint64_t content_hash = 0;  // hash of the text of the model file
 
-  // Index by name or locator; -1 when there is none.
+  // Indices by name or locator; -1 when the model has none of that name.
   int FindBody(std::string_view body_name) const;
   int FindJoint(std::string_view joint_name) const;
   int FindJointByLocator(std::string_view locator) const;
   int FindSensorByLocator(std::string_view locator) const;
 
-  // Angles of a named posture.  Throws std::runtime_error naming the ones there are.
+  // Angles of the posture with that name.  Throws std::runtime_error with the names of all postures
+  // when there is none.
   const std::vector<double>& PostureAngles(std::string_view posture_name) const;
 
   double TotalMassKg() const;
 };
 
-// Reads one of model/*.json.  Throws std::runtime_error naming file, place and value
-// when the file cannot be read or says something that cannot be.
+// Reads one of model/*.json.  Throws std::runtime_error with file, place and value when the file
+// cannot be read or describes an impossible robot.
 RobotModel LoadRobotModel(const std::string& path);
 
 // The same from text; `name` stands for the file in messages.

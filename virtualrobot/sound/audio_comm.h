@@ -1,9 +1,9 @@
 // The system object OVirtualRobotAudioComm, with the services Speaker and Mic.
 //
-// It has no clock of its own: OVirtualRobotComm, whose frames are the robot's, wakes it at
-// the beginning of those frames in which there is something to do, after command vectors
-// had their turn.  So sound and motion with parts of one key begin in the same frame, and
-// a robot without sound pays nothing.
+// This object has no clock of its own.  OVirtualRobotComm, which runs the frames of the robot,
+// wakes it in frames in which there is sound to play or to record, after command vectors have
+// started.  So sound and motion with parts of one synchronisation key begin in the same frame, and
+// a robot without sound costs nothing.
 #pragma once
 
 #include "runtime/core/code_object.h"
@@ -32,6 +32,8 @@ class OVirtualRobotAudioComm : public CodeObject {
  private:
   void NotifySpeaker(const ONotifyEvent& event);
   void Frame();
+
+  // Asserts ready to the subjects of vectors that are over.
   void GiveReadies();
   void PlayFrame();
 

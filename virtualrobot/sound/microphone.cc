@@ -1,5 +1,6 @@
 #include "virtualrobot/sound/microphone.h"
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "virtualrobot/frame_number.h"
 #include "virtualrobot/sound/sound_sink.h"
@@ -9,7 +10,9 @@ namespace openr_host {
 Microphone::Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int frames_per_vector)
     : source_(source ? std::move(source) : std::make_unique<MemorySoundSource>()),
       id_(id),
-      frames_per_vector_(frames_per_vector) {}
+      frames_per_vector_(frames_per_vector) {
+  ASSERT(frames_per_vector > 0, "{} frames", frames_per_vector);
+}
 
 RCRegion* Microphone::FreeVector() {
   if (RCRegion* const free = pool_.Free()) return free;
@@ -31,6 +34,7 @@ RCRegion* Microphone::FreeVector() {
 }
 
 RCRegion* Microphone::MakeVector(int64_t frame) {
+  ASSERT(Due(frame), "frame {}", frame);
   RCRegion* const region = FreeVector();
   auto* const vector = reinterpret_cast<OSoundVectorData*>(region->Base());
   const int64_t first = frame - frames_per_vector_;

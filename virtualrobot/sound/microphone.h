@@ -1,4 +1,4 @@
-// The microphone pair: 16 kHz, 16 bits, stereo, one vector every 32 ms (ERS-7: 16 ms).
+// The two microphones of the robot: 16 kHz, 16 bits, stereo, one vector every 32 ms (ERS-7: 16 ms).
 #pragma once
 
 #include <OPENR/RCRegion.h>
@@ -16,19 +16,19 @@ class Hasher;
 
 class Microphone {
  public:
-  // Without a source there is silence.
+  // Null as `source` is silence.  REQUIRES: frames_per_vector > 0.
   Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int frames_per_vector);
 
-  // What oprmreqMIC_UNI and its kin set.  Neither changes what the source delivers: how
-  // the robot's circuits did is not known.
+  // Settings of the requests oprmreqMIC_*.  They do not change the sound, because it is not known
+  // what they do on the robot.
   void set_directional(bool directional) { directional_ = directional; }
   void set_level_control(bool on) { level_control_ = on; }
 
   // Whether a vector is complete when frame `frame` begins.
   bool Due(int64_t frame) const { return frame > 0 && frame % frames_per_vector_ == 0; }
 
-  // The frames before `frame`, in a vector that nobody else refers to.  The region's one
-  // reference stays here.  Runs as code of an object.
+  // A vector with the frames before `frame`, in a region to which no object refers.  The one
+  // reference to the region stays here.  REQUIRES: Due(frame).  Runs as code of an object.
   RCRegion* MakeVector(int64_t frame);
 
   void HashState(Hasher* hasher) const;

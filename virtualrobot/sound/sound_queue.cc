@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// Why the sound cannot be heard; empty when it can.
+// The reason why the sound is not played; empty when it is.
 std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || primitive->type != oprimitiveSPEAKER || !primitive->opened()) {
     return fmt::format("names primitive {:#x}, which {}", info.primitiveID,
@@ -27,7 +27,7 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// What the vector says of its sound and the speaker plays otherwise.
+// A text when the vector says another rate, size or number of channels than the speaker is set to.
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
@@ -155,7 +155,7 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
       filled = Copy(filled, samples);
       played = true;
     } else {
-      filled = kSoundSamplesPerFrame;  // without sound: the frame is its length
+      filled = kSoundSamplesPerFrame;  // a vector without sound takes the rest of the frame
     }
     if (sound_ < sounds_.size()) continue;
     finished_.push_back(std::move(playing_));

@@ -1,9 +1,9 @@
-// Sound vectors that wait for the speaker: one queue for all subjects, in the order of
-// their arrival, played without a gap, sample after sample.
+// The sound vectors that were sent to the speaker: one queue for all subjects, in the order of
+// arrival. Vectors that wait are played without a gap between their samples.
 //
-// A vector that finds nothing before it begins with the next frame of 8 ms.  It is over
-// with the frame in which its last sample sounds; then its subject gets its ready (Level 2
-// Reference Guide, 3.2).  A vector without sound, or one that is refused, takes one frame.
+// A vector that comes to an empty queue begins with the next frame of 8 ms.  It is over with the
+// frame in which its last sample sounds; then its subject gets a ready (Level 2 Reference
+// Guide, 3.2).  A vector without sound, or one that is refused, takes one frame.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -24,7 +24,7 @@ namespace openr_host {
 class Hasher;
 struct RobotParts;
 
-// A problem with a vector, and whose it is.
+// A mistake in a sound vector, and the subject that sent it.
 struct SoundProblem {
   SubjectID subject;
   std::string text;
@@ -50,7 +50,8 @@ class SoundQueue {
   // waits.  REQUIRES: called before Fill() and before command vectors of the frame start.
   void AnnounceFirst();
 
-  // The samples of frame `frame`; false when nothing plays.
+  // Starts vectors that are due and fills in the samples of frame `frame`.  Returns false when no
+  // vector plays.  Adds to `problems` the mistakes of vectors that start.
   bool Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProblem>* problems);
 
   bool busy() const { return !waiting_.empty() || !finished_.empty() || playing_.region; }
@@ -65,16 +66,18 @@ class SoundQueue {
   // One sound of the vector that plays.
   struct Sound {
     const byte* data;  // null: silence
-    int64_t samples;   // of the sink's rate
+    int64_t samples;   // length at the rate of the sink
     int bytes_per_sample;
-    int repeat;  // samples of the sink per sample of the data
+    int repeat;  // samples for the sink from each sample of the data
   };
 
-  // `behind_another`: in the same frame, of which a wait does not count.
+  // Starts the first vector that waits.  `behind_another` says that another vector ended in this
+  // frame; then the frames of a wait begin with the next frame.
   void Start(int64_t frame, bool behind_another, std::vector<SoundProblem>* problems);
   void ReadSound(const SentVector& vector, int index, longword frame_number,
                  std::vector<std::string>* problems);
-  // Fills from `samples[from]` on; where it stopped.
+  // Fills in samples of the present sound from `samples[from]` on.  Returns the index after the
+  // last one.
   int Copy(int from, SoundFrame* samples);
 
   RobotParts& robot_;
@@ -83,8 +86,8 @@ class SoundQueue {
   Sent playing_;     // without a region when no vector plays
   int64_t start_ = 0;
   std::vector<Sound> sounds_;
-  size_t sound_ = 0;      // that plays
-  int64_t position_ = 0;  // in it
+  size_t sound_ = 0;      // index of the sound that plays
+  int64_t position_ = 0;  // sample of that sound that is next
   std::deque<Sent> finished_;
 };
 

@@ -1,4 +1,4 @@
-// Where the speaker's sound goes: nowhere, a file, memory.  The seam to real audio.
+// Receivers of the sound that the speaker plays: a file, memory.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-constexpr int kSoundRate = 16'000;          // Hz; 8 kHz sound is played with every sample twice
+constexpr int kSoundRate = 16'000;          // Hz; of 8 kHz sound every sample is played twice
 constexpr int kSoundSamplesPerFrame = 128;  // 8 ms of it
 
 // Samples of one frame of 8 ms, mono.
@@ -19,15 +19,15 @@ class SoundSink {
  public:
   virtual ~SoundSink() = default;
 
-  // What sounds during frame `frame` since boot.  Frames rise; those left out are silent.
-  // Empty, or why it could not be written.
+  // Takes the sound of frame `frame` since boot.  Each call is for a later frame than the one
+  // before; frames that are left out are silent.  Returns "" or why the sound could not be written.
   virtual std::string Play(int64_t frame, const SoundFrame& samples) = 0;
 
-  // No more will sound.  Empty, or why not all could be written.
+  // Tells that no more sound comes.  Returns "" or why not all sound could be written.
   virtual std::string Close() { return ""; }
 };
 
-// Keeps everything, by frame.
+// Keeps all frames in memory.
 class MemorySoundSink : public SoundSink {
  public:
   struct Entry {
@@ -41,8 +41,8 @@ class MemorySoundSink : public SoundSink {
   std::vector<Entry> entries;
 };
 
-// A WAV file, 16 kHz, 16 bits, mono, in which time is the virtual time since boot.  The file is
-// complete after every frame, so it can be read even if the process is killed.  Throws
+// Writes a WAV file, 16 kHz, 16 bits, mono, in which time is the virtual time since boot.  The file
+// is complete after every frame, so it can be read even if the process is killed.  Throws
 // std::runtime_error "FILE: cannot be written: why".
 std::unique_ptr<SoundSink> OpenSpeakerFile(const std::string& file);
 

@@ -1,4 +1,4 @@
-// What the microphone hears: nothing, a file, memory.  The seam to real audio.
+// Sources of the sound that the microphone hears: silence, a file, samples in memory.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -15,14 +15,15 @@ class SoundSource {
  public:
   virtual ~SoundSource() = default;
 
-  // `count` stereo samples of 16 kHz; `first` is the number of the first one since boot.
-  // The same numbers give the same samples, whoever asks and in whatever order.
+  // Writes `count` stereo samples of 16 kHz; `first` is the number of the first one since boot. The
+  // same numbers always give the same samples, in any order of calls.
   virtual void Read(int64_t first, OSoundSampleStereo16* samples, int count) = 0;
 };
 
+// What is heard after the last sample.
 enum class AfterEnd { kSilence, kLoop };
 
-// Samples in memory; silence when there are none.
+// Plays samples from memory; silence when there are none.
 class MemorySoundSource : public SoundSource {
  public:
   explicit MemorySoundSource(std::vector<OSoundSampleStereo16> samples = {},
@@ -36,8 +37,8 @@ class MemorySoundSource : public SoundSource {
   const AfterEnd after_end_;
 };
 
-// A WAV file (wav_file.h), converted to what the microphone delivers.  Throws
-// std::runtime_error naming the file and what is wrong with it.
+// Plays a WAV file (wav_file.h), converted to 16 kHz stereo.  Throws std::runtime_error with the
+// file and what is wrong with it.
 std::unique_ptr<SoundSource> OpenMicrophoneFile(const std::string& file, AfterEnd after_end);
 
 }  // namespace openr_host

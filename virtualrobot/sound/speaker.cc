@@ -12,13 +12,15 @@ constexpr SoundType kSoundTypes[] = {
     {ospksndMONO16K16B, 2, 128},
 };
 
-// 10^(-1/20) and its 256th root: sums of libm's pow() would differ between machines.
+// 10^(-1/20) and its 256th root.  They are constants because results of libm's pow() differ between
+// machines.
 constexpr double kOneDecibel = 0.8912509381337456;
 constexpr double kOneStep = 0.9995503774595479;
 
 constexpr sword Signed(longword volume) { return static_cast<sword>(volume & 0xffff); }
 
-// What is written is full scale at -10 dB, the loudest the circuit is made for.
+// Factor of a volume.  It is 1 at -10 dB, because that is the loudest volume for which the circuit
+// is made.
 double GainOf(longword volume) {
   if ((volume & 0xffff) == ospkvolinfdB) return 0;
   int below = Signed(ospkvol10dB) - Signed(volume);  // 1/256 dB

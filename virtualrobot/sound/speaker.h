@@ -1,4 +1,4 @@
-// The speaker as ControlPrimitive() sets it: mute, volume, kind of sound.
+// The speaker with the settings of ControlPrimitive(): mute, volume, type of sound.
 #pragma once
 
 #include <OPENR/OPrimitiveControl.h>
@@ -14,7 +14,7 @@ namespace openr_host {
 
 class Hasher;
 
-// A kind of sound the speaker plays: 8 kHz of 8 bits or 16 kHz of 16 bits, mono, signed.
+// A type of sound that the speaker plays: 8 kHz with 8 bits or 16 kHz with 16 bits, mono, signed.
 struct SoundType {
   longword type;
   int bytes_per_sample;
@@ -25,24 +25,26 @@ struct SoundType {
 
 class Speaker {
  public:
-  // Without a sink the sound goes nowhere.
+  // Null as `sink`: the sound is lost.
   explicit Speaker(std::unique_ptr<SoundSink> sink) : sink_(std::move(sink)) {}
 
   void set_mute(bool mute) { mute_ = mute; }
 
-  // `volume` counts as ospkvol10dB and its kin do: 16 bits, two's complement, 1/256 dB.
+  // `volume` has the unit of ospkvol10dB and the other constants of that name: 1/256 dB, as a two's
+  // complement of 16 bits.
   void SetVolume(longword volume);
   longword volume() const { return volume_; }
 
-  // False for a kind that is reserved or unknown.
+  // Returns false, and keeps the old type, when `type` is reserved or unknown.
   bool SetSoundType(longword type);
   const SoundType& sound_type() const { return *type_; }
 
-  // Puts out one frame.  The amplifier has its power from the motors' supply (inferred
-  // from the order of calls in Sony's SoundPlay).  What the sink could not do.
+  // Plays one frame.  It is silent without motor power, because the amplifier has its power from
+  // the motors' supply (inferred from the order of calls in Sony's SoundPlay).  Returns "" or why
+  // the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
-  // No more is put out; what the sink could not do.
+  // Tells that no more sound comes.  Returns "" or why not all sound could be written.
   std::string Close() { return sink_ == nullptr ? "" : sink_->Close(); }
 
   void HashState(Hasher* hasher) const;
@@ -51,7 +53,7 @@ class Speaker {
   std::unique_ptr<SoundSink> sink_;
   bool mute_ = false;
   longword volume_ = ospkvol10dB;  // at boot; chosen
-  int32_t gain_ = kFullGain;       // of volume_, over kFullGain
+  int32_t gain_ = kFullGain;       // factor of volume_, times kFullGain
   const SoundType* type_ = FindSoundType(ospksndMONO8K8B);
 
   static constexpr int32_t kFullGain = 1 << 12;
