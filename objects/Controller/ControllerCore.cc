@@ -6,8 +6,8 @@
 
 #include "Angle.h"
 
-// Time step before a controller asks for one, and of LED vectors when none runs: 32 ms, the
-// shorter of the two the report recommends (5.3.4).
+// Time step until the controller asks for one, and while no controller runs: 32 ms, the shorter of
+// the two that Hohl 2004, 5.3.4, recommends.
 static const int DEFAULT_STEP_FRAMES = 4;
 
 static const int FRAME_MS = 8;
@@ -66,7 +66,7 @@ ControllerCore::Execute(int (*controllerMain)())
 
 static const size_t MAX_UNKNOWN = 32;
 
-// What is not there is remarked upon once: a run function may ask again and again.
+// Reports each unknown device once, because a run function may ask for it again and again.
 int
 ControllerCore::FindDevice(const char* locator)
 {
@@ -85,7 +85,8 @@ ControllerCore::Live(void (*reset)())
     if (reset != 0) reset();
 }
 
-// A run function may name its successor, which then begins with the next iteration.
+// A run function may call Run() as well; the function that it names is called from the next
+// iteration on.
 void
 ControllerCore::Run(int (*run)(int))
 {
@@ -122,9 +123,9 @@ ControllerCore::SetTimeStep(int askedMs)
     stepFrames_ = frames;
 }
 
-// Returns when the LED vector that is sent now has ended, always 0 (synchronous mode).
-// After robot_run() it never does: in Webots nothing comes after that, and two loops cannot share
-// the LEDs.
+// Returns when the LED vector that is sent now has ended, always with 0 (synchronous mode).  After
+// robot_run() it does not return: in Webots no code runs after robot_run(), and two loops cannot
+// share the LEDs.
 int
 ControllerCore::Step(int ms)
 {
@@ -140,6 +141,8 @@ ControllerCore::Step(int ms)
         port_->Remark("robot_step() after robot_run(): main() ends here, the run function goes on");
     }
     place_ = NOWHERE;
+    // Leaves main() here and comes back when the vector has ended.  Where that is impossible, as on
+    // the robot, the controller ends.
     if (!port_->LeaveLoop()) {
         isStepping_ = false;
         port_->EndLoop();
@@ -148,8 +151,8 @@ ControllerCore::Step(int ms)
     return 0;
 }
 
-// exit() ends the method that calls it and nothing else (Programmer's Guide, appendix A.2); for a
-// controller it is the end, whatever loop it had begun.
+// Ends the controller if its code called exit().  exit() ends only the method of the object that
+// runs (Programmer's Guide, appendix A.2), so place_ still says that the code is running.
 void
 ControllerCore::EndIfItDidNotReturn()
 {
@@ -158,8 +161,9 @@ ControllerCore::EndIfItDidNotReturn()
     run_ = 0;
 }
 
-// The LED vector sent last has ended.  Not ready after all means that one that waited has just
-// been sent; its own end comes.
+// Begins the next iteration, because the LED vector sent last has ended.  When the effector is not
+// ready although this event says so, a vector that waited has just been sent, and its end will call
+// this function again.
 void
 ControllerCore::LedReady()
 {
@@ -177,7 +181,8 @@ ControllerCore::LedReady()
     SendBuffers();
 }
 
-// The LED vector is sent in any case: without it the loop would stand still.
+// Sends all that has changed.  The LED vector is sent even without a change, because its end begins
+// the next iteration.
 void
 ControllerCore::SendBuffers()
 {
@@ -187,7 +192,7 @@ ControllerCore::SendBuffers()
     port_->SendLeds(ledOn_, stepFrames_);
 }
 
-// What is not ready now is tried again with the next iteration.
+// Keeps the change when the effector is not ready; the next iteration tries again.
 void
 ControllerCore::SendEarsIfChanged()
 {
@@ -204,13 +209,15 @@ ControllerCore::SendBatchIfChanged()
     port_->SendBatch(batch_);
 }
 
-// The next two are for a controller without a loop, whose next iteration never comes.
+// Sends ears that could not be sent before.  A controller with a loop does so in its next
+// iteration; one without a loop has no next iteration.
 void
 ControllerCore::EarReady()
 {
     if (!HasLoop()) SendEarsIfChanged();
 }
 
+// Sends joint commands that could not be sent before, as EarReady() does for ears.
 void
 ControllerCore::BatchMoverReady()
 {
@@ -223,7 +230,7 @@ ControllerCore::RemoteLights(const LedEarState& change)
     ChangeEars(change.earMask, change.earOn);
     ledOn_ = (ledOn_ & ~change.ledMask) | (change.ledOn & change.ledMask);
     EndIfItDidNotReturn();
-    if (HasLoop()) return;  // with the next iteration
+    if (HasLoop()) return;  // the next iteration sends them
     ledChanged_ = true;
     if (port_->IsLedReady()) SendBuffers();
 }
@@ -233,7 +240,7 @@ ControllerCore::MotionEars(Uint32 mask, Uint32 on)
 {
     ChangeEars(mask, on);
     EndIfItDidNotReturn();
-    if (!HasLoop()) SendEarsIfChanged();  // otherwise with the next iteration
+    if (!HasLoop()) SendEarsIfChanged();  // otherwise the next iteration sends them
 }
 
 // ---- Buffers -------------------------------------------------------------------------
@@ -271,7 +278,8 @@ ControllerCore::Change(Sint32* value, Sint32 newValue)
     *value = newValue;
 }
 
-// `value` x `scale`, rounded and brought between the limits before it becomes an integer.
+// Returns `value` x `scale`, rounded and limited.  The limits come first, because a number that
+// does not fit an integer must not be converted.
 static Sint32
 Scaled(double value, double scale, Sint32 low, Sint32 high)
 {
@@ -281,13 +289,10 @@ Scaled(double value, double scale, Sint32 low, Sint32 high)
     return scaled >= 0 ? (Sint32)(scaled + 0.5) : -(Sint32)(0.5 - scaled);
 }
 
-static const double URAD_PER_RAD = 1e6;
-static const double CDEG_PER_RAD = 5729.577951308232;
-
 void
 ControllerCore::SetPosition(int joint, double rad)
 {
-    if (rad != rad) return;  // not a number: no position
+    if (rad != rad) return;  // NaN is no position
     const JointConstants& limits = robot_->joints[joint];
     Change(&batch_.joint[joint].position,
            Scaled(rad, URAD_PER_RAD, limits.minUrad, limits.maxUrad));

@@ -1,12 +1,12 @@
 //
-// The two angle units of the objects, and the way between them.
+// The two angle units of the objects, and the conversion between them.
 //
 //   urad   micro-radians: command vectors, sensor vectors, MTN files (Level 2 Reference
 //          Guide 4.2.1; Hohl 2004, appendix A)
 //   cdeg   hundredths of a degree, of a degree/s, of a degree/s^2: the unit of the remote
 //          control (Hohl 2004, table 3.10) and of the speed tables
 //
-// Whole numbers only, rounded to the nearest (half away from zero), so that every
+// All results are whole numbers, rounded to the nearest (half away from zero), so that every
 // compiler and every word size gives the same result.
 //
 
@@ -23,10 +23,14 @@ DivideRounded(Sint64 numerator, Sint64 denominator)
     return numerator >= 0 ? (numerator + half) / denominator : -((half - numerator) / denominator);
 }
 
-// Micro-radians per 0.01 degree, times 10^9: pi / 18000 x 10^6 x 10^9.
+// One cdeg in urad, times 10^9: pi / 18000 x 10^6 x 10^9.
 const Sint64 URAD_PER_CDEG_E9 = 174532925199LL;
 
-// Beyond +-100 turns the result stays at 100 turns; no angle of the robot is near that.
+// For the radians in which controllers give positions and speeds.
+const double URAD_PER_RAD = 1e6;
+const double CDEG_PER_RAD = 5729.577951308232;
+
+// An angle of more than 100 turns counts as 100 turns, so that the result fits 32 bits.
 inline Sint32
 UradFromCdeg(Sint32 cdeg)
 {

@@ -1,8 +1,8 @@
 //
 // Little-endian numbers in byte arrays.
 //
-// Byte by byte, so that it works on any host and at any address: an unaligned
-// access is a CPU exception on the robot.
+// Numbers are read and written byte by byte, because an unaligned access is a CPU exception on the
+// robot, and because this gives the same result on every host.
 //
 
 #ifndef ByteOrder_h_DEFINED
@@ -22,8 +22,8 @@ GetU32(const Uint8* at)
     return (Uint32)at[0] | ((Uint32)at[1] << 8) | ((Uint32)at[2] << 16) | ((Uint32)at[3] << 24);
 }
 
-// Two's complement, spelled out: the conversion of a large unsigned value is left
-// to the compiler by C++98.
+// Converts two's complement by arithmetic, because C++98 leaves the result of a cast of a large
+// unsigned value to the compiler.
 inline Sint32
 GetS32(const Uint8* at)
 {

@@ -1,9 +1,8 @@
 //
 // Integers of a fixed width.
 //
-// The robot's headers have their own names for these (byte, longword, int32), but
-// what lies in objects/common must also compile without them, and the robot's C
-// library has no <stdint.h>.
+// The robot's headers have names for them (byte, longword, int32), but objects/common must also
+// compile without these headers, and the robot's C library has no <stdint.h>.
 //
 
 #ifndef FixedTypes_h_DEFINED
@@ -17,8 +16,8 @@ typedef int Sint32;
 typedef unsigned int Uint32;
 typedef long long Sint64;
 
-// Stops the compiler where `condition` does not hold.  At namespace scope or in a
-// class; `name` must be a free identifier.
+// Makes the compilation fail when `condition` is false.  Used at namespace scope or in a class;
+// `name` must be an identifier that is not used elsewhere.
 #define COMPILE_TIME_CHECK(name, condition) typedef char name[(condition) ? 1 : -1]
 
 COMPILE_TIME_CHECK(Sint16HasTwoBytes, sizeof(Sint16) == 2);

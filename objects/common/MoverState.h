@@ -6,19 +6,19 @@
 #define MoverState_h_DEFINED
 
 enum MoverState {
-    moverFILLING,    // the first command vector holds what was measured
+    moverFILLING,    // the first command vector has the measured positions
     moverGAINS,      // gains of all joints are enabled and set
-    moverBROADBASE,  // on the way to the start-up postures, one after the other
+    moverBROADBASE,  // moves to the first start-up posture; the next three states to the others
     moverSLEEPING,
     moverCROUCHING,
     moverSTANDING,
     moverACCEPTING_COMMANDS,
-    moverPREPARE_MTN,  // on the way to the first key frame of a motion
-    moverMTN,          // playing it
+    moverPREPARE_MTN,  // moves to the first key frame of a motion
+    moverMTN,          // plays the motion
     NUM_MOVER_STATES
 };
 
-// "accepting-commands" and so on; "unknown" for anything that is no state.
+// The name of a state, such as "accepting-commands"; "unknown" for other numbers.
 const char* MoverStateName(int state);
 
 #endif  // MoverState_h_DEFINED

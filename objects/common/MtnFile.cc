@@ -5,7 +5,8 @@
 #include "ByteOrder.h"
 #include "TextFormat.h"
 
-// Where the reader is.  All reads are bounded: the caller asks Has() first.
+// The place of the reader in the bytes.  REQUIRES for all reads: Has() said that the bytes are
+// there.
 class MtnFile::Cursor {
 public:
     Cursor(const Uint8* bytes, size_t size)
@@ -53,9 +54,9 @@ private:
     size_t at_;
 
 public:
-    int section;      // -1 before the first
-    size_t start;     // where it begins
-    Uint32 declared;  // its size, as it says
+    int section;      // number of the section that is read; -1: before the first
+    size_t start;     // offset at which this section begins
+    Uint32 declared;  // size that this section says it has
 };
 
 MtnFile::MtnFile()
@@ -114,7 +115,7 @@ MtnFile::ReadSections(Cursor* cursor)
     return true;
 }
 
-// Number and size of a section of at least `smallest` bytes.
+// Reads number and size of a section, which has at least `smallest` bytes.
 bool
 MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
 {
@@ -132,8 +133,8 @@ MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
     return true;
 }
 
-// Goes on to section `next`: after the padding, or, where size and content differ, to
-// whichever of the two places has that section.
+// Moves to section `next`.  It begins after the padding of this section.  When size and content of
+// this section differ, the next one may begin at two places, and the one with its number is taken.
 bool
 MtnFile::EndSection(Cursor* cursor, Uint32 next)
 {
@@ -258,7 +259,7 @@ MtnFile::ReadKeyFrames(Cursor* cursor)
     return true;
 }
 
-// The interpolation count stands before every key frame but the first.
+// Reads a key frame.  An interpolation count stands before each key frame except the first.
 bool
 MtnFile::ReadKeyFrame(Cursor* cursor)
 {
@@ -290,7 +291,8 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
     return true;
 }
 
-// Says what `robot` has under the name of joint j, which is neither a joint nor a plunger.
+// The reason why the robot has no joint or plunger with the name of joint j: the name is unknown,
+// or is that of another device.
 std::string
 MtnFile::WhyNoJoint(const RobotConstants* robot, int j) const
 {

@@ -1,10 +1,10 @@
 //
 // A motion file (MTN), as Hohl 2004, appendix A, describes it and as real files are.
 //
-// One reader for the robot and for the host: bytes in; a motion, or an error text that
-// names section and offset, out.  Nothing is half loaded: after a refusal the motion is
-// empty.  The length of a file follows from its key frames and joints; a section size
-// that says something else is a warning (SITLOS01.MTN, a real file, has one).
+// The same reader is used on the robot and on the host.  It turns bytes into a motion, or into an
+// error text with section and offset; then the motion is empty.  The length of a file follows from
+// the numbers of its key frames and joints.  A section size that differs from it is only a warning,
+// because real files have such sizes (SITLOS01.MTN).
 //
 
 #ifndef MtnFile_h_DEFINED
@@ -21,20 +21,22 @@
 // Key frames and interpolation counts are multiples of this (section 0, frame rate).
 const Sint32 MTN_FRAME_MS = 16;
 
-// Beyond one full turn no angle makes sense: the mechanical stops lie within +-150 degrees.
+// Largest angle of a joint: one full turn.  The mechanical stops lie within +-150 degrees.
 const Sint32 MTN_MAX_ANGLE_URAD = 6283186;
 
-// The attitude of the body is not played; ten turns leave room for a dance.
+// Largest angle of the body's attitude: ten turns, because a motion may turn the body several
+// times.  The attitude is not played.
 const Sint32 MTN_MAX_ATTITUDE_URAD = 62831853;
 
 // A key frame index must fit SetValue and the remote control: -1..32767 (Hohl 2004, table 3.6).
 const Sint32 MTN_MAX_KEYFRAMES = 32767;
 
-// How far beyond a software limit an angle still is at the limit: the vendor's files store
-// 147 degrees as 2565640, 6 micro-radians too much.
+// An angle that is beyond a software limit by this or less counts as being at the limit.  The
+// vendor's files have 147 degrees as 2565640, which is 6 micro-radians too much.
 const Sint32 MTN_LIMIT_TOLERANCE_URAD = 20;
 
-// One minute between two key frames.  The largest count in 3440 known files is 150.
+// Largest number of interpolation frames between two key frames: one minute.  In 3440 known files
+// the largest is 150.
 const Sint32 MTN_MAX_INTERPOLATION = 3749;
 
 const Sint32 MTN_MAX_JOINTS = 64;
@@ -43,28 +45,27 @@ class MtnFile {
 public:
     MtnFile();
 
-    // Reads a whole file.  Returns false and keeps nothing when the bytes are no motion.
+    // Reads a whole file.  Returns false, and is an empty motion, when the bytes are no motion.
     bool Read(const Uint8* bytes, size_t size);
 
     // Why Read() or MapTo() returned false: "section 3, offset 516: ...".
     const std::string& Error() const { return error_; }
 
-    // What is odd but harmless, in the order met.
+    // Texts about unusual but harmless content, in the order of the file.
     const std::vector<std::string>& Warnings() const { return warnings_; }
 
-    // Which joint or plunger of `robot` each joint of the file is, by locator; the design
-    // label plays no part.  Returns false with an Error() when the robot lacks one, or when
-    // a name is something else on this robot, and adds a warning for each joint that leaves
-    // the software limits.  Call after Read().
+    // Finds the joint or plunger of `robot` for each joint of the file, by locator; the design
+    // label is not used.  Returns false with an Error() when the robot has no such joint.  Adds a
+    // warning for each joint that leaves its software limits.  Call after Read().
     bool MapTo(const RobotConstants* robot);
 
     // Index in RobotConstants::joints of the file's joint `j`; -1 when it is a plunger.
     // Valid after MapTo().
     int RobotJoint(int j) const { return robotJoint_[j]; }
 
-    // Index in RobotConstants::plungers of the file's joint `j`; -1 when joint `j` is
-    // no plunger.  A plunger has two positions, as an ear has: in a key frame it is on when
-    // its Angle() is not 0.  Valid after MapTo().
+    // Index in RobotConstants::plungers of the file's joint `j`; -1 when joint `j` is no plunger.
+    // A plunger, which moves an ear, has two positions: it is on in a key frame when its Angle() is
+    // not 0.  Valid after MapTo().
     int RobotPlunger(int j) const { return robotPlunger_[j]; }
 
     int NumKeyFrames() const { return numKeyFrames_; }
@@ -85,10 +86,11 @@ public:
     // Number of interpolation frames between key frames k and k + 1.
     Sint32 Interpolation(int k) const { return interpolations_[k]; }
 
-    // When key frame `k` is reached, in ms from key frame 0: the sum of (n + 1) x 16.
+    // The time of key frame `k`, in ms after key frame 0.  A gap with interpolation count n lasts
+    // (n + 1) x 16 ms.
     Sint32 TimeMs(int k) const;
 
-    // TimeMs() of the last key frame; 0 of an empty motion.
+    // TimeMs() of the last key frame; 0 for an empty motion.
     Sint32 DurationMs() const;
 
 private:
@@ -113,7 +115,7 @@ private:
     int majorVersion_, minorVersion_;
     std::string name_, creator_, designLabel_;
     std::vector<std::string> locators_;
-    std::vector<size_t> locatorAt_;       // offset of each in the file
+    std::vector<size_t> locatorAt_;       // offset of each locator in the file
     std::vector<Sint32> angles_;          // [key frame][joint]
     std::vector<Sint32> attitudes_;       // [key frame][roll, pitch, yaw]
     std::vector<Sint32> interpolations_;  // [gap]

@@ -1,16 +1,16 @@
 //
-// Cuts a motion into command vectors: the play-back algorithm of Hohl 2004, section 4.1.2
-// and table 4.2.
+// Splits a motion into command vectors: the play-back algorithm of Hohl 2004, section 4.1.2 and
+// table 4.2.
 //
-// The robot stands at key frame 0 when play-back begins.  A gap with interpolation count
-// n lasts (n + 1) x 16 ms, in 2 (n + 1) frames of 8 ms on a straight line; the last frame
-// of a gap is the next key frame itself, so the last key frame is reached exactly.
-// Another loop begins with the first gap again, without a way back to key frame 0.
-// Speed limits play no part.
+// The robot is at key frame 0 when play-back begins.  The gap between two key frames, with
+// interpolation count n, lasts (n + 1) x 16 ms.  It is played in 2 (n + 1) frames of 8 ms on a
+// straight line.  The last frame of a gap is the next key frame itself, so key frames are reached
+// exactly.  Each further loop begins with the first gap again; there is no movement back to key
+// frame 0.  Speed limits are ignored.
 //
-// A vector holds as many whole gaps as fit, at most the number of key frames asked for, so
-// that it ends at a key frame, where positions are measured; the last vector of a loop may
-// be short.  Only a gap longer than a vector is split.
+// A vector has as many whole gaps as fit, but no more than the number asked for.  So it ends at a
+// key frame, where positions are measured.  The last vector of a loop may be short.  Only a gap
+// that is longer than a vector is split.
 //
 
 #ifndef MtnPlayer_h_DEFINED
@@ -22,23 +22,22 @@
 // Frames of a command vector (ocommandMAX_FRAMES, Level 2 Reference Guide 4.2.1).
 const int MAX_VECTOR_FRAMES = 16;
 
-// Two key frames without interpolation make a vector of 32 ms, the period of the sensor
-// vectors; two vectors wait in the effector, so a stop acts within 64 ms.
+// Two key frames without interpolation make a vector of 32 ms, which is the period of the sensor
+// vectors.  Two vectors are in the effector at any time, so a stop acts within 64 ms.
 const int DEFAULT_KEYFRAMES_PER_VECTOR = 2;
 
 class MtnPlayer {
 public:
     MtnPlayer();
 
-    // Begins at key frame 0.  `motion` must stay until the end.  `loops` >= 1.  An uneven
-    // number of key frames per vector is rounded down to the next even one, but not
-    // below 2; more than 8 do not fit into a vector.
+    // Begins at key frame 0.  `motion` must exist until the end.  REQUIRES: loops >= 1.  The number
+    // of key frames per vector is rounded down to an even number from 2 to 8.
     void Start(const MtnFile* motion, int loops, int keyFramesPerVector);
 
-    // Plays nothing more.
+    // Ends play-back at the present frame.
     void Stop() { motion_ = 0; }
 
-    // False when there is no frame left.
+    // Whether there is a frame left to play.
     bool IsPlaying() const { return motion_ != 0; }
 
     // How many frames the next vector has: 1 to MAX_VECTOR_FRAMES; 0 when there is none.
@@ -47,7 +46,7 @@ public:
     // Advances one frame.  REQUIRES: IsPlaying().
     void NextFrame();
 
-    // Position of the file's joint `j` in the frame NextFrame() advanced to, urad.
+    // Position of the file's joint `j` in the frame to which NextFrame() advanced, urad.
     Sint32 Position(int j) const;
 
     // The key frame reached last; 0 before the first.
@@ -58,12 +57,12 @@ private:
     void EndLoop();
 
     const MtnFile* motion_;  // 0: not playing
-    const MtnFile* shown_;   // what Position() speaks of; outlives the last frame
+    const MtnFile* shown_;   // motion of Position(), also after the last frame
     int loopsLeft_;          // this one included
     int keyFramesPerVector_;
-    int gap_;    // being played: from key frame gap_ to gap_ + 1
-    int frame_;  // of that gap: 0 before its first frame
-    int shownGap_, shownFrame_;
+    int gap_;    // the gap that plays, from key frame gap_ to gap_ + 1
+    int frame_;  // number of frames of the gap that were played
+    int shownGap_, shownFrame_;  // gap and frame of Position()
     int keyFrame_;
 };
 

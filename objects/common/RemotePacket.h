@@ -1,8 +1,8 @@
 //
 // Packets of the remote control: the byte level of docs/remote-control.md.
 //
-// Used by RCServer on the robot and by the client on the host.  Every read and write is
-// bounded; a packet that ends early leaves zeros and a flag, never a crash.
+// Used by RCServer on the robot and by the client on the host.  No read or write goes beyond its
+// buffer: reading after the end of a packet gives zeros and sets a flag.
 //
 
 #ifndef RemotePacket_h_DEFINED
@@ -19,11 +19,11 @@ const int RC_VERSION = 1;
 const int RC_HEADER_SIZE = 8;          // of a request
 const int RC_ANSWER_HEADER_SIZE = 16;  // of an answer
 
-// Bytes of a whole packet.  1024: the robot sends that much at once, more waits up to 200 ms
+// Largest size of a whole packet.  The robot sends 1024 bytes at once; more bytes wait up to 200 ms
 // (BBS 1530, 1592).
 const int RC_MAX_PACKET = 1024;
 
-// What both kinds of packet begin with, without magic.
+// The beginning of requests and answers, without the magic number.
 struct RcHeader {
     Uint16 size;  // of the whole packet
     Uint8 version;
@@ -31,7 +31,7 @@ struct RcHeader {
     Uint16 tag;
 };
 
-// Puts numbers and strings behind each other into a buffer of the caller.
+// Writes numbers and strings one after the other into a buffer of the caller.
 class RcWriter {
 public:
     RcWriter(Uint8* buffer, int capacity);
@@ -41,14 +41,14 @@ public:
     void U32(Uint32 value);
     void S32(Sint32 value) { U32((Uint32)value); }
 
-    // A length byte and the characters; longer strings lose their end.  What is no printable ASCII
-    // character goes out as '?'.
+    // Writes a length byte and the characters.  A string that is too long is cut off.  '?' replaces
+    // all but printable ASCII characters.
     void String(const std::string& text);
 
     int Size() const { return size_; }
     bool HasOverflowed() const { return hasOverflowed_; }
 
-    // Goes back to `size` bytes.
+    // Drops all bytes after the first `size`.
     void Truncate(int size);
 
     // Writes the first RC_HEADER_SIZE bytes, now that the size is known.
@@ -73,9 +73,9 @@ public:
     Uint16 U16();
     Uint32 U32();
     Sint32 S32();
-    std::string String();  // '?' for what is no printable ASCII character
+    std::string String();  // '?' replaces all but printable ASCII characters
 
-    // Everything was there, and nothing is left over.
+    // Whether all reads found their bytes and no byte is left over.
     bool IsComplete() const { return !hasFailed_ && at_ == size_; }
     bool HasFailed() const { return hasFailed_; }
 
@@ -88,33 +88,32 @@ private:
     bool hasFailed_;
 };
 
-// Cuts a stream of bytes into packets, however it was delivered: in pieces, or several
-// packets at once.
+// Splits a stream of bytes into packets.  The bytes may come in pieces, or several packets at once.
 class RcFramer {
 public:
     enum Result {
-        NEEDS_MORE,  // no whole packet is here
+        NEEDS_MORE,  // a packet is not complete yet
         PACKET,
-        BROKEN  // what is here is no packet; the stream cannot be followed any further
+        BROKEN  // the bytes are no packet, so later packets cannot be found either
     };
 
     RcFramer() { Reset(); }
     void Reset();
 
-    // How many bytes Take() has room for; at least RC_MAX_PACKET after NEEDS_MORE.
+    // Number of bytes that Take() has room for; at least RC_MAX_PACKET after NEEDS_MORE.
     int Room() const { return CAPACITY - size_; }
 
     // Appends bytes.  REQUIRES: size <= Room().
     void Take(const Uint8* bytes, int size);
 
-    // The next packet.  What Header() and Payload() tell holds until the next call of Next() or
-    // Take().
+    // Finds the next packet.  Header() and Payload() are those of the packet until the next call of
+    // Next() or Take().
     Result Next();
     const RcHeader& Header() const { return header_; }
     const Uint8* Payload() const { return buffer_ + RC_HEADER_SIZE; }
     int PayloadSize() const { return header_.size - RC_HEADER_SIZE; }
 
-    // Why Next() returned BROKEN.
+    // The reason why Next() returned BROKEN.
     const std::string& Error() const { return error_; }
 
 private:
@@ -122,7 +121,7 @@ private:
 
     Uint8 buffer_[CAPACITY];
     int size_;      // bytes in buffer_
-    int consumed_;  // of them, of the packet told last
+    int consumed_;  // bytes of the packet that Next() found last
     RcHeader header_;
     std::string error_;
 };

@@ -45,7 +45,7 @@ RcInfo::Read(RcReader* in)
     return in->IsComplete();
 }
 
-// `count` numbers; the count itself is written elsewhere.
+// Writes the numbers only.  The caller writes their count.
 static void
 WriteNumbers(RcWriter* out, const std::vector<Sint32>& numbers)
 {

@@ -1,9 +1,9 @@
 //
-// Requests and answers of the remote control: what docs/remote-control.md puts into packets.
+// Requests and answers of the remote control (docs/remote-control.md).
 //
 // Positions are 0.01 degree, speeds 0.01 degree/s, accelerations 0.01 degree/s^2.  Each struct
-// writes and reads itself, so that server and client cannot disagree.  Read() returns false
-// when bytes are missing or left over.
+// has functions to write and to read it, which server and client share.  Read() returns false when
+// bytes are missing or left over.
 //
 
 #ifndef RemoteProtocol_h_DEFINED
@@ -40,25 +40,25 @@ enum RcCommand {
 
 enum RcStatus {
     rcOK = 0,
-    rcerrorBAD_PACKET = 1,  // no packet; the server closes the connection
+    rcerrorBAD_PACKET = 1,  // the bytes are no packet; the server closes the connection
     rcerrorVERSION = 2,     // protocol version is not served
     rcerrorUNKNOWN_COMMAND = 3,
     rcerrorNOT_IMPLEMENTED = 4,  // reserved command
     rcerrorMALFORMED = 5,        // payload too short or too long
     rcerrorNO_SUCH_DEVICE = 6,   // index out of range
-    rcerrorBUSY = 7,             // the robot cannot take this now
+    rcerrorBUSY = 7,             // the robot cannot do this now
     rcerrorNO_SUCH_FILE = 8,
-    rcerrorBAD_FILE = 9,  // no motion, or not for this robot
+    rcerrorBAD_FILE = 9,  // the file is no motion, or none for this robot
     rcerrorBAD_VALUE = 10
 };
 
-// What every answer says besides its payload.
+// The part of an answer before its payload.
 struct RcAnswerHeader {
     RcHeader header;
-    Uint32 frame;   // of 8 ms, of the newest sensor values; 0xffffffff: none yet
+    Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: none yet
     Uint16 status;  // RcStatus
 
-    // From a packet of RcFramer; false when it is too short for an answer.
+    // Reads the header from a packet.  Returns false when the packet is too short for an answer.
     bool Read(const RcFramer& packet);
 };
 
@@ -128,7 +128,7 @@ struct RcSensors {
 struct RcPlayRequest {
     std::string file;          // "WALK.MTN"
     Uint16 loops;              // >= 1
-    Uint8 keyFramesPerVector;  // 0: as the robot likes
+    Uint8 keyFramesPerVector;  // 0: the robot chooses
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

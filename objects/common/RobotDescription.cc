@@ -22,7 +22,8 @@ FindPosture(const RobotConstants* robot, const char* name)
     return 0;
 }
 
-// The tables below differ in type only; all have a locator.
+// Finds a row by its locator.  One template for all tables, because every type of row has a
+// locator.
 template <class Row>
 static int
 FindLocator(const Row* rows, int numRows, const char* locator)

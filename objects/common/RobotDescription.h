@@ -1,10 +1,9 @@
 //
-// What the objects know about a robot: the shape of the tables in RobotConstants.cc.
+// The constants of a robot, as the objects use them: the types of the tables in RobotConstants.cc.
 //
-// The tables themselves are generated from the robot models (virtualrobot/model/*.json)
-// by tools/genmodel, for all models at once; an object finds its robot at run time with
-// OPENR::GetRobotDesign() and FindRobot().  No constant of a robot is written down
-// anywhere else in objects/.
+// tools/genmodel generates the tables from the robot models (virtualrobot/model/*.json), for all
+// models at once.  An object finds its robot at run time with OPENR::GetRobotDesign() and
+// FindRobot().  No other file in objects/ has a constant of a robot.
 //
 
 #ifndef RobotDescription_h_DEFINED
@@ -12,9 +11,9 @@
 
 #include "FixedTypes.h"
 
-// Room for the largest robot, in tables and in the messages between objects: ERS-210 and
-// ERS-7 have 18 joints, the ERS-7 has 26 LEDs and 16 sensors that are no joints, all have
-// at most 2 plungers.
+// Sizes of arrays in the objects and in their messages, with room for every robot.  ERS-210 and
+// ERS-7 have 18 joints; the ERS-7 has 26 LEDs and 16 sensors that are not joints; no robot has more
+// than 2 plungers.
 const int MAX_JOINTS = 20;
 const int MAX_LEDS = 32;
 const int MAX_PLUNGERS = 4;
@@ -29,10 +28,10 @@ struct JointConstants {
     Sint32 minCdeg;  // the same in 0.01 degree
     Sint32 maxCdeg;
     Sint32 minSpeedCdeg;  // 0.01 degree/s
-    Sint32 maxSpeedCdeg;  // the speed in force at start-up, too
+    Sint32 maxSpeedCdeg;  // also the speed after start-up
     Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
     Sint16 sensorIndex;   // element of the sensor frame vector
-    Sint16 mtnIndex;      // column in the vendor's MTN files; -1: in none
+    Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: in none
 };
 
 enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // OLEDCommandValue2 or 3
@@ -106,7 +105,8 @@ struct RobotConstants {
     CameraConstants camera;
 };
 
-// All return 0 (or -1) when there is no such thing.  `robot` must not be 0.
+// Find a robot, posture or device by name.  Return 0 (an index: -1) when there is none of that
+// name. `robot` must not be 0.
 const RobotConstants* FindRobot(const char* design);
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
 int FindJoint(const RobotConstants* robot, const char* locator);
@@ -114,7 +114,7 @@ int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);
 int FindSensor(const RobotConstants* robot, const char* locator);
 
-// How many sensors of `robot` belong to `group`.
+// Number of sensors of `robot` that belong to `group`.
 int CountSensors(const RobotConstants* robot, SensorGroup group);
 
 #endif  // RobotDescription_h_DEFINED

@@ -24,7 +24,8 @@ SensorReader::Open(const RobotConstants* robot)
     return oSUCCESS;
 }
 
-// An element is known by its primitive id; its place is the same in every vector.
+// Finds an element by its primitive id.  Called for the first vector only, because an element has
+// the same place in every vector.
 int
 SensorReader::FindElement(OSensorFrameVectorData* vector, OPrimitiveID id,
                           const char* locator) const

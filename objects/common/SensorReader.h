@@ -1,5 +1,5 @@
 //
-// Sensor vectors of OVirtualRobotComm as SensorValues.  Part of an OPEN-R object.
+// Reads sensor vectors of OVirtualRobotComm into SensorValues.  For use inside of an OPEN-R object.
 //
 
 #ifndef SensorReader_h_DEFINED
@@ -16,7 +16,7 @@ public:
     // Opens the primitives of all joints and sensors.  Call in DoInit.
     OStatus Open(const RobotConstants* robot);
 
-    // The newest of the frames in `vector`.
+    // Reads the newest of the frames in `vector`.
     void Read(OSensorFrameVectorData* vector, SensorValues* values);
 
 private:
@@ -26,8 +26,8 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
-    bool isFound_;                  // the next two are known
-    int jointElement_[MAX_JOINTS];  // -1: not in the vector
+    bool isFound_;                  // whether the elements below are known
+    int jointElement_[MAX_JOINTS];  // element of the vector; -1: not in the vector
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -11,7 +11,7 @@
 const Uint32 NO_SENSOR_FRAME = 0xffffffff;
 
 struct SensorValues {
-    Uint32 frame;                // of 8 ms, in which they were sampled; NO_SENSOR_FRAME: none yet
+    Uint32 frame;                // frame number of the samples; NO_SENSOR_FRAME: none yet
     Sint32 joint[MAX_JOINTS];    // urad
     Sint32 sensor[MAX_SENSORS];  // in the unit of SensorConstants::kind
 };

@@ -1,5 +1,5 @@
 //
-// A whole file of the Memory Stick in memory.
+// Reading a whole file of the Memory Stick.
 //
 
 #ifndef StickFile_h_DEFINED
@@ -10,11 +10,11 @@
 
 #include "FixedTypes.h"
 
-// Far more than a motion needs (the largest known has 10 KB), little beside 32 MB of RAM.
+// Largest file that is read.  The largest known motion has 10 KB; the robot has 32 MB of memory.
 const long STICK_FILE_MAX = 1024 * 1024;
 
-// Reads `path` ("/MS/OPEN-R/...").  Returns false with a reason in `error`; `bytes` is
-// empty then.
+// Reads the file `path` ("/MS/OPEN-R/...").  On failure returns false, with a reason in `error` and
+// `bytes` empty.
 bool ReadStickFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
 
 #endif  // StickFile_h_DEFINED

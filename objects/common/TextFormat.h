@@ -7,8 +7,8 @@
 
 #include <string>
 
-// At most 239 characters come out: the robot's log line ends there too (Programmer's
-// Guide 5.1), and the buffer lies on a small stack.
+// The result has at most 239 characters, as a line of the robot's log has (Programmer's Guide 5.1).
+// The buffer is on the stack, which is small.
 std::string TextFormat(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif  // TextFormat_h_DEFINED

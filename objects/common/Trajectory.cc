@@ -4,10 +4,12 @@
 
 static const Sint64 ONE_URAD = 65536;
 
-// One 0.01 degree/s is pi/18000 x 10^6 urad/s x 0.008 s = 1.396263402 urad per frame, here
-// in 2^-16 urad and times 10^6; one 0.01 degree/s^2 is another 0.008 of that per frame^2.
-static const Sint64 SPEED_SCALE_E6 = 91505518287LL;
-static const Sint64 ACCELERATION_SCALE_E6 = 732044146LL;
+// One 0.01 degree/s is 0.008 x URAD_PER_CDEG urad per frame, here in 2^-16 urad and times 10^6.
+// 0.01 degree/s^2 is 0.008 times as much per frame^2.  Both are rounded to the nearest.
+static const Sint64 SPEED_SCALE_E6 = (URAD_PER_CDEG_E9 * ONE_URAD * 8 + 500000) / 1000000;
+static const Sint64 ACCELERATION_SCALE_E6 = (SPEED_SCALE_E6 * 8 + 500) / 1000;
+COMPILE_TIME_CHECK(SpeedScaleIsExact, SPEED_SCALE_E6 == 91505518287LL);
+COMPILE_TIME_CHECK(AccelerationScaleIsExact, ACCELERATION_SCALE_E6 == 732044146LL);
 
 Trajectory::Trajectory()
     : goal_(0), position_(0), speed_(0), speedLimit_(1), acceleration_(1), nextAcceleration_(1)
@@ -68,7 +70,8 @@ Trajectory::Position() const
     return (Sint32)DivideRounded(position_, ONE_URAD);
 }
 
-// What is still travelled in the frames after this one when braking from `speed` >= 0.
+// Distance that the joint still moves in the frames after this one when it brakes from `speed` >=
+// 0.
 Sint64
 Trajectory::StoppingDistance(Sint64 speed) const
 {
@@ -76,7 +79,8 @@ Trajectory::StoppingDistance(Sint64 speed) const
     return n * speed - acceleration_ * n * (n + 1) / 2;
 }
 
-// Whole part of the square root.  Newton's method from above: the sequence falls until it is there.
+// Whole part of the square root, by Newton's method.  The sequence begins above the root and falls
+// until it has reached it.
 static Sint64
 SquareRoot(Sint64 value)
 {
@@ -107,7 +111,7 @@ Trajectory::Step()
         acceleration_ = nextAcceleration_;
         return goal_;
     }
-    // Seen in the direction of the goal.
+    // Distance and speed are positive in the direction of the goal.
     const Sint64 toGoal = goal_ * ONE_URAD - position_;
     const bool forward = toGoal >= 0;
     const Sint64 distance = forward ? toGoal : -toGoal;
@@ -116,9 +120,10 @@ Trajectory::Step()
     Sint64 step = LargestStep(distance);
     if (step > speedLimit_) step = speedLimit_;
     if (step > speed + acceleration_) step = speed + acceleration_;
-    if (step < speed - acceleration_) step = speed - acceleration_;  // too fast: past it and back
+    // A joint that is too fast to stop at the goal moves past it, and comes back later.
+    if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;
-    if (step == distance && step <= acceleration_) Rest();  // there, and slow enough to stop
+    if (step == distance && step <= acceleration_) Rest();  // at the goal, and slow enough to stop
     return Position();
 }

@@ -1,17 +1,17 @@
 //
-// The way of one joint to its goal: one position per 8 ms frame, inside a speed and an
-// acceleration limit, ending exactly at the goal.
+// The movement of one joint to its goal: one position per frame of 8 ms, within limits of speed and
+// acceleration, ending exactly at the goal.
 //
-// This is the "algorithm for manual commands" of Hohl 2004, section 4.1.1: used for the
-// start-up postures, for commands of the remote control and of controllers, and for the
-// way to the first key frame of a motion.  A new goal may be given at any time; the
-// joint goes on from the speed it has.
+// This is the "algorithm for manual commands" of Hohl 2004, section 4.1.1.  It is used for the
+// start-up postures, for commands of the remote control and of controllers, and for the movement to
+// the first key frame of a motion.  A new goal may be given at any time; the joint continues with
+// the speed it has.
 //
-// Each frame takes the largest step from which the joint can still stop at the goal with
-// the acceleration limit, so no plan is stored and none can go stale.  Fixed point
-// (2^-16 micro-radian) instead of floating point: the same frames on every compiler,
-// word size and CPU.  A duration is never computed, hence nothing is truncated to zero
-// frames (ers210.md 5, "Arithmetic trap").
+// Each frame takes the largest step after which the joint can still stop at the goal with its limit
+// of acceleration.  So there is no stored plan that a new goal would make wrong.  Positions are in
+// fixed point (2^-16 micro-radian) instead of floating point, so every compiler, word size and CPU
+// computes the same frames.  No duration is computed, so none can be rounded to zero frames
+// (ers210.md 5, "Arithmetic trap").
 //
 
 #ifndef Trajectory_h_DEFINED
@@ -23,19 +23,20 @@ class Trajectory {
 public:
     Trajectory();
 
-    // At rest at `urad`, which is the goal, too.  Limits stay.
+    // Puts the joint at rest at `urad`, which becomes the goal.  The limits stay.
     void Reset(Sint32 urad);
 
-    // 0.01 degree/s, > 0.  A limit below the speed the joint has slows it down.
+    // Sets the limit of speed, 0.01 degree/s, > 0.  A joint that is faster slows down.
     void SetSpeed(Sint32 speedCdeg);
 
-    // 0.01 degree/s^2, > 0.  A lower limit given on the way counts from the next rest:
-    // with it the joint could run past its goal, perhaps past its mechanical limit.
+    // Sets the limit of acceleration, 0.01 degree/s^2, > 0.  A lower limit that comes while the
+    // joint moves is used after its next stop, because with it the joint could not stop at its
+    // goal.
     void SetAcceleration(Sint32 accelerationCdeg);
 
     void SetGoal(Sint32 urad);
 
-    // Makes the nearest place where the joint can stop its goal.
+    // Stops the joint: its goal becomes the nearest position at which it can stop.
     void Halt();
 
     // Advances one frame and returns the position at its end, in urad.
@@ -46,7 +47,7 @@ public:
 
     Sint32 Goal() const { return goal_; }
 
-    // False at rest at the goal.
+    // Whether the joint moves or is not at its goal.
     bool IsMoving() const;
 
 private:
@@ -59,7 +60,7 @@ private:
     Sint64 speed_;             // 2^-16 urad per frame
     Sint64 speedLimit_;        // same unit, > 0
     Sint64 acceleration_;      // 2^-16 urad per frame^2, > 0
-    Sint64 nextAcceleration_;  // in force from the next rest
+    Sint64 nextAcceleration_;  // limit after the next stop
 };
 
 #endif  // Trajectory_h_DEFINED
