@@ -1,5 +1,5 @@
 //
-// The camera for controllers.
+// The functions of include/device/camera.h.
 //
 
 #include <device/camera.h>
@@ -8,7 +8,7 @@
 
 #include "ControllerApi.h"
 
-static std::vector<Uint8> theImage;  // empty: disabled
+static std::vector<Uint8> theImage;  // empty: the camera is disabled
 static bool theImageIsThere = false;
 
 static const CameraConstants*

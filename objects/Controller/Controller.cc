@@ -32,7 +32,8 @@ Controller::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover does not wait: what it reports while we are busy elsewhere must not be lost.
+    // JointMover sends reports without waiting for us.  The buffer keeps them, so that none is
+    // lost.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -183,7 +184,8 @@ Controller::IsBatchMoverReady()
     return subject[sbjBatchMover]->IsReady() != 0;
 }
 
-// A free vector of the two, with its elements not filled yet; 0 when both are under way.
+// Returns a vector whose region is free, with elements that are not filled yet; 0 when both are in
+// use.
 OCommandVectorData*
 Controller::BeginVector(RCRegion** regions, int numElements, RCRegion** region)
 {
@@ -239,8 +241,8 @@ Controller::SendLeds(Uint32 on, int frames)
     FinishVector(sbjLed, region);
 }
 
-// One frame: the ears take 128 ms for it (Hohl 2004, 5.3.4), and longer under power would
-// warm them for nothing.  STATE1 is on, see the robot model.
+// Sends one command frame.  An ear takes 128 ms for it (Hohl 2004, 5.3.4); more frames would only
+// warm its coil.  STATE1 is on, see the robot model.
 void
 Controller::SendEars(Uint32 on)
 {
@@ -292,7 +294,7 @@ Controller::BatteryCapacity()
     return OPENR::GetPowerStatus(&power) == oSUCCESS ? power.remainingCapacity : 0;
 }
 
-// Said once for each step asked for, not 15 times a second.
+// Reports each time step once, not in every iteration.
 void
 Controller::TimeStepRounded(int askedMs, int usedMs)
 {
@@ -333,7 +335,7 @@ Controller::RunLoop(void (*body)(void*), void* argument)
     LoopStackRun(body, argument);
 }
 
-// Said once: a controller that steps does so 15 times a second.
+// Reports the missing stack once, because a controller calls robot_step() many times a second.
 bool
 Controller::LeaveLoop()
 {
@@ -348,7 +350,7 @@ Controller::ContinueLoop()
     LoopStackContinue();
 }
 
-// exit() ends the method, the object goes on (Programmer's Guide, appendix A.2).
+// exit() ends the method that runs; the object goes on (Programmer's Guide, appendix A.2).
 void
 Controller::EndLoop()
 {

@@ -4,13 +4,13 @@
 //   Controller.Led, Controller.Ear -> OVirtualRobotComm.Effector
 //   Controller.BatchMover          -> JointMover: the buffer of joint commands
 //   Controller.Mover               -> JointMover: motions
-//   Controller.MainExecution       <- the robot stands; the controller begins
+//   Controller.MainExecution       <- says that the robot stands, so that the controller begins
 //   Controller.LedEar              <- LEDs and ears of the remote control
 //   Controller.SetValue            <- key frames of motions
 //   Controller.Sensor              <- sensor values
 //   Controller.Image               <- images of the camera, if the controller wants them
 //
-// The loop is in ControllerCore; this class turns it into OPEN-R.
+// The control loop is in ControllerCore; this class connects it with OPEN-R.
 //
 
 #ifndef Controller_h_DEFINED
@@ -48,7 +48,7 @@ public:
     void NotifyImage(const ONotifyEvent& event);
 
 private:
-    // Vectors of one kind: one is played, another may wait until the effector is ready.
+    // Vectors of one kind: one is played while another waits until the effector is ready.
     static const int NUM_REGIONS = 2;
 
     // ControllerPort
@@ -83,7 +83,7 @@ private:
     RCRegion* earRegion_[NUM_REGIONS];
     SensorReader sensorReader_;
     SensorValues sensors_;
-    int roundedMs_;  // the time step said to be rounded last
+    int roundedMs_;  // the time step whose rounding was reported last
     bool hasStepped_;
     bool isCameraOn_;
     bool isStopped_;

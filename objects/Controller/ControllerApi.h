@@ -1,8 +1,7 @@
 //
-// The functions of include/device on one side, ControllerCore on the other.
+// The connection between the functions of include/device and ControllerCore.
 //
-// They are plain C functions without an argument that says which robot is meant, so there is
-// one controller per image.
+// These are C functions without an argument for the robot, so an image has one controller.
 //
 
 #ifndef ControllerApi_h_DEFINED
@@ -10,16 +9,16 @@
 
 #include "ControllerCore.h"
 
-// Names the core the functions speak to; it must outlive their use.  0: none, then they do
-// nothing and every value is 0.
+// Sets the core that the functions use.  It must exist while they are called.  With 0 they do
+// nothing and return 0.
 void SetControllerCore(ControllerCore* core);
 ControllerCore* GetControllerCore();
 
-// News of JointMover for the motions.
+// Gives a report of JointMover to the motions.
 void SetMotionValues(const SetValueMessage& message);
 
-// Where the next image of the camera is to be written, width x height pixels of 3 bytes, red, green,
-// blue, from the top left; 0 when no controller wants one.
+// Memory for the next image of the camera: width x height pixels of 3 bytes, red, green, blue, from
+// the top left.  0 when the controller has not enabled the camera.
 Uint8* CameraBuffer();
 
 #endif  // ControllerApi_h_DEFINED

@@ -1,5 +1,5 @@
 //
-// Images for the controller: from luminance and differences of colour to red, green and blue.
+// Images for the controller: converts luminance and differences of colour to red, green and blue.
 //
 
 #include "Controller.h"
@@ -8,7 +8,7 @@
 
 #include "ControllerApi.h"
 
-// Images only come while their observer is ready.
+// Asserts or deasserts ready, because images are sent only to an observer that is ready.
 void
 Controller::EnableCamera(bool on)
 {
@@ -26,9 +26,9 @@ Clip(int value)
     return (Uint8)(value < 0 ? 0 : (value > 255 ? 255 : value));
 }
 
-// Whole numbers only, so that every compiler gives the same picture: green is
-// y - 0.51 cr - 0.19 cb in 256ths.  The last row of Y begins with 16 bytes of other data, so it
-// is taken from the row above.
+// Converts the image with integers, so that every compiler gives the same picture.  Green is y -
+// 0.51 cr - 0.19 cb.  The last row of Y begins with 16 bytes of other data, so the row above is
+// used in its place.
 static void
 Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 {
@@ -54,7 +54,7 @@ Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 void
 Controller::NotifyImage(const ONotifyEvent& event)
 {
-    if (!isCameraOn_) return;  // one that was on its way
+    if (!isCameraOn_) return;  // this image was sent before the camera was disabled
     Uint8* out = CameraBuffer();
     if (out != 0) {
         OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);

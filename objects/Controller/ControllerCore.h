@@ -2,13 +2,13 @@
 // Controller without OPEN-R: the control loop and the buffers behind the functions a controller
 // calls (Hohl 2004, sections 5.3.3 to 5.3.7).
 //
-// The loop is paced by LED vectors: each lasts the time step the controller asked for, and its
-// end calls the run function again.  What the run function commands goes into buffers, and from
-// there into vectors and messages after it.  Values of the remote control go into the
-// same buffers when they arrive, so those of the run function win.
+// LED vectors are the clock of the loop: each lasts the time step that the controller asked for,
+// and at its end the run function is called again.  Commands of the run function go into buffers,
+// and are sent after it as vectors and messages.  Values of the remote control go into the same
+// buffers when they arrive, so later values of the run function replace them.
 //
-// A controller that loops by itself calls robot_step() instead; then the end of the LED vector lets
-// robot_step() return.  Only where ControllerPort has a stack for it: not on the robot.
+// A controller with a loop of its own calls robot_step() instead.  It returns at the end of the LED
+// vector.  This works only where ControllerPort has a second stack, which the robot has not.
 //
 
 #ifndef ControllerCore_h_DEFINED
@@ -29,21 +29,22 @@ public:
     const SensorValues& Sensors() const { return sensors_; }
     ControllerPort* Port() { return port_; }
 
-    // The robot stands: runs the controller's main function, and the loop from then on.
+    // Runs the controller's main function, and the loop from then on.  Called when the robot
+    // stands.
     void Execute(int (*controllerMain)());
 
-    // The robot is shut down.
+    // Ends the controller, because the robot is shut down.
     void Die();
 
-    // News of the robot.
+    // Take new sensor values, readies and values of the remote control.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
     void LedReady();
     void EarReady();
     void BatchMoverReady();
     void RemoteLights(const LedEarState& change);
 
-    // The ears of `mask` have a position in the key frame that a motion has reached: on or
-    // off, bit i for plunger i.
+    // Sets the ears of `mask` to their positions in the key frame that a motion has reached.  Bit i
+    // is plunger i; a set bit in `on` is on.
     void MotionEars(Uint32 mask, Uint32 on);
 
     // Called by the functions of the controller's interface.
@@ -60,7 +61,7 @@ public:
     void MotorOff(int joint);
 
 private:
-    // Where the controller's code is running.
+    // The function of the controller that runs.
     enum Place { NOWHERE, IN_MAIN, IN_RUN };
 
     static void CallMain(void* core);
@@ -78,17 +79,17 @@ private:
     const RobotConstants* robot_;
     DeviceTable devices_;
     SensorValues sensors_;
-    std::vector<std::string> unknown_;  // devices asked for in vain
+    std::vector<std::string> unknown_;  // unknown devices that were reported
 
     void (*die_)();
     int (*main_)();
     int (*run_)(int);
     Place place_;
-    bool isStepping_;  // the main function waits in robot_step()
-    int stepFrames_;   // of the LED vectors
+    bool isStepping_;  // whether the main function waits in robot_step()
+    int stepFrames_;   // length of the LED vectors
 
     Uint32 ledOn_, earOn_;
-    bool ledChanged_;  // by remote control while no loop runs
+    bool ledChanged_;  // whether the remote control changed LEDs while no loop runs
     bool earChanged_;
     bool batchChanged_;
     BatchMoverCommand batch_;

@@ -1,17 +1,17 @@
 //
-// The controller's main function, whatever its language and its arguments.
+// The call of the controller's main function, in C or C++, with or without arguments.
 //
 
 #ifndef ControllerMain_h_DEFINED
 #define ControllerMain_h_DEFINED
 
-// Calls it; returns what it returns, 0 if the image has none (an empty controller).
+// Calls main() and returns its result; 0 if the image has no main() (an empty controller).
 //
-// The build of a controller writes this function: it compiles the controller with
-// -Dmain=controller_main, looks which symbol that gave (in C++ the arguments are part of it), and
-// generates the call (kit/controller_main.h).  Weak symbols would not do: the robot's image
-// tool adds the load address to every word of the global offset table, so an undefined weak
-// function is not null there.
+// The build of a controller generates this function (openr/kit/controller_main.h).  It compiles the
+// controller with -Dmain=controller_main, finds the symbol of that name (in C++ it contains the
+// arguments) and writes a call of it.  A weak symbol would not work: the robot's image tool adds
+// the load address to every word of the global offset table, so an undefined weak function is not
+// null there.
 int CallControllerMain();
 
 #endif  // ControllerMain_h_DEFINED

@@ -1,6 +1,6 @@
 //
-// Numbers for the devices of a robot, as robot_get_device() gives them out: joints, LEDs,
-// ears, sensors, the camera, one after the other from 1.
+// The tags of a robot's devices that robot_get_device() returns: numbers from 1 for joints, LEDs,
+// ears, sensors and the camera, in this order.
 //
 
 #ifndef DeviceTable_h_DEFINED
@@ -21,7 +21,8 @@ public:
     // The locators of all devices.
     std::vector<const char*> Locators() const;
 
-    // Index in the table of RobotConstants; -1 when `tag` is something else.
+    // Index of the device in its table of RobotConstants; -1 when `tag` is a device of another
+    // kind.
     int Joint(int tag) const;
     int Led(int tag) const;
     int Ear(int tag) const;

@@ -1,5 +1,5 @@
 //
-// LoopStack for the robot, which has one stack for each object and no more.
+// LoopStack for the robot, where an object has one stack only.
 //
 
 #include "LoopStack.h"

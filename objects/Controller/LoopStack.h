@@ -1,28 +1,32 @@
 //
 // A second stack, for controllers that are an endless loop (ControllerPort::RunLoop).
 //
-// OPEN-R has nothing of the kind: a method that does not return is the end of its object (Hohl
-// 2004, 5.3.3).  So there are two implementations, and the build chooses: LoopStack.cc for the
-// robot, which has no stack, and one of the host's kit.  This header is all that objects know.
+// OPEN-R has no second stacks, and an object whose method does not return is lost (Hohl 2004,
+// 5.3.3).  So there are two implementations, from which the build chooses: LoopStack.cc for the
+// robot, without a second stack, and that of the host's kit.
 //
 
 #ifndef LoopStack_h_DEFINED
 #define LoopStack_h_DEFINED
 
-// Calls body(argument), on the second stack if there is one; returns when it has ended or left.
+// Calls body(argument), on the second stack if there is one.  Returns when body has ended or has
+// called LoopStackLeave().
 void LoopStackRun(void (*body)(void*), void* argument);
 
-// Called by body: back to LoopStackRun() or LoopStackContinue(), and true when continued.  False,
-// at once, when there is no second stack.
+// Called by body.  Lets LoopStackRun() or LoopStackContinue() return, and returns true when body is
+// continued.  Returns false at once when there is no second stack.
 bool LoopStackLeave();
 
-// REQUIRES: body has left.
+// Continues body after its LoopStackLeave().  Returns when body has ended or has called it again.
+// REQUIRES: body has called LoopStackLeave() and was not continued since.
 void LoopStackContinue();
 
-// Tells whoever runs the robot, beyond its log, what the controller should not do.
+// Reports a mistake of the controller outside of the robot's log, on a host in the list of
+// findings.
 void TellRunner(const char* text);
 
-// The same about a name that is none of the `count` known ones, for whoever can tell which was meant.
+// Reports a name that is not one of the `count` known names.  The host adds the name that was
+// probably meant.
 void TellRunnerOfName(const char* text, const char* name, const char* const* known, int count);
 
 #endif  // LoopStack_h_DEFINED

@@ -1,5 +1,5 @@
 //
-// Motion files for controllers (Hohl 2004, section 5.3.7).
+// The functions of include/device/mtn.h (Hohl 2004, section 5.3.7).
 //
 
 #include <device/mtn.h>
@@ -13,13 +13,13 @@
 struct MtnMotion {
     MtnFile file;
     char name[MTN_NAME_SIZE];
-    Sint32 keyFrame;  // reached last; -1: does not play
+    Sint32 keyFrame;  // key frame reached last; -1: the motion does not play
 };
 
-static MtnMotion* thePlaying = 0;  // the one mtn_play() was called for last
-static std::string theError;       // of the last mtn_new(); empty: it was good
+static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play(), while it plays
+static std::string theError;       // error text of the last mtn_new(); empty: no error
 
-// Reads `motion`; false with a reason in theError.
+// Reads `motion`.  Returns false with a reason in theError on failure.
 static bool
 Load(const char* filename, MtnMotion* motion)
 {
@@ -64,9 +64,9 @@ mtn_delete(MTN* motion)
     delete motion;
 }
 
-// Counts as playing from here on, although JointMover may first have to go to the first key frame.
-// JointMover would refuse a motion while another one plays, and its refusal could not be told from
-// the end of that one if both are of the same file.
+// The motion counts as playing from now on, although JointMover may first move to its first key
+// frame.  No motion is sent while another one plays: JointMover would refuse it, and if both are of
+// one file, the refusal would look like the end of the other motion.
 void
 mtn_play(MTN* motion)
 {
@@ -100,8 +100,8 @@ mtn_get_time(MTN* motion)
     return motion->keyFrame < 0 ? motion->file.DurationMs() : motion->file.TimeMs(motion->keyFrame);
 }
 
-// By key frame, not by time: gaps of a motion may be long.  A motion of one key frame is
-// over only when JointMover says so.
+// Decides by key frames instead of time, because gaps of a motion may be long.  A motion of one key
+// frame is over only when JointMover reports it.
 int
 mtn_is_over(MTN* motion)
 {
@@ -110,7 +110,8 @@ mtn_is_over(MTN* motion)
     return last > 0 && motion->keyFrame >= last;
 }
 
-// The remote control may play motions, too; those are not ours.
+// Ignores reports about motions of other files, because the remote control may play motions as
+// well.
 void
 SetMotionValues(const SetValueMessage& message)
 {

@@ -47,7 +47,7 @@ JointMover::DoStart(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// The pause button has cut motor power already (BBS 421): nothing to bring to rest.
+// Does not move the joints to rest, because the pause button has cut motor power already (BBS 421).
 OStatus
 JointMover::DoStop(const OSystemEvent&)
 {
@@ -97,7 +97,7 @@ JointMover::NewRegions()
 
 // ---- Command vectors -----------------------------------------------------------------
 
-// A vector has ended; each gives one ready event, and its region is free by then.
+// Called when a vector has ended: each gives one ready event, and its region is free by then.
 void
 JointMover::ReadyMove(const OReadyEvent& event)
 {
@@ -108,8 +108,9 @@ JointMover::ReadyMove(const OReadyEvent& event)
     SendReports();
 }
 
-// Two to begin with, then one for each that ends.  Does nothing while the effector is not
-// ready: what is set then would replace what waits (measured: the latest set wins).
+// Sends two vectors at first, then one for each that has ended.  Sends none while the effector is
+// not ready, because a new vector would then replace the one that waits (measured: the latest set
+// wins).
 void
 JointMover::SendVectors()
 {
@@ -126,7 +127,7 @@ JointMover::SendVectors()
     numUnderWay_ += numSet;
 }
 
-// One reference is our own; more mean that the effector still has it.
+// A region with more than our own reference is still used by the effector.
 int
 JointMover::NumBusyRegions() const
 {
@@ -161,8 +162,8 @@ JointMover::FillRegion(RCRegion* region)
     }
 }
 
-// A controller that is put in place of another while the robot stands may begin at once.  On
-// a robot just started its ready comes before the posture is reached.
+// Lets a controller begin at once when it has replaced another one while the robot stands.  After
+// the start of the robot, this event comes before the posture is reached and has no effect.
 void
 JointMover::ReadyMainExecution(const OReadyEvent& event)
 {
@@ -214,7 +215,7 @@ JointMover::NotifyBatchMover(const ONotifyEvent& event)
     SendReports();
 }
 
-// A refused motion is over at once: whoever waits for its end must not wait for ever.
+// Reports a refused motion as over, because other objects may wait for its end.
 void
 JointMover::Play(const MoverCommand& command)
 {
@@ -268,7 +269,8 @@ JointMover::StateChanged(MoverState state)
     OSYSLOG1((osyslogINFO, "state: %s", MoverStateName(state)));
 }
 
-// Several of one handler go out together; a second notify would replace the first.
+// Only sets the message.  SendReports() sends all messages of a handler together, because a second
+// NotifyObservers() would replace the messages of the first.
 void
 JointMover::Report(const SetValueMessage& message)
 {

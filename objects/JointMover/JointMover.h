@@ -8,8 +8,8 @@
 //   JointMover.SetValue       -> state, key frame and positions, to RCServer and Controller
 //   JointMover.MainExecution  -> tells Controller that the robot stands
 //
-// Mover and BatchMover become ready when the robot stands; until then their subjects can see
-// that no command is taken.  The thinking is in MoverCore; this class turns it into OPEN-R.
+// Mover and BatchMover become ready when the robot stands, so their subjects can see that no
+// command is accepted before.  MoverCore decides what to do; this class connects it with OPEN-R.
 //
 
 #ifndef JointMover_h_DEFINED
@@ -42,7 +42,7 @@ public:
     void NotifyBatchMover(const ONotifyEvent& event);
 
 private:
-    // One vector plays while the other waits behind it.
+    // One vector plays while the other one waits.
     static const int NUM_REGIONS = MAX_VECTORS_UNDER_WAY;
 
     // MoverPort
@@ -66,12 +66,12 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // regions the effector has not given back when last looked
-    int numReports_;   // set on SetValue and not yet sent
+    int numUnderWay_;  // vectors sent whose end MoverCore has not been told yet
+    int numReports_;   // messages set on SetValue and not sent yet
     bool isStopped_;
     bool isUp_;  // the initial posture has been reached
     MoverCore core_;
-    VectorPlan plan_;  // a member, not a local: 1300 bytes are much of an OPEN-R stack
+    VectorPlan plan_;  // not a local variable, because 1300 bytes are much of an OPEN-R stack
 };
 
 #endif  // JointMover_h_DEFINED

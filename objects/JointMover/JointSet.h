@@ -1,6 +1,6 @@
 //
-// All joints of the robot under the algorithm for manual commands: where each is on its
-// way, and whether its gain is on.
+// All joints of the robot, moved by the algorithm for manual commands: the movement of each joint,
+// and whether its gain is on.
 //
 
 #ifndef JointSet_h_DEFINED
@@ -15,45 +15,45 @@ public:
     // `port` must outlive the set.
     explicit JointSet(MoverPort* port);
 
-    // Every joint at rest where it is measured, at the speed limit of its row in
-    // RobotConstants and the default acceleration; gains are off.
+    // Puts every joint at rest at its measured position, with the largest speed of its row in
+    // RobotConstants and the default acceleration.  Gains are off.
     void Begin(const RobotConstants* robot);
 
     int NumJoints() const { return robot_->numJoints; }
     void EnableAllGains();
 
-    // Values beyond the limits of the robot become the limit.
+    // Set what MoverCommand asks for.  A value beyond a limit of the robot becomes the limit.
     void SetGoal(int joint, Sint32 urad);
     void SetSpeed(int joint, Sint32 cdeg);
     void SetAcceleration(int joint, Sint32 cdeg);
 
-    // At rest at `urad` by other means (a motion has moved the joint).
+    // Puts the joint at rest at `urad`, because a motion has moved it there.
     void Place(int joint, Sint32 urad) { trajectory_[joint].Reset(urad); }
     void Halt(int joint) { trajectory_[joint].Halt(); }
 
-    // Gain off: the joint goes limp and position commands have no effect on it.
+    // Switches the gain off.  The joint becomes limp, and SetGoal() has no effect on it.
     void TurnOff(int joint);
     bool IsOff(int joint) const { return gain_[joint] == gainOFF; }
 
-    // Gain on again, then to `urad`.  The joint must first be commanded to where it hangs,
-    // or it would jerk to its old set point when the gain comes on (BBS 169, 642): the gain is
-    // enabled when the first vector with that position has ended.
+    // Switches the gain on again and moves the joint to `urad`.  The first vector commands the
+    // joint to its measured position, and the gain is enabled when this vector has ended.
+    // Otherwise the joint would jerk to its old set point (BBS 169, 642).
     void Wake(int joint, Sint32 urad);
 
-    // Something is left to send: a joint moves or waits for its gain.
+    // Whether there is a vector to send: a joint moves, or a vector must be sent for its gain.
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 
-    // Positions at the end of the next frame.
+    // Advances all joints by one frame and writes their positions at its end.
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Command vector number `vector` has been made, or has ended.  Numbers rise by one.
+    // Tell that command vector number `vector` was made, or has ended.  Numbers rise by one.
     void VectorMade(Sint32 vector);
     void VectorEnded(Sint32 vector);
 
 private:
-    enum Gain { gainOFF, gainON, gainWAITING };  // WAITING: for the end of wakeVector_
+    enum Gain { gainOFF, gainON, gainWAITING };  // WAITING: until vector wakeVector_ has ended
 
     MoverPort* port_;
     const RobotConstants* robot_;

@@ -1,11 +1,13 @@
 //
-// The commands MoverCore takes: single joints, a controller's buffer, motions.
+// The commands of MoverCore: single joints, the buffer of a controller, motions.
 //
 
 #include "MoverCore.h"
 
 #include <string.h>
 
+// Sets a position now, or after the motion that moves the joint.  `wake` says that the command
+// switches on a joint that is off; without it such a joint stays off.
 void
 MoverCore::SetPosition(int joint, Sint32 urad, bool wake)
 {
@@ -88,7 +90,8 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
     return true;
 }
 
-// A motion of one key frame is nothing but the way to it.
+// Whether the robot must first move to key frame 0.  For a motion of one key frame this movement is
+// the whole motion.
 bool
 MoverCore::NeedsPreparation() const
 {

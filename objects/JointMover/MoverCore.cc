@@ -4,8 +4,8 @@
 
 #include "Angle.h"
 
-// The postures of the start-up, in order, and the state in which each is approached.
-// A robot that has no such posture in its model leaves it out (the ERS-7 has no "crouch").
+// The postures of the start-up, in order, and the state in which the robot moves to each.  A
+// posture that the robot's model does not have is left out (the ERS-7 has no "crouch").
 struct StartPosture {
     MoverState state;
     const char* name;
@@ -84,7 +84,8 @@ MoverCore::NextVector(VectorPlan* plan)
     return true;
 }
 
-// Joints outside the motion go their own way; the tail may wag on a walk.
+// Advances all joints by one frame.  Joints that a motion does not move obey their own commands, so
+// the tail can wag while the robot walks.
 void
 MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
 {
@@ -113,7 +114,7 @@ MoverCore::Remember(const VectorPlan& plan)
     joints_.VectorMade(record.number);
 }
 
-// The last frame made reaches what the state is for.
+// Whether the state has done its work with the last frame that was made.
 bool
 MoverCore::HasArrived() const
 {
@@ -133,6 +134,7 @@ MoverCore::VectorEnded()
     underWay_[0] = underWay_[1];
     numUnderWay_--;
     joints_.VectorEnded(ended.number);
+    // A vector of an earlier state, such as a motion that was stopped, must not advance this one.
     if (ended.stateCount != stateCount_) return;
     if (state_ == moverMTN) Report(ended.keyFrame, ended.commanded);
     if (ended.arrived) Advance();
@@ -166,7 +168,7 @@ MoverCore::Advance()
     }
 }
 
-// Goes on to the first posture from `index` on that the robot has and is not in.
+// Begins the movement to the first posture, from `index` on, that the robot has and is not in yet.
 void
 MoverCore::EnterPosture(int index)
 {
@@ -200,7 +202,8 @@ MoverCore::Report(Sint32 keyFrame, const Sint32* commanded)
     port_->Report(message);
 }
 
-// Plungers are not interpolated: each has the position of the key frame reached last.
+// Fills in the positions of the plungers, which are those of the key frame reached last, because
+// plungers are not interpolated.
 void
 MoverCore::FillEars(SetValueMessage* message) const
 {

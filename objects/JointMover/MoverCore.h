@@ -5,9 +5,9 @@
 //   filling -> gains -> broadbase -> sleeping -> crouching -> standing -> accepting-commands
 //   accepting-commands -> [prepare-mtn ->] mtn -> accepting-commands
 //
-// The object asks for a vector whenever it has a free region and the effector is ready,
-// and tells when one has ended.  Nothing to move means no vector: the robot keeps its set
-// points, and an idle dog costs no messages.
+// The object asks for a vector whenever it has a free region and the effector is ready, and tells
+// when a vector has ended.  When no joint moves there is no vector: the robot keeps its set points,
+// and a robot that stands still costs no messages.
 //
 
 #ifndef MoverCore_h_DEFINED
@@ -22,20 +22,19 @@
 #include "MtnFile.h"
 #include "MtnPlayer.h"
 
-// Frames of a vector outside motions: 4 x 8 ms, the period of the sensor vectors.  Two vectors
-// wait in the effector, so a command begins to act after 64 ms at most; the 128 ms of a full
-// vector would make that 256 ms, and shorter ones would double the messages for less than a
-// servo notices.
+// Frames of a vector outside of motions: 4 x 8 ms, which is the period of the sensor vectors.  Two
+// vectors are in the effector, so a command begins to act after 64 ms at most.  With full vectors
+// of 128 ms it would be 256 ms; shorter vectors would double the messages for little gain.
 const int MANUAL_VECTOR_FRAMES = 4;
 
-// Vectors on their way to the effector at any time, one playing and one behind it.
+// Vectors that are in the effector at any time: one plays and one waits.
 const int MAX_VECTORS_UNDER_WAY = 2;
 
-// Play-back skips the way to the first key frame when no joint is this far from it (Hohl
-// 2004, section 4.1.2: smaller than 45 degrees).
+// A motion begins without a movement to its first key frame when all joints are nearer to it than
+// this (Hohl 2004, section 4.1.2: smaller than 45 degrees).
 const Sint32 PREPARE_LIMIT_URAD = 785398;
 
-// What the next command vector holds: every joint of the robot, in urad.
+// The positions of the next command vector, for every joint of the robot, in urad.
 struct VectorPlan {
     int numFrames;  // 1 to MAX_VECTOR_FRAMES
     Sint32 urad[MAX_VECTOR_FRAMES][MAX_JOINTS];
@@ -46,45 +45,45 @@ public:
     // `port` must outlive the core.
     explicit MoverCore(MoverPort* port);
 
-    // Start of the robot; measures all joints.
+    // Begins the start-up of the robot; measures all joints.
     void Begin(const RobotConstants* robot);
 
     MoverState State() const { return state_; }
     bool AcceptsMotion() const { return state_ == moverACCEPTING_COMMANDS; }
 
-    // Makes the next vector; false when there is nothing to send.  At most
-    // MAX_VECTORS_UNDER_WAY may be under way.
+    // Makes the next vector.  Returns false when there is nothing to send, or when
+    // MAX_VECTORS_UNDER_WAY have not ended yet.
     bool NextVector(VectorPlan* plan);
 
-    // The oldest vector under way has ended.
+    // Tells that the oldest vector has ended.
     void VectorEnded();
 
-    // Position, speed or acceleration of one joint, from the remote control.  Has no
-    // effect before the robot stands and on joints that are switched off.  A joint that
-    // a motion moves goes to the position when the motion is over.
+    // Sets position, speed or acceleration of one joint.  Has no effect before the robot stands,
+    // and on joints that are switched off.  A joint that a motion moves goes to the position after
+    // the motion.
     void MoveJoint(const MoverCommand& command);
 
-    // The buffer of a controller; what differs from the one before is done.  Besides what
-    // MoveJoint() does, it switches joints off and on again.
+    // Carries out the differences between this buffer of a controller and the one before.  Besides
+    // what MoveJoint() can do, a buffer switches joints off and on again.
     void Batch(const BatchMoverCommand& command);
 
     // Begins a motion from the bytes of a file.  Returns false with a reason when they are no
     // motion for this robot, or when the robot is not accepting commands.
     bool Play(const MoverCommand& command, const Uint8* bytes, size_t size, std::string* error);
 
-    // Ends a motion, or the way to it, where it is.
+    // Ends a motion, or the movement to its first key frame, at once.
     void Stop();
 
-    // Says on SetValue that the motion `command` asked for is over; nothing else changes.
+    // Reports on SetValue that the motion of `command` is over.  Changes nothing else.
     void ReportRefusal(const MoverCommand& command);
 
 private:
     struct UnderWay {
         Sint32 number;
-        Sint32 stateCount;  // stateCount_ when it was made
+        Sint32 stateCount;  // stateCount_ when the vector was made
         Sint32 keyFrame;
-        bool arrived;                  // the aim of the state is reached at its end
-        Sint32 commanded[MAX_JOINTS];  // at its end
+        bool arrived;                  // whether the state has done its work at the vector's end
+        Sint32 commanded[MAX_JOINTS];  // positions at the vector's end
     };
 
     void Enter(MoverState state);
@@ -107,21 +106,21 @@ private:
     const RobotConstants* robot_;
     JointSet joints_;
     MoverState state_;
-    Sint32 stateCount_;  // of states entered: tells vectors of an older state from those of this
-    bool filled_;        // the first vector has been made
-    int posture_;        // of the start-up, being approached
+    Sint32 stateCount_;  // states entered so far, to recognise vectors of an earlier state
+    bool filled_;        // whether the first vector was made
+    int posture_;        // start-up posture to which the robot moves
 
     MtnFile motion_;
     MtnPlayer player_;
     char file_[MTN_NAME_SIZE];
     int loops_, keyFramesPerVector_;
-    bool inMotion_[MAX_JOINTS];  // moved by the motion
-    bool deferred_[MAX_JOINTS];  // a position waits for the end of the motion
+    bool inMotion_[MAX_JOINTS];  // joints that the motion moves
+    bool deferred_[MAX_JOINTS];  // joints with a position that waits for the end of the motion
     bool deferredWake_[MAX_JOINTS];
     Sint32 deferredGoal_[MAX_JOINTS];
 
-    BatchJoint batch_[MAX_JOINTS];  // as received last
-    Sint32 numVectors_;             // made so far
+    BatchJoint batch_[MAX_JOINTS];  // the buffer received last
+    Sint32 numVectors_;             // vectors made so far
     int numUnderWay_;
     UnderWay underWay_[MAX_VECTORS_UNDER_WAY];  // oldest first
 };

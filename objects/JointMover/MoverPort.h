@@ -1,6 +1,6 @@
 //
-// What JointMover's logic asks of the robot.  JointMover answers with OPEN-R calls, tests
-// with a robot of their own.
+// The functions of the robot that MoverCore needs.  JointMover implements them with OPEN-R calls,
+// tests with a robot of their own.
 //
 
 #ifndef MoverPort_h_DEFINED
@@ -13,20 +13,20 @@ class MoverPort {
 public:
     virtual ~MoverPort() {}
 
-    // The angle of a joint now, urad.
+    // Returns the present angle of a joint, urad.
     virtual Sint32 Measure(int joint) = 0;
 
-    // Enables the gain of a joint and sets its six values; switches it off.
+    // Enables the gain of a joint and sets its six values; disables it.
     virtual void EnableGain(int joint) = 0;
     virtual void DisableGain(int joint) = 0;
 
-    // Says the new state.
+    // Tells the new state.
     virtual void StateChanged(MoverState state) = 0;
 
-    // Goes out on SetValue.
+    // Sends the message on SetValue.
     virtual void Report(const SetValueMessage& message) = 0;
 
-    // The robot has reached its initial posture; called once.
+    // Tells that the robot has reached its initial posture.  Called once.
     virtual void InitialPostureReached() = 0;
 };
 

@@ -18,8 +18,8 @@ PowerMonitor::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Asks for every change of every bit, and for none of the numbers: capacity and temperature
-// change all the time and decide nothing here.
+// Observes all bits of the power status, but not its numbers, because capacity and temperature
+// change often and have no effect here.
 OStatus
 PowerMonitor::DoStart(const OSystemEvent&)
 {
@@ -58,7 +58,8 @@ PowerMonitor::UpdatePowerStatus(void* msg)
     ShutdownRobot();
 }
 
-// A step that fails must not keep the robot from the next one.
+// Continues with the next step when a step fails, because the robot must be switched off in any
+// case.
 void
 PowerMonitor::ShutdownRobot()
 {
@@ -73,7 +74,8 @@ PowerMonitor::ShutdownRobot()
         OSYSLOG1((osyslogERROR, "PowerMonitor: cannot switch motor power off, status %u",
                   (unsigned)status));
     }
-    status = OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));  // the button boots the robot again
+    // The robot will boot when the pause button is pressed again.
+    status = OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     if (status != oSUCCESS) {
         OSYSLOG1((osyslogERROR, "PowerMonitor: shutdown failed, status %u", (unsigned)status));
     }

@@ -1,8 +1,8 @@
 //
-// PowerMonitor ends the run when somebody presses the pause button or the battery is low.
+// PowerMonitor shuts the robot down when the pause button is pressed or the battery is low.
 //
-// It has no services; its one input is the message of the power manager.  Without an object that
-// does this the robot cannot be switched off in good order.
+// It has no services.  Its only input is the message of the power manager.  Without such an object
+// the robot cannot be switched off in good order.
 //
 
 #ifndef PowerMonitor_h_DEFINED
@@ -20,7 +20,7 @@ public:
     PowerMonitor();
     virtual ~PowerMonitor() {}
 
-    // The generated stub wants them; nothing is made or connected.
+    // Needed by the generated stub.  All pointers stay 0, because the object has no services.
     OSubject* subject[numOfSubject];
     OObserver* observer[numOfObserver];
 
@@ -29,7 +29,7 @@ public:
     virtual OStatus DoStop(const OSystemEvent& event);
     virtual OStatus DoDestroy(const OSystemEvent& event);
 
-    // Something about power has changed.
+    // Called when a bit of the power status has changed.
     void UpdatePowerStatus(void* msg);
 
 private:

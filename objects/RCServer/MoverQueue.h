@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    // Every joint moved by six clients at once before JointMover is ready again, and to spare.
+    // Room for commands of six clients to every joint before JointMover is ready again, and more.
     static const int CAPACITY = 128;
 
     MoverCommand command_[CAPACITY];

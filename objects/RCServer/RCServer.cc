@@ -31,7 +31,8 @@ RCServer::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover does not wait: what it reports while we are busy elsewhere must not be lost.
+    // JointMover sends reports without waiting for us.  The buffer keeps them, so that none is
+    // lost.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -108,7 +109,8 @@ RCServer::ReadyMover(const OReadyEvent& event)
     SendMover();
 }
 
-// All that wait, as far as one event holds them; the rest goes with the next ready event.
+// Sends the commands that wait, as many as one event can carry.  The next ready event sends the
+// rest.
 void
 RCServer::SendMover()
 {
@@ -162,8 +164,8 @@ RCServer::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::stri
     return ReadStickFile(path, bytes, error);
 }
 
-// The robot tells 0.1 kelvin from 0 to 5000; Hohl 2004, table 3.6, ends at 227.00 degrees,
-// so 0 degrees are 273 kelvin here.
+// Converts the temperature.  The robot has 0.1 kelvin from 0 to 5000.  Hohl 2004, table 3.6, ends
+// at 227.00 degrees, so 0 degrees are 273 kelvin here.
 void
 RCServer::ReadBattery(Sint32* capacity, Sint32* temperature)
 {

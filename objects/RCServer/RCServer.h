@@ -6,9 +6,9 @@
 //   RCServer.Sensor   <- sensor values and the frame number of every answer
 //   RCServer.SetValue <- state and key frame of JointMover
 //
-// Each client has an endpoint, a shared buffer and at most one operation under way:
-// listen, receive, send or close.  An error ends that client only.  What the requests
-// mean is in RequestHandler; this class moves bytes and messages.
+// Each client has an endpoint, a shared buffer and at most one operation that runs: listen,
+// receive, send or close.  An error ends that client only.  RequestHandler knows what requests
+// mean; this class transports bytes and messages.
 //
 
 #ifndef RCServer_h_DEFINED
@@ -48,11 +48,11 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    // Served at once.
+    // Clients that are served at the same time.
     static const int NUM_PLACES = 8;
 
-    // A ninth client may connect while all places are taken: it gets the place of a client that has
-    // been silent for long, or an answer that says why not (PlaceWaiting).
+    // One more client may connect while all places are taken.  It gets the place of a client that
+    // has been silent for long, or an answer that says why not (PlaceWaiting()).
     static const int NUM_CLIENTS = NUM_PLACES + 1;
 
     enum ClientState {
@@ -70,9 +70,9 @@ private:
         byte* receiveData;
         byte* sendData;
         RcFramer framer;
-        bool isLast;       // close when what is being sent has been sent
-        bool isWaiting;    // all places were taken when it came
-        Uint32 lastFrame;  // when it was heard of last
+        bool isLast;       // whether the connection ends after the answer that is being sent
+        bool isWaiting;    // whether all places were taken when the client came
+        Uint32 lastFrame;  // frame in which the client sent bytes last
     };
 
     // RequestPort
@@ -100,9 +100,9 @@ private:
     RequestHandler handler_;
     SensorReader sensorReader_;
     SensorValues sensors_;
-    Uint32 retryFrame_;   // when a failed listen was tried last
-    MoverQueue mover_;    // waits for JointMover
-    LedEarState ledEar_;  // waits for Controller
+    Uint32 retryFrame_;   // frame in which a failed listen was tried last
+    MoverQueue mover_;    // commands that wait for JointMover
+    LedEarState ledEar_;  // changes that wait for Controller
     bool isStopped_;
 };
 

@@ -10,25 +10,26 @@
 
 #include "entry.h"
 
-// A client's shared buffer: one receive, then room for an answer of full size behind answers that
-// fill a packet already.
+// Parts of a client's shared buffer: received bytes, and answers to send.  Answers are collected
+// until they fill a packet, and there must be room for one more of full size.
 static const int RECEIVE_SIZE = RC_MAX_PACKET;
 static const int SEND_SIZE = 2 * RC_MAX_PACKET;
 
-// Answers that arrived together go out together while the send stays below RC_MAX_PACKET; most
-// are shorter than this.
+// Size below which most answers are.  Requests that arrived together are answered in one send, as
+// long as another answer of this size keeps the send below RC_MAX_PACKET.
 static const int USUAL_ANSWER_SIZE = 256;
 
-// Twice the largest send, as the samples do (network guide, chapter 1).
+// Twice the largest send, as in Sony's samples (network guide, chapter 1).
 static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 
 // One second of 8 ms frames between two tries to listen.
 static const Uint32 RETRY_FRAMES = 125;
 
-// A client that said nothing for ten seconds of the robot's clock gives way to one that waits.
+// Frames (ten seconds) after which a client that has sent nothing loses its place to one that
+// waits.
 static const Uint32 IDLE_FRAMES = 1250;
 
-// The continuation of a message carries the index of its client.
+// The continuation of a network message: the index of the client to which its result belongs.
 static void*
 Continuation(int index)
 {
@@ -59,7 +60,7 @@ RCServer::NewBuffer(int index)
     return oSUCCESS;
 }
 
-// On failure the client stays closed; RetryListening() tries again.
+// Listens for a client.  On failure the client stays closed, and RetryListening() tries again.
 void
 RCServer::Listen(int index)
 {
@@ -91,7 +92,7 @@ RCServer::RetryListening(Uint32 frame)
     }
 }
 
-// Listens with one more endpoint while all places are taken, for the client that would have to wait.
+// Listens with one more endpoint when all places are taken, so that a further client gets an answer.
 void
 RCServer::ListenForMore()
 {
@@ -116,8 +117,8 @@ RCServer::NumServed() const
     return count;
 }
 
-// Gives the client that waits a place: a free one, or that of the client that has been silent
-// longest.  A client that connects and says nothing keeps its place as long as nobody waits.
+// Gives a place to the client that waits: a free one, or that of the client that has been silent
+// for the longest time.  Silent clients keep their places while no client waits.
 void
 RCServer::PlaceWaiting(Uint32 frame)
 {
@@ -141,11 +142,11 @@ RCServer::PlaceWaiting(Uint32 frame)
         Close(silent);
         client_[waiting].isWaiting = false;
     } else if (frame - client_[waiting].lastFrame >= IDLE_FRAMES) {
-        TurnAway(waiting, 0);  // it asks for nothing and keeps others from being answered
+        TurnAway(waiting, 0);  // it has sent no request, and other clients may want to connect
     }
 }
 
-// Answers that there is no place, to the request if there is one, and ends the connection.
+// Answers that all places are taken, and ends the connection.  `request` is 0 when there is none.
 void
 RCServer::TurnAway(int index, const RcFramer* request)
 {
@@ -194,7 +195,7 @@ RCServer::ReceiveCont(ANTENVMSG msg)
     const int index = IndexOf(receive);
     if (isStopped_ || client_[index].state != clientRECEIVING) return;
     if (receive->error != TCP_SUCCESS) {
-        Close(index);  // most often the client has gone
+        Close(index);  // most often the client has closed the connection
         return;
     }
     client_[index].lastFrame = sensors_.frame;
@@ -202,7 +203,8 @@ RCServer::ReceiveCont(ANTENVMSG msg)
     AnswerRequests(index);
 }
 
-// Answers what has arrived whole, then sends; with nothing to answer, receives more.
+// Answers all requests that have arrived completely and sends the answers.  Receives more bytes
+// when there is no complete request.
 void
 RCServer::AnswerRequests(int index)
 {
@@ -263,7 +265,7 @@ RCServer::Close(int index)
     client.state = clientCLOSING;
 }
 
-// An endpoint serves one connection; the next client gets a new one.
+// Listens for the next client with a new endpoint, because an endpoint serves one connection only.
 void
 RCServer::CloseCont(ANTENVMSG msg)
 {

@@ -10,7 +10,7 @@
 #include "MoverState.h"
 #include "TextFormat.h"
 
-// rcOK when JointMover takes commands; else says why not.
+// Returns rcOK when JointMover accepts commands; otherwise the reason becomes the answer.
 int
 RequestHandler::Busy(bool duringMotion)
 {
@@ -106,12 +106,13 @@ RequestHandler::PlayMotion(RcReader* in, RcWriter* out)
     status = LoadMotion(request.file, &command, &answer);
     if (status == rcOK) status = Post(command);
     if (status != rcOK) return status;
-    state_ = moverPREPARE_MTN;  // until JointMover says more
+    state_ = moverPREPARE_MTN;  // assumed until JointMover reports its state
     answer.Write(out);
     return rcOK;
 }
 
-// Reads the motion only to answer what is wrong with it; JointMover reads it again.
+// Reads the motion to answer with its length or with what is wrong with it.  JointMover reads it
+// again to play it.
 int
 RequestHandler::LoadMotion(const std::string& file, MoverCommand* command, RcPlayAnswer* answer)
 {

@@ -32,8 +32,9 @@ RequestHandler::SetMover(const SetValueMessage& message)
     keyFrame_ = message.keyFrame;
 }
 
-// JointMover tells its state when that changes.  An RCServer that is put in place of another while
-// the robot stands hears of none; but no command is taken before the robot stands.
+// JointMover reports its state only when the state changes.  So an RCServer that has replaced
+// another one while the robot stands gets no report.  But JointMover becomes ready only when the
+// robot stands.
 void
 RequestHandler::MoverIsReady()
 {
@@ -42,7 +43,8 @@ RequestHandler::MoverIsReady()
 
 // ---- Answers -------------------------------------------------------------------------
 
-// Room for the header, then frame and status; the header is put in when the size is known.
+// Leaves room for the header, then writes frame and status.  The header follows when the size is
+// known.
 void
 RequestHandler::BeginAnswer(RcWriter* out, int status)
 {
@@ -151,7 +153,7 @@ RequestHandler::Handle(int command, RcReader* in, RcWriter* out)
     }
 }
 
-// ---- What there is -------------------------------------------------------------------
+// ---- Devices -------------------------------------------------------------------------
 
 int
 RequestHandler::NumDevices(int kind) const
@@ -250,7 +252,7 @@ RequestHandler::DescribeDevice(int kind, int index, RcDescription* description) 
     return true;
 }
 
-// ---- What it measures ----------------------------------------------------------------
+// ---- Sensor values -------------------------------------------------------------------
 
 int
 RequestHandler::GetJoint(RcReader* in, RcWriter* out)

@@ -1,8 +1,8 @@
 //
-// RCServer without OPEN-R: one request in, one answer out (docs/remote-control.md).
+// RCServer without OPEN-R: makes the answer to a request (docs/remote-control.md).
 //
-// Clients share one robot: limits of speed and acceleration that one sets hold for all, and the
-// last command counts.  A handler keeps no state of a connection.
+// All clients share the robot: limits of speed and acceleration that one client sets are those of
+// all, and the last command counts.  The handler has no state for a single connection.
 //
 
 #ifndef RequestHandler_h_DEFINED
@@ -20,21 +20,21 @@ public:
 
     void Begin(const RobotConstants* robot);
 
-    // The newest news of the robot.
+    // Take the newest values of the robot and the newest report of JointMover.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
     void SetMover(const SetValueMessage& message);
-    // JointMover takes commands.
+    // Tells that JointMover accepts commands.
     void MoverIsReady();
 
-    // Writes the answer to the packet `request` holds.  REQUIRES: `out` is empty and has room for
+    // Writes the answer to the packet in `request`.  REQUIRES: `out` is empty and has room for
     // RC_MAX_PACKET bytes.
     void Answer(const RcFramer& request, RcWriter* out);
 
-    // The answer to bytes that are no packet; the connection ends with it.
+    // Writes the answer to bytes that are no packet.  The connection ends after it.
     void AnswerBroken(const std::string& error, RcWriter* out);
 
-    // Tells a client that all `places` are taken by clients that have spoken in the last `seconds`.
-    // The connection is closed afterwards.  `request` may be null: the client has sent none.
+    // Writes the answer that all `places` are taken by clients that have sent requests in the last
+    // `seconds`.  The connection ends after it.  `request` is 0 when the client has sent none.
     void AnswerNoPlace(const RcFramer* request, int places, int seconds, RcWriter* out);
 
 private:
@@ -61,12 +61,12 @@ private:
     RequestPort* port_;
     const RobotConstants* robot_;
     SensorValues sensors_;
-    int state_;  // MoverState as far as known here; -1: not heard of yet
+    int state_;  // MoverState in the newest report of JointMover; -1: no report yet
     Sint32 keyFrame_;
-    Sint32 speed_[MAX_JOINTS];  // as set last by remote control (Hohl 2004, 5.3.6)
+    Sint32 speed_[MAX_JOINTS];  // set last by remote control (Hohl 2004, 5.3.6)
     Sint32 acceleration_[MAX_JOINTS];
-    std::string error_;  // of the request at hand
-    MtnFile motion_;     // read to check it; a member because its parts are large
+    std::string error_;  // error text of the present request
+    MtnFile motion_;     // the motion to check; not a local variable, because its parts are large
 };
 
 #endif  // RequestHandler_h_DEFINED

@@ -1,6 +1,6 @@
 //
-// What the requests of remote clients need of the robot.  RCServer answers with OPEN-R calls,
-// tests with a robot of their own.
+// The functions of the robot that RequestHandler needs.  RCServer implements them with OPEN-R
+// calls, tests with a robot of their own.
 //
 
 #ifndef RequestPort_h_DEFINED
@@ -15,18 +15,19 @@ class RequestPort {
 public:
     virtual ~RequestPort() {}
 
-    // Sends a command to JointMover, or keeps it until JointMover is ready.  Returns false
-    // when too many are kept already.
+    // Sends a command to JointMover, or keeps it until JointMover is ready.  Returns false when too
+    // many commands are kept already.
     virtual bool PostMover(const MoverCommand& command) = 0;
 
-    // Sends LEDs and ears to Controller; what was sent before and is still waiting is kept.
+    // Sends changes of LEDs and ears to Controller.  Earlier changes that still wait are sent with
+    // them.
     virtual void PostLedEar(const LedEarState& change) = 0;
 
-    // A file of the Memory Stick, or false and why not.
+    // Reads a file of the Memory Stick.  Returns false with a reason in `error` on failure.
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes,
                           std::string* error) = 0;
 
-    // Remaining capacity in %, temperature in 0.01 degree Celsius.
+    // Reads the remaining capacity in % and the temperature in 0.01 degree Celsius.
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature) = 0;
 };
 

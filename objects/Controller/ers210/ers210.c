@@ -1,8 +1,7 @@
 /*
- * The default controller: shows that a controller runs.  The eye lights run round, the tail wags.
- *
- * Eyes are lit one after the other, up the left side and down the right one.  The mode indicator on
- * the head blinks once per round.
+ * The default controller, which shows that a controller runs: the eyes are lit one after the other,
+ * up the left side and down the right side, and the tail wags.  The mode indicator on the head
+ * blinks once per round of the eyes.
  */
 
 #include <device/led.h>

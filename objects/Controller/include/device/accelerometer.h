@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* Both do nothing: the values can always be read. */
+/* Both do nothing, because the values can always be read. */
 void accelerometer_enable(DeviceTag sensor, unsigned short ms);
 void accelerometer_disable(DeviceTag sensor);
 

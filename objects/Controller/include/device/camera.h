@@ -13,20 +13,20 @@
 extern "C" {
 #endif
 
-/* Images come, 25 a second whatever `ms`, until they are disabled.  It takes 76 KB of memory. */
+/* Switches images on, 25 a second for every `ms`, and off.  Images need 76 KB of memory. */
 void camera_enable(DeviceTag camera, unsigned short ms);
 void camera_disable(DeviceTag camera);
 
-/* Pixels: 176 and 144 on the ERS-210; 0 for anything that is no camera. */
+/* Size in pixels: 176 x 144 on the ERS-210; 0 for other devices. */
 unsigned short camera_get_width(DeviceTag camera);
 unsigned short camera_get_height(DeviceTag camera);
 
-/* Radians, from left to right. */
+/* Field of view from left to right, radians. */
 float camera_get_fov(DeviceTag camera);
 
 /*
- * The newest image; null before the first one, when disabled and for anything that is no camera.
- * The next one is written to the same place, between two calls of the run function.
+ * The newest image; null before the first one, while disabled and for other devices.  The next
+ * image is written to the same memory, between two calls of the run function.
  */
 unsigned char *camera_get_image(DeviceTag camera);
 

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* Both do nothing: the value can always be read. */
+/* Both do nothing, because the value can always be read. */
 void distance_sensor_enable(DeviceTag sensor, unsigned short ms);
 void distance_sensor_disable(DeviceTag sensor);
 

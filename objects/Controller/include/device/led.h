@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* On for any value but 0, with the next command of the control loop. */
+/* Switches the LED off for 0, on for other values, with the next command of the control loop. */
 void led_set(DeviceTag led, unsigned char value);
 
 #ifdef __cplusplus

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* Calls `reset` once, at once. */
+/* Calls `reset` once, now. */
 void robot_live(void (*reset)(void));
 
 /* Calls `die` once, when the robot is shut down. */
@@ -23,30 +23,30 @@ void robot_die(void (*die)(void));
 /*
  * Runs the control loop: `run` is called now with 0, and again, always with 0, each time as many
  * milliseconds later as it returned.  Multiples of 8 are exact, others are rounded.
- * On the robot robot_run() returns after the first call and what follows it is carried out.
- * A run function may call robot_run(): the function given is called the next time.
+ * On the robot, robot_run() returns after the first call, and main() goes on.
+ * A run function may call robot_run(); from the next time on, the function given there is called.
  */
 void robot_run(int (*run)(int));
 
 /*
- * For a controller that is an endless loop: advances by so many milliseconds and returns 0.
- * The robot has no loops that wait: there robot_step() ends main() with a message in the log.
- * Write robot_run() instead; docs/controllers.md says how.
+ * For a controller that is an endless loop: waits for `ms` milliseconds and returns 0.  A
+ * controller on the robot cannot wait, so there robot_step() ends main() with a message in the log.
+ * Use robot_run() instead; docs/controllers.md says how.
  */
 int robot_step(int ms);
 
-/* The device of that name; 0, which no function accepts, if there is none. */
+/* The tag of the device with that name; 0 if there is none.  Functions ignore the tag 0. */
 DeviceTag robot_get_device(const char *name);
 
-/* 1: the controller runs on the robot, not in a simulator. */
+/* Always 1, which means that the controller runs on the robot, not in a simulator. */
 int robot_get_mode(void);
 
-/* Enabling and disabling do nothing; the value is always there: remaining capacity in %. */
+/* Remaining capacity in %.  The first two do nothing, because the value can always be read. */
 void robot_battery_sensor_enable(unsigned short ms);
 void robot_battery_sensor_disable(void);
 float robot_battery_sensor_get_value(void);
 
-/* As printf(), to the robot's console; 239 characters at most. */
+/* Prints to the robot's console as printf() does, at most 239 characters. */
 void robot_console_printf(const char *format, ...);
 
 #ifdef __cplusplus

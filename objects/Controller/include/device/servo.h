@@ -13,14 +13,14 @@
 extern "C" {
 #endif
 
-/* Both do nothing: positions can always be read. */
+/* Both do nothing, because positions can always be read. */
 void servo_enable_position(DeviceTag servo, unsigned short ms);
 void servo_disable_position(DeviceTag servo);
 
-/* Measured position of a joint; 0.0 for ears and anything else. */
+/* Measured position of a joint; 0.0 for ears and other devices. */
 float servo_get_position(DeviceTag servo);
 
-/* Moves a joint, with its motor on again if it was off.  For an ear 0.0 is on, all else off. */
+/* Moves a joint; switches its motor on if it was off.  An ear is on for 0.0, else off. */
 void servo_set_position(DeviceTag servo, float position);
 void servo_set_velocity(DeviceTag servo, float velocity);
 void servo_set_acceleration(DeviceTag servo, float acceleration);

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/* Both do nothing: the value can always be read. */
+/* Both do nothing, because the value can always be read. */
 void thermometer_enable(DeviceTag sensor, unsigned short ms);
 void thermometer_disable(DeviceTag sensor);
 

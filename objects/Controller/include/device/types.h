@@ -1,7 +1,7 @@
 #ifndef DEVICE_TYPES_H
 #define DEVICE_TYPES_H
 
-/* Names a device; 0 is none. */
+/* The number of a device; 0 is no device. */
 typedef unsigned short DeviceTag;
 
 #endif /* DEVICE_TYPES_H */
