@@ -1,4 +1,4 @@
-// How full a robot's battery is when it boots, and whether it drains.
+// The battery of a robot: its capacity at boot, and whether it drains.
 #pragma once
 
 #include <cstdint>

@@ -15,6 +15,7 @@ namespace openr_host {
 bool CommandQueue::Add(RCRegion* region) {
   if (waiting_.size() >= kMax) return false;
   waiting_.emplace_back(region);
+  ASSERT(waiting_.size() <= kMax, "{} vectors wait", waiting_.size());
   return true;
 }
 
@@ -48,6 +49,7 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
     uint32_t length = 0;
     for (int i = 0; i < command.frames; ++i) length += command.FrameLength(i);
     longest = std::max(longest, length);
+    // An element that moves nothing counts for the length of the vector, and is not played.
     if (command.primitive == nullptr || command.frames == 0) continue;
     elements_.push_back({command, 0, start_ + command.FrameLength(0)});
   }
@@ -56,6 +58,7 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
 }
 
 void CommandQueue::FindFace(std::vector<std::string>* problems) {
+  // The element of the last light decides the mode, and elements may come in any order.
   face_ = -1;
   bool a = false, b = false;
   for (size_t e = 0; e < elements_.size(); ++e) {

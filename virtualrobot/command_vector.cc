@@ -65,6 +65,7 @@ int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string*
         "the element behind it and is not played",
         info.numFrames, ocommandMAX_FRAMES);
   }
+  // Frames in use that were never filled still have the number that NewCommandVectorData() wrote.
   for (int i = 0; i < frames; ++i) {
     if (data.value[i].value[0] != kNeverFilled) continue;
     *problem = fmt::format(
@@ -147,6 +148,7 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
     element.data =
         reinterpret_cast<const OCommandData*>(vector.At(info.dataOffset, sizeof(OCommandData)));
     const Primitive* const primitive = primitives->Find(info.primitiveID);
+    // The element is kept even when it is wrong, because its frames count for the vector's length.
     if (element.data == nullptr || info.dataOffset % alignof(OCommandData) != 0) {
       element.data = nullptr;
       problem = fmt::format(

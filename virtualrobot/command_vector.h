@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// One element of a command vector.  Its data are in the region of the vector.
+// An element of a command vector.  Its data are in the region of the vector.
 struct CommandElement {
   const Primitive* primitive = nullptr;  // null: the element takes its time and moves nothing
   const OCommandData* data = nullptr;

@@ -53,6 +53,7 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
+    // A servo that begins near its set point, or whose limp joint has only sunk, makes no jump.
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;
@@ -124,6 +125,8 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
 void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                               bool motor_power, bool motor_power_cut,
                               std::vector<std::string>* problems) {
+  // Joints without effect are collected, because a program that forgets power or gain does so for
+  // many.
   std::vector<std::string> without_power, without_gain;
   for (const CommandElement& element : elements) {
     if (element.primitive == nullptr || element.type != odataJOINT_COMMAND2 || element.frames == 0)

@@ -1,4 +1,4 @@
-// Where the parts of a robot are for given joint angles, and how it rests on a flat floor.
+// Poses of a robot's parts for given joint angles, and the pose in which it rests on a flat floor.
 //
 // All results depend on the model and the angles only and have the same bits in every build
 // (det_math.h; Eigen without vectorization).
@@ -40,7 +40,7 @@ struct RestingPose {
 // hull that lies under its centre of mass.  The hull is that of paws and boxes.  The search begins
 // with an upright robot, so the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
-// The same for parts at `X_BL`, as LinkPoses() returns them.
+// Does the same for parts at `X_BL`, as LinkPoses() returns them.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
 // Height of the lowest point of any box or paw over z = 0, for a robot at `X_WB`.

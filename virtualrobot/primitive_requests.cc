@@ -193,6 +193,8 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
     parts_.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
     return oINVALID_ARG;
   }
+  // A program that passes the wrong structure must not have its neighbours in memory read or
+  // written.
   const auto fits = [](size_t wanted, const void* data, size_t size) {
     return wanted == PrimitiveRequests::kAnySize || wanted == 0 ||
            (data != nullptr && size == wanted);

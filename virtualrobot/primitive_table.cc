@@ -19,6 +19,7 @@ OPrimitiveType TypeOf(const std::string& locator) {
       {oprimitiveLED2_NAME, oprimitiveLED2},
       {oprimitiveLED3_NAME, oprimitiveLED3},
   };
+  // A locator ends with "-Type:name".
   const size_t dash = locator.rfind('-');
   const size_t colon = locator.rfind(':');
   if (dash == std::string::npos || colon < dash) return oprimitiveUNDEF;

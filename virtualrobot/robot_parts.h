@@ -26,7 +26,7 @@
 
 namespace openr_host {
 
-// What a robot is connected to.  Every member may be left out.
+// The outside of a robot's speaker, microphone, camera and battery.  Every member may be left out.
 struct VirtualRobotOptions {
   std::unique_ptr<SoundSink> speaker;       // null: the sound is lost
   std::unique_ptr<SoundSource> microphone;  // null: silence

@@ -154,6 +154,7 @@ RCRegion* SensorSource::FreeVector() {
   constexpr size_t kInfo = sizeof(OSensorFrameInfo);
   constexpr size_t kData = sizeof(OSensorFrameData);
   RCRegion* const region = NewVectorRegion(odataSENSOR_FRAME_VECTOR, kInfo, count, count * kData);
+  // These fields never change, so they are written once for each region.
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
   for (size_t i = 0; i < count; ++i) {
     OSensorFrameInfo& info = *vector->GetInfo(static_cast<int>(i));

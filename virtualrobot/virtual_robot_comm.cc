@@ -47,7 +47,8 @@ void OVirtualRobotComm::PostNextFrame() {
   system().Post(message, next - system().now_us());
 }
 
-// All that happens at the boundary between two frames, in this order.
+// Runs everything that happens at the boundary between two frames.  The order of the steps is the
+// order in which objects receive their messages, so a change of it changes all runs.
 void OVirtualRobotComm::Frame() {
   // 1. The frame that ends: the body moves for 8 ms under the set points in force, then its sensors
   //    are sampled.

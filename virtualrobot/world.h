@@ -1,4 +1,4 @@
-// What stands around a robot: a floor and static boxes.  docs/worlds.md is the file format.
+// The surroundings of a robot: a floor and static boxes.  docs/worlds.md describes the file format.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ struct World {
 // Reads a world file (JSON).  Throws std::runtime_error naming file, field and value.
 World LoadWorld(const std::string& path);
 
-// The same from text; `name` stands for the file in messages.
+// Reads a world from text; `name` is the name of the file in errors.
 World ParseWorld(const std::string& text, const std::string& name);
 
 void HashWorld(const World& world, Hasher* hasher);

@@ -1,4 +1,4 @@
-// The two styles of a controller, and what comes between them.
+// The two styles of a controller, run functions and endless loops, and controllers that mix them.
 #include <device/led.h>
 #include <device/servo.h>
 

@@ -1,4 +1,4 @@
-// What the report wished for: sensors without an interface in its table 5.1.
+// Sensors that Hohl 2004 wished for, which have no interface in its table 5.1.
 #include <device/accelerometer.h>
 #include <device/thermometer.h>
 

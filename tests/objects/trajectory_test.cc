@@ -34,7 +34,7 @@ std::vector<int32_t> WayToRest(Trajectory* trajectory, int frames_max = 20000) {
   return positions;
 }
 
-// `last_step` is that of the frame before p[0].
+// `last_step` is the step of the frame before p[0].
 void ExpectWithinLimits(const std::vector<int32_t>& p, int32_t speed_cdeg, int32_t accel_cdeg,
                         int32_t last_step = 0) {
   for (size_t i = 1; i < p.size(); ++i) {
@@ -177,7 +177,7 @@ TEST(TrajectoryTest, HaltStopsAsSoonAsTheAccelerationAllows) {
   EXPECT_LT(positions.back() - here, 45 * kDeg);
 }
 
-// The frames are the contract of determinism: the same on every compiler and word size.
+// These frames must be the same with every compiler and word size.
 TEST(TrajectoryTest, FramesAreTheSameEverywhere) {
   Trajectory trajectory = At(-174533, 12062, kDefaultAccel);
   trajectory.SetGoal(750491);

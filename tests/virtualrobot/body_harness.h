@@ -1,4 +1,4 @@
-// A body with a hand on its set points: ramps between postures, one command per frame.
+// Moves a body by set points, one command per frame: holds, and ramps between postures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class BodyHarness {
     for (int i = FramesIn(seconds); i > 0; --i) Frame();
   }
 
-  // As a careful program does: the present position first, then the gains.
+  // Switches the gains on at the present position, as a careful program does.
   void EnableAll() {
     for (size_t j = 0; j < commands.size(); ++j) {
       commands[j].target_rad = body_.state().joints[j].angle_rad;
@@ -124,7 +124,7 @@ inline uint64_t StateHash(const Body& body) {
   return hasher.Digest();
 }
 
-// What a piece of code throws, as text; fails the test when it does not throw.
+// The text of the exception that a piece of code throws.  The test fails when it throws none.
 template <typename Code>
 std::string ErrorOf(Code code) {
   try {

@@ -1,4 +1,4 @@
-// What is noticed about command vectors themselves: robot.md 4 and 9.5, field-notes.md 7.5.
+// Findings about command vectors: robot.md 4 and 9.5, field-notes.md 7.5.
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/comm_fixture.h"
@@ -12,7 +12,8 @@ class CommandVectorTest : public VirtualRobotCommTest {
     Boot();
     As([&] { pan = mover->Open(kPan); });
   }
-  // One element for the pan joint, as `change` leaves it, played for three frames.
+  // Sends a vector with one element for the pan joint, which `change` may spoil, and runs three
+  // frames.
   void Play(const std::function<void(OCommandVectorData*)>& change) {
     mover->readies.clear();
     As([&] {

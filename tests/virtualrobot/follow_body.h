@@ -1,4 +1,4 @@
-// A body without physics or geometry: joints are where they are told to be.
+// A body without physics or geometry: joints are where their commands say.
 #pragma once
 
 #include <vector>

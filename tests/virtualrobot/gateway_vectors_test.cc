@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint16_t kEffectorPort = 59003, kSpeakerPort = 59004;
 
-// Hands on what it gets, in the memory in which it came.
+// Sends on what it receives, in the same memory.
 class PassingOn : public CodeObject {
  public:
   PassingOn() {

@@ -1,4 +1,4 @@
-// What is noticed about joints: robot.md 8, field-notes.md 7.
+// Findings about joints: robot.md 8, field-notes.md 7.
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/comm_fixture.h"
@@ -69,8 +69,8 @@ TEST_F(JointWatchTest, JumpAtStart) {
             1);
 }
 
-// Told to stay where it was, then the limp joint sinks before the gains are there: the weight is to
-// blame.
+// A joint that was commanded to its position sinks while it is limp, before the gains are set. That
+// is the effect of its weight and no mistake of the program.
 TEST_F(JointWatchTest, AJointThatSinksDuringTheOpeningIsNoFinding) {
   As([&] { OPENR::SetMotorPower(opowerON); });
   Command({500'000});
@@ -80,7 +80,7 @@ TEST_F(JointWatchTest, AJointThatSinksDuringTheOpeningIsNoFinding) {
   EXPECT_EQ(Findings(), "");
 }
 
-// The first vector may come late, too.
+// The joint may also sink before the first vector comes.
 TEST_F(JointWatchTest, AJointThatSankBeforeItsFirstSetPointIsNoFinding) {
   As([&] { OPENR::SetMotorPower(opowerON); });
   RunToFrame(17);
@@ -91,7 +91,7 @@ TEST_F(JointWatchTest, AJointThatSankBeforeItsFirstSetPointIsNoFinding) {
   EXPECT_EQ(Findings(), "");
 }
 
-// Nor is where it was a pardon for ever.
+// A position counts for a second only; later the joint is far from its set point.
 TEST_F(JointWatchTest, WhereAJointWasASecondAgoIsNoPardon) {
   As([&] { OPENR::SetMotorPower(opowerON); });
   Command({500'000});
@@ -103,7 +103,7 @@ TEST_F(JointWatchTest, WhereAJointWasASecondAgoIsNoPardon) {
             1);
 }
 
-// Motor power goes and comes back: the joint fell meanwhile, and jumps.
+// The joint falls while motor power is off, and jumps when power comes back.
 TEST_F(JointWatchTest, AServoThatHasActedIsNotPardoned) {
   As([&] { OPENR::SetMotorPower(opowerON); });
   Command({500'000});

@@ -15,8 +15,8 @@ struct Row {
   double height_mm;  // of the J1 axes over the floor
 };
 
-// Forward kinematics worked out independently of this code (robot data, section 11); sitting
-// and crouching attitudes agree with what the vendor's motions say of themselves.
+// Results of forward kinematics that were computed without this code (robot data, section 11).  The
+// attitudes of sitting and crouching agree with those in the vendor's motion files.
 TEST(KinematicsTest, Ers210RestsAsTheTableSays) {
   for (const Row& row :
        {Row{"stand", 2.6, 137.2}, Row{"stand_tekkotsu", 2.6, 136.1}, Row{"sit", -28.0, 86.2},
@@ -75,8 +75,8 @@ TEST(KinematicsTest, PositiveValuesMoveAsTheModelInformationDraws) {
   struct Case {
     const char* joint;
     const char* body;
-    Vector3d tip_m;  // a point on it, at zero angles
-    Vector3d moves;  // the way it goes
+    Vector3d tip_m;  // a point of the body, at zero angles
+    Vector3d moves;  // direction in which the point moves
   };
   for (const Case& c : {Case{"neck_tilt", "head", {0.15, 0, 0.1}, {0, 0, 1}},    // nose up
                         Case{"neck_pan", "head", {0.15, 0, 0.1}, {0, 1, 0}},     // to the left

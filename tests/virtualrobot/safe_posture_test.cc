@@ -1,5 +1,5 @@
-// Joints whose commander is gone: they hold, then go to the sleeping posture, unless somebody else
-// commands them.
+// Joints whose commander has crashed: they hold, then go to the sleeping posture, unless another
+// object commands them.
 #include "virtualrobot/safe_posture.h"
 
 #include <gtest/gtest.h>

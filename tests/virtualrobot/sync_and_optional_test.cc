@@ -64,7 +64,8 @@ TEST_F(SyncTest, SeveralElementsOfSeveralVectorsBeginInOneFrame) {
   EXPECT_EQ(devices().leds[0].intensity, 1);
 }
 
-// A part can be divided again; but a part behind another in one queue never comes to the head.
+// A part can be divided again.  But of two parts in one queue the second never becomes the first
+// that waits, so the vectors wait for ever.
 TEST_F(SyncTest, TwoPartsInOneQueueHoldEachOtherUp) {
   Divide();
   OVRSyncKey third = 0;
@@ -119,7 +120,8 @@ TEST_F(SyncTest, AKeyThatDoesNotExistHoldsNothingUp) {
   });
 }
 
-// What counts a wait that meets a key is not known; here from the moment all parts are there.
+// It is not known when the frames of a wait begin for a vector with a key.  Here they begin when
+// all parts are there.
 TEST_F(SyncTest, AWaitCountsFromTheCommonStart) {
   Divide();
   As([&] {

@@ -58,6 +58,8 @@ size_t ImageLayers::BytesOfRow(OFbkImageLayer layer) const {
 void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
   const auto width = static_cast<size_t>(width_);
   const size_t w = width / 2;
+  // Goes through squares of four pixels: each has four values of luminance, but one of Cr and of
+  // Cb.
   for (size_t y = 0; y < static_cast<size_t>(height_); y += 2) {
     const uint8_t* rows[] = {&picture.rgb[y * width * 3], &picture.rgb[(y + 1) * width * 3]};
     byte* light[] = {&luminance_[y * width], &luminance_[(y + 1) * width]};

@@ -20,7 +20,7 @@ struct Picture {
   }
 };
 
-// When and from where a picture is taken.
+// The time and the place at which a picture is taken.
 struct CameraShot {
   int64_t number = 0;  // number of the image since boot, from 1
   int64_t frame = 0;   // frame in which the image was taken; its sensor samples belong to the image

@@ -44,6 +44,7 @@ void ReadBodies(const JsonReader& root, RobotModel* model) {
     row.AllowOnly({"name", "mass", "size", "centre"});
     BodyPart body;
     body.name = row.At("name").Text();
+    // Names must be unique, because joints and sensors refer to them.
     if (model->FindBody(body.name) >= 0) row.Fail("a second body '{}'", body.name);
     body.mass_kg = row.At("mass").Number() / 1000;
     if (body.mass_kg < 0)
@@ -188,7 +189,7 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
     model->leds.push_back({row.At("name").Text(), row.At("locator").Text(), row.At("type").Text(),
                            row.Has("colour") ? row.At("colour").Text() : ""});
   }
-  if (!root.Has("plungers")) return;
+  if (!root.Has("plungers")) return;  // the ERS-220 has none
   for (const JsonReader& row : Rows(root, "plungers")) {
     row.AllowOnly({"name", "locator", "type", "on_rad", "off_rad", "place", "settle_ms", "mtn"});
     Plunger plunger;
@@ -220,6 +221,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
+  // Each layer is made from the one before, so the sizes in the file can only confirm the
+  // computation.
   for (const JsonReader& layer : camera.At("layers").Elements()) {
     const std::vector<double> size = layer.Numbers(2);
     c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
@@ -275,6 +278,7 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   for (const JsonReader& label : root.At("mtn_labels").Elements()) {
     model.mtn_labels.push_back(label.Text());
   }
+  // In this order, because joints name bodies, sensors name joints, and paws name sensors.
   ReadBodies(root, &model);
   ReadJoints(root, &model);
   for (const JsonReader& row : Rows(root, "sensors")) ReadSensor(row, &model);

@@ -27,8 +27,8 @@ struct Range {
   double max = 0;  // >= min
 };
 
-// One rigid part.  Body 0 is the trunk, which carries the base frame; every other
-// body is the child of exactly one joint, and a parent comes before its children.
+// A rigid part of a robot.  Body 0 is the trunk, which has the base frame.  Every other body is the
+// child of exactly one joint, and a parent comes before its children.
 struct BodyPart {
   std::string name;
   double mass_kg = 0;                 // >= 0; the ODE body wants > 0
@@ -47,7 +47,7 @@ struct Paw {
   int sensor = -1;  // index of its switch in RobotModel::sensors
 };
 
-// One motor with its hinge.  The angle of the joint is the right-handed rotation of `child` about
+// A motor with its hinge.  The angle of the joint is the right-handed rotation of `child` about
 // `axis` and equals the OPEN-R joint value.
 struct JointModel {
   std::string name;     // "LF_j1"
@@ -86,7 +86,7 @@ struct Plunger {
 
 enum class SensorKind { kJoint, kForce, kDistance, kSwitch, kTemperature, kAcceleration, kRaw };
 
-// One row of the distance table: at `distance_m` the sensor measures `value_m`, plus or minus
+// A row of the distance table: at `distance_m` the sensor measures `value_m`, plus or minus
 // noise * value_m.
 struct DistanceRow {
   double distance_m = 0;
@@ -94,7 +94,7 @@ struct DistanceRow {
   double noise = 0;
 };
 
-// One element of a sensor vector, at the same index as in RobotModel::sensors.
+// An element of the sensor vector, at the same index as in RobotModel::sensors.
 struct Sensor {
   std::string name;
   std::string locator;
@@ -161,7 +161,7 @@ struct RobotModel {
 // cannot be read or describes an impossible robot.
 RobotModel LoadRobotModel(const std::string& path);
 
-// The same from text; `name` stands for the file in messages.
+// Reads a model from text; `name` is the name of the file in errors.
 RobotModel ParseRobotModel(const std::string& text, const std::string& name);
 
 }  // namespace openr_host

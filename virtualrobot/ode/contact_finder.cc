@@ -31,6 +31,7 @@ ContactFinder::ContactFinder(const RobotModel& model, const World& world,
     dGeomSetRotation(geom, R);
     world_boxes_.push_back(geom);
   }
+  // The floor is tested without ODE, so parts need a geometry only where there are boxes.
   if (world_boxes_.empty()) return;
   for (size_t i = 0; i < bodies.size(); ++i) {
     const Vector3d& size = model.bodies[i].size_m;
@@ -92,6 +93,7 @@ void ContactFinder::FindBoxOnFloor(int body) {
   const dReal* R = dBodyGetRotation(bodies_[body]);
   const double zx = R[8] * half.x(), zy = R[9] * half.y(), zz = R[10] * half.z();
   if (p[2] >= std::fabs(zx) + std::fabs(zy) + std::fabs(zz)) return;
+  // The lowest corner is below the floor, so at least one is found.
   int found = 0;
   for (int corner = 0; corner < 8 && found < kCornersMax; ++corner) {
     const double sx = corner & 1 ? 1 : -1, sy = corner & 2 ? 1 : -1, sz = corner & 4 ? 1 : -1;
@@ -111,6 +113,7 @@ void ContactFinder::FindBoxOnFloor(int body) {
 
 void ContactFinder::FindOnStaticBoxes(int body, int paw) {
   const dGeomID part = paw >= 0 ? paw_balls_[paw] : part_boxes_[body];
+  // Bounding boxes are compared first, because most parts are far from most boxes.
   dReal reach[6];
   dGeomGetAABB(part, reach);
   for (const dGeomID box : world_boxes_) {

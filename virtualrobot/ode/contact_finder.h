@@ -1,4 +1,5 @@
-// Where paws and boxes of a robot touch the floor and the static boxes of its world.
+// Finds the points at which paws and boxes of a robot touch the floor and the static boxes of its
+// world.
 //
 // Our own code tests each part against the floor.  Parts are not tested against each other
 // (docs/body.md says why), so ODE's collision spaces are not needed.  Static boxes go through ODE's

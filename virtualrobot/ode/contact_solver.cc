@@ -47,6 +47,7 @@ void ContactSolver::Step(const std::vector<ContactPoint>& points,
   for (size_t i = 0; i < points.size(); ++i) {
     held_[i] = settings_.hold && wait_[points[i].feature] == 0;
   }
+  // Without a held contact there is nothing to check, and ODE's result is final.
   const bool any_held = std::find(held_.begin(), held_.end(), true) != held_.end();
   if (any_held) Save();
   SolveOnce(points, step);

@@ -46,6 +46,7 @@ std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
 bool SoundQueue::Add(RCRegion* region, const SubjectID& subject) {
   if (waiting_.size() >= kMax) return false;
   waiting_.push_back({RegionReference(region), subject});
+  ASSERT(waiting_.size() <= kMax, "{} vectors wait", waiting_.size());
   return true;
 }
 
@@ -66,6 +67,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
   const SoundType& type = robot_.speaker.sound_type();
   info.frameNumber = frame_number;
+  // A sound ends where its memory ends, whatever the vector says.
   size_t bytes = info.dataSize;
   if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
     const size_t room = info.dataOffset > vector.bytes ? 0 : vector.bytes - info.dataOffset;
@@ -104,6 +106,7 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
+  // A vector without a wait begins in the middle of the frame, right after the one before.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
     found.push_back(fmt::format(
@@ -122,6 +125,7 @@ int SoundQueue::Copy(int from, SoundFrame* samples) {
   const Sound& sound = sounds_[sound_];
   const int end =
       static_cast<int>(std::min<int64_t>(kSoundSamplesPerFrame, from + sound.samples - position_));
+  ASSERT(end > from && end <= kSoundSamplesPerFrame, "{} to {}", from, end);
   for (int i = from; i < end; ++i, ++position_) {
     if (sound.data == nullptr) continue;
     const byte* const at = sound.data + position_ / sound.repeat * sound.bytes_per_sample;

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -79,6 +81,9 @@ WavSound ReadWavFile(const std::string& file) {
 }
 
 std::vector<OSoundSampleStereo16> ToStereo(const WavSound& sound, int rate_hz) {
+  ASSERT(sound.channels > 0 && sound.rate_hz > 0 && rate_hz > 0, "{} channels, {} to {} Hz",
+         sound.channels, sound.rate_hz, rate_hz);
+  // All in integers, so that every machine converts to the same samples.
   const auto channels = static_cast<size_t>(sound.channels);
   const size_t length = sound.samples.size() / channels;
   const auto at = [&](size_t index, size_t channel) -> int64_t {

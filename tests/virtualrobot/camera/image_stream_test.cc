@@ -39,7 +39,7 @@ class Viewer : public CodeObject {
   std::function<void()> on_image;
 };
 
-// Remembers where it was asked to look from.
+// Keeps the shots that it was asked for.
 class ShotRecorder : public ImageSource {
  public:
   std::string Capture(const CameraShot& shot, Picture* picture) override {
@@ -96,7 +96,7 @@ TEST_F(ImageTest, AnImageComesEvery40MillisecondsWithTheFrameItBelongsTo) {
   EXPECT_EQ(viewer->counters, (std::vector<int>{1, 2}));
 }
 
-// Frames of the two newest sensor vectors when an image comes.
+// Notes the frames of the two newest sensor vectors when an image comes.
 TEST_F(ImageTest, TheSensorsOfAnImageAreAmongTheTwoNewestVectors) {
   std::vector<int64_t> distances;
   viewer->on_image = [&] {
@@ -334,7 +334,8 @@ TEST_F(ImageTest, AColourTableFillsLayerCAndTheFrequencies) {
   EXPECT_EQ(y.ColorFrequency(ocdtCHANNEL0), 0);
 }
 
-// What a robot sees without a source: the ball is found in layer C as BallTrackingHead does.
+// The test pattern, which a robot without a source sees: its ball is found in layer C, in the way
+// of BallTrackingHead.
 class PatternTest : public VirtualRobotCommTest {};
 
 TEST_F(PatternTest, ThePinkBallOfTheTestPatternIsFoundByColour) {

@@ -16,7 +16,7 @@ World WithBox(const Vector3d& size_m, const Vector3d& centre_m, double yaw_deg) 
   return world;
 }
 
-// Contacts that stick are solved without bounds (contact_solver.h); that must not show.
+// Contacts that stick are solved without bounds (contact_solver.h).  The results must be the same.
 TEST(ContactTest, HeldContactsStandLikeBoundedOnes) {
   OdeSettings bounded_only;
   bounded_only.hold_contacts = false;
@@ -31,8 +31,8 @@ TEST(ContactTest, HeldContactsStandLikeBoundedOnes) {
   EXPECT_NEAR(harness_held.AngleDegrees("LF_j3"), harness_bounded.AngleDegrees("LF_j3"), 0.05);
 }
 
-// Standing robot pushed sideways at its trunk, 15.8 N heavy, friction 0.6: it holds 5 N and
-// slides at 12 N.
+// A standing robot is pushed sideways at its trunk.  Its weight is 15.8 N and the friction 0.6, so
+// it holds against 5 N and slides at 12 N.
 TEST(ContactTest, PawsHoldBelowTheFrictionLimitAndSlideAboveIt) {
   for (const double force_n : {5.0, 12.0}) {
     OdeBody body(Ers210(), World{});

@@ -1,4 +1,5 @@
-// How the ODE body is made and what it keeps to itself; how it moves is in the other tests here.
+// Making an ODE body, its refusals and its independence of other bodies.  The other tests in this
+// folder are about its movements.
 #include "virtualrobot/ode/ode_body.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ TEST(OdeBodyTest, StartsInTheSleepingPostureOnTheFloor) {
   EXPECT_EQ(body.state().v_WB.norm(), 0);
 }
 
-// The head and the legs sink on to the floor and stay there: nothing drives them.
+// Head and legs sink to the floor and stay there, because no servo drives them.
 TEST(OdeBodyTest, LimpRobotSagsAndComesToRestWhereItLay) {
   OdeBody body(Ers210(), World{});
   BodyHarness harness(Ers210(), &body);
@@ -46,8 +47,8 @@ TEST(OdeBodyTest, HingesHoldTogetherWhileStandingUp) {
   EXPECT_LT(body.HingeError(), 1e-5);
 }
 
-// Targets at random, also beyond the stops, joints switched off and on: a bad program may
-// make the robot flail, not explode.
+// Random targets, also beyond the stops, and joints that are switched off and on: the body must
+// stay in one piece however bad a program is.
 TEST(OdeBodyTest, FlailingRobotStaysInOnePieceAndOnTheFloor) {
   OdeBody body(Ers210(), World{});
   BodyHarness harness(Ers210(), &body);

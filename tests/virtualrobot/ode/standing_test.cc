@@ -1,4 +1,4 @@
-// What the body must do with the one parameter set: stand, hold, follow, give way.
+// The behaviour of the body with the default parameters: it stands, holds, follows and gives way.
 #include <gtest/gtest.h>
 
 #include "tests/virtualrobot/body_harness.h"

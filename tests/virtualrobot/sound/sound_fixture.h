@@ -87,7 +87,7 @@ class SoundTest : public VirtualRobotCommTest {
     return OPENR::ControlPrimitive(player->Open(), request, &param, sizeof param, nullptr, 0);
   }
 
-  // What sounded, "frame:samples of one value" in order; "12:64x256 64x0".
+  // The sound as text: for each frame its number and runs of equal samples, as "12:64x256 64x0".
   std::string Heard() const {
     std::string text;
     for (const MemorySoundSink::Entry& entry : sink->entries) {
@@ -122,7 +122,7 @@ class SoundTest : public VirtualRobotCommTest {
     MemorySoundSink* const seen = sink.get();
     return {seen, {std::move(sink), Tones(), nullptr, {}}};
   }
-  // 1000 samples that count: left from 0, right from 0 downwards.
+  // A source of 1000 samples: 0, 1, 2... on the left side and 0, -1, -2... on the right side.
   static std::unique_ptr<SoundSource> Tones() {
     std::vector<OSoundSampleStereo16> samples;
     for (sword i = 0; i < 1000; ++i) samples.push_back({i, static_cast<sword>(-i)});
