@@ -14,7 +14,7 @@ struct Battery {
   // Chosen: a full battery lasts 90 minutes, the running time of an ERS-210 in use.
   static constexpr int64_t kEmptyUs = int64_t{90} * 60 * 1'000'000;
 
-  int percent = 100;   // of the full capacity, at boot: 1 to 100
+  int percent = 100;   // capacity at boot, 1 to 100 % of the full one
   bool drains = true;  // loses 1 % every 54 s, down to 0 %; otherwise the percentage stays
 
   // Whether the bit for low capacity is set at boot.  Then it never changes, so no object is

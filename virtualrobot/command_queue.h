@@ -65,7 +65,7 @@ class CommandQueue {
   SubjectID subject_;
   RobotParts* robot_;
   std::deque<RegionReference> waiting_;
-  VectorTurn turn_;          // of the first vector in waiting_
+  VectorTurn turn_;          // state of the first vector in waiting_
   RegionReference playing_;  // the vector that plays, if any
   int64_t start_ = 0;        // frame in which it begins
   int64_t end_ = 0;          // first frame after it

@@ -48,7 +48,7 @@ class JointWatch {
   };
   struct Joint {
     bool acted = false;       // whether the servo acted at the last change of gains or power
-    bool told_start = false;  // what has been reported already
+    bool told_start = false;  // the mistakes that were reported already
     bool told_jump = false;
     bool told_effect = false;
     bool told_radians = false;

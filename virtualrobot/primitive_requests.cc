@@ -21,7 +21,7 @@ struct RequestCall {
 struct PrimitiveRequests {
   struct Row {
     OPrimitiveRequest request;
-    OPrimitiveType type;  // of the primitives that understand it
+    OPrimitiveType type;  // type of primitives that accept the request
     size_t param_size, result_size;
     OStatus (*act)(const RequestCall& call);
   };

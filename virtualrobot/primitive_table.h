@@ -23,7 +23,7 @@ struct Primitive {
   std::string locator;
   PrimitiveKind kind = PrimitiveKind::kSensor;
   OPrimitiveType type = oprimitiveUNDEF;  // named by the word behind the dash of the locator
-  int index = -1;                         // in the model's list of this kind
+  int index = -1;                         // index in the model's list of this kind
   int sensor = -1;                        // element of the sensor vector; -1: none
   int open_count = 0;                     // calls of OpenPrimitive() minus ClosePrimitive(), >= 0
 

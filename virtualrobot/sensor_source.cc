@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kMicro = 1e6;    // sensor values are in millionths of their SI unit
 constexpr int kSignalMax = 1023;  // 10-bit converter (Level 2 Reference Guide, 4.2.2)
-constexpr slongword kTemperatureMicroC =
-    30'000'000;  // of the thermo sensor; chosen, nothing is simulated
+// The temperature that the robot always measures.  Chosen, because heat is not simulated.
+constexpr slongword kTemperatureMicroC = 30'000'000;
 constexpr double kRayMaxM = 2.0;
 
 // Rounds to whole millionths, halves away from zero, with the same result on every machine.

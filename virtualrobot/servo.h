@@ -20,7 +20,7 @@ struct ServoSettings {
   double limp_friction = 0.02;          // dry friction without drive, over the stall torque
   double limp_creep_rad_s = 0.02;       // below this speed dry friction acts as a viscous one
   double stop_stiffness_per_rad = 100;  // mechanical stop: torque per rad, over the stall torque
-  double stop_damping_s_per_rad = 0.5;  // its damping while pressed in, over the stall torque
+  double stop_damping_s_per_rad = 0.5;  // damping of the stop, over the stall torque
 };
 
 // Torque on the joint as a function of its speed v at the end of the step:

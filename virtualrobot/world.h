@@ -13,7 +13,7 @@ class Hasher;
 struct WorldBox {
   std::string name;                   // named in errors about this box
   Eigen::Vector3d size_m{0, 0, 0};    // full edges, each > 0
-  Eigen::Vector3d centre_m{0, 0, 0};  // of the box, in W
+  Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box, in W
   double yaw_rad = 0;                 // about z, counterclockwise seen from above
 };
 

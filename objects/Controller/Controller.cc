@@ -54,7 +54,7 @@ Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
-    observer[obsImage]->DeassertReady();  // until camera_enable()
+    observer[obsImage]->DeassertReady();  // camera_enable() asserts it
     OSYSLOG1((osyslogINFO, "state: waiting"));
     return oSUCCESS;
 }

@@ -16,8 +16,8 @@ const int RC_PORT = 54000;
 const Uint16 RC_MAGIC = 0x4352;  // the bytes 'R', 'C'
 const int RC_VERSION = 1;
 
-const int RC_HEADER_SIZE = 8;          // of a request
-const int RC_ANSWER_HEADER_SIZE = 16;  // of an answer
+const int RC_HEADER_SIZE = 8;          // header of a request
+const int RC_ANSWER_HEADER_SIZE = 16;  // header of an answer
 
 // Largest size of a whole packet.  The robot sends 1024 bytes at once; more bytes wait up to 200 ms
 // (BBS 1530, 1592).
@@ -25,7 +25,7 @@ const int RC_MAX_PACKET = 1024;
 
 // The beginning of requests and answers, without the magic number.
 struct RcHeader {
-    Uint16 size;  // of the whole packet
+    Uint16 size;  // size of the whole packet, bytes
     Uint8 version;
     Uint8 command;
     Uint16 tag;

@@ -119,7 +119,7 @@ struct RcSensors {
     std::vector<Sint32> binary;    // 0 or 1
     std::vector<Sint32> other;     // 10^-6 of N, m, degree C, m/s^2; or A/D counts
     std::vector<Sint32> misc;      // battery: capacity %, temperature 0.01 degree C
-    std::vector<Sint32> keyFrame;  // one: -1 or 0..32767
+    std::vector<Sint32> keyFrame;  // one number: -1 or 0 to 32767
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);
@@ -135,7 +135,7 @@ struct RcPlayRequest {
 };
 
 struct RcPlayAnswer {
-    Uint32 durationMs;  // of one loop
+    Uint32 durationMs;  // length of one loop
     Uint16 keyFrames;
     Uint16 loops;
 

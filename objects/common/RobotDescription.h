@@ -25,7 +25,7 @@ struct JointConstants {
     const char* locator;  // "PRM:/r2/c1-Joint2:j1"
     Sint32 minUrad;       // software limits
     Sint32 maxUrad;
-    Sint32 minCdeg;  // the same in 0.01 degree
+    Sint32 minCdeg;  // software limits in 0.01 degree
     Sint32 maxCdeg;
     Sint32 minSpeedCdeg;  // 0.01 degree/s
     Sint32 maxSpeedCdeg;  // also the speed after start-up
@@ -75,9 +75,9 @@ struct SensorConstants {
 
 struct CameraConstants {
     const char* locator;
-    Sint32 width;  // of the largest layer, pixels
+    Sint32 width;  // size of the largest layer, pixels
     Sint32 height;
-    Sint32 fovUrad;  // from left to right
+    Sint32 fovUrad;  // field of view from left to right
 };
 
 // Angles in the order of RobotConstants::joints, inside the software limits.
@@ -87,7 +87,7 @@ struct PostureConstants {
 };
 
 struct RobotConstants {
-    const char* design;  // as OPENR::GetRobotDesign() writes it: "ERS-210"
+    const char* design;  // result of OPENR::GetRobotDesign(), such as "ERS-210"
     int numJoints;
     const JointConstants* joints;  // order of the Model Information guide, section 2.1
     int numLeds;
@@ -96,7 +96,7 @@ struct RobotConstants {
     const PlungerConstants* plungers;
     int numSensors;                  // without joints
     const SensorConstants* sensors;  // in order of sensorIndex
-    int numSensorElements;           // of a sensor frame vector, joints included
+    int numSensorElements;           // elements of a sensor frame vector, joints included
     int numPostures;
     const PostureConstants* postures;
     Sint32 minAccelerationCdeg;  // 0.01 degree/s^2, of every joint

@@ -13,7 +13,7 @@ const Uint32 NO_SENSOR_FRAME = 0xffffffff;
 struct SensorValues {
     Uint32 frame;                // frame number of the samples; NO_SENSOR_FRAME: none yet
     Sint32 joint[MAX_JOINTS];    // urad
-    Sint32 sensor[MAX_SENSORS];  // in the unit of SensorConstants::kind
+    Sint32 sensor[MAX_SENSORS];  // values in the unit of SensorConstants::kind
 };
 
 #endif  // SensorValues_h_DEFINED

@@ -34,7 +34,7 @@ struct BodyPart {
   double mass_kg = 0;                 // >= 0; the ODE body wants > 0
   bool has_box = false;               // false: shape unknown, no ODE body possible
   Eigen::Vector3d size_m{0, 0, 0};    // full edges, parallel to B at zero angles
-  Eigen::Vector3d centre_m{0, 0, 0};  // of the box, which is also the centre of mass
+  Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box and centre of mass
   int joint = -1;                     // index of the joint that carries it; -1 for the trunk
 };
 
@@ -100,7 +100,7 @@ struct Sensor {
   std::string locator;
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
-  int64_t min = 0, max = 0;  // in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
+  int64_t min = 0, max = 0;  // limits in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
   int joint = -1;            // kJoint: the joint whose angle is measured
   int paw = -1;              // kSwitch of a paw: index in RobotModel::paws
   int body = -1;             // kDistance: the part that carries the sensor; -1: not known

@@ -78,7 +78,7 @@ OdeBody::~OdeBody() {
   // Both refer to bodies of the world, so they go first.
   solver_.reset();
   finder_.reset();
-  dWorldDestroy(world_);  // with its bodies and hinges
+  dWorldDestroy(world_);  // destroys its bodies and hinges as well
 }
 
 void OdeBody::MakeBodies(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
@@ -177,7 +177,7 @@ void OdeBody::ReadState() {
     state_.joints[j].speed_rad_s = MeasureSpeed(axes_[j], parent, child);
   }
   const Matrix3d R = RotationOf(bodies_[0]);
-  const Vector3d centre_W = R * model_.bodies[0].centre_m;  // from B's origin
+  const Vector3d centre_W = R * model_.bodies[0].centre_m;  // seen from B's origin
   state_.X_WB.linear() = R;
   state_.X_WB.translation() = ToEigen(dBodyGetPosition(bodies_[0])) - centre_W;
   state_.w_WB = ToEigen(dBodyGetAngularVel(bodies_[0]));

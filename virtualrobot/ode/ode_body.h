@@ -31,7 +31,7 @@ struct OdeSettings {
   enum class Solver { kExact, kQuick };  // dWorldStep, dWorldQuickStep
   Solver solver = Solver::kExact;
   int steps_per_frame = 1;
-  int quick_iterations = 20;      // of kQuick
+  int quick_iterations = 20;      // iterations of a step with kQuick
   double joint_erp = 0.2;         // share of a hinge's error corrected per step
   double joint_cfm = 1e-9;        // softness of hinges, SI
   double contact_erp = 0.2;       // share of the depth pushed out per step
@@ -85,8 +85,8 @@ class OdeBody : public Body {
   std::vector<Servo> servos_;
   std::unique_ptr<ContactFinder> finder_;
   std::unique_ptr<ContactSolver> solver_;
-  std::vector<PushForce> pushes_;  // of the next Advance()
-  uint64_t random_seed_ = 1;       // of ODE's generator in this world
+  std::vector<PushForce> pushes_;  // forces of the next Advance()
+  uint64_t random_seed_ = 1;       // state of ODE's generator for this world
 };
 
 }  // namespace openr_host

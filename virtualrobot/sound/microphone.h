@@ -39,7 +39,7 @@ class Microphone {
   std::unique_ptr<SoundSource> source_;
   const OPrimitiveID id_;
   const int frames_per_vector_;
-  bool directional_ = false;  // at boot; chosen
+  bool directional_ = false;  // values at boot; chosen
   bool level_control_ = false;
   VectorPool pool_;
 };

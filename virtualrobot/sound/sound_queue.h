@@ -82,7 +82,7 @@ class SoundQueue {
 
   RobotParts& robot_;
   std::deque<Sent> waiting_;
-  VectorTurn turn_;  // of the first vector in waiting_
+  VectorTurn turn_;  // state of the first vector in waiting_
   Sent playing_;     // without a region when no vector plays
   int64_t start_ = 0;
   std::vector<Sound> sounds_;

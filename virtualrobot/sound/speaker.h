@@ -52,7 +52,7 @@ class Speaker {
  private:
   std::unique_ptr<SoundSink> sink_;
   bool mute_ = false;
-  longword volume_ = ospkvol10dB;  // at boot; chosen
+  longword volume_ = ospkvol10dB;  // value at boot; chosen
   int32_t gain_ = kFullGain;       // factor of volume_, times kFullGain
   const SoundType* type_ = FindSoundType(ospksndMONO8K8B);
 
