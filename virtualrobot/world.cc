@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "runtime/base/hasher.h"
+#include "runtime/base/read_file.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
-#include "virtualrobot/whole_file.h"
 
 namespace openr_host {
 namespace {
@@ -84,7 +84,7 @@ World ParseWorld(const std::string& text, const std::string& name) {
   return world;
 }
 
-World LoadWorld(const std::string& path) { return ParseWorld(ReadWholeFile(path), path); }
+World LoadWorld(const std::string& path) { return ParseWorld(ReadFileOrThrow(path), path); }
 
 void HashWorld(const World& world, Hasher* hasher) {
   hasher->Add(world.floor_friction);

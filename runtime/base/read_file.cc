@@ -1,9 +1,13 @@
 #include "runtime/base/read_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
 
 namespace openr_host {
 namespace {
@@ -34,6 +38,12 @@ std::optional<std::string> ReadFile(const std::string& path) {
   errno = error;  // because close() may have changed it
   if (!is_whole) return std::nullopt;
   return bytes;
+}
+
+std::string ReadFileOrThrow(const std::string& path) {
+  std::optional<std::string> bytes = ReadFile(path);
+  if (!bytes) throw std::runtime_error(fmt::format("{}: {}", path, std::strerror(errno)));
+  return *std::move(bytes);
 }
 
 }  // namespace openr_host

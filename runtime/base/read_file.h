@@ -10,4 +10,7 @@ namespace openr_host {
 // A folder cannot be read (EISDIR).
 std::optional<std::string> ReadFile(const std::string& path);
 
+// Throws std::runtime_error "PATH: the system's reason" instead.
+std::string ReadFileOrThrow(const std::string& path);
+
 }  // namespace openr_host

@@ -3,11 +3,13 @@
 #include <elf.h>
 
 #include <cctype>
+#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
+#include <optional>
+#include <utility>
 
+#include "runtime/base/read_file.h"
 #include "runtime/config/service_name.h"
 #include "runtime/stick/gzip.h"
 
@@ -78,13 +80,12 @@ std::string OcfTextOf(const std::string& bytes) {
 
 ImageFile ReadImageFile(const std::string& path) {
   ImageFile image;
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code error;
-  if (!stream || !std::filesystem::is_regular_file(path, error)) {
-    image.problem = stream ? "is no file" : "cannot be read";
+  std::optional<std::string> bytes = ReadFile(path);
+  if (!bytes) {
+    image.problem = errno == EISDIR ? "is no file" : "cannot be read";
     return image;
   }
-  image.bytes.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  image.bytes = *std::move(bytes);
   image.is_compressed = IsGzip(image.bytes);
   if (image.is_compressed) {
     std::string bytes;

@@ -10,10 +10,10 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 #include "runtime/base/hasher.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -87,12 +87,7 @@ std::optional<std::string> MemoryStick::ReadFile(std::string_view name) {
   std::error_code error;
   if (location.error != 0 || !std::filesystem::is_regular_file(location.path, error))
     return std::nullopt;
-  std::ifstream file(location.path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    if (!file || file.peek() != std::ifstream::traits_type::eof()) return std::nullopt;
-  }
-  return text.str();
+  return openr_host::ReadFile(location.path);
 }
 
 int MemoryStick::WhyUnread(std::string_view name) {

@@ -70,7 +70,7 @@ TEST(WorldTest, AListIsNoWorld) {
 
 TEST(WorldTest, MissingFileIsNamed) {
   EXPECT_EQ(ErrorOf([] { LoadWorld("no/world.json"); }),
-            "no/world.json: cannot be opened for reading");
+            "no/world.json: No such file or directory");
 }
 
 TEST(RayDistanceTest, SeesTheWallItLooksAt) {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/base/read_file.h"
 #include "virtualrobot/camera/image_source.h"
-#include "virtualrobot/whole_file.h"
 
 namespace openr_host {
 namespace {
@@ -107,7 +107,7 @@ class ImageFolder : public ImageSource {
 }  // namespace
 
 Picture ReadPicture(const std::string& file) {
-  const std::string bytes = ReadWholeFile(file);
+  const std::string bytes = ReadFileOrThrow(file);
   if (bytes.starts_with("\x89PNG")) return ReadPng(bytes, file);
   if (bytes.starts_with("P6")) return ReadPpm(bytes, file);
   Fail(file, "is neither a PNG nor a PPM (P6) file");

@@ -4,10 +4,10 @@
 #include <set>
 
 #include "runtime/base/hasher.h"
+#include "runtime/base/read_file.h"
 #include "virtualrobot/det_math.h"
 #include "virtualrobot/json_reader.h"
 #include "virtualrobot/model/robot_model.h"
-#include "virtualrobot/whole_file.h"
 
 namespace openr_host {
 namespace {
@@ -298,7 +298,7 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
 }
 
 RobotModel LoadRobotModel(const std::string& path) {
-  return ParseRobotModel(ReadWholeFile(path), path);
+  return ParseRobotModel(ReadFileOrThrow(path), path);
 }
 
 }  // namespace openr_host

@@ -117,7 +117,7 @@ TEST_F(ImageFilesTest, WhatIsNoPictureIsNamed) {
             ": PPM header: a number from 1 to 8192 is missing");
   EXPECT_EQ(ErrorIn(Write("f", "P6#")), ": PPM header: a number from 1 to 8192 is missing");
   EXPECT_EQ(ErrorIn(Write("g", "\x89PNG\r\n\x1a\nrubbish")).substr(0, 4), ": no");
-  EXPECT_EQ(ErrorIn(folder + "/none"), ": cannot be opened for reading");
+  EXPECT_EQ(ErrorIn(folder + "/none"), ": No such file or directory");
 }
 
 TEST_F(ImageFilesTest, AFolderIsShownInTheOrderOfItsNamesAndFromTheFirstAgain) {

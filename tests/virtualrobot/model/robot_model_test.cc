@@ -88,7 +88,7 @@ TEST(RobotModelTest, UnknownPostureNamesTheKnownOnes) {
 
 TEST(RobotModelTest, MissingFileIsNamed) {
   EXPECT_EQ(ErrorOf([] { LoadRobotModel("no/such.json"); }),
-            "no/such.json: cannot be opened for reading");
+            "no/such.json: No such file or directory");
 }
 
 TEST(RobotModelTest, BrokenJsonIsNamedWithLineAndColumn) {
