@@ -19,6 +19,7 @@
 #include "distribution/worker_group.h"
 #include "runtime/base/temp_folder.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -193,7 +194,7 @@ class Ours {
     for (int i = 0; i < window; ++i) {
       const int dog = system_.AddRobot("ERS-210", std::make_shared<FolderStick>(folder_.path()));
       sources.push_back(system_.AddObject<Source>(dog, "source", size, &sent_));
-      system_.LoadStick(dog, workers_.StandInsFor(&system_, dog));
+      LoadStick(&system_, dog, workers_.StandInsFor(&system_, dog));
     }
     const std::string problem = workers_.Connect();
     if (!problem.empty()) throw std::runtime_error(problem);

@@ -101,8 +101,8 @@ void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);
   OStatusMessage message(oSUCCESS);
-  system->Reply({request.sender, request.reply_box}, &message,
-                request.selector > oentryDESTROY ? 0 : sizeof message);
+  system->requests().Reply({request.sender, request.reply_box}, &message,
+                           request.selector > oentryDESTROY ? 0 : sizeof message);
 }
 
 void RemoteObject::HashState(Hasher* hasher) const {

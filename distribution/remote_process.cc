@@ -306,7 +306,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   running_[object->id] = box;
   bool timed_out = false;
-  Message* const wake = system_->AwaitReply(box, -1, wait_reason_, &timed_out);
+  Message* const wake = system_->requests().Await(box, -1, wait_reason_, &timed_out);
   system_->queue().Release(wake);
   if (is_lost_ || session != session_) return std::nullopt;
   Stop stop = std::move(stops_[object->id]);
@@ -395,7 +395,7 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
   Message* const reply =
-      system_->AwaitReply(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
+      system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
   if (is_lost_ || session != session_) {  // another object's handler brought the worker down
     system_->queue().Release(reply);
     return;

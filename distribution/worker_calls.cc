@@ -34,7 +34,7 @@ Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_vi
 
 size_t WorkerCalls::ReadLine(char* buffer, size_t size) {
   Object* const self = t_current.object;
-  const uint64_t box = system_->NewReplyBox();
+  const uint64_t box = system_->requests().OpenBox();
   master_->WaitsForLine(box, size);
   self->blocked_why = ConsoleInput::kWhy;
   Message* const line = system_->dispatcher().WaitFor(box);

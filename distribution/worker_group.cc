@@ -75,10 +75,10 @@ void WorkerGroup::Start(Member* member) {
 
 WorkerGroup::~WorkerGroup() = default;
 
-System::StandIns WorkerGroup::StandInsFor(System* system, int robot) {
+StandIns WorkerGroup::StandInsFor(System* system, int robot) {
   if (system_ == nullptr) system->OnReplace([this](ObjectId id) { OnReplaced(id); });
   system_ = system;
-  System::StandIns stand_ins;
+  StandIns stand_ins;
   for (const auto& [object_name, process_name] : options_.placement.process_of) {
     stand_ins[object_name] = [this, robot, name = object_name,
                               member = &members_[process_name]](const std::string& path) {

@@ -15,6 +15,7 @@
 #include "distribution/placement.h"
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -46,8 +47,8 @@ class WorkerGroup {
 
   Bus* bus() { return &bus_; }
 
-  // Makes stand-ins for the objects that are placed in workers, for System::LoadStick().
-  System::StandIns StandInsFor(System* system, int robot);
+  // Makes stand-ins for the objects that are placed in workers, for LoadStick().
+  StandIns StandInsFor(System* system, int robot);
 
   // Returns what is wrong with the object names of the placement, or "".  REQUIRES: all robots are
   // loaded.

@@ -7,6 +7,7 @@
 
 #include "distribution/remote_services.h"
 #include "distribution/worker.h"
+#include "runtime/core/load_image.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/ipstack/loopback_network.h"
 #include "runtime/stick/memory_stick.h"
@@ -104,7 +105,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
     return;
   }
   if (entry.is_own) {
-    Object* const object = system_->LoadImage(entry.robot, StringOf(entry.path), "join");
+    Object* const object = LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
       object->last_box = entry.last_box;
       own_object_names_.insert(object->name);

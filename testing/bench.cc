@@ -18,6 +18,8 @@
 #include "runtime/config/service_name.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/image_file.h"
+#include "runtime/core/load_image.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "virtualrobot/body.h"
@@ -127,7 +129,7 @@ void Bench::AddBody() {
 
 void Bench::LoadStick() {
   std::map<std::string, bool> used;
-  System::StandIns stand_ins;
+  openr_host::StandIns stand_ins;
   for (const StandIn& stand_in : options_.replace) {
     const std::string& name = stand_in.object;
     used[name] = false;
@@ -171,7 +173,7 @@ Object& Bench::AddImage(const std::string& file) {
   const std::string name =
       "/MS/OPEN-R/MW/OBJS/" + UpperCase(std::filesystem::path(file).filename().string());
   stick_->ImportImage(file, name);
-  Object* const object = system_->LoadImage(0, name, "AddImage");
+  Object* const object = openr_host::LoadImage(system_.get(), 0, name, "AddImage");
   if (object == nullptr) {
     AllowFinding(findings().size() - 1);  // it is said here
     throw std::runtime_error(findings().back().text);

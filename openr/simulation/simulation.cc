@@ -116,8 +116,8 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   stack_options.addresses = addresses;
   networks_.push_back(
       AddIpStack(system_.get(), robot, std::move(network), std::move(stack_options)));
-  const System::StandIns stand_ins =
-      options.stand_ins ? options.stand_ins(system_.get(), robot) : System::StandIns();
+  const StandIns stand_ins =
+      options.stand_ins ? options.stand_ins(system_.get(), robot) : StandIns();
   if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/config/address_config.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/model/robot_model.h"
 #include "virtualrobot/virtual_robot.h"
@@ -49,8 +50,8 @@ struct SimulationOptions {
   // stick's HOSTADDR.CFG.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // Objects that are not images of the stick; see System::LoadStick().
-  std::function<System::StandIns(System*, int robot)> stand_ins;
+  // Objects that are not images of the stick; see LoadStick().
+  std::function<StandIns(System*, int robot)> stand_ins;
   // Puts something between a robot's IPStack and its network.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };

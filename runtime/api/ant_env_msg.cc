@@ -77,11 +77,11 @@ antError antEnvMsg::Call(antStackRef target, int size) {
   invocationType = ANTENVMSG_CALL;
   const size_t reply_size = AntMessageSize(*this);
   uint64_t box = 0;
-  const sError error = t_current.system->SendWithReply(NewRequest(stack, *this), &box);
+  const sError error = t_current.system->requests().Send(NewRequest(stack, *this), &box);
   if (error != sSUCCESS) return AntErrorOf(error);
   const std::string why = fmt::format("the answer of IPStack ({})", AntMessageName(*this));
-  return AntErrorOf(
-      t_current.system->WaitForReply(box, static_cast<void*>(this), reply_size, nullptr, -1, why));
+  return AntErrorOf(t_current.system->requests().Wait(box, static_cast<void*>(this), reply_size,
+                                                      nullptr, -1, why));
 }
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
@@ -95,8 +95,8 @@ antError antEnvMsg::Reply() {
   const size_t size = AntMessageSize(*this);
   const uint64_t hash = AntMessageHash(*this);
   if (invocationType == ANTENVMSG_CALL) {
-    return AntErrorOf(
-        system.Reply(system.TakeReplyTicket(), static_cast<const void*>(this), size, hash));
+    return AntErrorOf(system.requests().Reply(system.requests().TakeTicket(),
+                                              static_cast<const void*>(this), size, hash));
   }
   Message* const answer = system.NewMessage(ObjectIdOf(contInfo.oid), contInfo.selector);
   std::memcpy(answer->payload, static_cast<const void*>(this), size);

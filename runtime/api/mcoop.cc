@@ -104,7 +104,7 @@ sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbo
   if (t_current.object == nullptr || rbox == nullptr) return sINVALIDARG;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   uint64_t box = 0;
-  const sError error = t_current.system->SendWithReply(NewBytes(oid, selector, msg, size), &box);
+  const sError error = t_current.system->requests().Send(NewBytes(oid, selector, msg, size), &box);
   if (error == sSUCCESS) *rbox = RID(OidOf(t_current.object->id), static_cast<longword>(box));
   return error;
 }
@@ -113,9 +113,9 @@ sError Receive(RID rbox, void* msg, size_t size, size_t* got, RelativeTime* time
   const ApiScope scope;
   const sError error = CheckBox(rbox);
   if (error != sSUCCESS) return error;
-  return t_current.system->WaitForReply(rbox.GetValue(), msg, size, got,
-                                        timeout == nullptr ? -1 : Microseconds(*timeout),
-                                        "a reply (Receive)");
+  return t_current.system->requests().Wait(rbox.GetValue(), msg, size, got,
+                                           timeout == nullptr ? -1 : Microseconds(*timeout),
+                                           "a reply (Receive)");
 }
 
 sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply, size_t replySize) {
@@ -123,7 +123,7 @@ sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply, siz
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
-  return t_current.system->Call(ObjectIdOf(oid), selector, msg, size, reply, replySize);
+  return t_current.system->requests().Call(ObjectIdOf(oid), selector, msg, size, reply, replySize);
 }
 
 sError Reply(void* msg, size_t size) {
@@ -135,7 +135,7 @@ sError Reply(void* msg, size_t size) {
     std::memcpy(object->self_reply->data, msg, std::min(size, object->self_reply->size));
     return sSUCCESS;
   }
-  return t_current.system->Reply(t_current.system->TakeReplyTicket(), msg, size);
+  return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
 }
 
 // The request being handled goes on to another object, which answers in our place.
@@ -144,7 +144,7 @@ sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
   if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
-  const System::ReplyTicket ticket = t_current.system->TakeReplyTicket();
+  const ReplyTicket ticket = t_current.system->requests().TakeTicket();
   if (ticket.box == 0) return sINVALIDRID;
   Message* const message = NewBytes(oid, selector, msg, size);
   message->sender = ticket.to;

@@ -1,18 +1,19 @@
-// From a Memory Stick to objects and wires.
+#include "runtime/core/load_stick.h"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
-#include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/design_config.h"
 #include "runtime/config/object_config.h"
 #include "runtime/config/ocf.h"
-#include "runtime/core/image.h"
 #include "runtime/core/image_file.h"
+#include "runtime/core/load_image.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -22,81 +23,52 @@ namespace {
 constexpr char kConfFolder[] = "/MS/OPEN-R/MW/CONF/";
 constexpr char kMissing[] = "No such file on the stick";
 
-std::string FileName(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
+class StickLoader {
+ public:
+  StickLoader(System* system, int robot, const StandIns& stand_ins)
+      : system_(*system),
+        robot_(system->robot(robot)),
+        stick_(robot_.stick.get()),
+        stand_ins_(stand_ins) {}
 
-// "; did you mean 'JOINTMOV.BIN'?" after the files that lie where `path`, a file of the host, does
-// not.
-std::string NearestName(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::vector<std::string> names;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path(), none)) {
-    if (entry.path().extension() != ".DBG") names.push_back(entry.path().filename());
+  bool LoadObjects();
+  void LoadConnections();
+  void LoadDesign();
+
+ private:
+  std::optional<std::string> ReadConfig(const char* name) {
+    return stick_ == nullptr ? std::nullopt : stick_->ReadFile(kConfFolder + std::string(name));
   }
-  std::sort(names.begin(), names.end());
-  return DidYouMean(FileName(path), names);
-}
-
-}  // namespace
-
-void System::AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) {
-    findings_.Add({diagnostic.severity, robot, "", 0, now_us_, RenderWithoutKind(diagnostic)});
+  std::string WhyNoConfig(const char* name);
+  bool LoadObject(const ObjectRecord& record);
+  StandIns::const_iterator FindStandIn(const std::string& path);
+  std::string NameInImage(const std::string& path);
+  void Report(Severity severity, std::string text) {
+    system_.AddFindingAboutRobot(robot_.index, severity, std::move(text));
   }
-}
-
-std::unique_ptr<ImageObject> System::OpenImage(int robot_index, ObjectId id,
-                                               const std::string& path, const std::string& where) {
-  const auto refuse = [&](const std::string& why) {
-    findings_.Add({Severity::kError, robot_index, "", 0, now_us_,
-                   fmt::format("{}: {} {}", where, path, why)});
-    return nullptr;
-  };
-  MemoryStick* const stick = robot(robot_index).stick.get();
-  if (stick == nullptr) return refuse("cannot be read: there is no Memory Stick");
-  const MemoryStick::Location location = stick->Locate(path);
-  if (location.error != 0 && location.error != ENOENT)
-    return refuse(fmt::format("cannot be read: {}", std::strerror(location.error)));
-  if (location.error != 0 || !location.exists) {
-    return refuse(
-        "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : "
-        "Load() error 90" +
-        NearestName(location.path));
+  void Report(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics)
+      Report(diagnostic.severity, RenderWithoutKind(diagnostic));
   }
-  if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
-  auto image = std::make_unique<ImageObject>(this, id, robot_index);
-  image->path = path;
-  const std::string problem = image->Load(location.path, run_folder_.get());
-  if (!problem.empty()) return refuse(problem);
-  const Object* const namesake = FindObject(robot_index, image->name);
-  if (namesake != nullptr && namesake->id != id) {
-    return refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
-                              image->name));
-  }
-  return image;
+
+  System& system_;
+  Robot& robot_;
+  MemoryStick* const stick_;
+  const StandIns& stand_ins_;
+};
+
+// Returns "FILE: " and kMissing, or the reason why the file cannot be read.
+std::string StickLoader::WhyNoConfig(const char* name) {
+  const int error = stick_ == nullptr ? ENOENT : stick_->WhyUnread(kConfFolder + std::string(name));
+  const std::string why =
+      error == ENOENT ? kMissing : fmt::format("cannot be read: {}", std::strerror(error));
+  return fmt::format("{}{}: {}", kConfFolder, name, why);
 }
 
-Object* System::LoadImage(int robot_index, const std::string& path, const std::string& where) {
-  auto image = OpenImage(robot_index, static_cast<ObjectId>(objects_.size()), path, where);
-  return image == nullptr ? nullptr : Adopt(std::move(image));
-}
-
-std::unique_ptr<Object> System::LoadAgain(const Object& object) {
-  return OpenImage(object.robot, object.id, object.path, "reload");
-}
-
-std::optional<std::string> System::ReadConfig(int robot_index, const char* name) {
-  MemoryStick* const stick = robot(robot_index).stick.get();
-  return stick == nullptr ? std::nullopt : stick->ReadFile(kConfFolder + std::string(name));
-}
-
-// The name of the object whose image it is, which is not loaded; "" when that cannot be told.
-std::string System::NameInImage(int robot_index, const std::string& path) {
-  MemoryStick* const stick = robot(robot_index).stick.get();
-  if (stick == nullptr) return "";
-  const MemoryStick::Location location = stick->Locate(path);
+// Returns the name of the object in an image that is not loaded; "" if the image cannot be read.
+std::string StickLoader::NameInImage(const std::string& path) {
+  if (stick_ == nullptr) return "";
+  const MemoryStick::Location location = stick_->Locate(path);
   if (location.error != 0 || !location.exists) return "";
   const ImageFile image = ReadImageFile(location.path);
   if (!image.problem.empty()) return "";
@@ -104,86 +76,82 @@ std::string System::NameInImage(int robot_index, const std::string& path) {
   return ocf.ocf ? ocf.ocf->name : "";
 }
 
-// kMissing or what keeps it from being read.
-std::string System::WhyNoConfig(int robot_index, const char* name) {
-  MemoryStick* const stick = robot(robot_index).stick.get();
-  const int error = stick == nullptr ? ENOENT : stick->WhyUnread(kConfFolder + std::string(name));
-  const std::string why =
-      error == ENOENT ? kMissing : fmt::format("cannot be read: {}", std::strerror(error));
-  return fmt::format("{}{}: {}", kConfFolder, name, why);
+StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
+  if (stand_ins_.empty()) return stand_ins_.end();
+  const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
+  // Reading the image for the name of its object takes time, so it comes second.
+  return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 
-bool System::LoadObjects(int robot_index, const StandIns& stand_ins) {
-  const auto text = ReadConfig(robot_index, "OBJECT.CFG");
+bool StickLoader::LoadObject(const ObjectRecord& record) {
+  if (const auto stand_in = FindStandIn(record.path); stand_in != stand_ins_.end()) {
+    stand_in->second(record.path);
+    return true;
+  }
+  const std::string where = fmt::format("{}:{}", record.place.file, record.place.line);
+  return LoadImage(&system_, robot_.index, record.path, where) != nullptr;
+}
+
+bool StickLoader::LoadObjects() {
+  const auto text = ReadConfig("OBJECT.CFG");
   if (!text) {
-    std::string why = WhyNoConfig(robot_index, "OBJECT.CFG");
+    std::string why = WhyNoConfig("OBJECT.CFG");
     if (why.ends_with(kMissing)) why += "; a stick is a folder that holds OPEN-R/";
-    findings_.Add({Severity::kError, robot_index, "", 0, now_us_, why});
+    Report(Severity::kError, why);
     return false;
   }
-  const ObjectConfig config = ParseObjectConfig("OBJECT.CFG", *text, robot(robot_index).design);
-  AddDiagnostics(robot_index, config.diagnostics);
+  const ObjectConfig config = ParseObjectConfig("OBJECT.CFG", *text, robot_.design);
+  Report(config.diagnostics);
   if (config.objects.empty()) {
-    findings_.Add({Severity::kWarning, robot_index, "", 0, now_us_,
-                   "OBJECT.CFG: names no object for this robot; nothing of the application runs"});
+    Report(Severity::kWarning,
+           "OBJECT.CFG: names no object for this robot; nothing of the application runs");
   }
-  bool good = true;
-  for (const ObjectRecord& record : config.objects) {
-    if (const auto found = stand_ins.find(FileName(record.path)); found != stand_ins.end()) {
-      found->second(record.path);
-      continue;
-    }
-    if (const auto found = stand_ins.empty()
-                               ? stand_ins.end()
-                               : stand_ins.find(NameInImage(robot_index, record.path));
-        found != stand_ins.end()) {
-      found->second(record.path);
-      continue;
-    }
-    auto image = OpenImage(robot_index, static_cast<ObjectId>(objects_.size()), record.path,
-                           fmt::format("{}:{}", record.place.file, record.place.line));
-    if (image == nullptr) {
-      good = false;
-    } else {
-      Adopt(std::move(image));
-    }
-  }
-  return good;
+  bool is_good = true;
+  for (const ObjectRecord& record : config.objects) is_good = LoadObject(record) && is_good;
+  return is_good;
 }
 
-void System::LoadConnections(int robot_index) {
-  const auto text = ReadConfig(robot_index, "CONNECT.CFG");
+void StickLoader::LoadConnections() {
+  const bool is_strict = system_.options().strict;
+  const auto text = ReadConfig("CONNECT.CFG");
   if (!text) {
     // Programs that use no service of another object came without the file; the robot starts them.
-    const std::string why = WhyNoConfig(robot_index, "CONNECT.CFG");
+    const std::string why = WhyNoConfig("CONNECT.CFG");
     const Severity severity = why.ends_with(kMissing) ? Severity::kNote
-                              : options_.strict       ? Severity::kError
+                              : is_strict             ? Severity::kError
                                                       : Severity::kWarning;
-    findings_.Add({severity, robot_index, "", 0, now_us_, why + "; no object is connected"});
+    Report(severity, why + "; no object is connected");
     return;
   }
-  const ConnectConfig config = ParseConnectConfig(
-      "CONNECT.CFG", *text, robot(robot_index).design,
-      options_.strict ? " (--strict: no object starts)" : " (the line is skipped)");
-  AddDiagnostics(robot_index, config.diagnostics);
+  const ConnectConfig config =
+      ParseConnectConfig("CONNECT.CFG", *text, robot_.design,
+                         is_strict ? " (--strict: no object starts)" : " (the line is skipped)");
+  Report(config.diagnostics);
   for (const ConnectRecord& record : config.connections) {
-    Connect({robot_index, Compose(record.subject), Compose(record.observer),
-             fmt::format("{}:{}", record.subject_place.file, record.subject_place.line)});
+    system_.Connect({robot_.index, Compose(record.subject), Compose(record.observer),
+                     fmt::format("{}:{}", record.subject_place.file, record.subject_place.line)});
   }
 }
 
-bool System::LoadStick(int robot_index, const StandIns& stand_ins) {
-  Robot& dog = robot(robot_index);
+void StickLoader::LoadDesign() {
+  const auto text = ReadConfig("DESIGNDB.CFG");
+  if (!text) return;
+  const DesignConfig config = ParseDesignConfig("DESIGNDB.CFG", *text, robot_.design);
+  Report(config.diagnostics);
+  for (const DesignRecord& record : config.designs)
+    robot_.design_data.emplace(record.keyword, record.path);
+}
+
+}  // namespace
+
+bool LoadStick(System* system, int robot, const StandIns& stand_ins) {
+  Robot& dog = system->robot(robot);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();
-  const bool good = LoadObjects(robot_index, stand_ins);
-  LoadConnections(robot_index);
-  if (const auto text = ReadConfig(robot_index, "DESIGNDB.CFG")) {
-    const DesignConfig config = ParseDesignConfig("DESIGNDB.CFG", *text, dog.design);
-    AddDiagnostics(robot_index, config.diagnostics);
-    for (const DesignRecord& record : config.designs)
-      dog.design_data.emplace(record.keyword, record.path);
-  }
-  return good;
+  StickLoader loader(system, robot, stand_ins);
+  const bool is_good = loader.LoadObjects();
+  loader.LoadConnections();
+  loader.LoadDesign();
+  return is_good;
 }
 
 }  // namespace openr_host

@@ -9,6 +9,8 @@
 #include "runtime/base/spelling.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/api.h"
+#include "runtime/core/image.h"
+#include "runtime/core/load_image.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -149,7 +151,7 @@ void ObjectManager::RunShutdown(int robot) {
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
   if (old == nullptr || !old->is_image) return;  // of another process, or no image at all
-  std::unique_ptr<Object> fresh = system().LoadAgain(*old);
+  std::unique_ptr<Object> fresh = OpenImage(&system(), old->robot, old->id, old->path, "reload");
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);
   Send(old, oentryDESTROY, oreasonSHUTDOWN);
@@ -222,8 +224,8 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (object->is_off) return;                       // its robot is, meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
-  const sError error = system().Call(object->id, entry, &message, sizeof message, &reply,
-                                     sizeof reply, kReplyTimeoutUs);
+  const sError error = system().requests().Call(object->id, entry, &message, sizeof message, &reply,
+                                                sizeof reply, kReplyTimeoutUs);
   if (error == sTIMEOUT) {
     system().AddFindingAbout(
         object, Severity::kError,
@@ -314,8 +316,9 @@ void ObjectManager::Connect(const Connection& connection) {
   message.entry = OServiceEntry(OidOf(subject->second.first), subject->second.second);
   std::strncpy(message.subName, connection.subject.c_str(), sizeof message.subName - 1);
   OStatusMessage reply;
-  const sError error = system().Call(observer->second.first, observer->second.second, &message,
-                                     sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
+  const sError error =
+      system().requests().Call(observer->second.first, observer->second.second, &message,
+                               sizeof message, &reply, sizeof reply, kReplyTimeoutUs);
   if ((error != sSUCCESS || reply.status != oSUCCESS) && !has_lost_end()) {
     system().findings_.Add(
         {Severity::kError, connection.robot, "", 0, system().now_us(),

@@ -121,6 +121,11 @@ Object* System::FindObject(int robot, std::string_view name) const {
   return nullptr;
 }
 
+RunFolder* System::run_folder() {
+  if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
+  return run_folder_.get();
+}
+
 void System::Boot() { manager_->PostBoot(); }
 
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
@@ -282,92 +287,6 @@ void System::DoWhatIsDue() {
   time_events_.PostDue();
 }
 
-uint64_t System::NewReplyBox() {
-  ASSERT(t_current.object != nullptr, "only an object waits for a reply");
-  Object* const self = t_current.object;
-  calls_->OpenBox(self->last_box + 1);
-  return self->last_box;
-}
-
-int32_t System::SendWithReply(Message* message, uint64_t* box) {
-  *box = NewReplyBox();
-  message->reply_box = *box;
-  const int32_t error = Post(message);
-  if (error != sSUCCESS) t_current.object->boxes.erase(*box);
-  return error;
-}
-
-Message* System::AwaitReply(uint64_t box, int64_t timeout_us, std::string_view why,
-                            bool* timed_out) {
-  Object* const self = t_current.object;
-  self->blocked_why = why;
-  Message* const wake = calls_->BeginWait(box, timeout_us, why);
-  Message* const message = dispatcher_->WaitFor(box);
-  self->blocked_why.clear();
-  *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
-  if (*timed_out) return message;  // the reply may still come
-  if (wake != nullptr)
-    queue_.RemoveIf([wake](const Message& m) { return &m == wake; }, [](const Message&) {});
-  self->boxes.erase(box);
-  return message;
-}
-
-int32_t System::WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
-                             int64_t timeout_us, std::string_view why) {
-  bool timed_out = false;
-  Message* const message = AwaitReply(box, timeout_us, why, &timed_out);
-  const size_t size = std::min<size_t>(message->size, reply_size);
-  if (reply != nullptr) std::memcpy(reply, message->payload, size);
-  if (got != nullptr) *got = size;
-  queue_.Release(message);
-  return timed_out ? sTIMEOUT : sSUCCESS;
-}
-
-int32_t System::Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
-                     size_t reply_size, int64_t timeout_us) {
-  if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
-  Message* const message = NewMessage(target, selector);
-  std::memcpy(message->payload, data, size);
-  message->size = static_cast<uint32_t>(size);
-  uint64_t box = 0;
-  const Object* const callee = object(target);
-  const int32_t error = SendWithReply(message, &box);
-  if (error != sSUCCESS) return error;
-  const std::string why =
-      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  for (;;) {
-    const int32_t result = WaitForReply(box, reply, reply_size, nullptr, timeout_us, why);
-    if (result != sTIMEOUT || !object(target)->IsAtWorkElsewhere()) return result;
-  }
-}
-
-System::ReplyTicket System::TakeReplyTicket() {
-  Message* const request = t_current.object == nullptr ? nullptr : t_current.object->running;
-  if (request == nullptr || request->reply_box == 0) return {};
-  const ReplyTicket ticket{request->sender, request->reply_box};
-  request->reply_box = 0;
-  return ticket;
-}
-
-int32_t System::Reply(const ReplyTicket& ticket, const void* data, size_t size,
-                      uint64_t payload_hash) {
-  if (ticket.box == 0) return sINVALIDRID;
-  if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
-  const Object* const asker = object(ticket.to);
-  if (asker == nullptr) return sRBOXWASCLEANED;
-  if (!calls_->AcceptsReply(asker->id, ticket.box)) return sRBOXWASCLEANED;
-  Message* const message = NewMessage(ticket.to, 0);
-  message->is_reply = true;
-  message->reply_box = ticket.box;
-  if (size > 0) std::memcpy(message->payload, data, size);
-  message->size = static_cast<uint32_t>(size);
-  if (payload_hash != 0) {
-    message->kind = PayloadKind::kHashed;
-    message->payload_hash = payload_hash;
-  }
-  return Post(message);
-}
-
 void System::AbandonHandler() { dispatcher_->Abandon(); }
 
 void System::AddFinding(Severity severity, std::string text) {
@@ -376,6 +295,10 @@ void System::AddFinding(Severity severity, std::string text) {
 
 void System::AddFindingAbout(const Object* object, Severity severity, std::string text) {
   calls_->AddFinding(object, severity, text);
+}
+
+void System::AddFindingAboutRobot(int robot, Severity severity, std::string text) {
+  findings_.Add({severity, robot, "", 0, now_us_, std::move(text)});
 }
 
 void System::RecordFinding(const Object* object, Severity severity, std::string text) {

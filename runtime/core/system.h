@@ -7,9 +7,8 @@
 //   System system({.seed = 1});
 //   const int dog = system.AddRobot("ERS-210", stick);
 //   AddVirtualRobot(&system, dog, ...);           // virtualrobot/
-//   system.LoadStick(dog);                        // images of OBJECT.CFG, wiring of CONNECT.CFG
-//   system.Boot();
-//   system.RunFor(30'000'000);
+//   LoadStick(&system, dog);                      // load_stick.h: images of OBJECT.CFG, wiring of
+//   CONNECT.CFG system.Boot(); system.RunFor(30'000'000);
 #pragma once
 
 #include <cstdint>
@@ -32,6 +31,7 @@
 #include "runtime/core/object.h"
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
+#include "runtime/core/requests.h"
 #include "runtime/core/run_end.h"
 #include "runtime/core/schedule.h"
 #include "runtime/core/system_calls.h"
@@ -44,7 +44,6 @@ class CodeObject;
 class Dispatcher;
 class GuardPages;
 class Hasher;
-class ImageObject;
 class MemoryStick;
 class ObjectManager;
 class RobotServices;
@@ -123,26 +122,17 @@ class System {
   Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
   int robot_count() const { return static_cast<int>(robots_.size()); }
 
-  // Loads the images that OBJECT.CFG names and takes the wiring of CONNECT.CFG and
-  // DESIGNDB.CFG.  What is wrong becomes a finding with file:line; false when the
-  // robot would not boot (an image is missing or cannot be loaded).
-  //
-  // A stand-in is called in place of an image, named by its object ("JointMover") or its
-  // file ("JOINTMOV.BIN"), and may add other objects.
-  using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
-  bool LoadStick(int robot, const StandIns& stand_ins = {});
-
-  // Loads one image, e.g. "/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN".  Null, and a finding
-  // that begins with `where`, when it cannot be loaded.
-  Object* LoadImage(int robot, const std::string& path, const std::string& where);
-
   // Takes in an object made elsewhere, whose id is the next: objects().size().
   Object* Adopt(std::unique_ptr<Object> object);
+  ObjectId NextObjectId() const { return static_cast<ObjectId>(objects_.size()); }
 
   // Makes an object of class T (a CodeObject) with the arguments given.  Its
   // constructor runs as code of the new object.
   template <typename T, typename... Args>
   T* AddObject(int robot, const std::string& name, Args&&... args);
+
+  // The folder for copies of images, which goes with the System.
+  RunFolder* run_folder();
 
   // REQUIRES: before Boot().
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
@@ -233,34 +223,8 @@ class System {
   // or sFULLMSGQENTRY when the receiver's queue is full (--strict).
   int32_t Post(Message* message, int64_t delay_us = 0);
 
-  // Sends bytes and waits for the answer: only the current object waits.
-  // `timeout_us` < 0: for ever.  Returns an sError.
-  int32_t Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
-               size_t reply_size, int64_t timeout_us = -1);
-
   // Queues a message of this process; Post() without the calls of the handler.
   int32_t Enqueue(Message* message, int64_t delay_us);
-
-  // The same in two steps.
-  int32_t SendWithReply(Message* message, uint64_t* box);
-  int32_t WaitForReply(uint64_t box, void* reply, size_t reply_size, size_t* got,
-                       int64_t timeout_us, std::string_view why);
-
-  // What WaitForReply() does before it looks at the reply: the reply itself, for the caller to
-  // release; `*timed_out` when the time was over first.
-  Message* AwaitReply(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
-
-  // A number for a reply to the current object; WaitForReply() ends it.
-  uint64_t NewReplyBox();
-
-  // Answers the request being handled; later through a ticket.
-  struct ReplyTicket {
-    ObjectId to = kNoObject;
-    uint64_t box = 0;
-  };
-  ReplyTicket TakeReplyTicket();
-  int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
-                uint64_t payload_hash = 0);
 
   // Ends the handler that runs, without returning to it.
   [[noreturn]] void AbandonHandler();
@@ -282,6 +246,7 @@ class System {
   }
   ConsoleInput& console_input() { return console_input_; }
   TimeEvents& time_events() { return time_events_; }
+  Requests& requests() { return requests_; }
 
   // ---- Looking ----
 
@@ -308,6 +273,8 @@ class System {
   // About the current object, if any.
   void AddFinding(Severity severity, std::string text);
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
+  // About the stick or the configuration of a robot.
+  void AddFindingAboutRobot(int robot, Severity severity, std::string text);
   // Adds it to findings() of this process.
   void RecordFinding(const Object* object, Severity severity, std::string text);
 
@@ -320,16 +287,6 @@ class System {
   friend class Dispatcher;
   friend class ObjectManager;
 
-  void AddDiagnostics(int robot, const std::vector<Diagnostic>& diagnostics);
-  // LoadStick()'s parts; a text of /MS/OPEN-R/MW/CONF.
-  std::optional<std::string> ReadConfig(int robot, const char* name);
-  std::string WhyNoConfig(int robot, const char* name);
-  bool LoadObjects(int robot, const StandIns& stand_ins);
-  void LoadConnections(int robot);
-  std::unique_ptr<ImageObject> OpenImage(int robot, ObjectId id, const std::string& path,
-                                         const std::string& where);
-  std::string NameInImage(int robot, const std::string& path);
-  std::unique_ptr<Object> LoadAgain(const Object& object);
   // Before Replace(): what is on its way to it comes to nobody.  Who was ready for it.
   std::vector<StandingReady> EndMessagesTo(Object* old);
   void Replace(std::unique_ptr<Object> fresh);
@@ -365,6 +322,7 @@ class System {
   Findings findings_;
   ConsoleInput console_input_{this};
   TimeEvents time_events_{this};
+  Requests requests_{this};
   std::unique_ptr<RunFolder> run_folder_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<std::unique_ptr<Object>> objects_;

@@ -14,7 +14,7 @@ namespace openr_host {
 void ProxyClient::Take(const void* payload, size_t size) {
   ProxyRequest head;
   Request request;
-  request.ticket = gateway_->system().TakeReplyTicket();
+  request.ticket = gateway_->system().requests().TakeTicket();
   if (request.ticket.box == 0 || size < sizeof head) return;
   std::memcpy(&head, payload, sizeof head);
   if (head.size > size - sizeof head) return;
@@ -119,7 +119,7 @@ void ProxyClient::Answer(int32_t error, const std::string& bytes) {
   requests_.pop_front();
   std::string reply =
       EncodeWord(static_cast<uint32_t>(error)) + bytes.substr(0, request.reply_size);
-  gateway_->system().Reply(request.ticket, reply.data(), reply.size());
+  gateway_->system().requests().Reply(request.ticket, reply.data(), reply.size());
 }
 
 void ProxyClient::AnswerAll(int32_t error) {

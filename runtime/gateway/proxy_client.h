@@ -46,7 +46,7 @@ class ProxyClient : public GatewayChannel {
  private:
   struct Request {
     int64_t since_us = 0;
-    System::ReplyTicket ticket;
+    ReplyTicket ticket;
     std::string object;
     uint32_t selector = 0;
     uint32_t reply_size = 0;

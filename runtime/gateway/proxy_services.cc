@@ -52,8 +52,8 @@ bool ProxyServices::Ask(const char* object, uint32_t selector, const std::string
   bytes += message;
   reply->assign(4 + reply_size, '\0');
   reply->replace(0, 4, EncodeWord(sFAIL));
-  const int32_t error =
-      system_->Call(gateway_, selector_, bytes.data(), bytes.size(), reply->data(), reply->size());
+  const int32_t error = system_->requests().Call(gateway_, selector_, bytes.data(), bytes.size(),
+                                                 reply->data(), reply->size());
   if (error != sSUCCESS || WordIn(*reply, 0) != sSUCCESS) return false;
   reply->erase(0, 4);
   return true;

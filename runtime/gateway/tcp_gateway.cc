@@ -208,10 +208,10 @@ class GatewayLoader {
 
 }  // namespace
 
-bool LoadStickAndGateway(System* system, int robot, System::StandIns stand_ins) {
+bool LoadStickAndGateway(System* system, int robot, StandIns stand_ins) {
   GatewayLoader loader(system, robot);
   stand_ins.emplace(kGatewayImage, [&loader](const std::string&) { loader.Add(); });
-  const bool good = system->LoadStick(robot, stand_ins);
+  const bool good = LoadStick(system, robot, stand_ins);
   loader.CheckWires();
   return good;
 }

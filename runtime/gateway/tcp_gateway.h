@@ -15,6 +15,7 @@
 
 #include "runtime/config/gateway_config.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "runtime/gateway/gateway_channel.h"
 
@@ -63,8 +64,8 @@ class TcpGateway : public CodeObject {
   std::vector<std::unique_ptr<GatewayChannel>> channels_;
 };
 
-// System::LoadStick(), with the gateway where the stick asks for one: OBJECT.CFG names TCPGW.BIN,
+// LoadStick(), with the gateway where the stick asks for one: OBJECT.CFG names TCPGW.BIN,
 // or CONNECT.CFG a service of TCPGateway.
-bool LoadStickAndGateway(System* system, int robot, System::StandIns stand_ins = {});
+bool LoadStickAndGateway(System* system, int robot, StandIns stand_ins = {});
 
 }  // namespace openr_host

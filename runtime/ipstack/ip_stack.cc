@@ -135,7 +135,7 @@ void IpStack::TakeMessage(void* payload) {
   operation.sender = request.sender;
   operation.request_hash = request.payload_hash;
   std::memcpy(operation.bytes, payload, request.size);
-  operation.ticket = system().TakeReplyTicket();
+  operation.ticket = system().requests().TakeTicket();
   if (operation.message().dstModule.IsNull()) {
     HandleStackMessage(&operation);
   } else {
@@ -232,7 +232,7 @@ void IpStack::Answer(Operation* operation, int32_t error, const void* data, size
   if (error != 0) ClearCounts(&message);  // 0 means success in every protocol
   const uint64_t hash = AntMessageHash(message, data, size);
   if (operation->ticket.box != 0) {
-    system().Reply(operation->ticket, operation->bytes, operation->size, hash);
+    system().requests().Reply(operation->ticket, operation->bytes, operation->size, hash);
     return;
   }
   Message* const answer =

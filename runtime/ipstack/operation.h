@@ -14,8 +14,8 @@ struct Operation {
   alignas(16) unsigned char bytes[Message::kPayloadMax] = {};  // the struct, then zeros
   uint32_t size = 0;                                           // of the struct
   ObjectId sender = kNoObject;
-  uint64_t request_hash = 0;   // AntMessageHash() of the request, including its data
-  System::ReplyTicket ticket;  // of a Call(); empty for a Send()
+  uint64_t request_hash = 0;  // AntMessageHash() of the request, including its data
+  ReplyTicket ticket;         // of a Call(); empty for a Send()
 
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }

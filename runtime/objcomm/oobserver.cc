@@ -98,7 +98,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
   reply.status = oFAIL;
   const ObjectId target = ObjectIdOf(entry.GetOID());
   if (target != state->object->id) {
-    system->Call(target, entry.GetSelector(), control, sizeof *control, &reply, sizeof reply);
+    system->requests().Call(target, entry.GetSelector(), control, sizeof *control, &reply,
+                            sizeof reply);
     return reply;
   }
   control->command = control->command == objcommCMD_ADDOBSERVER_V22

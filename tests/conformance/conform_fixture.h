@@ -15,6 +15,7 @@
 
 #include "runtime/base/temp_folder.h"
 #include "runtime/core/code_object.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "runtime/stick/memory_stick.h"
 
@@ -25,7 +26,7 @@ namespace openr_host {
 class Elsewhere {
  public:
   virtual ~Elsewhere() = default;
-  virtual System::StandIns StandInsFor(System* system) = 0;
+  virtual StandIns StandInsFor(System* system) = 0;
   virtual void Connect() = 0;  // before the boot
 };
 inline std::unique_ptr<Elsewhere> (*make_elsewhere)(const std::filesystem::path& stick) = nullptr;
@@ -66,9 +67,9 @@ class ConformTest : public testing::Test {
     options.console = [this](std::string_view text) { printed += text; };
     system = std::make_unique<System>(std::move(options));
     system->AddRobot("ERS-210", stick);
-    if (make_elsewhere == nullptr) return system->LoadStick(0);
+    if (make_elsewhere == nullptr) return LoadStick(system.get(), 0);
     elsewhere = make_elsewhere(root);
-    return system->LoadStick(0, elsewhere->StandInsFor(system.get()));
+    return LoadStick(system.get(), 0, elsewhere->StandInsFor(system.get()));
   }
   void Boot() {
     if (elsewhere != nullptr) elsewhere->Connect();

@@ -13,7 +13,7 @@ class TwoProcesses : public Elsewhere {
  public:
   explicit TwoProcesses(const std::string& stick) : workers_(OptionsFor(stick)) {}
   ~TwoProcesses() override { workers_.End(); }
-  System::StandIns StandInsFor(System* system) override { return workers_.StandInsFor(system, 0); }
+  StandIns StandInsFor(System* system) override { return workers_.StandInsFor(system, 0); }
   void Connect() override {
     EXPECT_EQ(workers_.Connect(), "");
     std::set<int64_t> processes = {getpid()};

@@ -5,6 +5,7 @@
 
 #include "distribution/worker_group.h"
 #include "runtime/core/api.h"
+#include "runtime/core/load_stick.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/hosts.h"
 #include "tests/distribution/same_run.h"
@@ -50,7 +51,7 @@ class FreeWorkerGroupTest : public ConformTest {
   ~FreeWorkerGroupTest() override { workers_->End(); }
 
   void SwitchOn() {
-    ASSERT_TRUE(system->LoadStick(0, workers_->StandInsFor(system.get(), 0)));
+    ASSERT_TRUE(LoadStick(system.get(), 0, workers_->StandInsFor(system.get(), 0)));
     ASSERT_EQ(workers_->Connect(), "");
     system->Boot();
   }

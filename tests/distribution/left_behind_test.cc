@@ -8,6 +8,7 @@
 
 #include "distribution/worker_group.h"
 #include "runtime/core/api.h"
+#include "runtime/core/load_stick.h"
 #include "tests/conformance/conform_fixture.h"
 #include "tests/distribution/kill_process.h"
 #include "tests/distribution/wait_until.h"
@@ -97,7 +98,7 @@ class LeftBehindTest : public ConformTest {
     asked_ = system->AddObject<Asked>(0, "asked");
     asker_ = system->AddObject<Asker>(0, "asker");
     receiver_->on_start = [this] { receiver_->in->AssertReady(); };
-    ASSERT_TRUE(system->LoadStick(0, workers_->StandInsFor(system.get(), 0)));
+    ASSERT_TRUE(LoadStick(system.get(), 0, workers_->StandInsFor(system.get(), 0)));
     ASSERT_EQ(workers_->Connect(), "");
     system->Boot();
   }

@@ -10,6 +10,7 @@
 
 #include "cli/install_paths.h"
 #include "openr/simulation/network_setup.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
@@ -36,7 +37,7 @@ class GraphRun {
 
   // False when it did not boot.
   bool Go() {
-    if (!system_.LoadStick(0)) return false;
+    if (!LoadStick(&system_, 0)) return false;
     system_.Boot();
     system_.RunFor(1'000'000);
     return system_.booted();

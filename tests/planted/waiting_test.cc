@@ -19,12 +19,13 @@ class Partner : public Actor {
     go = AddExtra("Go", [this](void*) {
       Say("asking");
       int answer = 0;
-      system().Call(other->host().id, other->ask, &answer, sizeof answer, &answer, sizeof answer);
+      system().requests().Call(other->host().id, other->ask, &answer, sizeof answer, &answer,
+                               sizeof answer);
       Say("answered");
     });
     ask = AddExtra("Ask", [this](void*) {
       const int answer = 1;
-      system().Reply(system().TakeReplyTicket(), &answer, sizeof answer);
+      system().requests().Reply(system().requests().TakeTicket(), &answer, sizeof answer);
     });
   }
   Partner* other = nullptr;

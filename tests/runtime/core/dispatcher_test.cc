@@ -83,14 +83,14 @@ TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   Recorder* caller = Add("caller");
   Recorder* callee = Add("callee");
   Recorder* third = Add("third");
-  System::ReplyTicket ticket;
-  callee->on_message = [&](int) { ticket = system.TakeReplyTicket(); };
+  ReplyTicket ticket;
+  callee->on_message = [&](int) { ticket = system.requests().TakeTicket(); };
   caller->on_message = [&](int value) {
     if (value != 1) return;
     int answer = 0;
     const int question = 7;
-    EXPECT_EQ(system.Call(callee->host().id, callee->entry, &question, sizeof question, &answer,
-                          sizeof answer),
+    EXPECT_EQ(system.requests().Call(callee->host().id, callee->entry, &question, sizeof question,
+                                     &answer, sizeof answer),
               sSUCCESS);
     log.push_back(fmt::format("answer {}@{}", answer, system.now_us()));
   };
@@ -102,7 +102,8 @@ TEST_F(DispatcherTest, ACallWaitsForItsAnswerAndBlocksOnlyTheCaller) {
   EXPECT_EQ(system.WhoWaits(),
             (Log{"caller waits for the answer of callee (Entry) since t=0.000 s"}));
   const int answer = 42;
-  RunAs(callee, [&] { EXPECT_EQ(system.Reply(ticket, &answer, sizeof answer), sSUCCESS); });
+  RunAs(callee,
+        [&] { EXPECT_EQ(system.requests().Reply(ticket, &answer, sizeof answer), sSUCCESS); });
   system.RunFor(100);
   EXPECT_EQ(log, (Log{"caller:1@0", "third:3@0", "callee:7@0", "answer 42@100", "caller:2@100"}));
 }
@@ -113,11 +114,12 @@ TEST_F(DispatcherTest, CallsMayBeNestedOverSeveralObjects) {
   Recorder* c = Add("c");
   const auto ask = [&](Recorder* whom, int value) {
     int answer = 0;
-    system.Call(whom->host().id, whom->entry, &value, sizeof value, &answer, sizeof answer);
+    system.requests().Call(whom->host().id, whom->entry, &value, sizeof value, &answer,
+                           sizeof answer);
     return answer;
   };
   const auto reply = [&](int value) {
-    system.Reply(system.TakeReplyTicket(), &value, sizeof value);
+    system.requests().Reply(system.requests().TakeTicket(), &value, sizeof value);
   };
   int result = 0;
   c->on_message = [&](int value) { reply(value * 10); };
@@ -133,7 +135,8 @@ TEST_F(DispatcherTest, ACallGivesUpAfterItsTimeout) {
   Recorder* silent = Add("silent");
   int32_t error = 0;
   caller->on_message = [&](int value) {
-    error = system.Call(silent->host().id, silent->entry, &value, sizeof value, nullptr, 0, 500);
+    error = system.requests().Call(silent->host().id, silent->entry, &value, sizeof value, nullptr,
+                                   0, 500);
     log.push_back(fmt::format("gave up @{}", system.now_us()));
   };
   Post(caller, 1);
@@ -161,7 +164,7 @@ TEST_F(DispatcherTest, ExceptionsBelongToTheHandlerThatWaits) {
     try {
       throw value;
     } catch (int caught) {
-      system.Reply(system.TakeReplyTicket(), &caught, sizeof caught);
+      system.requests().Reply(system.requests().TakeTicket(), &caught, sizeof caught);
     }
   };
   a->on_message = [&](int value) {
@@ -169,7 +172,7 @@ TEST_F(DispatcherTest, ExceptionsBelongToTheHandlerThatWaits) {
       throw std::runtime_error("kept");
     } catch (const std::runtime_error& e) {
       int answer = 0;
-      system.Call(b->host().id, b->entry, &value, sizeof value, &answer, sizeof answer);
+      system.requests().Call(b->host().id, b->entry, &value, sizeof value, &answer, sizeof answer);
       log.push_back(fmt::format("{} {}", e.what(), answer));
     }
   };

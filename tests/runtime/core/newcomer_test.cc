@@ -20,8 +20,8 @@ class Sleeper : public CodeObject {
   OStatus DoInit(const OSystemEvent&) override {
     if (on_init) on_init();
     bool timed_out = false;
-    const uint64_t box = system().NewReplyBox();
-    system().queue().Release(system().AwaitReply(box, kWaitUs, "nothing", &timed_out));
+    const uint64_t box = system().requests().OpenBox();
+    system().queue().Release(system().requests().Await(box, kWaitUs, "nothing", &timed_out));
     return oSUCCESS;
   }
   std::function<void()> on_init;
@@ -103,7 +103,7 @@ TEST_F(NewcomerTest, AMessageFromBeforeTheBootWaitsForDoInit) {
 TEST_F(NewcomerTest, AQuestionInADoInitIsHeardAtOnce) {
   sleeper_->on_init = [this] {
     Message* const question = system_.NewMessage(newcomer_->host().id, newcomer_->entry);
-    question->reply_box = system_.NewReplyBox();
+    question->reply_box = system_.requests().OpenBox();
     system_.Post(question);
   };
   system_.Boot();

@@ -26,7 +26,8 @@ TEST(StallsTest, ACallWithoutAnswerIsOneAfterASecond) {
   Recorder* const callee = system.AddObject<Recorder>(0, "callee", &log);
   caller->on_message = [&](int) {
     int answer = 0;
-    system.Call(callee->host().id, callee->entry, &answer, sizeof answer, &answer, sizeof answer);
+    system.requests().Call(callee->host().id, callee->entry, &answer, sizeof answer, &answer,
+                           sizeof answer);
   };
   PostTo(caller, 1);
   system.RunFor(999'000);

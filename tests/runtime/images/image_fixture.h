@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "runtime/core/load_stick.h"
 #include "runtime/stick/memory_stick.h"
 #include "tests/runtime/objcomm/probe.h"
 
@@ -73,7 +74,7 @@ class ImageTest : public testing::Test {
     system = std::make_unique<System>(std::move(options));
     system->AddRobot("ERS-210", stick);
     talker = system->AddObject<Talker>(0, "talker", 0);
-    EXPECT_TRUE(system->LoadStick(0));
+    EXPECT_TRUE(LoadStick(system.get(), 0));
     system->Boot();
     system->RunFor(1000);
   }

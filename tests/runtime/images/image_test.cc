@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/core/load_image.h"
+#include "runtime/core/load_stick.h"
 #include "tests/runtime/images/image_fixture.h"
 
 namespace openr_host {
@@ -31,7 +33,7 @@ TEST_F(ImageTest, TwoRobotsOfOneSystemHaveStaticsOfTheirOwn) {
   Start();
   EXPECT_EQ(talker->Ask("count"), "1");
   const int second = system->AddRobot("ERS-210", stick);
-  Object* const other = system->LoadImage(second, "/MS/OPEN-R/MW/OBJS/PROBE.BIN", "test");
+  Object* const other = LoadImage(system.get(), second, "/MS/OPEN-R/MW/OBJS/PROBE.BIN", "test");
   ASSERT_NE(other, nullptr) << Findings();
   EXPECT_EQ(talker->Ask("count"), "2");
 }
@@ -146,7 +148,7 @@ TEST_F(ImageTest, AnImageThatWasCutOffIsRefused) {
   fs::resize_file(image, fs::file_size(image) / 3);
   System broken;
   broken.AddRobot("ERS-210", stick);
-  EXPECT_FALSE(broken.LoadStick(0));
+  EXPECT_FALSE(LoadStick(&broken, 0));
   EXPECT_NE(broken.findings().all()[0].text.find("ends too early"), std::string::npos);
 }
 
@@ -177,7 +179,7 @@ TEST_F(ImageTest, AMissingImageIsNamedWithFileAndLine) {
   Write("OPEN-R/MW/CONF/OBJECT.CFG", "# objects\n/MS/OPEN-R/MW/OBJS/NOTHERE.BIN\n");
   System broken;
   broken.AddRobot("ERS-210", stick);
-  EXPECT_FALSE(broken.LoadStick(0));
+  EXPECT_FALSE(LoadStick(&broken, 0));
   ASSERT_FALSE(broken.findings().all().empty());
   EXPECT_EQ(broken.findings().all()[0].text.find(
                 "OBJECT.CFG:2: /MS/OPEN-R/MW/OBJS/NOTHERE.BIN does not exist"),
@@ -189,12 +191,12 @@ TEST_F(ImageTest, ABinaryForTheRobotIsToldApartFromGarbage) {
   Write("OPEN-R/MW/OBJS/PROBE.BIN", gzip);
   System broken;
   broken.AddRobot("ERS-210", stick);
-  EXPECT_FALSE(broken.LoadStick(0));
+  EXPECT_FALSE(LoadStick(&broken, 0));
   EXPECT_NE(broken.findings().all()[0].text.find("is a damaged gzip file"), std::string::npos);
   Write("OPEN-R/MW/OBJS/PROBE.BIN", "text");
   System again;
   again.AddRobot("ERS-210", stick);
-  EXPECT_FALSE(again.LoadStick(0));
+  EXPECT_FALSE(LoadStick(&again, 0));
   EXPECT_NE(again.findings().all()[0].text.find("is not an object image"), std::string::npos);
 }
 

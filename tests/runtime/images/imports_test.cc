@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "runtime/core/address_plan.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/core/memory_tools.h"
 #include "runtime/core/stack_memory.h"
 #include "tests/runtime/images/image_fixture.h"
@@ -65,7 +66,7 @@ TEST_F(ImportsTest, AConstructorThatThrowsIsAProblemOfTheImage) {
   Write("OPEN-R/MW/DATA/P/THROW.TXT", "");
   System broken;
   broken.AddRobot("ERS-210", stick);
-  EXPECT_FALSE(broken.LoadStick(0));
+  EXPECT_FALSE(LoadStick(&broken, 0));
   ASSERT_FALSE(broken.findings().all().empty());
   EXPECT_EQ(broken.findings().all()[0].text,
             "OBJECT.CFG:1: /MS/OPEN-R/MW/OBJS/PROBE.BIN has a global object whose constructor "

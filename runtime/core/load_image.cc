@@ -1,0 +1,69 @@
+#include "runtime/core/load_image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "runtime/base/spelling.h"
+#include "runtime/core/image.h"
+#include "runtime/core/system.h"
+#include "runtime/stick/memory_stick.h"
+
+namespace openr_host {
+namespace {
+
+// Returns "; did you mean 'JOINTMOV.BIN'?" after the files in the folder of `path`, a file of the
+// host that does not exist; "" if no name is near.
+std::string NearestName(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path(), none)) {
+    if (entry.path().extension() != ".DBG") names.push_back(entry.path().filename());
+  }
+  std::sort(names.begin(), names.end());
+  return DidYouMean(fs::path(path).filename().string(), names);
+}
+
+}  // namespace
+
+std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
+                                       const std::string& path, const std::string& where) {
+  const auto refuse = [&](const std::string& why) {
+    system->AddFindingAboutRobot(robot, Severity::kError,
+                                 fmt::format("{}: {} {}", where, path, why));
+    return nullptr;
+  };
+  MemoryStick* const stick = system->robot(robot).stick.get();
+  if (stick == nullptr) return refuse("cannot be read: there is no Memory Stick");
+  const MemoryStick::Location location = stick->Locate(path);
+  if (location.error != 0 && location.error != ENOENT)
+    return refuse(fmt::format("cannot be read: {}", std::strerror(location.error)));
+  if (location.error != 0 || !location.exists) {
+    return refuse(
+        "does not exist on the stick; the robot stops with OObjectRegistry::LoadObjects() : "
+        "Load() error 90" +
+        NearestName(location.path));
+  }
+  auto image = std::make_unique<ImageObject>(system, id, robot);
+  image->path = path;
+  const std::string problem = image->Load(location.path, system->run_folder());
+  if (!problem.empty()) return refuse(problem);
+  const Object* const namesake = system->FindObject(robot, image->name);
+  if (namesake != nullptr && namesake->id != id) {
+    return refuse(fmt::format("is named '{}' like another object; names in .ocf files must differ",
+                              image->name));
+  }
+  return image;
+}
+
+Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where) {
+  auto image = OpenImage(system, robot, system->NextObjectId(), path, where);
+  return image == nullptr ? nullptr : system->Adopt(std::move(image));
+}
+
+}  // namespace openr_host

@@ -1,0 +1,21 @@
+// Loads what the Memory Stick of a robot names: objects, connections, design data.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace openr_host {
+
+class System;
+
+// Functions that are called in place of loading an image, by the name of its object ("JointMover")
+// or of its file ("JOINTMOV.BIN").  A function gets the path of the image and may add objects.
+using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
+
+// Loads the images of OBJECT.CFG and takes the connections of CONNECT.CFG and the keywords of
+// DESIGNDB.CFG.  Whatever is wrong becomes a finding with file:line.  False if the robot would not
+// boot: an image is missing or cannot be loaded.  REQUIRES: before System::Boot().
+bool LoadStick(System* system, int robot, const StandIns& stand_ins = {});
+
+}  // namespace openr_host

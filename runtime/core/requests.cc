@@ -1,0 +1,102 @@
+#include "runtime/core/requests.h"
+
+#include <fmt/format.h>
+#include <sError.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "runtime/base/assert.h"
+#include "runtime/core/dispatcher.h"
+#include "runtime/core/system.h"
+
+namespace openr_host {
+
+uint64_t Requests::OpenBox() {
+  ASSERT(t_current.object != nullptr, "only an object waits for a reply");
+  Object* const self = t_current.object;
+  system_->calls().OpenBox(self->last_box + 1);
+  return self->last_box;
+}
+
+int32_t Requests::Send(Message* message, uint64_t* box) {
+  *box = OpenBox();
+  message->reply_box = *box;
+  const int32_t error = system_->Post(message);
+  if (error != sSUCCESS) t_current.object->boxes.erase(*box);
+  return error;
+}
+
+Message* Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out) {
+  Object* const self = t_current.object;
+  self->blocked_why = why;
+  Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
+  Message* const message = system_->dispatcher().WaitFor(box);
+  self->blocked_why.clear();
+  *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
+  if (*timed_out) return message;  // the reply may still come
+  if (wake != nullptr)
+    system_->queue().RemoveIf([wake](const Message& m) { return &m == wake; },
+                              [](const Message&) {});
+  self->boxes.erase(box);
+  return message;
+}
+
+int32_t Requests::Wait(uint64_t box, void* reply, size_t reply_size, size_t* got,
+                       int64_t timeout_us, std::string_view why) {
+  bool timed_out = false;
+  Message* const message = Await(box, timeout_us, why, &timed_out);
+  const size_t size = std::min<size_t>(message->size, reply_size);
+  if (reply != nullptr) std::memcpy(reply, message->payload, size);
+  if (got != nullptr) *got = size;
+  system_->queue().Release(message);
+  return timed_out ? sTIMEOUT : sSUCCESS;
+}
+
+int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, size_t size,
+                       void* reply, size_t reply_size, int64_t timeout_us) {
+  if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
+  Message* const message = system_->NewMessage(target, selector);
+  std::memcpy(message->payload, data, size);
+  message->size = static_cast<uint32_t>(size);
+  uint64_t box = 0;
+  const Object* const callee = system_->object(target);
+  const int32_t error = Send(message, &box);
+  if (error != sSUCCESS) return error;
+  const std::string why =
+      fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
+  for (;;) {
+    const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
+    if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;
+  }
+}
+
+ReplyTicket Requests::TakeTicket() {
+  Message* const request = t_current.object == nullptr ? nullptr : t_current.object->running;
+  if (request == nullptr || request->reply_box == 0) return {};
+  const ReplyTicket ticket{request->sender, request->reply_box};
+  request->reply_box = 0;
+  return ticket;
+}
+
+int32_t Requests::Reply(const ReplyTicket& ticket, const void* data, size_t size,
+                        uint64_t payload_hash) {
+  if (ticket.box == 0) return sINVALIDRID;
+  if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
+  const Object* const asker = system_->object(ticket.to);
+  if (asker == nullptr) return sRBOXWASCLEANED;
+  if (!system_->calls().AcceptsReply(asker->id, ticket.box)) return sRBOXWASCLEANED;
+  Message* const message = system_->NewMessage(ticket.to, 0);
+  message->is_reply = true;
+  message->reply_box = ticket.box;
+  if (size > 0) std::memcpy(message->payload, data, size);
+  message->size = static_cast<uint32_t>(size);
+  if (payload_hash != 0) {
+    message->kind = PayloadKind::kHashed;
+    message->payload_hash = payload_hash;
+  }
+  return system_->Post(message);
+}
+
+}  // namespace openr_host
