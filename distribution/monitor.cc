@@ -80,7 +80,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     status.waiting += object->waiting;
     if (const auto* const remote = dynamic_cast<const RemoteObject*>(object.get())) {
       to.process = remote->process()->name();
-      to.dropped += remote->unheard_count;
+      to.dropped += remote->undelivered_count;
       to.handlers = TimesOf(*remote);
     }
   }

@@ -111,7 +111,7 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
 // Whether `message` answers the request that the handler of `self` is serving, or forwards that
 // request to another object.
 bool RemoteProcess::Answers(const Message& message, const Object* self) {
-  const Message* const request = self == nullptr ? nullptr : self->running;
+  const Message* const request = self == nullptr ? nullptr : self->handler.running;
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
@@ -127,7 +127,7 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
   };
-  const Message* const request = self == nullptr ? nullptr : self->running;
+  const Message* const request = self == nullptr ? nullptr : self->handler.running;
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
@@ -170,7 +170,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   if (message->is_reply) {
     // A reply to a box that has been closed meanwhile is refused, as in one process.
     const Object* const asker = system_->object(message->target);
-    if (asker == nullptr || !asker->boxes.contains(message->reply_box)) {
+    if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) {
       system_->queue().Release(message);
       return sRBOXWASCLEANED;
     }
@@ -182,7 +182,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   const int32_t error = system_->Post(message, posted.delay_us);
   // The request has its answer.  If the worker is lost later, the stand-in must not send an empty
   // one.
-  if (answers && error == sSUCCESS) self->running->reply_box = 0;
+  if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
   // The observer has its notification and must assert ready again.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;

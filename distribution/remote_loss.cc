@@ -38,7 +38,7 @@ void RemoteProcess::ReturnExported() {
 size_t RemoteProcess::CountUndelivered() const {
   size_t count = 0;
   for (const auto& [id, box] : running_) {
-    const Message& message = *objects_.at(id)->running;
+    const Message& message = *objects_.at(id)->handler.running;
     const bool is_bytes =
         message.kind != PayloadKind::kNotify && message.kind != PayloadKind::kReady;
     if (id != crashed_object_ && is_bytes && message.selector > oentryDESTROY) ++count;
@@ -54,7 +54,7 @@ void RemoteProcess::ReleaseAll() {
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
     // A waiting stand-in would otherwise wait for ever.
-    if (object->blocked != nullptr) WakeHandler(id, object->blocked_box);
+    if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();
   // Counters and heap use begin anew with the next process.
@@ -77,14 +77,15 @@ void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   crashed_object_ = kNoObject;
 }
 
-void RemoteProcess::TakeBack(RCRegion* region) { marshaller_->ReleaseImported(region); }
+void RemoteProcess::ReturnRegion(RCRegion* region) { marshaller_->ReleaseImported(region); }
 
-void RemoteProcess::Unheard(const Message& message) {
+void RemoteProcess::HandleUndelivered(const Message& message) {
   if (marshaller_ != nullptr) marshaller_->CompleteSend(message);
 }
 
 void RemoteProcess::Forget(ObjectId id) {
-  for (RCRegion* region : marshaller_->TakeExportedBy(id)) system_->object(id)->TakeBack(region);
+  for (RCRegion* region : marshaller_->TakeExportedBy(id))
+    system_->object(id)->ReturnRegion(region);
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
   Send(to_worker);

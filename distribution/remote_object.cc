@@ -17,8 +17,8 @@ std::unique_ptr<RemoteObject> RemoteObject::NewInstance() const {
   auto fresh = std::make_unique<RemoteObject>(system, id, robot, process_, lost_);
   fresh->name = name;
   fresh->path = path;
-  fresh->last_box = last_box;
-  fresh->unheard_count = unheard_count;
+  fresh->boxes.last = boxes.last;
+  fresh->undelivered_count = undelivered_count;
   return fresh;
 }
 
@@ -35,11 +35,11 @@ void RemoteObject::SetDescription(const openr_wire_LoadedObject& in) {
 }
 
 bool RemoteObject::Dispatch(uint32_t, void*) {
-  if (running->kind == PayloadKind::kReady) RecordReady();
+  if (handler.running->kind == PayloadKind::kReady) RecordReady();
   if (process_->is_lost()) {
-    Unheard(*running);
+    HandleUndelivered(*handler.running);
   } else if (!Run()) {
-    SendEmptyReply(*running);
+    SendEmptyReply(*handler.running);
   }
   return true;
 }
@@ -47,7 +47,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
 // Runs the handler in the worker; false if the worker was lost.
 bool RemoteObject::Run() {
   try {
-    return process_->RunHandler(this, *running);
+    return process_->RunHandler(this, *handler.running);
   } catch (const ProcessCrashed& crash) {
     lost_(this, Loss::kCrashed, crash.what());
   } catch (const ProcessLost& lost) {
@@ -59,8 +59,8 @@ bool RemoteObject::Run() {
 void RemoteObject::RecordReady() {
   // Readiness is kept here because it must survive the worker: a restarted one is told which
   // observers are ready.
-  const auto& ready = *reinterpret_cast<const OReadyMessage*>(running->payload);
-  const StandingReady standing = {running->selector, ObjectIdOf(ready.observerID.GetOID()),
+  const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
+  const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
   if (ready.command == objcommCMD_ASSERT_READY) {
     readies_.insert(standing);
@@ -77,20 +77,20 @@ std::vector<StandingReady> RemoteObject::StandingReadies() const {
   return {readies_.begin(), readies_.end()};
 }
 
-void RemoteObject::TakeBack(RCRegion* region) { process_->TakeBack(region); }
+void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(region); }
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
 // Whether a handler of the object runs in its worker, which may take any time in a free run.
 // DoStop and DoDestroy do not count: the end of a run has its time limit, whatever a worker does.
 bool RemoteObject::IsAtWorkElsewhere() const {
-  return process_->IsAtWork(id) && running->selector != oentrySTOP &&
-         running->selector != oentryDESTROY;
+  return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
+         handler.running->selector != oentryDESTROY;
 }
 
-void RemoteObject::Unheard(const Message& message) {
-  ++unheard_count;
-  process_->Unheard(message);
+void RemoteObject::HandleUndelivered(const Message& message) {
+  ++undelivered_count;
+  process_->HandleUndelivered(message);
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
   SendEmptyReply(message);
 }

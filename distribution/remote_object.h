@@ -36,7 +36,7 @@ class RemoteObject : public Object {
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
   // Messages that were delivered while the worker was lost, or when it was.
-  uint64_t unheard_count = 0;
+  uint64_t undelivered_count = 0;
   // Notifications that waited in the object's subjects when its last handler ended.
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
@@ -51,8 +51,9 @@ class RemoteObject : public Object {
   void ForgetObserver(ObjectId observer);
 
   std::vector<StandingReady> StandingReadies() const override;
-  void TakeBack(RCRegion* region) override;
-  void Unheard(const Message& message) override;  // also sends an empty reply if one is awaited
+  void ReturnRegion(RCRegion* region) override;
+  void HandleUndelivered(
+      const Message& message) override;  // also sends an empty reply if one is awaited
   bool IsLost() const override;
   bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }

@@ -71,7 +71,7 @@ bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
   const auto* const target = dynamic_cast<const RemoteObject*>(system_->object(next->target));
-  return target != nullptr && target->blocked == nullptr && !target->is_busy;
+  return target != nullptr && target->handler.blocked == nullptr && !target->processor.is_busy;
 }
 
 // Waits for the next sample of the worker.  Throws ProcessLost if the worker is lost.
@@ -301,7 +301,7 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
-  object->boxes.insert(box);
+  object->boxes.open.insert(box);
   // The silence of an idle worker does not count, so the time starts anew.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   running_[object->id] = box;

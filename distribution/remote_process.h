@@ -133,10 +133,10 @@ class RemoteProcess {
   ObjectId crashed_object() const { return crashed_object_; }
 
   // Releases an imported region: the lost object whose subject has sent it expects no ready.
-  void TakeBack(RCRegion* region);
+  void ReturnRegion(RCRegion* region);
   // Handles a message that the lost worker did not receive: the regions that it gives back are
   // released.
-  void Unheard(const Message& message);
+  void HandleUndelivered(const Message& message);
 
   // Returns what is wrong with the worker, or ""; also for a worker that has nothing to do.
   std::string FindProblem() const;

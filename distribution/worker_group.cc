@@ -171,7 +171,7 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     const Object& object = *system_->objects()[member->known];
     objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
                        object.is_system, object.name == IpStack::kName,
-                       member->objects.contains(object.id), object.last_box});
+                       member->objects.contains(object.id), object.boxes.last});
   }
   // Sent for all robots each time, since heap use of the other processes changes all the time.
   std::vector<uint64_t> heap_elsewhere;
@@ -335,11 +335,11 @@ void WorkerGroup::ShortenTimeouts() {
 void WorkerGroup::ReportLosses() {
   for (const auto& [name, member] : members_) {
     for (const auto& [id, object] : member.objects) {
-      if (object->unheard_count == 0) continue;
+      if (object->undelivered_count == 0) continue;
       system_->AddFindingAbout(object, Severity::kWarning,
                                fmt::format("{} messages came after process '{}' was gone; nobody "
                                            "heard them",
-                                           object->unheard_count, name));
+                                           object->undelivered_count, name));
     }
   }
 }

@@ -135,7 +135,7 @@ class WorkerGroup {
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
-    uint64_t unheard_before = 0;  // unheard messages of its objects at the loss
+    uint64_t undelivered_before = 0;  // undelivered messages of its objects at the loss
     // Stand-ins for the restarted worker: `new_objects` owns them until they replace the old ones.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
     std::map<ObjectId, RemoteObject*> successors;

@@ -35,11 +35,11 @@ void WorkerGroup::EnterStage(Member* member, Stage stage) {
 }
 
 // Cleans up after the objects of a lost worker.  This is a task of the System, so messages to these
-// objects that are due already are delivered first and counted as unheard.
+// objects that are due already are delivered first and counted as undelivered.
 void WorkerGroup::CleanUp(Member* member) {
   member->is_cleaned_up = false;
-  member->unheard_before = 0;
-  for (const auto& [id, object] : member->objects) member->unheard_before += object->unheard_count;
+  member->undelivered_before = 0;
+  for (const auto& [id, object] : member->objects) member->undelivered_before += object->undelivered_count;
   EnterStage(member, Stage::kCleaningUp);
   system_->PostTask([this, member] {
     for (const auto& [id, object] : member->objects) system_->EndAllOf(id);
@@ -175,11 +175,11 @@ void WorkerGroup::OnReplaced(ObjectId id) {
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
     // Messages may have arrived for the old stand-in after the new one was made.
-    member.successors[id]->unheard_count = member.objects[id]->unheard_count;
+    member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Objects are replaced in the order of their ids, so the largest id is the last one.
     if (member.successors.rbegin()->first != id) continue;
-    uint64_t unheard = 0;
-    for (const auto& [new_id, object] : member.successors) unheard += object->unheard_count;
+    uint64_t undelivered = 0;
+    for (const auto& [new_id, object] : member.successors) undelivered += object->undelivered_count;
     member.objects = member.successors;
     member.process->Rejoin(member.objects);
     member.lost.clear();
@@ -189,7 +189,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
         fmt::format("process '{}' is back (pid {} on {}); {} messages came meanwhile and "
                     "were not heard",
                     name, member.process->identity().pid, member.process->identity().host,
-                    unheard - member.unheard_before));
+                    undelivered - member.undelivered_before));
     if (!return_listener_) continue;
     for (const auto& [new_id, object] : member.objects) return_listener_(object);
   }

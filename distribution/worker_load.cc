@@ -27,7 +27,7 @@ class AbsentObject : public Object {
       : Object(system, id, robot), marshaller_(marshaller) {}
   bool HasEntry(uint32_t) const override { return true; }
   bool Dispatch(uint32_t, void*) override { return false; }
-  void TakeBack(RCRegion* region) override { marshaller_->ReleaseImported(region); }
+  void ReturnRegion(RCRegion* region) override { marshaller_->ReleaseImported(region); }
 
  private:
   Marshaller* const marshaller_;
@@ -107,7 +107,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   if (entry.is_own) {
     Object* const object = LoadImage(system_.get(), entry.robot, StringOf(entry.path), "join");
     if (object != nullptr) {
-      object->last_box = entry.last_box;
+      object->boxes.last = entry.last_box;
       own_object_names_.insert(object->name);
       loaded->push_back(Describe(*object));
       return;

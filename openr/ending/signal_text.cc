@@ -61,13 +61,13 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
 
 void AddCurrentEntry(SignalText* text) {
   const Object& object = *t_current.object;
-  if (object.running == nullptr) {
+  if (object.handler.running == nullptr) {
     text->Add("constructors of its globals");
     return;
   }
-  const char* const entry = EntryOf(object, object.running->selector);
+  const char* const entry = EntryOf(object, object.handler.running->selector);
   text->Add(entry).Add(*entry == 0 ? "" : " ");
-  text->Add("(selector ").AddNumber(object.running->selector).Add(")");
+  text->Add("(selector ").AddNumber(object.handler.running->selector).Add(")");
 }
 
 bool AddCurrentHandler(SignalText* text) {
@@ -77,7 +77,8 @@ bool AddCurrentHandler(SignalText* text) {
   text->Add(object->name.c_str());
   text->Add(", ");
   AddCurrentEntry(text);
-  if (object->running != nullptr) text->Add(", message ").AddNumber(object->running->number);
+  if (object->handler.running != nullptr)
+    text->Add(", message ").AddNumber(object->handler.running->number);
   text->Add(", t=").AddNumber(static_cast<uint64_t>(system->now_us())).Add(" us");
   return true;
 }
@@ -93,8 +94,8 @@ void WriteEndingAsJson(const SignalText& record, const SignalText& finding, cons
   about.Add(",\"findings\":[{\"severity\":\"error\",\"robot\":");
   about.AddNumber(object == nullptr ? 0 : static_cast<uint64_t>(object->robot));
   about.Add(",\"object\":").AddQuoted(name.Add(object == nullptr ? "" : object->name.c_str()));
-  const bool handles = object != nullptr && object->running != nullptr;
-  about.Add(",\"message\":").AddNumber(handles ? object->running->number : 0);
+  const bool handles = object != nullptr && object->handler.running != nullptr;
+  about.Add(",\"message\":").AddNumber(handles ? object->handler.running->number : 0);
   const int64_t now_us = current.system == nullptr ? 0 : current.system->now_us();
   about.Add(",\"time_s\":").AddNumber(static_cast<uint64_t>(now_us / 1'000'000)).Add(".");
   for (int64_t unit = 100'000; unit > 0; unit /= 10)

@@ -47,7 +47,7 @@ void EndTheHandler() {
 void Tick(int) {
   const Object* const object = t_current.object;
   const uint64_t message =
-      object == nullptr || object->running == nullptr ? 0 : object->running->number;
+      object == nullptr || object->handler.running == nullptr ? 0 : object->handler.running->number;
   g_seen = message != 0 && message == g_message ? g_seen + 1 : 0;
   g_message = message;
   if (g_seen >= kTicks && !Indivisible::PutOff(&EndTheHandler)) EndTheHandler();

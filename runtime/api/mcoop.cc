@@ -27,7 +27,7 @@ sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
-  return self->boxes.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
+  return self->boxes.open.contains(rbox.GetValue()) ? sSUCCESS : sRIDNOTFOUND;
 }
 
 }  // namespace
@@ -38,13 +38,13 @@ sError GetSystemTime(SystemTime* time) {
   const ApiScope scope;
   openr_host::Object* const object = t_current.object;
   if (object == nullptr || time == nullptr) return sINVALIDARG;
-  if (++object->time_calls == kTimeCallsMax) {
+  if (++object->handler.time_calls == kTimeCallsMax) {
     t_current.system->AddFinding(
         Severity::kWarning,
         "1000000 calls of GetSystemTime() in one handler: a busy loop holds up "
         "every object of this robot");
   }
-  const int64_t now = t_current.system->now_us() + static_cast<int64_t>(object->time_calls);
+  const int64_t now = t_current.system->now_us() + static_cast<int64_t>(object->handler.time_calls);
   time->seconds = static_cast<longword>(now / 1'000'000);
   time->useconds = static_cast<longword>(now % 1'000'000);
   return sSUCCESS;
@@ -131,8 +131,9 @@ sError Reply(void* msg, size_t size) {
   openr_host::Object* const object = t_current.object;
   if (object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
-  if (object->self_reply != nullptr) {
-    std::memcpy(object->self_reply->data, msg, std::min(size, object->self_reply->size));
+  if (object->handler.self_reply != nullptr) {
+    std::memcpy(object->handler.self_reply->data, msg,
+                std::min(size, object->handler.self_reply->size));
     return sSUCCESS;
   }
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
@@ -166,7 +167,7 @@ void Return(void* msg, size_t size) {
 }
 
 void Exit() {
-  if (t_current.object != nullptr && t_current.object->running != nullptr) {
+  if (t_current.object != nullptr && t_current.object->handler.running != nullptr) {
     t_current.image_code = false;
     t_current.system->AbandonHandler();
   }
@@ -176,7 +177,7 @@ void ExitFromPrologue() {}
 
 sError Wait(longword nanosec) {
   if (t_current.object == nullptr) return sFAIL;
-  t_current.object->time_calls += nanosec / 1000;
+  t_current.object->handler.time_calls += nanosec / 1000;
   return sSUCCESS;
 }
 

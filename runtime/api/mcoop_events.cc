@@ -47,7 +47,7 @@ sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t siz
   openr_host::Object* const self = t_current.object;
   if (!rbox.IsValid()) return sINVALIDRID;
   if (ObjectIdOf(rbox.GetMailer()) != self->id) return sRIDCANNOTBETREATED;
-  if (!self->boxes.contains(rbox.GetValue())) return sRIDNOTFOUND;
+  if (!self->boxes.open.contains(rbox.GetValue())) return sRIDNOTFOUND;
   const longword id = t_current.system->calls().AddReplyEvent(MakeLetter(oid, selector, msg, size),
                                                               rbox.GetValue());
   if (event != nullptr) event->value = id;

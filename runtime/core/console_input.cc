@@ -41,7 +41,9 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     const auto [id, box] = terminal->readers.front();
     terminal->readers.pop_front();
     const Object* const object = system_->object(id);
-    if (object == nullptr || object->blocked == nullptr || object->blocked_box != box) continue;
+    if (object == nullptr || object->handler.blocked == nullptr ||
+        object->handler.blocked_box != box)
+      continue;
     Message* const wake = system_->NewMessage(id, 0);  // with the line, for the trace
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;

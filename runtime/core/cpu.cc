@@ -18,7 +18,7 @@ bool Cpu::IsFreeFor(const Object& object) const {
 }
 
 void Cpu::Wait(Object* object, Message* message, int64_t now_us) {
-  if (object->starving_since_us < 0) object->starving_since_us = now_us;
+  if (object->processor.starving_since_us < 0) object->processor.starving_since_us = now_us;
   waiting_.push_back(message);
 }
 
@@ -33,7 +33,7 @@ std::vector<Message*> Cpu::TakeMessagesTo(ObjectId id) {
 }
 
 void Cpu::Grant(Object* object, int64_t now_us) {
-  const int64_t since_us = std::exchange(object->starving_since_us, -1);
+  const int64_t since_us = std::exchange(object->processor.starving_since_us, -1);
   if (since_us >= 0 && now_us - since_us > kStarvedUs) {
     system_->AddFindingAbout(object, Severity::kWarning,
                              fmt::format("got no processor time for {:.3f} s: others of the same "
@@ -53,7 +53,7 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
   }
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
-  object->is_busy = true;
+  object->processor.is_busy = true;
 }
 
 int64_t Cpu::EndUs() const {
@@ -65,9 +65,9 @@ void Cpu::End(int64_t now_us) {
   Object* const object = jobs_.back().object;
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
-  object->is_busy = false;
+  object->processor.is_busy = false;
   const CurrentScope nobody(system_, nullptr);
-  for (const Object::Outgoing& outgoing : std::exchange(object->outbox, {})) {
+  for (const ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(outgoing.message, outgoing.delay_us);
   }
   // What waits is older than what is due now, so it goes in front, the oldest first.

@@ -107,9 +107,9 @@ void Dispatcher::Deliver(Message* message) {
     system_->queue_.Release(message);
     return;
   }
-  if (!message->is_reply &&
-      (object->blocked != nullptr || object->is_busy || system_->manager_->IsTooEarly(*message))) {
-    object->held.push_back(message);
+  if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
+                             system_->manager_->IsTooEarly(*message))) {
+    object->handler.held.push_back(message);
     return;
   }
   if (system_->gate_ != nullptr && !system_->gate_->Admit(message)) return;
@@ -147,18 +147,18 @@ bool Dispatcher::MayRun(Object* object, Message* message) {
 void Dispatcher::DeliverReply(Object* object, Message* message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
-  if (!object->boxes.contains(message->reply_box)) {  // a time-out that was not needed
+  if (!object->boxes.open.contains(message->reply_box)) {  // a time-out that was not needed
     system_->queue_.Release(message);
     return;
   }
-  if (Message* const earlier = std::exchange(object->replies[message->reply_box], message))
+  if (Message* const earlier = std::exchange(object->boxes.arrived[message->reply_box], message))
     system_->queue_.Release(earlier);
-  if (object->blocked == nullptr || object->blocked_box != message->reply_box) {
+  if (object->handler.blocked == nullptr || object->handler.blocked_box != message->reply_box) {
     system_->time_events_.ReplyArrived(object->id, message->reply_box);
     return;
   }
-  Fiber* const waiting = object->blocked;
-  object->blocked = nullptr;
+  Fiber* const waiting = object->handler.blocked;
+  object->handler.blocked = nullptr;
   t_current = {system_, object, object->is_image};
   idle_.push_back(running_);  // this loop goes on when somebody needs a fiber
   SwitchTo(waiting);
@@ -168,8 +168,8 @@ void Dispatcher::RunHandler(Object* object, Message* message) {
   system_->trace_.Deliver(*message, system_->now_us_);
   ++object->message_count;
   if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
-  object->running = message;
-  object->time_calls = 0;
+  object->handler.running = message;
+  object->handler.time_calls = 0;
   ClearUpperRegisters();  // because the code of handlers is SSE code
   ArithmeticWatch watch;
   const bool is_watched = object->is_image && ArithmeticWatch::Catches();
@@ -207,28 +207,28 @@ void Dispatcher::FinishHandler(Object* object) {
   if (object->is_image) {
     auto* const image = static_cast<ImageObject*>(object);
     if (system_->options_.measure_stacks) NoteStackUse(object, image->StackUsed());
-    image->CheckNumbers(object->running->selector);
+    image->CheckNumbers(object->handler.running->selector);
   }
   t_current = {system_, nullptr, false};
-  system_->queue_.Release(object->running);
-  object->running = nullptr;
-  if (!object->is_busy) system_->ReturnHeld(object);
+  system_->queue_.Release(object->handler.running);
+  object->handler.running = nullptr;
+  if (!object->processor.is_busy) system_->ReturnHeld(object);
 }
 
 Message* Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
-  if (!object->replies.contains(box)) {
+  if (!object->boxes.arrived.contains(box)) {
     const Current saved = t_current;
-    object->blocked = running_;
-    object->blocked_box = box;
-    object->blocked_since_us = system_->now_us_;
+    object->handler.blocked = running_;
+    object->handler.blocked_box = box;
+    object->handler.blocked_since_us = system_->now_us_;
     SwitchTo(TakeFiber());
     t_current = saved;
   }
-  const auto found = object->replies.find(box);
+  const auto found = object->boxes.arrived.find(box);
   Message* const message = found->second;
-  object->replies.erase(found);
+  object->boxes.arrived.erase(found);
   return message;
 }
 

@@ -67,7 +67,7 @@ void RunFolder::Replace(const std::string& copy, const std::string& bytes) {
 }
 
 ImageObject::~ImageObject() {
-  CloseFiles();
+  files.CloseAll();
   const CurrentScope scope(system, this);
   if (handle_ != nullptr) dlclose(handle_);
   if (has_thunks_) munmap(place->thunks(), AddressPlace::kThunkBytes);

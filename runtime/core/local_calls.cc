@@ -22,21 +22,21 @@ int32_t LocalCalls::Post(Message* message, int64_t delay_us) {
 
 void LocalCalls::OpenBox(uint64_t box) {
   Object* const self = t_current.object;
-  self->boxes.insert(box);
-  self->last_box = std::max(self->last_box, box);
+  self->boxes.open.insert(box);
+  self->boxes.last = std::max(self->boxes.last, box);
 }
 
 void LocalCalls::CloseBox(uint64_t box) {
   Object* const self = t_current.object;
-  self->boxes.erase(box);
-  const auto arrived = self->replies.find(box);
-  if (arrived == self->replies.end()) return;
+  self->boxes.open.erase(box);
+  const auto arrived = self->boxes.arrived.find(box);
+  if (arrived == self->boxes.arrived.end()) return;
   system_->queue().Release(arrived->second);
-  self->replies.erase(arrived);
+  self->boxes.arrived.erase(arrived);
 }
 
 bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
-  return system_->object(asker)->boxes.contains(box);
+  return system_->object(asker)->boxes.open.contains(box);
 }
 
 Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
@@ -65,7 +65,7 @@ uint32_t LocalCalls::AddTimedEvent(const TimeEvents::Letter& letter, int64_t fir
 uint32_t LocalCalls::AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) {
   const uint32_t event = system_->time_events().AddReply(letter, box);
   const Object* const self = t_current.object;
-  if (self->replies.contains(box)) system_->time_events().ReplyArrived(self->id, box);
+  if (self->boxes.arrived.contains(box)) system_->time_events().ReplyArrived(self->id, box);
   return event;
 }
 

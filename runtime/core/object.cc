@@ -13,16 +13,16 @@ Object::Object(System* the_system, ObjectId the_id, int the_robot)
     : system(the_system), id(the_id), robot(the_robot) {}
 
 Object::~Object() {
-  CloseFiles();
+  files.CloseAll();
   for (void* const region : private_regions) Arena::FreeAny(region);
 }
 
-void Object::CloseFiles() {
-  for (const auto& [file, what] : open_files) std::fclose(file);
-  for (const auto& [descriptor, what] : open_descriptors) close(descriptor);
+void OpenFiles::CloseAll() {
+  for (const auto& [file, what] : streams) std::fclose(file);
+  for (const auto& [descriptor, what] : descriptors) close(descriptor);
   if (terminal != nullptr) std::fclose(terminal);
-  open_files.clear();
-  open_descriptors.clear();
+  streams.clear();
+  descriptors.clear();
   terminal = nullptr;
 }
 
@@ -49,9 +49,9 @@ std::string Object::EntryName(uint32_t selector) const {
 }
 
 std::string Object::NameService(uint32_t selector, const char* kind) {
-  const uint32_t entry = self_reply != nullptr ? self_reply->selector
-                         : running != nullptr  ? running->selector
-                                               : UNDEF;
+  const uint32_t entry = handler.self_reply != nullptr ? handler.self_reply->selector
+                         : handler.running != nullptr  ? handler.running->selector
+                                                       : UNDEF;
   const auto found = services.find(entry);
   const std::string service = found == services.end() ? name : found->second;
   system->calls().NameEntry(selector, fmt::format("{} ({})", service, kind));

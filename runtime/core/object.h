@@ -43,6 +43,58 @@ struct StandingReady {
   auto operator<=>(const StandingReady&) const = default;
 };
 
+// The handler of an object that runs or waits.
+struct HandlerState {
+  Message* running = nullptr;    // the message being handled; null: no handler runs
+  uint64_t time_calls = 0;       // calls of GetSystemTime() in this handler, 1 us each
+  Fiber* blocked = nullptr;      // the stack of a handler that waits
+  uint64_t blocked_box = 0;      // the reply box it waits for
+  int64_t blocked_since_us = 0;  // virtual time
+  std::string blocked_why;       // what it waits for, for people
+  std::deque<Message*> held;     // messages that arrived while it waited, oldest first
+  // A nested call of an entry of the same object (self connection) puts its answer here.
+  struct SelfReply {
+    void* data;
+    size_t size;
+    uint32_t selector;  // of the entry called
+  };
+  SelfReply* self_reply = nullptr;
+};
+
+// The boxes by which an object receives replies; see requests.h.
+struct ReplyBoxes {
+  uint64_t last = 0;                     // the last number given
+  std::set<uint64_t> open;               // boxes whose reply may come or has come
+  std::map<uint64_t, Message*> arrived;  // replies that were not received yet
+};
+
+// The use of the robot's processor, if handlers take time; see cpu.h.
+struct ProcessorState {
+  bool is_busy = false;            // a handler of the object has the processor
+  int64_t starving_since_us = -1;  // a message has waited for the processor since; -1: none waits
+  struct Outgoing {
+    Message* message;
+    int64_t delay_us;
+  };
+  std::vector<Outgoing> outbox;  // messages posted before the handler's time was over
+};
+
+// The files of the stick that the code of an image has open.
+class OpenFiles {
+ public:
+  struct File {
+    std::string path;  // on the host
+    bool writes = false;
+  };
+
+  void CloseAll();
+
+  // Keyed by addresses: looked up, never walked through in an order that a run could see.
+  std::map<std::FILE*, File> streams;
+  std::map<int, File> descriptors;
+  std::FILE* terminal = nullptr;  // its standard input, once it has read from the console
+};
+
 class Object {
  public:
   Object(System* system, ObjectId id, int robot);
@@ -65,11 +117,11 @@ class Object {
   virtual std::vector<StandingReady> StandingReadies() const;
 
   // A region that one of its subjects had sent comes back while the object is being replaced.
-  virtual void TakeBack(RCRegion*) {}
+  virtual void ReturnRegion(RCRegion*) {}
 
   // `message`, which was on its way to it, comes to nobody: it is counted, and what it carries
   // goes back.
-  virtual void Unheard(const Message& message);
+  virtual void HandleUndelivered(const Message& message);
 
   // Its code is gone for the time being, which is known: nobody complains of what it does not do.
   virtual bool IsLost() const { return false; }
@@ -86,9 +138,6 @@ class Object {
   // The full name of the service whose Control or Connect entry is running; entry
   // `selector`, of the `kind` given, is called after it from now on.
   std::string NameService(uint32_t selector, const char* kind);
-
-  // Closes what it left open.
-  void CloseFiles();
 
   System* const system;
   const ObjectId id;
@@ -122,42 +171,10 @@ class Object {
   // A conversion that does not fit was reported in the handler that runs (checked_code.cc).
   bool has_reported_cast = false;
 
-  // Files of the stick that code of an image has open; looked up only.
-  struct OpenFile {
-    std::string path;  // on the host
-    bool writes = false;
-  };
-  std::map<std::FILE*, OpenFile> open_files;
-  std::map<int, OpenFile> open_descriptors;
-  std::FILE* terminal = nullptr;  // its standard input, once it has read from the console
-
-  // While a handler runs or waits.
-  Message* running = nullptr;
-  uint64_t time_calls = 0;               // GetSystemTime() calls of this handler, 1 us each
-  Fiber* blocked = nullptr;              // the stack of a handler that waits
-  uint64_t blocked_box = 0;              // for this reply
-  int64_t blocked_since_us = 0;          // virtual time
-  std::string blocked_why;               // for messages to people
-  std::deque<Message*> held;             // came while it waited
-  uint64_t last_box = 0;                 // the last number NewReplyBox() gave
-  std::set<uint64_t> boxes;              // of replies that may come or have come
-  std::map<uint64_t, Message*> replies;  // arrived, not received yet
-  // A nested call of one of its own entries (self connection) answers here.
-  struct SelfReply {
-    void* data;
-    size_t size;
-    uint32_t selector;  // of the entry called
-  };
-  SelfReply* self_reply = nullptr;
-
-  // While its handler has the robot's processor (cpu.h).
-  bool is_busy = false;
-  int64_t starving_since_us = -1;  // a message waits for the processor since; -1: none does
-  struct Outgoing {
-    Message* message;
-    int64_t delay_us;
-  };
-  std::vector<Outgoing> outbox;  // posted before the handler's time was over
+  OpenFiles files;
+  HandlerState handler;
+  ReplyBoxes boxes;
+  ProcessorState processor;
 
   // Images only, and only where addresses are planned.
   std::unique_ptr<AddressPlace> place;

@@ -56,7 +56,7 @@ ObjectManager::ObjectManager() {
 void ObjectManager::PostBoot() {
   are_connected_ = false;
   for (const auto& object : system().objects()) {
-    if (object != nullptr && !object->is_system) young_.emplace(object->id, false);
+    if (object != nullptr && !object->is_system) starting_.emplace(object->id, false);
   }
   due_.insert({boot_, 0});
   system().Post(system().NewMessage(host().id, boot_));
@@ -91,28 +91,29 @@ bool ObjectManager::IsDue(Selector selector, int value) {
     return true;
   }
   system().AddFindingAbout(
-      system().object(host().running->sender), Severity::kError,
+      system().object(host().handler.running->sender), Severity::kError,
       fmt::format("a message to the object manager that only the system sends: {}; nothing is done",
                   host().EntryName(selector)));
   return false;
 }
 
 void ObjectManager::Begins(ObjectId id) {
-  const auto found = young_.find(id);
-  if (found == young_.end()) return;
+  const auto found = starting_.find(id);
+  if (found == starting_.end()) return;
   found->second = true;
-  if (are_connected_) young_.erase(found);
+  if (are_connected_) starting_.erase(found);
 }
 
 // What came too early is heard now.  Who was not told of DoInit takes no part in the run.
-void ObjectManager::EndYouth() {
+void ObjectManager::ReleaseEarlyMessages() {
   are_connected_ = true;
-  for (auto next = young_.begin(); next != young_.end();) {
-    const auto young = next++;
-    if (!young->second) continue;
-    Object* const object = system().object(young->first);
-    young_.erase(young);
-    if (object->blocked == nullptr && !object->is_busy) system().ReturnHeld(object);
+  for (auto next = starting_.begin(); next != starting_.end();) {
+    const auto starting = next++;
+    if (!starting->second) continue;
+    Object* const object = system().object(starting->first);
+    starting_.erase(starting);
+    if (object->handler.blocked == nullptr && !object->processor.is_busy)
+      system().ReturnHeld(object);
   }
 }
 
@@ -120,7 +121,7 @@ void ObjectManager::RunBoot() {
   SendToAll(oentryINIT, oreasonBOOT, true);
   SendToAll(oentryINIT, oreasonBOOT, false);
   for (const Connection& connection : system().connections()) Connect(connection);
-  EndYouth();
+  ReleaseEarlyMessages();
   if (system().options().strict && system().findings().HasError()) {
     RefuseToStart();
     return;
@@ -174,7 +175,7 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     readies[object->id] = system().EndMessagesTo(system().object(object->id));
   are_connected_ = false;
   for (auto& object : fresh) {
-    young_[object->id] = false;
+    starting_[object->id] = false;
     system().Replace(std::move(object));
   }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
@@ -193,7 +194,7 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_subject) ReportUnknown(connection, connection.subject);
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
-  EndYouth();
+  ReleaseEarlyMessages();
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().AssertAgain(id, standing);

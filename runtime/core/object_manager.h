@@ -35,15 +35,15 @@ class ObjectManager : public CodeObject {
   // where it lies in the mailbox before anybody else knows of the object (core.md, 1.5); a ready
   // waits until the connections are made, or its observer would be unknown.
   bool IsTooEarly(const Message& message) const {
-    if (young_.empty() || message.sender == host().id) return false;
-    const auto found = young_.find(message.target);
-    if (found == young_.end()) return false;
+    if (starting_.empty() || message.sender == host().id) return false;
+    const auto found = starting_.find(message.target);
+    if (found == starting_.end()) return false;
     if (message.kind == PayloadKind::kReady) return true;
     return !found->second && !HoldsUpBoot(message);
   }
   // A question in somebody's DoInit: with the answer the others' would wait.
   bool HoldsUpBoot(const Message& message) const {
-    return message.reply_box != 0 && young_.contains(message.sender);
+    return message.reply_box != 0 && starting_.contains(message.sender);
   }
   // The DoInit of object `id` begins.
   void Begins(ObjectId id);
@@ -64,7 +64,7 @@ class ObjectManager : public CodeObject {
   // To the objects of `robot`, or of all.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
-  void EndYouth();
+  void ReleaseEarlyMessages();
   bool MayBeLost(int robot, const std::string& service) const;
   void ReportUnknown(const Connection& connection, const std::string& service);
 
@@ -76,10 +76,10 @@ class ObjectManager : public CodeObject {
   Selector task_;
   std::multiset<std::pair<Selector, int>> due_;  // what it has sent itself
   std::deque<std::function<void()>> tasks_;
-  std::set<int> shutting_down_;       // robots
-  std::set<ObjectId> uninitialised_;  // never heard of DoInit
-  std::map<ObjectId, bool> young_;    // not connected yet; whether it has heard of DoInit
-  bool are_connected_ = true;         // false as long as those in `young_` wait for that
+  std::set<int> shutting_down_;        // robots
+  std::set<ObjectId> uninitialised_;   // never heard of DoInit
+  std::map<ObjectId, bool> starting_;  // not connected yet; whether it has heard of DoInit
+  bool are_connected_ = true;          // false as long as those in `starting_` wait for that
   // Services that are not there as long as something is lost; looked up only.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };

@@ -73,7 +73,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   if (sender == nullptr) return;
   // An object that is being replaced receives no more messages, so it gets its regions directly.
   if (sender->is_leaving) {
-    for (RCRegion* const region : regions) sender->TakeBack(region);
+    for (RCRegion* const region : regions) sender->ReturnRegion(region);
     return;
   }
   const CurrentScope scope(system, object);
@@ -93,7 +93,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
     if (is_here) {
       region->RemoveReference();
     } else {
-      sender->TakeBack(region);
+      sender->ReturnRegion(region);
     }
   }
 }

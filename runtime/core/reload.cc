@@ -49,7 +49,7 @@ void Disconnect(Object* other, Object* gone) {
         [&](const OSubjectInfo& info) { return IsOf(info.GetSubjectID(), id); });
     ReleaseHeld(
         observer.get(), [&](const SubjectID& subject) { return IsOf(subject, id); },
-        [gone](RCRegion* region) { gone->TakeBack(region); });
+        [gone](RCRegion* region) { gone->ReturnRegion(region); });
   }
 }
 
@@ -102,7 +102,8 @@ std::vector<Message> System::TakeMessagesTo(Object* object) {
     messages.push_back(*message);
     queue_.Release(message);
   };
-  for (; !object->held.empty(); object->held.pop_front()) take(object->held.front());
+  for (; !object->handler.held.empty(); object->handler.held.pop_front())
+    take(object->handler.held.front());
   for (const auto& cpu : cpus_) {
     for (Message* const message : cpu->TakeMessagesTo(object->id)) take(message);
   }
@@ -113,7 +114,7 @@ std::vector<Message> System::TakeMessagesTo(Object* object) {
   object->waiting -= static_cast<int>(messages.size());
   const auto take_outgoing = [&](const std::unique_ptr<Object>& sender) {
     if (sender == nullptr) return;
-    std::erase_if(sender->outbox, [&](const Object::Outgoing& outgoing) {
+    std::erase_if(sender->processor.outbox, [&](const ProcessorState::Outgoing& outgoing) {
       if (outgoing.message->target != object->id || outgoing.message->is_reply) return false;
       take(outgoing.message);
       return true;
@@ -124,7 +125,7 @@ std::vector<Message> System::TakeMessagesTo(Object* object) {
   return messages;
 }
 
-void Object::Unheard(const Message& message) {
+void Object::HandleUndelivered(const Message& message) {
   if (message.kind != PayloadKind::kReady) ++dropped_count;
   if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
 }
@@ -138,7 +139,7 @@ std::vector<StandingReady> System::EndMessagesTo(Object* old) {
         readies.push_back({message.selector, ObjectIdOf(ready.observerID.GetOID()),
                            ready.observerID.GetSelector()});
     }
-    old->Unheard(message);
+    old->HandleUndelivered(message);
   }
   return readies;
 }
@@ -164,7 +165,7 @@ void System::Replace(std::unique_ptr<Object> fresh) {
   fresh->is_off = old->is_off;
   fresh->waiting = old->waiting;  // at a gate
   // A handler that waits, or has the processor still, comes to its end by and by.
-  if (old->running != nullptr || old->is_busy)
+  if (old->handler.running != nullptr || old->processor.is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);
 }

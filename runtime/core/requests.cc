@@ -16,30 +16,30 @@ namespace openr_host {
 uint64_t Requests::OpenBox() {
   ASSERT(t_current.object != nullptr, "only an object waits for a reply");
   Object* const self = t_current.object;
-  system_->calls().OpenBox(self->last_box + 1);
-  return self->last_box;
+  system_->calls().OpenBox(self->boxes.last + 1);
+  return self->boxes.last;
 }
 
 int32_t Requests::Send(Message* message, uint64_t* box) {
   *box = OpenBox();
   message->reply_box = *box;
   const int32_t error = system_->Post(message);
-  if (error != sSUCCESS) t_current.object->boxes.erase(*box);
+  if (error != sSUCCESS) t_current.object->boxes.open.erase(*box);
   return error;
 }
 
 Message* Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out) {
   Object* const self = t_current.object;
-  self->blocked_why = why;
+  self->handler.blocked_why = why;
   Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   Message* const message = system_->dispatcher().WaitFor(box);
-  self->blocked_why.clear();
+  self->handler.blocked_why.clear();
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // the reply may still come
   if (wake != nullptr)
     system_->queue().RemoveIf([wake](const Message& m) { return &m == wake; },
                               [](const Message&) {});
-  self->boxes.erase(box);
+  self->boxes.open.erase(box);
   return message;
 }
 
@@ -73,7 +73,8 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
 }
 
 ReplyTicket Requests::TakeTicket() {
-  Message* const request = t_current.object == nullptr ? nullptr : t_current.object->running;
+  Message* const request =
+      t_current.object == nullptr ? nullptr : t_current.object->handler.running;
   if (request == nullptr || request->reply_box == 0) return {};
   const ReplyTicket ticket{request->sender, request->reply_box};
   request->reply_box = 0;

@@ -39,20 +39,20 @@ void FindInLink(const Object& object, const SubjectState& subject, const Observe
 }
 
 void FindIn(const Object& object, int64_t now_us, std::vector<Stall>* stalls) {
-  if (object.blocked != nullptr) {
+  if (object.handler.blocked != nullptr) {
     stalls->push_back(
-        {object.id, object.blocked_since_us,
-         fmt::format("{} waits for {} since t={:.3f} s", object.name, object.blocked_why,
-                     Seconds(object.blocked_since_us)),
-         object.blocked_why == ConsoleInput::kWhy
+        {object.id, object.handler.blocked_since_us,
+         fmt::format("{} waits for {} since t={:.3f} s", object.name, object.handler.blocked_why,
+                     Seconds(object.handler.blocked_since_us)),
+         object.handler.blocked_why == ConsoleInput::kWhy
              ? "nobody has typed one: openr run --stdin FILE"
              : "two objects that Call() each other wait for ever; with --cost, a handler "
                "may take that long"});
   }
-  if (object.starving_since_us >= 0) {
-    stalls->push_back({object.id, object.starving_since_us,
+  if (object.processor.starving_since_us >= 0) {
+    stalls->push_back({object.id, object.processor.starving_since_us,
                        fmt::format("{} waits for the processor since t={:.3f} s", object.name,
-                                   Seconds(object.starving_since_us)),
+                                   Seconds(object.processor.starving_since_us)),
                        "others of the same or a higher priority leave it none"});
   }
   for (const auto& subject : object.subjects) {

@@ -13,8 +13,9 @@
 namespace openr_host {
 
 bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  if (object.running == nullptr || object.running->kind == kind)  // null: a test calls directly
-    return true;                                                  // null: a test's own call
+  if (object.handler.running == nullptr ||
+      object.handler.running->kind == kind)  // null: a test calls directly
+    return true;                             // null: a test's own call
   object.system->AddFinding(
       Severity::kError,
       "bytes that an object sent to the entry of a subject or observer are "

@@ -35,10 +35,11 @@ std::string RunContext() {
   const Object* const object = t_current.object;
   t_current = {};
   if (system == nullptr) return "";
-  return fmt::format("  t={} us, object {}, message {}, seed {}\n", system->now_us(),
-                     object == nullptr ? "(none)" : object->name,
-                     object == nullptr || object->running == nullptr ? 0 : object->running->number,
-                     system->options().seed);
+  return fmt::format(
+      "  t={} us, object {}, message {}, seed {}\n", system->now_us(),
+      object == nullptr ? "(none)" : object->name,
+      object == nullptr || object->handler.running == nullptr ? 0 : object->handler.running->number,
+      system->options().seed);
 }
 
 // The C library allocates the buffer of stdout when it is first used.  That must not be on the heap
@@ -197,7 +198,7 @@ Message* System::NewMessage(ObjectId target, uint32_t selector) {
   message->sender = sender == nullptr ? kNoObject : sender->id;
   if (sender != nullptr) {
     message->message_class = sender->post_class;
-    message->cause = sender->running == nullptr ? 0 : sender->running->number;
+    message->cause = sender->handler.running == nullptr ? 0 : sender->handler.running->number;
   }
   return message;
 }
@@ -225,8 +226,8 @@ int32_t System::Post(Message* message, int64_t delay_us) {
 
 int32_t System::Enqueue(Message* message, int64_t delay_us) {
   Object* const target = object(message->target);
-  if (Object* const self = t_current.object; self != nullptr && self->is_busy) {
-    self->outbox.push_back({message, delay_us});
+  if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {
+    self->processor.outbox.push_back({message, delay_us});
     return sSUCCESS;
   }
   if (!message->is_reply) {
@@ -270,7 +271,8 @@ void System::Readmit(Message* message) {
 }
 
 void System::ReturnHeld(Object* object) {
-  for (; !object->held.empty(); object->held.pop_back()) Readmit(object->held.back());
+  for (; !object->handler.held.empty(); object->handler.held.pop_back())
+    Readmit(object->handler.held.back());
 }
 
 int64_t System::NextInstant() const {
@@ -307,8 +309,9 @@ void System::RecordFinding(const Object* object, Severity severity, std::string 
   finding.severity = severity;
   finding.robot = object == nullptr ? 0 : object->robot;
   finding.object = object == nullptr ? "" : object->name;
-  finding.message =
-      current == nullptr || current->running == nullptr ? 0 : current->running->number;
+  finding.message = current == nullptr || current->handler.running == nullptr
+                        ? 0
+                        : current->handler.running->number;
   finding.time_us = now_us_;
   finding.text = std::move(text);
   findings_.Add(std::move(finding));
@@ -349,8 +352,9 @@ uint64_t System::state_hash() {
     hasher.Add(object->waiting);
     for (const auto& subject : object->subjects) subject->HashState(&hasher);
     object->HashState(&hasher);
-    for (const Message* message : object->held) hasher.Add(message->number);
-    for (const Object::Outgoing& outgoing : object->outbox) hasher.Add(outgoing.message->cause);
+    for (const Message* message : object->handler.held) hasher.Add(message->number);
+    for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
+      hasher.Add(outgoing.message->cause);
   }
   for (const auto& cpu : cpus_) cpu->HashState(&hasher);
   console_input_.HashState(&hasher);

@@ -11,7 +11,8 @@ namespace openr_host {
 
 uint32_t TimeEvents::Add(Event event) {
   const Object* const self = t_current.object;
-  if (self != nullptr && self->running != nullptr) event.cause = self->running->number;
+  if (self != nullptr && self->handler.running != nullptr)
+    event.cause = self->handler.running->number;
   events_[++last_id_] = std::move(event);
   return last_id_;
 }

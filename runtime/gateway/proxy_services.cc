@@ -19,7 +19,7 @@ constexpr size_t kGainsBytes = 6 * sizeof(word);
 
 // Objects of other processes ask their questions where nobody can wait for the network.
 bool CanWait(const Object* object) {
-  return object != nullptr && object->running != nullptr &&
+  return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||
           dynamic_cast<const ImageObject*>(object) != nullptr);
 }

@@ -69,8 +69,9 @@ void TcpGateway::AddProxies(const GatewayConfig& config) {
   auto client = std::make_unique<ProxyClient>(this, index, *config.proxy);
   proxy_client_ = client.get();
   channels_.push_back(std::move(client));
-  call_ = AddExtra("Call",
-                   [this](void* payload) { proxy_client_->Take(payload, host().running->size); });
+  call_ = AddExtra("Call", [this](void* payload) {
+    proxy_client_->Take(payload, host().handler.running->size);
+  });
   expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
 }
 

@@ -23,7 +23,7 @@ namespace {
 ssize_t ReadConsole(char* buffer, size_t size) {
   const ApiScope scope;
   std::fflush(stdout);  // a prompt
-  if (t_current.object->running == nullptr) {
+  if (t_current.object->handler.running == nullptr) {
     t_current.system->AddFinding(Severity::kError,
                                  "the console is read in a constructor: only a handler can wait "
                                  "for a line; it gets the end of the input");
@@ -35,7 +35,7 @@ ssize_t ReadConsole(char* buffer, size_t size) {
 // The standard input of the current object.
 FILE* Terminal() {
   const ApiScope scope;
-  FILE*& terminal = t_current.object->terminal;
+  FILE*& terminal = t_current.object->files.terminal;
   if (terminal == nullptr) {
     cookie_io_functions_t functions = {};
     functions.read = [](void*, char* buffer, size_t size) { return ReadConsole(buffer, size); };

@@ -83,8 +83,8 @@ bool MayOpen(const std::string& host, bool writes, const char* path) {
     const auto bars = [&](const auto& open) {
       return open.second.path == host && (writes || open.second.writes);
     };
-    if (std::any_of(object->open_files.begin(), object->open_files.end(), bars) ||
-        std::any_of(object->open_descriptors.begin(), object->open_descriptors.end(), bars)) {
+    if (std::any_of(object->files.streams.begin(), object->files.streams.end(), bars) ||
+        std::any_of(object->files.descriptors.begin(), object->files.descriptors.end(), bars)) {
       holder = object.get();
     }
   }
@@ -106,12 +106,12 @@ int OpenAt(const char* path, int flags, mode_t mode) {
   if (host.empty() || !MayOpen(host, writes, path)) return -1;
   const ApiScope scope;
   const int descriptor = next(host.c_str(), flags | O_CLOEXEC, 0666);
-  if (descriptor >= 0) t_current.object->open_descriptors[descriptor] = {host, writes};
+  if (descriptor >= 0) t_current.object->files.descriptors[descriptor] = {host, writes};
   return descriptor;
 }
 
 FILE* Remember(FILE* file, const std::string& host, bool writes) {
-  if (file != nullptr) t_current.object->open_files[file] = {host, writes};
+  if (file != nullptr) t_current.object->files.streams[file] = {host, writes};
   return file;
 }
 
@@ -133,7 +133,7 @@ mode_t ModeOf(int flags, va_list arguments) {
 // Descriptors are common to all objects: one may close what another has opened.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
-    if (object != nullptr && object->open_descriptors.erase(descriptor) == 1) return true;
+    if (object != nullptr && object->files.descriptors.erase(descriptor) == 1) return true;
   }
   return false;
 }
@@ -224,7 +224,7 @@ FILE* freopen(const char* path, const char* mode, FILE* file) {
   if (!InObject() || path == nullptr) return next(path, mode, file);
   const std::string host = HostPath(path, UseOf(mode));
   const ApiScope scope;
-  t_current.object->open_files.erase(file);
+  t_current.object->files.streams.erase(file);
   if (host.empty()) return nullptr;
   return Remember(next(host.c_str(), mode, file), host, OpensForWriting(mode));
 }
@@ -233,7 +233,7 @@ int fclose(FILE* file) {
   static const auto next = OPENR_NEXT(fclose);
   if (InObject()) {
     const ApiScope scope;
-    t_current.object->open_files.erase(file);
+    t_current.object->files.streams.erase(file);
   }
   return next(file);
 }

@@ -21,7 +21,7 @@ using openr_host::t_current;
 
 namespace {
 
-bool InHandler() { return InObject() && t_current.object->running != nullptr; }
+bool InHandler() { return InObject() && t_current.object->handler.running != nullptr; }
 
 // Seconds from 1970 to 2000, where the robot's calendar begins.
 constexpr int64_t kRobotEpochS = 946'684'800;

@@ -120,7 +120,7 @@ void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t
 
 // Handles one message of antEnvMsg::Send() or Call().
 void IpStack::TakeMessage(void* payload) {
-  const Message& request = *host().running;
+  const Message& request = *host().handler.running;
   Operation operation;
   const auto& message = *static_cast<const antEnvMsg*>(payload);
   if (request.size < sizeof(antEnvMsg) || request.size < AntMessageSize(message)) {

@@ -105,13 +105,13 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
   control->command = control->command == objcommCMD_ADDOBSERVER_V22
                          ? objcommCMD_ADDOBSERVER_SELF
                          : objcommCMD_REMOVEOBSERVER_SELF;
-  openr_host::Object::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
-  state->object->self_reply = &self;
+  openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
+  state->object->handler.self_reply = &self;
   // The entry is code of the object again, as when the dispatcher calls it.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
-  state->object->self_reply = nullptr;
+  state->object->handler.self_reply = nullptr;
   return reply;
 }
 
@@ -152,7 +152,7 @@ namespace {
 
 // Adds a finding if the data differ from those that were sent (SystemOptions::guard_regions).
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
-  const Message* const message = state->object->running;
+  const Message* const message = state->object->handler.running;
   uint32_t size = 0;
   if (message == nullptr || PayloadHash(*message, &size) == message->payload_hash) return;
   const openr_host::Object* const sender = state->system->object(message->sender);

@@ -106,7 +106,7 @@ TEST_F(LostObserverTest, RegionsComeBackAndNoObserverIsReady) {
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(sender_->readies.back(), "deassert");
   EXPECT_EQ(sender_->out->IsReady(), 0);
-  EXPECT_EQ(remote_->unheard_count, 3u);  // DoInit, DoStart and the notification
+  EXPECT_EQ(remote_->undelivered_count, 3u);  // DoInit, DoStart and the notification
   RunAs(sender_, [&] { region->RemoveReference(); });
 }
 
@@ -126,16 +126,16 @@ TEST_F(LostObserverTest, DelayedMessagesToAReplacedObserverAreCounted) {
     sender_->out->SetData(region);
     sender_->out->NotifyObservers();
   });
-  const uint64_t unheard = remote_->unheard_count;
-  uint64_t unheard_at_end = 0;
+  const uint64_t undelivered = remote_->undelivered_count;
+  uint64_t undelivered_at_end = 0;
   system_.OnReplace([&](ObjectId id) {
-    unheard_at_end = static_cast<RemoteObject*>(system_.object(id))->unheard_count;
+    undelivered_at_end = static_cast<RemoteObject*>(system_.object(id))->undelivered_count;
   });
   std::vector<std::unique_ptr<Object>> fresh;
   fresh.push_back(remote_->NewInstance());
   system_.Return(std::move(fresh));
   system_.RunFor(1000);
-  EXPECT_EQ(unheard_at_end, unheard + 1);
+  EXPECT_EQ(undelivered_at_end, undelivered + 1);
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(sender_->readies.back(), "deassert");
   RunAs(sender_, [&] { region->RemoveReference(); });
