@@ -39,7 +39,8 @@ void WorkerGroup::EnterStage(Member* member, Stage stage) {
 void WorkerGroup::CleanUp(Member* member) {
   member->is_cleaned_up = false;
   member->undelivered_before = 0;
-  for (const auto& [id, object] : member->objects) member->undelivered_before += object->undelivered_count;
+  for (const auto& [id, object] : member->objects)
+    member->undelivered_before += object->undelivered_count;
   EnterStage(member, Stage::kCleaningUp);
   system_->PostTask([this, member] {
     for (const auto& [id, object] : member->objects) system_->EndAllOf(id);
