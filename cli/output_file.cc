@@ -15,11 +15,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "cli/file_lock.h"
 #include "cli/standard_streams.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 
@@ -286,12 +287,9 @@ void RemoveFile(const std::string& file) {
 }
 
 std::string CopyToFile(const std::string& from, const std::string& to) {
-  errno = 0;
-  std::ifstream stream(from, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream || stream.bad())
-    return fmt::format("{}: cannot be read: {}", from, std::strerror(errno));
-  const std::string problem = WriteFile(to, bytes);
+  const std::optional<std::string> bytes = ReadFile(from);
+  if (!bytes) return fmt::format("{}: cannot be read: {}", from, std::strerror(errno));
+  const std::string problem = WriteFile(to, *bytes);
   if (!problem.empty()) return problem;
   std::error_code error;
   fs::permissions(to, fs::status(from).permissions(), error);

@@ -2,8 +2,6 @@
 // old compiler would have let pass.
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "kit/compile_command.h"
@@ -12,16 +10,12 @@
 #include "kit/sdk_tools.h"
 #include "kit/source_copies.h"
 #include "kit/source_repair.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
 
 constexpr int kRepairRoundsMax = 40;
-
-std::string ReadFlags(const std::string& sdk_root) {
-  std::ifstream file(sdk_root + "/compile-flags.txt");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 size_t CountErrors(const std::string& output) {
   size_t count = 0;
@@ -66,7 +60,8 @@ CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
     : given_(arguments), command_(TranslateCompile(arguments, is_cxx)) {
   const std::string root = SdkRoot();
   compiler_ = HostCompiler(is_cxx ? Language::kCxx : Language::kC);
-  const Arguments flags = ParseCompileFlags(ReadFlags(root), command_.language, IsClang(compiler_));
+  const Arguments flags = ParseCompileFlags(ReadFile(root + "/compile-flags.txt").value_or(""),
+                                            command_.language, IsClang(compiler_));
   compiler_.insert(compiler_.end(), flags.begin(), flags.end());
   if (command_.compiles) {
     compiler_.push_back("-g");

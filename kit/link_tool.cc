@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -16,18 +16,13 @@
 #include "kit/link_command.h"
 #include "kit/process.h"
 #include "kit/sdk_tools.h"
+#include "runtime/base/read_file.h"
 #include "runtime/config/ocf.h"
 
 namespace openr_host {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::string> ReadText(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 int Refuse(const std::string& why) {
   std::fprintf(stderr, "mkbin: %s\n", why.c_str());
@@ -142,8 +137,9 @@ int RunMkbin(const Arguments& arguments) {
       TranslateMkbin(arguments, [](const std::string& file) { return fs::exists(file); });
   if (command.output.empty()) return Refuse("no output; write -o NAME.bin");
   if (command.ocf.empty()) return Refuse("no .ocf file among the arguments");
-  const std::optional<std::string> ocf_text = ReadText(command.ocf);
-  if (!ocf_text) return Refuse(command.ocf + ": cannot be read");
+  const std::optional<std::string> ocf_text = ReadFile(command.ocf);
+  if (!ocf_text)
+    return Refuse(fmt::format("{}: cannot be read: {}", command.ocf, std::strerror(errno)));
   const OcfResult ocf = ParseOcf(command.ocf, *ocf_text);
   std::fputs(Render(ocf.diagnostics).c_str(), stderr);
   if (!ocf.ocf) {
@@ -181,9 +177,9 @@ int RunImageInfo(const Arguments& arguments) {
     std::fputs("usage: openr-sdk image-info OCF OUT\n", stderr);
     return 2;
   }
-  const std::optional<std::string> text = ReadText(arguments[0]);
+  const std::optional<std::string> text = ReadFile(arguments[0]);
   if (!text) {
-    std::fprintf(stderr, "%s: cannot be read\n", arguments[0].c_str());
+    std::fprintf(stderr, "%s: cannot be read: %s\n", arguments[0].c_str(), std::strerror(errno));
     return 1;
   }
   const OcfResult ocf = ParseOcf(arguments[0], *text);

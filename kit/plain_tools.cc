@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <new>
+#include <optional>
 
 #include "cli/output_file.h"
 #include "kit/process.h"
 #include "kit/sdk_tools.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -66,12 +66,10 @@ int RunGzcp(const Arguments& arguments) {
     std::fputs("usage: gzcp FROM TO\n", stderr);
     return 2;
   }
-  errno = 0;
-  std::ifstream in(files[0], std::ios::binary);
-  if (!in) return Fail("gzcp", files[0]);
-  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::optional<std::string> bytes = ReadFile(files[0]);
+  if (!bytes) return Fail("gzcp", files[0]);
   const std::string to = Target(files[0], files[1]);
-  return Check("gzcp", WriteFile(to, Gzipped(bytes)));
+  return Check("gzcp", WriteFile(to, Gzipped(*bytes)));
 }
 
 int RunStrip(const Arguments& arguments) {

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "cli/output_file.h"
+#include "runtime/base/read_file.h"
 #include "runtime/config/stub_config.h"
 #include "runtime/config/stub_generator.h"
 
@@ -36,7 +36,7 @@ constexpr int kGood = 0;
 constexpr int kInputWrong = 1;
 constexpr int kCommandLineWrong = 2;
 
-std::optional<std::string> ReadAll(std::istream& in) {
+std::optional<std::string> ReadStream(std::istream& in) {
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (in.bad()) return std::nullopt;
   return text;
@@ -45,7 +45,7 @@ std::optional<std::string> ReadAll(std::istream& in) {
 // nullopt after a complaint.
 std::optional<std::string> ReadInput(const std::string& file, std::istream& in, std::ostream& err) {
   if (file.empty()) {
-    std::optional<std::string> text = ReadAll(in);
+    std::optional<std::string> text = ReadStream(in);
     if (!text) err << "standard input: cannot be read\n";
     return text;
   }
@@ -54,9 +54,7 @@ std::optional<std::string> ReadInput(const std::string& file, std::istream& in, 
     err << fmt::format("{0}: is a folder; did you mean '{0}/stub.cfg'?\n", file);
     return std::nullopt;
   }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::optional<std::string> text = stream ? ReadAll(stream) : std::nullopt;
+  std::optional<std::string> text = ReadFile(file);
   if (!text) err << fmt::format("{}: cannot be read: {}\n", file, std::strerror(errno));
   return text;
 }

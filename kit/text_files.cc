@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 
 #include "cli/output_file.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -43,9 +42,7 @@ void AddFiles(const fs::path& folder, std::vector<fs::path>* open, std::vector<f
 std::optional<std::string> ReadText(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return std::nullopt;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return ReadFile(file);
 }
 
 std::string WriteText(const fs::path& file, const std::string& text) {

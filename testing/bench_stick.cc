@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <optional>
 #include <stdexcept>
 
 #include "openr/simulation/run_stick.h"
+#include "runtime/base/read_file.h"
 
 namespace openr::testing {
 namespace {
@@ -66,13 +69,13 @@ void BenchStick::Remove(const std::string& name) {
 }
 
 void BenchStick::ImportImage(const std::string& host_file, const std::string& name) {
-  std::ifstream in(host_file, std::ios::binary);
-  std::ostringstream bytes;
-  if (!in || !(bytes << in.rdbuf())) {
+  const std::optional<std::string> bytes = openr_host::ReadFile(host_file);
+  if (!bytes) {
     throw std::runtime_error(fmt::format(
-        "{}: cannot be read; the image of an object is what openr_add_object() builds", host_file));
+        "{}: cannot be read; the image of an object is what openr_add_object() builds ({})",
+        host_file, std::strerror(errno)));
   }
-  Write(name, bytes.str());
+  Write(name, *bytes);
   const fs::path debug = fs::path(host_file).replace_extension(".DBG");
   const fs::path link = fs::path(Locate(name).path).replace_extension(".DBG");
   if (fs::exists(debug)) fs::create_symlink(fs::canonical(debug), link);

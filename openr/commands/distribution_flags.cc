@@ -1,13 +1,12 @@
 #include "openr/commands/distribution_flags.h"
 
-#include <errno.h>
 #include <fmt/format.h>
-#include <string.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <sstream>
 
 #include "cli/input_file.h"
@@ -16,6 +15,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/ros2/ros2_link.h"
 #include "openr/simulation/run_stick.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 
@@ -112,11 +112,10 @@ void AddRos2Flags(CLI::App* command, Ros2Flags* flags) {
 namespace {
 
 Placement ReadPlacement(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) RefuseInput("--placement", file, strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::optional<std::string> text = ReadFile(file);
+  if (!text) RefuseInput("--placement", file, std::strerror(errno));
   std::vector<Diagnostic> diagnostics;
-  Placement placement = ParsePlacement(file, text, &diagnostics);
+  Placement placement = ParsePlacement(file, *text, &diagnostics);
   if (!diagnostics.empty()) throw CLI::ValidationError("--placement", Render(diagnostics));
   return placement;
 }

@@ -1,11 +1,12 @@
 // openr mtn: what is in a motion file, and whether a robot can play it.
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "cli/exit_code.h"
 #include "cli/input_file.h"
 #include "openr/commands/commands.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -34,13 +36,12 @@ struct MtnFlags {
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
   *problem = WhyNotReadable(name, "motion file", ".MTN");
   if (!problem->empty()) return false;
-  std::ifstream stream(name, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream || stream.bad()) {
-    *problem = "cannot be read";
+  const std::optional<std::string> bytes = ReadFile(name);
+  if (!bytes) {
+    *problem = fmt::format("cannot be read: {}", std::strerror(errno));
     return false;
   }
-  if (motion->Read(reinterpret_cast<const Uint8*>(bytes.data()), bytes.size())) return true;
+  if (motion->Read(reinterpret_cast<const Uint8*>(bytes->data()), bytes->size())) return true;
   *problem = motion->Error();
   return false;
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <cstring>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -14,6 +14,7 @@
 
 #include "cli/duration.h"
 #include "openr/explore/quantity.h"
+#include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
 
@@ -230,10 +231,10 @@ std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
 }
 
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return MakeProperties(path, text);
+  const std::optional<std::string> text = ReadFile(path);
+  if (!text)
+    throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  return MakeProperties(path, *text);
 }
 
 }  // namespace openr_host

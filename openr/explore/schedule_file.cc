@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <cerrno>
+#include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/counted.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -65,9 +68,10 @@ Json ScheduleToJson(const ExploredStick& stick, const Json& failure) {
 }
 
 ScheduleFile ReadScheduleFile(const std::string& path, Json* deviations) try {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-  const Json json = Json::parse(file);
+  const std::optional<std::string> text = ReadFile(path);
+  if (!text)
+    throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  const Json json = Json::parse(*text);
   if (json.value("openr_explore", 0) != kVersion) {
     throw std::runtime_error(
         fmt::format("{}: no schedule of openr explore, version {}", path, kVersion));

@@ -8,15 +8,15 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <optional>
+#include <utility>
 
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "runtime/base/hasher.h"
+#include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
 #include "runtime/core/system.h"
 
@@ -179,9 +179,8 @@ void TraceWriter::AddStick(const std::string& name, const std::string& path) {
   if (fs::is_directory(path, error)) {
     entry.what = TraceEntry::OnStick::kFolder;
   } else if (fs::exists(path, error)) {
-    std::ifstream file(path, std::ios::binary);
     entry.what = TraceEntry::OnStick::kFile;
-    entry.payload.assign(std::istreambuf_iterator<char>(file), {});
+    entry.payload = ReadFile(path).value_or("");
   }
   Add(entry);
 }
@@ -209,11 +208,10 @@ std::string TraceWriter::Finish(System* system) {
 
 TraceReader::TraceReader(const std::string& file) : file_(file) {
   RequireReadable(file, kRecordingFile);
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in) throw std::runtime_error(fmt::format("{}: {}", file, std::strerror(errno)));
-  text << in.rdbuf();
-  bytes_ = text.str();
+  std::optional<std::string> bytes = ReadFile(file);
+  if (!bytes)
+    throw std::runtime_error(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
+  bytes_ = std::move(*bytes);
   if (bytes_.empty()) throw std::runtime_error(fmt::format("{}: is empty", file));
   if (!bytes_.starts_with(kMagic))
     throw std::runtime_error(fmt::format("{}: is no trace (openr run --record makes them)", file));

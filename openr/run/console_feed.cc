@@ -4,11 +4,13 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <sstream>
+#include <cerrno>
+#include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/base/read_file.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
@@ -17,11 +19,12 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
     : is_open_(file == "-" || (file.empty() && isatty(STDIN_FILENO) != 0)) {
   is_terminal_ = is_open_ && isatty(STDIN_FILENO) != 0;
   if (file.empty() || is_open_) return;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw std::runtime_error(fmt::format("--stdin {}: cannot be read", file));
-  text_ = text.str();
+  std::optional<std::string> text = ReadFile(file);
+  if (!text) {
+    throw std::runtime_error(
+        fmt::format("--stdin {}: cannot be read: {}", file, std::strerror(errno)));
+  }
+  text_ = std::move(*text);
 }
 
 // Whole lines only, until standard input ends.

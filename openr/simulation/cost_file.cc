@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include <cerrno>
+#include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/input_file.h"
 #include "cli/install_paths.h"
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 
@@ -15,10 +17,10 @@ std::optional<CostConfig> LoadCostFile(const std::string& name) {
   if (name.empty() || name == "zero") return {};
   const std::string path = DataFile(name);
   RequireReadable(path, kCostFile);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  CostResult result = ParseCostConfig(path, text);
+  const std::optional<std::string> text = ReadFile(path);
+  if (!text)
+    throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  CostResult result = ParseCostConfig(path, *text);
   if (!result.diagnostics.empty()) {
     std::string problems = Render(result.diagnostics);
     problems.pop_back();  // the last newline

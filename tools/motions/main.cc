@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/output_file.h"
 #include "postures.h"
+#include "runtime/base/read_file.h"
 #include "walk.h"
 
 namespace {
@@ -24,10 +24,9 @@ using namespace openr_host::motions;
 
 // Files that would not change are left untouched.
 void WriteIfChanged(const std::filesystem::path& path, const std::vector<uint8_t>& bytes) {
-  std::ifstream old(path, std::ios::binary);
-  if (old && std::vector<uint8_t>(std::istreambuf_iterator<char>(old), {}) == bytes) return;
-  const std::string problem =
-      openr_host::WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (openr_host::ReadFile(path) == text) return;
+  const std::string problem = openr_host::WriteFile(path, text);
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
