@@ -17,13 +17,14 @@
 #include "cli/input_file.h"
 #include "openr/commands/commands.h"
 #include "runtime/base/read_file.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegPerUrad = 180 / 3.14159265358979323846 * 1e-6;
+constexpr double kDegPerUrad = Degrees(1e-6);
 
 struct MtnFlags {
   std::vector<std::string> files;

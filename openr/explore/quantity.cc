@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "runtime/base/spelling.h"
+#include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {
 namespace {
 
-constexpr double kDegPerRad = 180 / 3.14159265358979323846;
 constexpr size_t kNone = std::string::npos;
 
 [[noreturn]] void Unknown(const std::string& what, const std::string& name,
@@ -58,7 +58,7 @@ Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& nam
     Unknown("joint", name, known);
   }
   return [robot, index = static_cast<size_t>(joint)](const RunView& view) -> Value {
-    return view.prepared->robots[robot]->body().state().joints[index].angle_rad * kDegPerRad;
+    return Degrees(view.prepared->robots[robot]->body().state().joints[index].angle_rad);
   };
 }
 
@@ -97,12 +97,12 @@ Quantity FindInRobot(const RunView& view, size_t robot, const std::string& name)
     return OfBase(robot, [](const BodyState& state) { return state.X_WB.translation().z() * 1e3; });
   }
   if (name == "roll_deg") {
-    return OfBase(
-        robot, [](const BodyState& state) { return RpyOf(state.X_WB.linear()).x() * kDegPerRad; });
+    return OfBase(robot,
+                  [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).x()); });
   }
   if (name == "pitch_deg") {
-    return OfBase(
-        robot, [](const BodyState& state) { return RpyOf(state.X_WB.linear()).y() * kDegPerRad; });
+    return OfBase(robot,
+                  [](const BodyState& state) { return Degrees(RpyOf(state.X_WB.linear()).y()); });
   }
   Unknown("quantity of a robot", name,
           {"standing", "height_mm", "roll_deg", "pitch_deg", "joint.NAME", "sensor.LOCATOR",

@@ -19,6 +19,7 @@
 #include "openr/inspect/breakpoints.h"
 #include "openr/inspect/trace_text.h"
 #include "runtime/base/spelling.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {
@@ -319,7 +320,7 @@ void Stepper::Print(const std::string& what) {
       const auto& joints = robot->model().joints;
       for (size_t j = 0; j < joints.size(); ++j)
         fmt::print("{:<14} {:9.3f} deg\n", joints[j].name,
-                   robot->body().state().joints[j].angle_rad * 57.29577951308232);
+                   Degrees(robot->body().state().joints[j].angle_rad));
     }
   } else if (what == "findings") {
     for (const Finding& finding : system.findings().all())

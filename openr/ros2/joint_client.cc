@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "RemoteProtocol.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host {
 namespace {
 
 constexpr NetAddress kRemote = {0x7f000001, 1};  // a port that no client of the host has
 
-constexpr double kCentidegPerRad = 100 * 180 / std::numbers::pi;
+constexpr double kCentidegPerRad = 100 * Degrees(1);
 // More than any joint turns or its motor can; the robot has the limits.
-constexpr double kPositionMax_rad = 2 * std::numbers::pi;
+constexpr double kPositionMax_rad = 2 * kPi;
 constexpr double kSpeedMax_rad_s = 1000;
 
 NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {

@@ -8,14 +8,13 @@
 #include "cli/counted.h"
 #include "openr/simulation/simulation.h"
 #include "runtime/core/api.h"
+#include "virtualrobot/det_math.h"
 #include "virtualrobot/kinematics.h"
 
 namespace openr_host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kDegPerRad = 180 / 3.14159265358979323846;
 
 // Enough for a person and for any tolerance; and no 0.30000000000000004.
 double Rounded(double value, double step) {
@@ -33,10 +32,10 @@ Json RobotReport(const VirtualRobot& robot, bool standing, int rc_port) {
   Json report = {{"model", model.name},
                  {"standing", standing},
                  {"base_position_m", Vector(state.X_WB.translation(), 1e-6)},
-                 {"base_rpy_deg", Vector(RpyOf(state.X_WB.linear()) * kDegPerRad, 1e-4)}};
+                 {"base_rpy_deg", Vector(RpyOf(state.X_WB.linear()).unaryExpr(&Degrees), 1e-4)}};
   Json joints = Json::object(), sensors = Json::object(), leds = Json::object();
   for (size_t i = 0; i < model.joints.size(); ++i) {
-    joints[model.joints[i].locator] = Rounded(state.joints[i].angle_rad * kDegPerRad, 1e-4);
+    joints[model.joints[i].locator] = Rounded(Degrees(state.joints[i].angle_rad), 1e-4);
   }
   for (size_t i = 0; i < model.sensors.size(); ++i) {
     if (model.sensors[i].kind == SensorKind::kJoint) continue;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "virtualrobot/body.h"
+#include "virtualrobot/det_math.h"
 #include "virtualrobot/model/robot_model.h"
 
 namespace openr_host {
@@ -11,7 +12,7 @@ namespace openr_host {
 class StandingMonitor {
  public:
   static constexpr double kHeightToleranceM = 0.010;
-  static constexpr double kAttitudeToleranceRad = 3 * 3.14159265358979 / 180;
+  static constexpr double kAttitudeToleranceRad = Radians(3);
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 

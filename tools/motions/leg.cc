@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "angles.h"
+
 namespace openr_host::motions {
 namespace {
 
@@ -36,7 +38,7 @@ LegAngles Leg::Reach(const LegPoint& target, const std::string& what) const {
   LegAngles angles;
   angles.j3_rad = std::acos(cosine) - (Direction(paw_) - Direction(knee_));
   const LegPoint bent = Paw({0, angles.j3_rad});
-  angles.j1_rad = std::remainder(Direction(target) - Direction(bent), 2 * M_PI);
+  angles.j1_rad = std::remainder(Direction(target) - Direction(bent), 2 * kPi);
   return angles;
 }
 

@@ -42,10 +42,10 @@ std::vector<KeyFrame> Stand(const Dog& dog) {
 std::vector<KeyFrame> Lie(const Dog& dog) {
   Stance low;
   low.height_mm = 88;
-  low.pitch_rad = 3 * kDeg;
+  low.pitch_rad = Radians(3);
   low.fore_mm = 95;
   low.hind_mm = -52;
-  low.tilt_rad = -20 * kDeg;
+  low.tilt_rad = Radians(-20);
   std::vector<KeyFrame> frames{dog.FrameOf("stand")};
   Go(dog, dog.PoseOf("stand"), dog.PoseOf(low, "lie"), 8, 11, "lie", &frames);
   GoStraight(dog.FrameOf("sleep"), 79, &frames);
@@ -56,11 +56,11 @@ std::vector<KeyFrame> Bow(const Dog& dog) {
   const Dog::Pose stand = dog.PoseOf("stand");
   Stance bowed = stand.stance;
   bowed.height_mm -= 22;
-  bowed.pitch_rad = -15 * kDeg;
+  bowed.pitch_rad = Radians(-15);
   bowed.fore_mm += 12;
-  bowed.tilt_rad = -15 * kDeg;
+  bowed.tilt_rad = Radians(-15);
   const Dog::Pose down = dog.PoseOf(bowed, "bow");
-  bowed.tilt_rad = -45 * kDeg;
+  bowed.tilt_rad = Radians(-45);
   const Dog::Pose nod = dog.PoseOf(bowed, "bow");
   std::vector<KeyFrame> frames{stand.frame};
   Go(dog, stand, down, 8, 9, "bow", &frames);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "angles.h"
+
 namespace openr_host::motions {
 namespace {
 
@@ -19,7 +21,7 @@ PawOffset PawAt(const Gait& gait, double phase, double size) {
   const double reach = gait.step_mm * gait.duty * size;  // of the body while the paw stands
   if (phase < gait.duty) return {reach * (0.5 - phase / gait.duty), 0};
   const double t = (phase - gait.duty) / (1 - gait.duty);
-  return {reach * (Smooth(t) - 0.5), gait.lift_mm * size * std::sin(M_PI * t) * std::sin(M_PI * t)};
+  return {reach * (Smooth(t) - 0.5), gait.lift_mm * size * std::sin(kPi * t) * std::sin(kPi * t)};
 }
 
 PawOffsets PawsAt(const Gait& gait, double phase, double size) {
