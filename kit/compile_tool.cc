@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <sstream>
 
+#include "cli/process.h"
 #include "kit/compile_command.h"
 #include "kit/kit_log.h"
-#include "kit/process.h"
 #include "kit/sdk_tools.h"
 #include "kit/source_copies.h"
 #include "kit/source_repair.h"

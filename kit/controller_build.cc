@@ -10,9 +10,9 @@
 
 #include "cli/exit_code.h"
 #include "cli/output_file.h"
+#include "cli/process.h"
 #include "kit/controller_main.h"
 #include "kit/controller_sources.h"
-#include "kit/process.h"
 #include "kit/project.h"
 #include "kit/sdk_paths.h"
 #include "kit/sdk_tools.h"

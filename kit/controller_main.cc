@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "kit/sdk_tools.h"
 #include "kit/text_files.h"
 

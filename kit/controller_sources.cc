@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "kit/text_files.h"
 #include "runtime/base/temp_folder.h"
 #include "runtime/config/line_file.h"

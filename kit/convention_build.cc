@@ -7,10 +7,10 @@
 #include <regex>
 #include <set>
 
+#include "cli/process.h"
 #include "kit/image_match.h"
 #include "kit/kit_log.h"
 #include "kit/make_flags.h"
-#include "kit/process.h"
 #include "kit/sdk_paths.h"
 #include "kit/shell_words.h"
 #include "kit/text_files.h"

@@ -10,11 +10,11 @@
 #include <sstream>
 
 #include "cli/output_file.h"
+#include "cli/process.h"
 #include "kit/foreign_code.h"
 #include "kit/image_source.h"
 #include "kit/kit_log.h"
 #include "kit/link_command.h"
-#include "kit/process.h"
 #include "kit/sdk_tools.h"
 #include "runtime/base/read_file.h"
 #include "runtime/config/ocf.h"

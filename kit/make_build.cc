@@ -9,9 +9,9 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/process.h"
 #include "kit/kit_log.h"
 #include "kit/makefile_text.h"
-#include "kit/process.h"
 #include "kit/sdk_paths.h"
 #include "kit/text_files.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "cli/output_file.h"
-#include "kit/process.h"
+#include "cli/process.h"
 #include "kit/sdk_tools.h"
 #include "runtime/base/read_file.h"
 

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "kit/text_files.h"
 
 namespace openr_host {

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cli/process.h"
 #include "kit/foreign_code.h"
 #include "kit/makefile_text.h"
-#include "kit/process.h"
 #include "kit/project.h"
 #include "kit/referred_places.h"
 #include "kit/text_files.h"

@@ -8,18 +8,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cli/output_file.h"
+#include "cli/process_copy.h"
 #include "testing/control.h"
 #include "testing/story_teller.h"
 
 namespace openr::testing {
 namespace {
 
+using openr_host::WriteAll;
 using ::testing::TestPartResult;
 
 // One result on its way from a copy to its original.
@@ -29,16 +30,6 @@ struct ResultHeader {
   size_t file_size;
   size_t message_size;
 };
-
-void WriteAll(int pipe, const void* data, size_t size) {
-  const char* at = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t count = write(pipe, at, size);
-    if (count <= 0) return;  // the original is gone
-    at += count;
-    size -= static_cast<size_t>(count);
-  }
-}
 
 // Takes every result of a copy, also in the middle of an EXPECT_NONFATAL_FAILURE(), and sends
 // it at once, so that nothing is lost when the copy dies.
@@ -54,16 +45,17 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
-    WriteAll(pipe_, &header, sizeof header);
-    WriteAll(pipe_, file.data(), file.size());
-    WriteAll(pipe_, message.data(), message.size());
+    // An error means that the original is gone; then the results are of no use.
+    WriteAll(pipe_, {reinterpret_cast<const char*>(&header), sizeof header});
+    WriteAll(pipe_, file);
+    WriteAll(pipe_, message);
   }
 
  private:
   const int pipe_;
 };
 
-[[noreturn]] void LiveAsCopy(const std::function<void()>& body, int pipe) {
+void LiveAsCopy(const std::function<void()>& body, int pipe) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // not longer than its original
   const ResultSender sender(pipe);
   try {
@@ -73,16 +65,6 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
   } catch (...) {
     ADD_FAILURE() << "uncaught exception of unknown type";
   }
-  std::fflush(nullptr);
-  _exit(0);
-}
-
-std::string ReadAll(int pipe) {
-  std::string bytes;
-  char buffer[4096];
-  for (ssize_t count = 0; (count = read(pipe, buffer, sizeof buffer)) > 0;)
-    bytes.append(buffer, static_cast<size_t>(count));
-  return bytes;
 }
 
 // The results of a copy become results here.
@@ -115,20 +97,11 @@ void RunInCopy(const std::function<void()>& body, const Place& place) {
     Fail(place, fmt::format("This process has {} threads; only one can be copied", threads));
     return;
   }
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a copy of this process");
-  std::fflush(nullptr);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("this process cannot be copied: fork failed");
-  if (child == 0) {
-    close(ends[0]);
-    LiveAsCopy(body, ends[1]);
-  }
-  close(ends[1]);
-  const std::string results = ReadAll(ends[0]);
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
+  const openr_host::ProcessCopy copy =
+      openr_host::StartCopy([&body](int pipe) { LiveAsCopy(body, pipe); });
+  const std::string results = openr_host::ReadToEnd(copy.answers);
+  close(copy.answers);
+  const int status = openr_host::WaitForEnd(copy.pid);
   AddResults(results);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) Fail(place, DescribeEnd(status));
 }

@@ -9,9 +9,9 @@
 
 #include "cli/console.h"
 #include "cli/exit_code.h"
-#include "cli/filter_process.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/process.h"
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
@@ -35,7 +35,8 @@ std::string Rendered(const GraphView& graph, const std::string& format) {
   if (format == "json") return JsonText(GraphToJson(graph), 2) + "\n";
   const std::string dot = GraphToDot(graph);
   if (format == "dot") return dot;
-  if (const std::optional<std::string> svg = Filter({"dot", "-Tsvg"}, dot)) return *svg;
+  const ProcessResult svg = RunProcess({"dot", "-Tsvg"}, {.captures_out = true, .input = dot});
+  if (svg.good()) return svg.output;
   throw std::runtime_error("--format svg needs the program 'dot' (Debian package graphviz)");
 }
 

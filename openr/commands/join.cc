@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/process_copy.h"
 #include "distribution/process_slot.h"
 #include "distribution/worker.h"
 #include "openr/commands/commands.h"
@@ -196,9 +197,7 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   if (*child == 0) exit(JoinHere(flags, is_known));
   g_child = *child;
   if (g_ended_by != 0) kill(*child, SIGTERM);  // the signal came before g_child was set
-  int status = 0;
-  while (waitpid(*child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = WaitForEnd(*child);
   g_child = 0;
   return status;
 }

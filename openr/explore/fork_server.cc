@@ -1,6 +1,5 @@
 #include "openr/explore/fork_server.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
@@ -8,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -18,6 +18,7 @@
 
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/process_copy.h"
 #include "openr/ending/crash_log.h"
 #include "openr/ending/last_words.h"
 #include "openr/ending/watchdog.h"
@@ -40,13 +41,6 @@ bool ReadAll(int descriptor, int wall_s, std::string* text) {
     if (size <= 0) return true;
     text->append(buffer, static_cast<size_t>(size));
   }
-}
-
-int WaitFor(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
 }
 
 }  // namespace
@@ -103,26 +97,17 @@ void ForkServer::RunInCopy(const Json& plan, int answer) {
   }
   WriteAll(answer, JsonText(result));
   std::fflush(nullptr);
-  _exit(0);
+  _exit(0);  // without the destructors of the objects above, which only cost time here
 }
 
 Json ForkServer::Run(const Json& plan) {
-  int channel[2];
-  if (pipe2(channel, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to a copy of the process");
-  std::fflush(nullptr);
   log_->count = 0;
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
-  if (child == 0) {
-    close(channel[0]);
-    RunInCopy(plan, channel[1]);
-  }
-  close(channel[1]);
+  const ProcessCopy copy = StartCopy([&](int answer) { RunInCopy(plan, answer); });
   std::string said;
-  const bool ended = ReadAll(channel[0], limits_.wall_s, &said);
-  close(channel[0]);
-  if (!ended) kill(child, SIGKILL);
-  const int status = WaitFor(child);
+  const bool ended = ReadAll(copy.answers, limits_.wall_s, &said);
+  close(copy.answers);
+  if (!ended) kill(copy.pid, SIGKILL);
+  const int status = WaitForEnd(copy.pid);
   if (!ended) {
     return Broken(plan, kHandlersReturn,
                   fmt::format("the run did not end within {} s of real time", limits_.wall_s));

@@ -6,7 +6,6 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include <utility>
 
 #include "cli/json_text.h"
+#include "cli/process_copy.h"
 #include "runtime/core/address_plan.h"
 
 namespace openr_host {
@@ -151,10 +151,7 @@ WorkerPool::WorkerPool(const PrepareRun& prepare_run, const RunOptions& options,
 
 WorkerPool::~WorkerPool() {
   for (const Worker& worker : workers_) close(worker.channel);
-  for (const Worker& worker : workers_) {
-    while (waitpid(worker.pid, nullptr, 0) < 0 && errno == EINTR) {
-    }
-  }
+  for (const Worker& worker : workers_) WaitForEnd(worker.pid);
 }
 
 void WorkerPool::Start(const Job& job) {

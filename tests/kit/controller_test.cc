@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {

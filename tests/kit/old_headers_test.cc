@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {

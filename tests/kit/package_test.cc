@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "kit/process.h"
+#include "cli/process.h"
 #include "tests/kit/kit_folder.h"
 
 namespace openr_host {
