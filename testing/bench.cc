@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "cli/install_paths.h"
+#include "openr/simulation/robot_parts.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/service_name.h"
@@ -91,10 +92,7 @@ Bench::Bench(BenchOptions options, Place place)
   system_->set_schedule(&schedule_);
   system_->set_gate(&doors_);
   system_->trace().AddSink([this](const TraceRecord&, const Message& message) { See(message); });
-  system_->AddRobot(model_->design, stick_);
-  AddBody();
-  ip_stack_ =
-      openr_host::AddIpStack(system_.get(), 0, std::make_unique<openr_host::LoopbackNetwork>(hub_));
+  AddDog();
   if (!options_.stick.empty()) LoadStick();
 }
 
@@ -111,20 +109,20 @@ void Bench::OnCopied() {
   story_teller_->OnCopied();
 }
 
-void Bench::AddBody() {
-  if (options_.body == "none") return;
-  std::unique_ptr<openr_host::Body> body;
-  if (options_.body == "ode") body = openr_host::MakeOdeBody(*model_, *world_);
-  if (options_.body == "ideal") body = openr_host::MakeIdealBody(*model_, *world_);
-  if (body == nullptr) {
+void Bench::AddDog() {
+  openr_host::RobotParts parts;
+  parts.stick = stick_;
+  parts.body = openr_host::MakeBody(options_.body, *model_, *world_);
+  if (parts.body == nullptr && options_.body != "none") {
     throw std::runtime_error(
         fmt::format("no body '{}'; there are: none, ideal, ode", options_.body));
   }
-  openr_host::VirtualRobotOptions devices;
-  const std::string problem = openr_host::ParseBattery(options_.battery, &devices.battery);
-  if (!problem.empty()) throw std::runtime_error("battery: " + problem);
-  dog_ =
-      openr_host::AddVirtualRobot(system_.get(), 0, *model_, std::move(body), std::move(devices));
+  if (parts.body != nullptr) parts.devices = openr_host::DevicesWithBattery(options_.battery);
+  parts.make_network = [this](int) { return std::make_unique<openr_host::LoopbackNetwork>(hub_); };
+  const openr_host::AssembledRobot robot =
+      openr_host::AssembleRobot(system_.get(), *model_, std::move(parts));
+  dog_ = robot.virtual_robot;
+  ip_stack_ = robot.ip_stack;
 }
 
 void Bench::LoadStick() {

@@ -292,7 +292,7 @@ class Bench {
     uint32_t selector;  // of its Ready or Notify entry
   };
 
-  void AddBody();
+  void AddDog();
   void LoadStick();
   std::vector<std::string> ServicesOf(const std::string& object);
   // Full names of all services that objects of the bench say they have.

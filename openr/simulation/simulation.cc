@@ -14,6 +14,7 @@
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/pacing.h"
+#include "openr/simulation/robot_parts.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/configured_cost.h"
 #include "runtime/gateway/tcp_gateway.h"
@@ -51,18 +52,16 @@ std::unique_ptr<System> MakeSystem(const SimulationOptions& options,
   return std::make_unique<System>(std::move(system_options));
 }
 
-std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
-                               const World& world) {
-  if (kind == "ode") return MakeOdeBody(model, world);
-  if (kind == "ideal") return MakeIdealBody(model, world);
-  throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
+std::unique_ptr<Body> BodyOf(const std::string& kind, const RobotModel& model, const World& world) {
+  std::unique_ptr<Body> body = MakeBody(kind, model, world);
+  if (body == nullptr)
+    throw std::runtime_error(fmt::format("no body '{}'; there are: ode, ideal", kind));
+  return body;
 }
 
 // The options of a robot's devices.  Files for sound and pictures are for the first robot only.
 VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
-  VirtualRobotOptions devices;
-  const std::string problem = ParseBattery(options.battery, &devices.battery);
-  if (!problem.empty()) throw std::runtime_error("battery: " + problem);
+  VirtualRobotOptions devices = DevicesWithBattery(options.battery);
   if (!is_first) return devices;
   if (!options.speaker.empty()) devices.speaker = OpenSpeakerFile(options.speaker);
   if (!options.microphone.empty())
@@ -102,11 +101,18 @@ Simulation::~Simulation() = default;
 void Simulation::AddRobot(const SimulationOptions& options, int index) {
   auto stick = std::make_shared<FolderStick>(stick_);
   stick->set_writable(options.writable_stick && options.robots == 1);
-  const std::vector<AddressPair> addresses = AddressesOf(options, stick.get(), index);
-  const int robot = system_->AddRobot(model_.design, std::move(stick));
-  robots_.push_back(AddVirtualRobot(system_.get(), robot, model_,
-                                    MakeBody(options.body, model_, world_),
-                                    DevicesOf(options, index == 0)));
+  RobotParts parts;
+  parts.ip_stack.addresses = AddressesOf(options, stick.get(), index);
+  parts.stick = std::move(stick);
+  parts.body = BodyOf(options.body, model_, world_);
+  parts.devices = DevicesOf(options, index == 0);
+  parts.make_network = [&options, index, addresses = parts.ip_stack.addresses](int robot) {
+    auto network = options.host_network
+                       ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
+                       : MakeLonelyNetwork();
+    return options.network_filter ? options.network_filter(robot, std::move(network))
+                                  : std::move(network);
+  };
   if (index == 0) NoteALowBattery(options.battery);
   auto network = options.host_network
                      ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)

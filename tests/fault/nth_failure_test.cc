@@ -28,9 +28,11 @@ class GraphRun {
   explicit GraphRun(std::shared_ptr<MemoryStick> stick)
       : model_(LoadRobotModel(ModelFile("ers210"))),
         system_({.console = [this](std::string_view text) { console_ += text; }}) {
-    system_.AddRobot(model_.design, std::move(stick));
-    AddVirtualRobot(&system_, 0, model_, MakeIdealBody(model_, World()));
-    AddIpStack(&system_, 0, MakeLonelyNetwork());
+    RobotParts parts;
+    parts.stick = std::move(stick);
+    parts.body = MakeIdealBody(model_, World());
+    parts.make_network = [](int) { return MakeLonelyNetwork(); };
+    AssembleRobot(&system_, model_, std::move(parts));
   }
 
   MemoryBudget& memory() { return system_.robot(0).memory; }

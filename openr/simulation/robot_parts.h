@@ -1,0 +1,45 @@
+// Assembles one simulated robot, in the same way for runs and for tests.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "runtime/ipstack/ip_stack.h"
+#include "runtime/stick/memory_stick.h"
+#include "virtualrobot/body.h"
+#include "virtualrobot/virtual_robot.h"
+#include "virtualrobot/world.h"
+
+namespace openr_host {
+
+class System;
+
+// Returns the body that `kind` names: "ode" or "ideal"; null for any other name.
+std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
+                               const World& world);
+
+// Returns devices with the battery that `battery` describes and no files for sound and pictures.
+// Throws std::runtime_error if it describes none; see ParseBattery().
+VirtualRobotOptions DevicesWithBattery(const std::string& battery);
+
+struct RobotParts {
+  std::shared_ptr<MemoryStick> stick;  // null: none
+  std::unique_ptr<Body> body;          // null: the robot has no body and no OVirtualRobotComm
+  VirtualRobotOptions devices;
+  // Makes the network of the robot with the number `robot`.
+  std::function<std::unique_ptr<Network>(int robot)> make_network;
+  IpStackOptions ip_stack;
+};
+
+struct AssembledRobot {
+  int number = 0;                    // of the robot in the System
+  VirtualRobot* virtual_robot = {};  // null without a body
+  IpStack* ip_stack = {};
+};
+
+// Adds a robot with these parts to `system`.  The objects of its stick are not loaded yet.
+// `model` must outlive the system.
+AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotParts parts);
+
+}  // namespace openr_host
