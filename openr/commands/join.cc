@@ -61,20 +61,20 @@ volatile sig_atomic_t g_child = 0;     // child of JoinAgainAndAgain()
 
 // Handles SIGINT, SIGTERM and SIGHUP.  After the first signal the worker ends after its handler and
 // tells the run, and so does a child; after the second a child ends at once.
-void NoteTheEnd(int signal) {
+void OnEndSignal(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
   if (g_ended_by == 0) g_ended_by = signal;
 }
 
-// Installs NoteTheEnd().  Signals that the starter of this process has set to be ignored stay
+// Installs OnEndSignal().  Signals that the starter of this process has set to be ignored stay
 // ignored.
-void CatchTheEnd(int flags) {
+void HandleEndSignals(int flags) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
-    action.sa_handler = &NoteTheEnd;
+    action.sa_handler = &OnEndSignal;
     // The handler runs on the alternate stack, because an object may have used up its own.
     action.sa_flags = SA_ONSTACK | flags;
     sigemptyset(&action.sa_mask);
@@ -146,7 +146,7 @@ int Join(JoinFlags flags, bool is_known = false) {
   if (flags.parent != 0) {
     BecomeChild(flags.parent);
   } else {
-    CatchTheEnd(static_cast<int>(SA_RESETHAND));
+    HandleEndSignals(static_cast<int>(SA_RESETHAND));
     flags.worker.is_ended = [] { return g_ended_by != 0; };
   }
   std::optional<CrashLog> crash_log;
@@ -208,7 +208,7 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
 // wrong.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
-  CatchTheEnd(0);
+  HandleEndSignals(0);
   bool is_offline = false;
   for (bool is_first = true;; is_first = false) {
     pid_t child = 0;

@@ -107,7 +107,7 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
 
 // Arithmetic that is only to be reported: notes where it is, for ImageObject, and lets the
 // instruction run again as usual.  False when the object has to stop.
-bool GoesOn(const siginfo_t& info, void* context) {
+bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);
   if (kind == 0 || t_current.object == nullptr) return false;
@@ -172,7 +172,7 @@ class RecordFile {
 };
 
 // Writes what happened first, because the stack, which follows, may be too damaged to be walked.
-void WriteRecord(Ending* ending, const void* context, int robot) {
+void WriteRecordInSignal(Ending* ending, const void* context, int robot) {
   const std::string* const name = FileOf(robot);
   RecordFile file(name);
   const auto write = [&file](const SignalText& text) {
@@ -190,8 +190,9 @@ void WriteRecord(Ending* ending, const void* context, int robot) {
     ending->finding.Add("; record: ").Add(*name).Add(**g_place);
 }
 
-void Crashed(int signal, siginfo_t* info, void* context) {
-  if (signal == SIGFPE && GoesOn(*info, context)) return;
+// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL.
+void OnCrashSignal(int signal, siginfo_t* info, void* context) {
+  if (signal == SIGFPE && GoesOnInSignal(*info, context)) return;
   Ending ending;
   SignalText& text = ending.record;
   SignalText name;
@@ -219,7 +220,7 @@ void Crashed(int signal, siginfo_t* info, void* context) {
   }
   const int robot = t_current.object->robot;
   BeginEnding(&ending);
-  WriteRecord(&ending, context, robot);
+  WriteRecordInSignal(&ending, context, robot);
   ending.finding.Add("; on the robot this stops all objects");
   FinishEnding();
 }
@@ -242,7 +243,7 @@ CrashLog::CrashLog(std::vector<std::string> files, bool adds,
   if constexpr (OPENR_ASAN) return;
   UseAlternateStack(true);
   struct sigaction action {};
-  action.sa_sigaction = &Crashed;
+  action.sa_sigaction = &OnCrashSignal;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (const int signal : kCrashSignals) sigaction(signal, &action, nullptr);

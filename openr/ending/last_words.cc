@@ -16,20 +16,20 @@
 namespace openr_host {
 namespace {
 
-// Whoever says last words has this long; it takes some milliseconds.
+// Time limit for all last words together; they take some milliseconds.
 constexpr unsigned kWordsMaxS = 10;
 
-// What tells that something went wrong while they were said.
+// Signals that show that last words failed (SIGALRM: that they took too long).
 constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
 LastWords* g_newest = nullptr;
 Ending* g_ending = nullptr;
 Current g_current;          // of the object's handler
-bool g_is_awaited = false;  // by a LastAnswer
+bool g_is_awaited = false;  // a LastAnswer exists
 int g_answer = -1;
 std::optional<PreparedFile> g_answer_file;  // nothing is allocated at the end of a run
 
-void AnswerWithTheEnding(const Ending& ending) {
+void AnswerInSignal(const Ending& ending) {
   if (g_is_awaited) {
     SignalText last;
     last.Add("ended by ").Add(EndName(ending.kind)).Add(": ");
@@ -47,9 +47,10 @@ void AnswerWithTheEnding(const Ending& ending) {
   g_answer_file->Close();
 }
 
-void GiveUp(int) {
+// Handles a signal that comes while last words are said: gives the answer, without them, and ends.
+void OnSignalDuringEnding(int) {
   const Ending* const ending = std::exchange(g_ending, nullptr);
-  if (ending != nullptr) AnswerWithTheEnding(*ending);
+  if (ending != nullptr) AnswerInSignal(*ending);
   _exit(kExitWrong);
 }
 
@@ -87,7 +88,7 @@ void BeginEnding(Ending* ending) {
   g_current = std::exchange(t_current, {});
   ending->object = g_current.object;
   struct sigaction action {};
-  action.sa_handler = &GiveUp;
+  action.sa_handler = &OnSignalDuringEnding;
   action.sa_flags = SA_ONSTACK;
   sigset_t signals;
   sigemptyset(&signals);
@@ -103,7 +104,7 @@ void BeginEnding(Ending* ending) {
 void FinishEnding() {
   Ending* const ending = g_ending;
   SayLastWords(ending);
-  AnswerWithTheEnding(*ending);
+  AnswerInSignal(*ending);
   _exit(kExitWrong);
 }
 

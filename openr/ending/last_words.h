@@ -1,9 +1,7 @@
-// What is still to be done when an object brings the process down: by a crash, or by a handler that
-// does not return.
+// Ends the process after a crash of an object, or after a handler that does not return.
 //
-// It is done in a signal handler, on top of the object's handler.  Nothing of the program is in the
-// middle of anything then, but for what the object had just called.  So most is done as
-// always; should that fail, or hang, the process says the rest with what a signal handler may do.
+// All of this runs in a signal handler.  docs/endings.md names every function that does, and says
+// which of them call what a signal handler may not call, and why that is safe here.
 #pragma once
 
 #include <functional>
@@ -19,15 +17,16 @@ class Object;
 // How the process comes to its end.
 struct Ending {
   EndKind kind = EndKind::kCrash;
-  SignalText record;         // for people, in lines
-  SignalText finding;        // one sentence, for the report
-  Object* object = nullptr;  // whose handler it is
-  bool answered = false;     // the answer is given: see LastAnswer
+  SignalText record;         // lines for a person to read
+  SignalText finding;        // one sentence for the report
+  Object* object = nullptr;  // the object that ran; null if none did
+  bool answered = false;     // a LastWords has written the answer; see LastAnswer
 };
 
 RunEnd EndOf(const Ending& ending);
 
-// While it lives: CrashLog and Watchdog call `say` before they end the process.
+// Registers the function `say` while it exists: CrashLog and Watchdog call it, in a signal handler,
+// before they end the process.  `say` may add to the ending's texts.
 class LastWords {
  public:
   explicit LastWords(std::function<void(Ending* ending)> say);
@@ -37,28 +36,29 @@ class LastWords {
 
  private:
   const std::function<void(Ending* ending)> say_;
-  LastWords* const outer_;  // says it afterwards
+  LastWords* const outer_;  // registered before this one, and called after it
 
   friend void SayLastWords(Ending* ending);
 };
 
-// All of them, the newest first; once.
+// Calls all registered functions, the newest first.  A second call does nothing.
 void SayLastWords(Ending* ending);
 
-// While it lives: somebody waits for the end of a run.  The last line on standard error says what
-// ended it.  When an answer in JSON is due and no LastWords has given it, {"error", "ended_by",
-// "findings"} goes there.  One at a time.
+// While it exists, a run that ends early says on the last line of standard error what ended it.  If
+// an answer in JSON is due and no LastWords has written it, {"error", "ended_by", "findings"} is
+// written.  Only one may exist at a time.
 class LastAnswer {
  public:
-  // `descriptor`: -1 for none; `file`: "" for none.
+  // The answer goes to `descriptor` (-1: none) and to `file` ("": none).
   explicit LastAnswer(int descriptor, const std::string& file = "");
   ~LastAnswer();
   LastAnswer(const LastAnswer&) = delete;
   LastAnswer& operator=(const LastAnswer&) = delete;
 };
 
-// The end of the process, in two steps of a signal handler.  The first one prints what objects have
-// printed so far; the second one says all last words and does not return.
+// End the process, in two steps of a signal handler.  BeginEnding() writes out what objects have
+// printed so far, and prepares for signals that come while the process ends.  FinishEnding() says
+// all last words, writes the answer, and does not return.
 void BeginEnding(Ending* ending);
 [[noreturn]] void FinishEnding();
 

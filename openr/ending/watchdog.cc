@@ -44,7 +44,8 @@ void EndTheHandler() {
   FinishEnding();
 }
 
-void Tick(int) {
+// Handles SIGVTALRM.
+void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =
       object == nullptr || object->handler.running == nullptr ? 0 : object->handler.running->number;
@@ -61,7 +62,7 @@ Watchdog::Watchdog(int64_t limit_us) {
   g_message = 0;
   g_seen = 0;
   struct sigaction action {};
-  action.sa_handler = &Tick;
+  action.sa_handler = &OnTickSignal;
   action.sa_flags = SA_ONSTACK | SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(kSignal, &action, nullptr);

@@ -10,7 +10,8 @@ namespace {
 
 volatile sig_atomic_t g_count = 0;
 
-void Count(int) {
+// Handles SIGINT, SIGTERM and SIGHUP.
+void OnInterruptSignal(int) {
   g_count = g_count + 1;
   if (g_count < 3) return;
   static constexpr char kText[] =
@@ -23,7 +24,7 @@ void Install(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
   // On the alternate stack: an object may be using up its own.
-  action.sa_flags = handler == &Count ? SA_ONSTACK : 0;
+  action.sa_flags = handler == &OnInterruptSignal ? SA_ONSTACK : 0;
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
@@ -39,9 +40,9 @@ bool IsIgnored(int signal) {
 InterruptCounter::InterruptCounter(HangUp hang_up)
     : hears_hang_up_(hang_up != HangUp::kEnds && !IsIgnored(SIGHUP)) {
   g_count = 0;
-  Install(SIGINT, &Count);
-  Install(SIGTERM, &Count);
-  if (hears_hang_up_) Install(SIGHUP, hang_up == HangUp::kCounts ? &Count : SIG_IGN);
+  Install(SIGINT, &OnInterruptSignal);
+  Install(SIGTERM, &OnInterruptSignal);
+  if (hears_hang_up_) Install(SIGHUP, hang_up == HangUp::kCounts ? &OnInterruptSignal : SIG_IGN);
 }
 
 InterruptCounter::~InterruptCounter() {
