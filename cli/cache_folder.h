@@ -1,11 +1,12 @@
-// Where the program keeps what it may need again.
+// The folder for files that the program can make again, such as the copy of the default stick.
 #pragma once
 
 #include <filesystem>
 
 namespace openr_host {
 
-// $XDG_CACHE_HOME/openr-host, ~/.cache/openr-host, or a temporary folder; it need not be there.
+// Returns $XDG_CACHE_HOME/openr-host, else ~/.cache/openr-host, else a temporary folder.  The
+// folder may not exist yet.
 std::filesystem::path CacheFolder();
 
 }  // namespace openr_host

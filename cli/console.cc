@@ -14,13 +14,13 @@
 namespace openr_host {
 namespace {
 
-// Whether what was printed last through the system had no end of line.
+// True if the last text that was printed through the system did not end its line.
 bool g_is_open_line = false;
 
-// Why the console cannot be written any more, as an errno; 0 while it can.
+// The errno of the first failed write to the console; 0: none failed.
 int g_error = 0;
 
-// Sends the prints of objects nowhere from now on, so that no object sees an error of this host.
+// Makes the console lead to /dev/null, so that no object sees an error of this host.
 void LoseConsole(int error) {
   if (std::exchange(g_error, error) != 0) return;
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -36,11 +36,11 @@ void WriteConsole(std::string_view text) {
   if (error != 0) LoseConsole(error);
 }
 
-// Writes out the C library's buffer, where prints of objects wait until their line ends.
+// Writes out the buffer of the C library, where prints of objects wait until their line ends.
 void FlushConsole() {
   errno = 0;
   const bool is_flushed = std::fflush(stdout) == 0;
-  const int error = errno != 0 ? errno : EIO;  // ferror() may change it
+  const int error = errno != 0 ? errno : EIO;  // read before ferror(), which may change it
   if (!is_flushed || std::ferror(stdout) != 0) LoseConsole(error);
 }
 
@@ -56,7 +56,7 @@ Console::Console(const std::string& file) : file_(file) {
   SetStandardOutput(saved_);
   dup2(target, STDOUT_FILENO);
   if (!file.empty()) close(target);
-  // Lines of objects and of the system come in the order they were written.
+  // With line buffering, the lines of objects and of the system come in the order of writing.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
 }
 

@@ -1,4 +1,4 @@
-// The console: what objects print, kept apart from what the program answers.
+// The console: the text that objects print, kept apart from the answer of the program.
 #pragma once
 
 #include <cstdio>
@@ -7,32 +7,33 @@
 
 namespace openr_host {
 
-// While it lives, descriptor 1 of the process is the console (standard error, or a file), so that
-// whatever objects write there does not mix with the answer, which goes to StandardOutput().  A
-// console that cannot be written any more takes what objects print all the same: it is lost.  One
-// at a time.
+// While a Console exists, descriptor 1 of the process leads to the console (standard error, or a
+// file), so that text that objects write there does not mix with the answer, which goes to
+// StandardOutput().  If the console cannot be written any more, the text of objects is lost, and
+// the objects see no error.  Only one Console may exist at a time.
 class Console {
  public:
-  // `file` empty: standard error.  Throws std::runtime_error when it cannot be opened or another
-  // run writes it.
+  // Opens `file`, or uses standard error if `file` is empty.  Throws std::runtime_error when the
+  // file cannot be opened or another run writes to it.
   explicit Console(const std::string& file);
-  ~Console();  // descriptor 1 is what it was
+  ~Console();  // makes descriptor 1 what it was before
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  // What objects print through the system.
+  // Writes text that an object prints through the system.
   void Print(std::string_view text);
 
-  // "FILE: cannot be written: why" when not all of it could be; "", as always for standard error.
+  // Returns "FILE: cannot be written: why" if some text was lost; "" otherwise, and always for
+  // standard error.
   std::string Problem() const;
 
  private:
   const std::string file_;
-  int saved_ = -1;  // the former descriptor 1
+  int saved_ = -1;  // copy of the descriptor 1 of before
 };
 
-// What objects print goes out at once, a line that is not ended with an end of its own: something
-// else is about to be said.
+// Writes out what objects have printed, and ends a line that they have left open, because the
+// program is about to print a line of its own.
 void EndConsoleLine();
 
 }  // namespace openr_host

@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// `count` and the noun, with an s unless there is one.
+// Returns `count` and the noun, with an s unless `count` is 1.
 inline std::string Counted(uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

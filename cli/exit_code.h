@@ -1,4 +1,4 @@
-// How commands end.
+// Exit codes of the commands.
 #pragma once
 
 namespace openr_host {

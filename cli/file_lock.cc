@@ -7,9 +7,9 @@
 
 namespace openr_host {
 
-// A line of /proc/locks: "3: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF", with the process and,
-// behind the device, the inode.  The device of a file in a container is not the one shown there, so
-// the inode has to do.
+// A line of /proc/locks is "3: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF": it has the process
+// and, after the device, the inode.  In a container, stat() gives another device than this line, so
+// only the inodes are compared.
 std::string DescribeWriter(const struct stat& file) {
   const std::string inode = fmt::format(":{}", file.st_ino);
   std::ifstream locks("/proc/locks");

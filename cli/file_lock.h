@@ -1,4 +1,4 @@
-// The lock on a file that grows while a run lasts.
+// The lock on a file that grows while a run writes it.
 #pragma once
 
 #include <sys/stat.h>
@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// "process 1234 (openr)" of the one that holds the lock (flock) on the file with this status;
-// "another process" when the system does not say.
+// Returns "process 1234 (openr)" for the process that holds the lock (flock) on the file with the
+// status `file`; "another process" when the system does not say which.
 std::string DescribeWriter(const struct stat& file);
 
 }  // namespace openr_host

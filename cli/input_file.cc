@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// ", such as DIR/A.MTN": the first file of the folder in the order of names; "" if there is none.
+// Returns ", such as DIR/A.MTN" for the first file of the folder in the order of names; "" if there
+// is none.
 std::string ExampleIn(const std::string& folder, const std::string& extension) {
   std::error_code error;
   std::string example;

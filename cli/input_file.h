@@ -1,17 +1,19 @@
-// Files a command is to read.
+// Checks that files and folders named on a command line can be read.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// The reason why the file `path` cannot be read, or "": "No such file or directory" as the system
-// gives it, or "is a folder; give a motion file" (the `kind`), with a file in the folder that ends
-// in `extension` (".MTN", in any case) as an example if there is one.
+// Returns the reason why the file `path` cannot be read, or "".  The reason is the system's, such
+// as "No such file or directory", or "is a folder; give a motion file" with the `kind` of file.  If
+// the folder has a file that ends in `extension` (".MTN", in any case), the text names that file as
+// an example.
 std::string WhyNotReadable(const std::string& path, const std::string& kind,
                            const std::string& extension);
 
-// The same for a folder: "is a file; give a folder of pictures" (the `kind`) when it is none.
+// Returns the same for a folder: "is a file; give a folder of pictures" (the `kind`) when `path` is
+// no folder.
 std::string WhyNoReadableFolder(const std::string& path, const std::string& kind);
 
 // The kinds and extensions of files that several commands read.

@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The prefix: bin/openr lies below it both when built and when installed.
+// Returns the folder that holds bin/openr, in the build tree and after installing.
 fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 
-// The same of the runtime that was loaded: where a test with a folder of its own finds what was
-// installed.
+// Returns the same folder for the runtime library that was loaded.  A test program lies in a folder
+// of its own, so it finds installed files this way.
 fs::path RuntimePrefix() {
   Dl_info info{};
   if (dladdr(dlsym(RTLD_DEFAULT, "openr_second_stack_new"), &info) == 0) return Prefix();

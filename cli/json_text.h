@@ -1,4 +1,4 @@
-// JSON as text.  What objects, sticks and people say goes into it, and that need not be UTF-8.
+// Writes JSON as text.  Its strings come from objects, sticks and people, so they may not be UTF-8.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,7 +6,8 @@
 
 namespace openr_host {
 
-// Bytes that are no UTF-8 become U+FFFD.  `indent` -1: on one line.
+// Returns the text of `json`.  Bytes that are not UTF-8 become U+FFFD.  With `indent` -1 the text
+// is one line.
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -28,18 +28,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kLinksMax = 40;            // as many as the kernel follows
-constexpr int kTemporaryNamesMax = 100;  // of one process in one folder
+constexpr int kLinksMax = 40;            // the limit of the kernel
+constexpr int kTemporaryNamesMax = 100;  // tries for a free name in a folder
 
 // The stream or file that a name leads to.
 struct Target {
-  int stream = -1;   // an open stream of this process; -1: a file
-  std::string path;  // of the file, without links at its end
+  int stream = -1;   // open stream of this process; -1: a file
+  std::string path;  // path of the file, without links at its end
   bool exists = false;
-  struct stat status {};  // if it exists
+  struct stat status {};  // set if `exists`
 };
 
-// The descriptor that /dev/fd/N and /proc/self/fd/N name; -1 for other names.
+// Returns the descriptor N of /dev/fd/N and /proc/self/fd/N; -1 for other names.
 int StreamCalled(const fs::path& path) {
   const std::string name = path.filename();
   const bool is_number =
@@ -69,7 +69,7 @@ Target TargetOf(const std::string& file) {
   return target;
 }
 
-// Whether a new file may take the place of the one that is there.
+// Returns whether the file is replaced by a new one, rather than written in place.
 bool IsReplaced(const Target& target) {
   return !target.exists || (S_ISREG(target.status.st_mode) && target.status.st_nlink == 1);
 }
@@ -78,12 +78,13 @@ std::string TemporaryName(const fs::path& beside, int number) {
   return beside.parent_path() / fmt::format(".openr-host-{}-{}.tmp", getpid(), number);
 }
 
-// Errors of replacing a file that can still be written in place.
+// Returns whether `error`, from replacing a file, still allows to write the file in place.
 bool MayBeInPlace(int error) {
   return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
 }
 
-// Makes `descriptor`, of a new file, like the file that it replaces; an errno.
+// Gives the new file `descriptor` the owner and mode of the file that it replaces.  Returns an
+// errno, or 0.
 int TakeOver(int descriptor, const struct stat& old) {
   struct stat now;
   if (fstat(descriptor, &now) != 0) return errno;
@@ -92,7 +93,8 @@ int TakeOver(int descriptor, const struct stat& old) {
   return fchmod(descriptor, old.st_mode & 07777) == 0 ? 0 : errno;
 }
 
-// The file that is to take the place of `target`, with the bytes in it; an errno, and no file then.
+// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns an errno, and
+// leaves no file then, or 0.
 int WriteBeside(const Target& target, std::string_view bytes, std::string* name) {
   int descriptor = -1;
   for (int i = 0; descriptor < 0 && i < kTemporaryNamesMax; ++i) {
@@ -108,7 +110,8 @@ int WriteBeside(const Target& target, std::string_view bytes, std::string* name)
   return error;
 }
 
-// Finds out, where that can be, before the old content of a file is touched; an errno.
+// Returns an errno if there is no room for `size` bytes, as far as the system can tell before the
+// old content is touched; otherwise 0.
 int WhyNoRoom(int descriptor, size_t size) {
   rlimit limit;
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && size > limit.rlim_cur) return EFBIG;
@@ -116,7 +119,7 @@ int WhyNoRoom(int descriptor, size_t size) {
   return errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? errno : 0;
 }
 
-// A device, a pipe, or a file that cannot be replaced; an errno.
+// Writes a device, a pipe, or a file that cannot be replaced.  Returns an errno, or 0.
 int WriteInPlace(const Target& target, std::string_view bytes) {
   const bool is_file = target.exists && S_ISREG(target.status.st_mode);
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
@@ -151,7 +154,7 @@ std::string WhyNotWritable(const std::string& file) {
     if (S_ISDIR(target.status.st_mode)) return fmt::format("{}: is a folder; name a file", file);
     return access(target.path.c_str(), W_OK) == 0 ? "" : WhyNotWritten(file, errno);
   }
-  // Only making it tells for sure.
+  // The file is created for a moment, because only that shows whether it can be.
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return WhyNotWritten(file, errno);
   close(descriptor);
@@ -164,7 +167,8 @@ bool IsStandardOutput(const std::string& file) { return TargetOf(file).stream ==
 std::string WhyNoFolder(const std::string& folder) {
   if (folder.empty()) return "'' names no folder";
   std::error_code error;
-  fs::path there = fs::absolute(folder, error).lexically_normal();  // what there is of it
+  fs::path there =
+      fs::absolute(folder, error).lexically_normal();  // the longest part of the path that exists
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error)) {
     return fs::equivalent(there, folder, error)
@@ -174,7 +178,8 @@ std::string WhyNoFolder(const std::string& folder) {
   }
   if (access(there.c_str(), W_OK | X_OK) != 0)
     return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
-  // Only making something there tells for sure: /proc lets root write, and has no folders made.
+  // A folder is created for a moment, because only that shows whether it can be: /proc lets root
+  // write, but creates no folder.
   const std::string probe = TemporaryName(there / "", 0);
   if (mkdir(probe.c_str(), 0700) != 0 && errno != EEXIST) {
     return fmt::format("{}: nothing can be made in {}: {}; name another folder", folder,
@@ -224,8 +229,9 @@ std::string IsBeingWritten(const std::string& file, const struct stat& status) {
                      DescribeWriter(status));
 }
 
-// Why `target` must not be replaced although it can be: a run writes its recording or console
-// there, and would go on into a file without a name.  "" when nobody does.
+// Returns the reason why `target` must not be replaced now, or "".  While a run writes its
+// recording or console there, a replaced file would lose its name, and the run would write into a
+// file that no one can open.
 std::string WhyLocked(const std::string& file, const Target& target) {
   if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
   const int descriptor = open(target.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
@@ -309,7 +315,7 @@ int OpenGrowingFile(const std::string& file, std::string* problem) {
     return -1;
   }
   if (target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
-  // A file system without locks is no reason not to write.
+  // If the file system has no locks, the file is written all the same.
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     *problem = IsBeingWritten(file, status);
   } else if (ftruncate(descriptor, 0) != 0) {
@@ -326,7 +332,7 @@ int WriteAll(int descriptor, std::string_view text) {
     const ssize_t written = write(descriptor, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(static_cast<size_t>(written));
-    } else if (errno == EAGAIN) {  // somebody has made the terminal or pipe one that does not wait
+    } else if (errno == EAGAIN) {  // another process has made the stream non-blocking
       pollfd ready = {descriptor, POLLOUT, 0};
       poll(&ready, 1, -1);
     } else if (errno != EINTR) {
@@ -350,7 +356,8 @@ PreparedFile::PreparedFile(const std::string& file) {
   if (keeps_mode_) mode_ = target.status.st_mode & 0777;
 }
 
-// Uses system calls, because open() and rename() of this process may act for an object.
+// Uses system calls, because open() and rename() are hooks in this process that may act for an
+// object.
 int PreparedFile::Open() {
   if (stream_ >= 0) return stream_;
   if (target_[0] == 0) return -1;

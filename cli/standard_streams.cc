@@ -16,21 +16,22 @@ namespace openr_host {
 namespace {
 
 int g_standard_output = STDOUT_FILENO;
-int g_output_error = 0;  // the first of writing to it
+int g_output_error = 0;  // of the first failed write to standard output
 bool g_has_failed = false;
-bool g_is_told = false;  // the failure has been printed on standard error
+bool g_is_told = false;  // the failure has been reported on standard error
 
-// The lowest closed descriptor is the one that open() gives.
+// Opens /dev/null for each closed descriptor: open() gives the lowest one that is closed.
 void OpenClosedDescriptors() {
-  constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};  // by descriptor
+  constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};  // mode of each descriptor
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
     if (open("/dev/null", kModes[descriptor]) != descriptor)
-      _exit(1);  // there is nowhere to say it
+      _exit(1);  // an error cannot be printed without streams
   }
 }
 
-// fmt::print() throws where a stream fails; a run does not end because nobody reads what it says.
+// Makes writes to standard error succeed always: fmt::print() throws when a stream fails, and a run
+// must not end because no one reads its messages.
 void MakeErrorStreamSure() {
   cookie_io_functions_t functions = {};
   functions.write = [](void*, const char* text, size_t size) {
@@ -49,12 +50,13 @@ void MakeErrorStreamSure() {
   throw std::runtime_error(WhyNoStandardOutput(error));
 }
 
-// Writes out what was printed through streams; false, with the reason kept, when it cannot.
+// Writes out what was printed through streams.  Returns false, and keeps the reason, when it cannot
+// be written.
 bool FlushStreams() {
   errno = 0;
-  std::cout.flush();  // tells no reason, but leaves it in errno
+  std::cout.flush();  // the reason of a failure is left in errno
   const bool is_flushed = std::fflush(stdout) == 0;
-  const int error = errno;  // ferror() may change it
+  const int error = errno;  // read before ferror(), which may change it
   const bool is_written = is_flushed && std::ferror(stdout) == 0;
   if (!is_written) NoteLostAnswer(error);
   return is_written;
@@ -65,7 +67,7 @@ bool FlushStreams() {
 void PrepareStandardStreams() {
   OpenClosedDescriptors();
   signal(SIGPIPE, SIG_IGN);
-  signal(SIGXFSZ, SIG_IGN);  // of ulimit -f
+  signal(SIGXFSZ, SIG_IGN);  // sent at the limit of ulimit -f
   MakeErrorStreamSure();
 }
 
@@ -83,7 +85,7 @@ void NoteLostAnswer(int error) {
 }
 
 void PrintAnswer(std::string_view text) {
-  if (g_standard_output != STDOUT_FILENO) {  // the stream is the console's
+  if (g_standard_output != STDOUT_FILENO) {  // descriptor 1 is the console's
     const int error = WriteAll(g_standard_output, text);
     if (error != 0) Fail(error);
     return;

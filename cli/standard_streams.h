@@ -1,4 +1,4 @@
-// The streams that a program is started with, 0 to 2, which may be closed, full, or read by nobody.
+// Handles the standard streams 0 to 2, which may be closed, full, or a pipe without a reader.
 #pragma once
 
 #include <string>
@@ -6,37 +6,40 @@
 
 namespace openr_host {
 
-// To be called first in main().  Afterwards
-//   - each of the descriptors 0 to 2 is open, so that no file of ours gets its number: a closed one
-//     leads to /dev/null, where a standard output that was closed still cannot be written to;
-//   - a pipe that nobody reads, or a file beyond the limit of the process, is an error of writing
-//   and
-//     not the end of the process;
-//   - standard error takes everything: what cannot be written is lost, and nothing fails by it.
+// Prepares the streams.  Must be called first in main().  Afterwards
+//   - each of the descriptors 0 to 2 is open, so that no file that we open gets its number. A
+//   closed
+//     one leads to /dev/null; writing to a standard output that was closed still fails;
+//   - writing to a pipe without a reader, or beyond the file size limit, gives an error and does
+//   not
+//     end the process;
+//   - writing to standard error never fails: text that cannot be written is lost.
 void PrepareStandardStreams();
 
-// The descriptor of the standard output that the program was started with.
+// Returns the descriptor of the standard output that the program was started with.
 int StandardOutput();
 
-// The console has taken descriptor 1; `descriptor` is what it was.
+// Tells that the console has taken descriptor 1; `descriptor` leads to the former one.
 void SetStandardOutput(int descriptor);
 
-// Prints a part of the answer on the standard output.  Throws std::runtime_error "standard output:
-// cannot be written: why": an answer without an end ends when nobody reads it.
+// Prints a part of the answer on standard output.  Throws std::runtime_error "standard output:
+// cannot be written: why", so that an answer that never ends stops when its reader is gone.
 void PrintAnswer(std::string_view text);
 
-// Writes out at once what has been printed; throws as PrintAnswer().
+// Writes out at once what has been printed.  Throws as PrintAnswer() does.
 void FlushAnswer();
 
-// Writing a part of it otherwise has failed; `error` is an errno, 0 for one that is not known.
+// Notes that a part of the answer was lost by other means than PrintAnswer().  `error` is an errno,
+// or 0 if the reason is not known.
 void NoteLostAnswer(int error);
 
-// To be called last in main(): writes what is still to be written to standard output.  Returns
-// `exit_code`, or 1 in place of 0 after saying on standard error, as `program`, that not all could
-// be written.
+// Writes out what standard output still buffers.  Must be called last in main().  Returns
+// `exit_code`.  If some text was lost, says so on standard error in the name of `program` and
+// returns 1 in place of 0.
 int FinishStandardOutput(int exit_code, const char* program);
 
-// "standard output: cannot be written: why"; `error` is an errno, 0 for one that is not known.
+// Returns "standard output: cannot be written: why"; `error` is an errno, or 0 if the reason is not
+// known.
 std::string WhyNoStandardOutput(int error);
 
 }  // namespace openr_host
