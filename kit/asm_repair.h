@@ -1,7 +1,9 @@
-// Assembly for the robot's processor inside of C and C++: what a host compiler cannot translate.
+// Removes assembly for the robot's processor from C and C++ sources, because the host's compiler
+// cannot translate it.
 //
-// A statement becomes a trap, so that the rest of the object builds and runs.  One that only waits
-// or orders memory accesses (nop, sync) becomes a barrier.  Lines never move.
+// An assembly statement becomes a trap, so that the rest of the object builds and runs.  A
+// statement that only waits or orders memory accesses (nop, sync) becomes a barrier.  No line
+// changes its number.
 #pragma once
 
 #include <string>
@@ -11,18 +13,19 @@
 
 namespace openr_host {
 
-// Whether `complaint` is about assembly: of the compiler ("... in 'asm'") or of the assembler.
+// Returns whether `complaint` is about assembly.  It comes from the compiler ("... in 'asm'") or
+// from the assembler.
 bool IsAboutAssembly(const Complaint& complaint);
 
 // Prefix of the message of a complaint that the assembler made.
 inline constexpr char kAssemblerSays[] = "assembler: ";
 
-// The edits that answer such a complaint about `text`.  A complaint without a line is about the
-// statements outside of functions.
+// Returns the edits of `text` that remove the assembly which `complaint` is about.  A complaint
+// without a line is about the statements outside of functions.
 std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string& text);
 
-// The edits of the macros of `header` that hold assembly and are used in `line`, a line of a
-// source.
+// Returns the edits of `header` for those of its macros that contain assembly and are used in
+// `line`, a line of a source.
 std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::string& header);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// openr build: from a folder of OPEN-R programs to Memory Sticks that run here.
+// The command openr build: makes Memory Sticks that run on this host from a folder of OPEN-R
+// programs.
 #pragma once
 
 #include <string>
@@ -7,16 +8,16 @@
 namespace openr_host {
 
 struct BuildOptions {
-  std::string folder;  // what to build
-  std::string output;  // where the stick goes; "": the one in the folder
-  std::string work;    // for private copies; "": a folder of its own in the person's cache
-  int jobs = 0;        // 0: as many as there are processors
+  std::string folder;  // folder to build
+  std::string output;  // folder for the stick; "": the stick in `folder`
+  std::string work;    // folder for private copies; "": one in the user's cache
+  int jobs = 0;        // make jobs at a time; 0: one per processor
   bool is_verbose = false;
-  bool is_fresh = false;  // forgets what earlier builds left
+  bool is_fresh = false;  // discards what earlier builds left
 };
 
-// Builds, says what became of it, and returns the exit code: 0 if every image that an OBJECT.CFG
-// names is there.  Throws std::runtime_error when the folder cannot be used at all.
+// Builds and reports the result.  Returns the exit code: 0 if there is an image for every line of
+// each OBJECT.CFG.  Throws std::runtime_error when the folder cannot be used at all.
 int BuildFolder(const BuildOptions& options);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// openr check: what can be known of a program and its Memory Stick without running it.
+// The command openr check: finds faults of a program and its Memory Stick without running it.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@ namespace openr_host {
 
 struct Remark {
   enum class Kind {
-    kError,    // it will not work
-    kWarning,  // it may not do what is wanted, or not on the robot
-    kNote,     // good to know
+    kError,    // the program will not work
+    kWarning,  // the program may do something else than wanted, here or on the robot
+    kNote,     // worth knowing; no fault
   };
   Kind kind;
   std::string file;
-  int line = 0;    // 0: the file as a whole
+  int line = 0;    // 0: the remark is about the whole file
   int column = 0;  // 0: no caret
   std::string text;
   std::string source_line;
-  std::string cause;   // consequences of one cause are one remark; empty: stands alone
-  uint64_t count = 1;  // places where the same was seen
-  std::vector<std::string> also_at;  // "CONNECT.CFG:5", the first ones of the later places
+  std::string cause;   // remarks with the same cause are joined; empty: joined with none
+  uint64_t count = 1;  // number of places
+  std::vector<std::string> also_at;  // "CONNECT.CFG:5", the first of the places after this one
 };
 
 // Collects remarks about one program.
@@ -32,14 +32,14 @@ class Remarks {
  public:
   Remarks() = default;
 
-  // Files below the folder `real` are shown as files below `shown`, as the person named it.
+  // Shows files below the folder `real` as files below `shown`, which is the name the user gave.
   Remarks(std::string real, std::string shown)
       : real_root_(std::move(real)), shown_root_(std::move(shown)) {}
 
   void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
-  // The first consequence of a cause in a file is kept, later ones are counted with their places.
-  // Any name will do for `cause`.
+  // Adds a remark, or, if the file has one with the same `cause`, counts the place in that one.
+  // `cause` may be any text.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 
@@ -58,15 +58,17 @@ class Remarks {
   std::vector<Remark> all_;
 };
 
-// Checks a folder with objects and sticks, or a stick alone.  `locators`: of all devices of all
-// robots, for what controllers ask for.  Throws std::runtime_error when there is nothing to check.
+// Checks a folder with objects and sticks, or a stick alone.  `locators` are the names of all
+// devices of all robots; controllers are checked against them.  Throws std::runtime_error when the
+// folder holds nothing to check.
 Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators);
 
-// "file:line: warning: text", the line and a caret, for each, and how often it was seen.
+// Returns for each remark "file:line: warning: text", the line, a caret, and the number of places.
 std::string RenderRemarks(const Remarks& remarks);
 
-// {"path", "errors", "warnings", "notes", "remarks": [{"severity", "file", "line", "column",
-// "text", "count", "also_at", "also_at_left_out"}]}
+// Returns the remarks as JSON:
+//   {"path", "errors", "warnings", "notes", "remarks": [{"severity", "file", "line", "column",
+//   "text", "count", "also_at", "also_at_left_out"}]}
 std::string RemarksToJson(const Remarks& remarks, const std::string& folder);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// A Webots-style controller: what would not work on the robot.
+// Finds parts of a Webots-style controller that would not work on the robot.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace openr_host {
 
-// `locators`: the names that robot_get_device() knows; names are not checked when it is empty.
+// Checks the controller in `folder`.  `locators` are the names that robot_get_device() knows; if
+// there are none, names are not checked.
 void CheckController(const std::string& folder, const std::vector<std::string>& locators,
                      Remarks* remarks);
 

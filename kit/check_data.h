@@ -1,5 +1,5 @@
-// What objects send with SetData(&data, sizeof data): bytes, of which pointers mean nothing to the
-// receiver (field-notes.md, 2.6 and 2.7).
+// Checks the data that objects send with SetData(&data, sizeof data).  The receiver gets a copy of
+// the bytes, in which pointers are of no use (field-notes.md, 2.6 and 2.7).
 #pragma once
 
 #include "kit/check.h"
@@ -7,8 +7,8 @@
 
 namespace openr_host {
 
-// Sees the plain cases only: a struct or class of the program, a variable or type named in the
-// call, a member that is a container, a string or a pointer, or a virtual function.
+// Warns if sent data contain a container, a string, a pointer or a virtual function.  Sees only
+// plain cases: a struct or class of the program whose variable or type is named in the call.
 void CheckSentData(const Project& project, Remarks* remarks);
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// The images that OBJECT.CFG of a stick names, and the objects of the project that they are or
-// will be.
+// Checks the images that OBJECT.CFG of a stick names, and finds the objects of the project that
+// they are made from.
 #pragma once
 
 #include <map>
@@ -11,21 +11,22 @@
 
 namespace openr_host {
 
-// The object that has a service.
+// The object that has a certain service.
 struct ServiceOwner {
   std::string name;
-  std::string section;  // of OBJECT.CFG: the only robot design that loads it; "" for every one
+  // Robot design in OBJECT.CFG that alone loads the object; "": all designs do.
+  std::string section;
 };
 
 struct StickImages {
-  std::multimap<std::string, ServiceOwner> services;  // by full name
-  std::vector<StubService> declared;  // in stub.cfg files of objects that the stick loads
-  bool has_gateway = false;           // OBJECT.CFG names it
+  std::multimap<std::string, ServiceOwner> services;  // by full name of the service
+  std::vector<StubService> declared;  // from the stub.cfg files of objects on the stick
+  bool has_gateway = false;           // OBJECT.CFG names the gateway
   bool knows_all = true;              // false: the services of some image are not known
 };
 
-// Remarks on images that are missing and that no build makes, that cannot be loaded, or that have
-// a name in common.
+// Adds remarks about images that are missing and that no build makes, that cannot be loaded, or
+// that share a name with another one.
 StickImages CheckImages(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                         Remarks* remarks);
 

@@ -1,4 +1,4 @@
-// Objects as they lie in their folders: stub.cfg, .ocf, sources.
+// Checks the folders of objects: stub.cfg, .ocf file, sources.
 #pragma once
 
 #include <string>
@@ -16,18 +16,19 @@ void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* rem
 // An object of the project that a stick loads.
 struct PlacedObject {
   const ObjectFolder* folder = nullptr;
-  std::string section;  // of OBJECT.CFG: the only robot design that loads it; "" for every one
+  // Robot design in OBJECT.CFG that alone loads the object; "": all designs do.
+  std::string section;
 };
 
-// Names in .ocf files that two objects have in common which one robot loads.
+// Adds a remark for each name in .ocf files that two objects of one robot share.
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks);
 
-// Whether a service is one of those that an object only has because it must have one: nothing is
-// ever connected to it.
+// Returns whether the service is a dummy: stub.cfg must have one subject and one observer at least,
+// so objects declare services that nothing is connected to.
 bool IsDummy(const StubService& service);
 
-// Names of Memory Stick files in the text of a source that the robot cannot open.
+// Adds a remark for each file name in the text of a source that the robot cannot open.
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// A Memory Stick as it will be read at boot.
+// Checks the configuration of a Memory Stick, read as the robot reads it at boot.
 #pragma once
 
 #include "kit/check.h"
@@ -7,7 +7,7 @@
 
 namespace openr_host {
 
-// `project`: where objects may come from that are not built yet; perhaps without any.
+// Checks `stick`.  Objects that are not built yet are looked for in `project`, which may have none.
 void CheckStick(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                 Remarks* remarks);
 

@@ -1,4 +1,4 @@
-// From a command line for the robot's compiler to one for the host's.
+// Translates a command line of the robot's compiler into one of the host's compiler.
 #pragma once
 
 #include <string>
@@ -8,31 +8,33 @@
 
 namespace openr_host {
 
-// A command line of the robot's g++ or gcc, taken apart.
+// The parts of a command line of the robot's g++ or gcc.
 struct CompileCommand {
   std::vector<std::string> arguments;  // for the host, without the flags of compile-flags.txt
-  std::vector<std::string> sources;    // files to compile, in order
-  std::string output;                  // of -o; "" if not given
-  bool compiles = false;               // makes object files: -c, or -S
-  bool links = false;                  // neither that nor only preprocesses nor only asks
-  bool is_quiet = false;               // -w was given
-  Language language = Language::kCxx;  // of the sources
+  std::vector<std::string> sources;    // files to compile, in the order given
+  std::string output;                  // value of -o; "" if not given
+  bool compiles = false;               // makes object files or assembly (-c, -S)
+  bool links = false;     // neither compiles only, nor preprocesses only, nor prints information
+  bool is_quiet = false;  // -w was given
+  Language language = Language::kCxx;  // language of the sources
 };
 
-// Takes out what means nothing on the host: flags for the processor (-mips3, -G 0, -EL), -Werror
-// and -ansi.  -I- is said in today's way, and -std as a level of today's compiler that means the
-// same. `is_cxx`: the driver was g++, which takes .c for C++.
+// Translates `arguments`.  Flags that mean nothing on the host are left out: flags for the
+// processor (-mips3, -G 0, -EL), -Werror and -ansi. -I- is replaced by today's flags, and -std by
+// the level of today's compiler with the same meaning.  `is_cxx` says that the driver was g++,
+// which compiles .c files as C++.
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx);
 
-// The flags among `arguments` that say what a source means: -D, -U, -I, -include and -std and the
-// like.  Folders and files that they name are made absolute; they are relative to `folder`.
+// Returns the flags among `arguments` that change the meaning of a source: -D, -U, -I, -include,
+// -std and the like.  Relative names of folders and files in them are taken from `folder` and
+// become absolute.
 std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder);
 
-// Flags the host's compiler says it does not know in `output`, its complaint.
+// Returns the flags that the host's compiler does not know, according to its messages `output`.
 std::vector<std::string> UnknownFlags(const std::string& output);
 
-// True when `output` warns of a function that ends without the value it should return.
+// Returns whether `output` warns of a function that may end without returning a value.
 bool TellsOfMissingReturn(const std::string& output);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// openr controller build: CONTROLL.BIN from a Webots-style controller, on a Memory Stick.
+// The command openr controller build: makes CONTROLL.BIN from a Webots-style controller and puts it
+// on a Memory Stick.
 #pragma once
 
 #include <string>
@@ -6,14 +7,14 @@
 namespace openr_host {
 
 struct ControllerBuildOptions {
-  std::string folder;          // the controller's
+  std::string folder;          // folder of the controller
   std::string output;          // folder of the stick, which holds OPEN-R/; "": `folder` itself
-  std::string template_stick;  // what a stick that is not there yet is copied from
+  std::string template_stick;  // a stick that does not exist yet is copied from this one
 };
 
-// Builds, puts CONTROLL.BIN, WLANCONF.TXT and *.MTN of the folder on the stick, says so, and
-// returns the exit code.  Nothing on the stick changes when the controller cannot be built.  Throws
-// std::runtime_error when it cannot even be tried.
+// Builds, puts CONTROLL.BIN and the folder's WLANCONF.TXT and *.MTN on the stick, and reports that.
+// Returns the exit code.  If the controller cannot be built, the stick does not change.  Throws
+// std::runtime_error when building cannot even begin.
 int BuildController(const ControllerBuildOptions& options);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// The sources of a controller, read as text: which functions there are and who calls whom.
+// Finds the functions in the sources of a controller, and which function calls which.  Reads text
+// only.
 #pragma once
 
 #include <deque>
@@ -22,20 +23,20 @@ struct CodeFile {
 struct CodeFunction {
   std::string name;
   const CodeFile* file = nullptr;
-  size_t begin = 0;  // of its body in the file's code: the opening bracket
-  size_t end = 0;    // the closing one
+  size_t begin = 0;  // position of the opening bracket of its body in the file's code
+  size_t end = 0;    // position of the closing bracket
 };
 
-// A call, or what looks like one, in a file's code.
+// A call in a file's code, or text that looks like a call.
 struct CodeCall {
   std::string name;
-  size_t at = 0;    // of the name
-  size_t open = 0;  // of the bracket that follows
+  size_t at = 0;    // position of the name
+  size_t open = 0;  // position of the bracket after the name
 };
 
 class ControllerCode {
  public:
-  // With them go headers named in quotes that lie beside them.
+  // Reads `sources`, and the headers beside them that they include with quotes.
   explicit ControllerCode(const std::vector<std::filesystem::path>& sources);
   ControllerCode(const ControllerCode&) = delete;
   ControllerCode& operator=(const ControllerCode&) = delete;
@@ -46,24 +47,25 @@ class ControllerCode {
   bool Defines(const std::string& function) const;
   bool Calls(const std::string& function) const;
 
-  // The function that has this place in its body; nullptr: none.
+  // Returns the function whose body contains the position `at`; null if there is none.
   const CodeFunction* FunctionAt(const CodeFile& file, size_t at) const;
 
-  // The calls between two places of a file's code.
+  // Returns the calls between two positions of a file's code.
   static std::vector<CodeCall> CallsIn(const std::string& code, size_t begin, size_t end);
 
-  // The functions given to `registrar`, such as robot_run.
+  // Returns the names of functions passed to `registrar`, such as robot_run.
   std::set<std::string> GivenTo(const std::string& registrar) const;
 
-  // `names` and what they call, directly or not.
+  // Returns `names` and all functions that they call, directly or not.
   std::set<std::string> ReachedFrom(std::set<std::string> names) const;
 
-  // `name` and the functions that call it, directly or not.
+  // Returns `name` and all functions that call it, directly or not.
   std::set<std::string> LeadingTo(const std::string& name) const;
 
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
 
-  // The first argument of a call as it is written, a macro as what it stands for.
+  // Returns the first argument of a call as it is written.  If it is a macro, returns the macro's
+  // text.
   std::string FirstArgument(const CodeFile& file, const CodeCall& call) const;
 
  private:
@@ -73,7 +75,8 @@ class ControllerCode {
   std::deque<CodeFile> files_;
   MacroTable macros_;
   std::vector<CodeFunction> functions_;
-  std::map<std::string, std::set<std::string>> callees_;  // by function, and "" outside of any
+  // By name of the caller; "": outside of functions.
+  std::map<std::string, std::set<std::string>> callees_;
 };
 
 }  // namespace openr_host

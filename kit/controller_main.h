@@ -12,9 +12,9 @@ struct ControllerMain {
   std::string problem;  // "" or why the controller cannot be called
 };
 
-// Looks for main() in the object files of a controller, which was compiled with
+// Looks for main() in the object files of a controller, which were compiled with
 // -Dmain=controller_main.  `nm` is the program that lists their symbols.  Without object files the
-// source calls nothing: that is the empty controller.
+// result is the empty controller, which calls nothing.
 ControllerMain FindControllerMain(const std::string& nm,
                                   const std::vector<std::filesystem::path>& objects);
 

@@ -1,4 +1,4 @@
-// Which sources a controller has.
+// Finds the sources of a controller.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@
 namespace openr_host {
 
 struct ControllerSources {
-  std::vector<std::filesystem::path> files;  // in the order named, else of names
+  std::vector<std::filesystem::path> files;  // in the order of the list, else sorted by name
   std::filesystem::path list;                // Makefile.sources; empty: there is none
-  std::vector<Diagnostic> diagnostics;       // of the list: files that are not there, and more
+  std::vector<Diagnostic> diagnostics;       // about the list, such as files that are missing
 };
 
-// What Makefile.sources of `folder` names, whatever its variables are called: every word of their
-// values, as make expands them, that ends like a source.  Without that file, the *.c, *.cc and
-// *.cpp of the folder itself.
+// Returns the sources that Makefile.sources of `folder` names, whatever its variables are called:
+// every word that ends like a source, after make has expanded the values.  Without that file,
+// returns the *.c, *.cc and *.cpp files of the folder itself.
 ControllerSources FindControllerSources(const std::filesystem::path& folder);
 
-// Whether `folder` is that of a controller: it has a Makefile.sources, or a source that includes
-// robot.h.
+// Returns whether `folder` is the folder of a controller: it has a Makefile.sources, or a source
+// that includes robot.h.
 bool IsControllerFolder(const std::filesystem::path& folder);
 
 }  // namespace openr_host

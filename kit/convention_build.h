@@ -1,8 +1,8 @@
-// Building without a Makefile, by how the folders are laid out.
+// Builds objects without their Makefiles, by the layout of the folders.
 //
-// Every object is the sources of its folder, its stub and its .ocf file.  Of the sources that
-// belong to no object, it gets those whose header it includes, directly or not; and if then
-// something is still undefined, whatever else there is and compiles.
+// An object is made of the sources in its folder, its stub and its .ocf file.  Shared sources,
+// which lie in the folder of no object, are added if the object includes their header, directly or
+// not.  If names are still undefined at linking, all shared sources that compile are added.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,20 @@
 
 namespace openr_host {
 
-// File names in lower case, without folders, that the text of a source or header includes.
+// Returns the file names that the text of a source or header includes, in lower case and without
+// folders.
 std::vector<std::string> IncludedNames(const std::string& text);
 
-// The sources among `shared` whose namesake header (Util.h for Util.cc) `sources` include,
-// directly or by way of other headers or of those sources.
+// Returns the sources among `shared` whose header (Util.h for Util.cc) is included by `sources`,
+// directly or by way of other headers or of returned sources.
 std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& sources,
     const std::vector<std::filesystem::path>& shared);
 
-// Builds `objects` of `project` in folders below `work`.  `plan`: how make was called for them, if
-// it was; the flags of their Makefiles count here as well.  Returns what cannot even be tried, a
-// line each; what compilers say passes through, and is in the log like the images.
+// Builds `objects` of `project` in folders below `work`.  `plan` is how make was called for them
+// before, if it was; the flags of their Makefiles are used here too.  Returns a line for each
+// object that cannot even be tried.  Messages of compilers are passed on; failures and images are
+// in the log.
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
                                            const MakePlan& plan, const std::filesystem::path& work,

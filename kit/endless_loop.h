@@ -1,4 +1,4 @@
-// Loops in C sources that cannot end, as far as text shows it.
+// Finds loops in C sources that cannot end, as far as the text shows it.
 #pragma once
 
 #include <functional>
@@ -8,14 +8,15 @@
 namespace openr_host {
 
 struct EndlessLoop {
-  size_t at = 0;       // of its keyword
-  size_t end = 0;      // behind its body
-  bool waits = false;  // it asks a device of the controller again and again; else it asks nothing
+  size_t at = 0;       // position of the keyword
+  size_t end = 0;      // position after the body
+  bool waits = false;  // the condition asks a device of the controller; else it is always true
 };
 
-// The loops in a text without comments whose condition is always true, or asks only what does not
-// change while the loop runs, and which no break, return, goto or exit() leaves.  `is_true`:
-// whether a word is a number other than 0, or a name for one.
+// Returns the loops of `code`, a text without comments, that no break, return, goto or exit()
+// leaves and whose condition never changes: it is always true, or asks only for a value that cannot
+// change while the loop runs.  `is_true` returns whether a word is a number other than 0 or a name
+// of such a number.
 std::vector<EndlessLoop> FindEndlessLoops(const std::string& code,
                                           const std::function<bool(std::string_view)>& is_true);
 

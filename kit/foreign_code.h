@@ -1,4 +1,4 @@
-// Object files and libraries that a build for another machine left behind.
+// Recognises object files and libraries that were built for another processor.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace openr_host {
 
-// The processor that an object file, or an archive of object files, was compiled for: "MIPS".
-// "" when that is this machine's, or when `file` is no such file.
+// Returns the processor that an object file or an archive of object files was compiled for, such as
+// "MIPS".  Returns "" for the processor of this machine and for files of other kinds.
 std::string ForeignProcessorOf(const std::filesystem::path& file);
 
-// File names of the members of an archive; none when `file` is no archive.
+// Returns the file names of the members of an archive; none if `file` is no archive.
 std::vector<std::string> ArchiveMembers(const std::filesystem::path& file);
 
 }  // namespace openr_host

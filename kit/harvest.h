@@ -1,4 +1,4 @@
-// From what a build made to the person's Memory Sticks.
+// Copies the results of a build to the user's Memory Sticks.
 #pragma once
 
 #include <filesystem>
@@ -14,32 +14,33 @@ namespace openr_host {
 
 struct HarvestedImage {
   std::string name;    // HELLO.BIN
-  std::string object;  // its name in the .ocf file; "" when it is not of this build
-  std::string from;    // "Makefile", "found by name", "the kit's own", ...
+  std::string object;  // name of its object in the .ocf file; "": not built by this build
+  std::string from;  // where the image came from: "Makefile", "found by name", "the kit's own", ...
 };
 
 struct Harvest {
   std::vector<HarvestedImage> images;
-  std::vector<std::string> problems;  // a line each, for people
+  std::vector<std::string> problems;  // lines for the user
   std::vector<std::string> notes;
-  std::vector<std::filesystem::path> placed;  // files that no rule of a Makefile made
-  std::set<std::string> used;                 // images of the log that are on the stick
+  // Files that no rule of a Makefile has put on the stick.
+  std::vector<std::filesystem::path> placed;
+  std::set<std::string> used;  // images of the log that are on the stick
 };
 
-// Puts into the stick of the copy what its OBJECT.CFG names and the Makefiles did not put there.
-// A stick without OBJECT.CFG gets one that lists everything.  Of several sticks, each gets the
-// images of the folders around it first, and names that Makefiles use on one serve the others.
+// Adds the images that OBJECT.CFG of the stick names and that the Makefiles did not put there.
+// `stick` is the private copy.  A stick without OBJECT.CFG gets one with all images.  With several
+// sticks, each gets the images of the folders around it first.  An image name that a Makefile uses
+// for one stick is used for the others too.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root);
 
-// Removes images that are out of date, from the folders where they were linked and from the sticks
-// of the copy.
+// Removes images that are out of date, both where they were linked and on the sticks of the copy.
 void RemoveImages(const std::vector<KitLog::Image>& images, const Project& project);
 
-// Brings what is new in the stick of the copy to `target`, the person's own or another folder;
-// binaries for the robot that are in the way are kept in `robot_folder`.  Everything is brought,
-// not only what is new, when `whole` is set.  The stick has the folders that programs write to.
-// Returns what went wrong, a line each.
+// Copies new files from the stick of the private copy to `target`, which is the user's stick or
+// another folder; copies all files if `whole` is set.  Binaries for the robot that would be
+// overwritten are moved to `robot_folder`.  Makes the folders that programs write to.  Returns the
+// problems, a line each.
 std::vector<std::string> DeliverStick(const StickFolder& stick, const std::filesystem::path& target,
                                       const WorkCopy& copy,
                                       const std::filesystem::path& robot_folder, bool whole);

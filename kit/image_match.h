@@ -1,4 +1,4 @@
-// Which image is meant by which line of OBJECT.CFG, where no Makefile says so.
+// Finds out which image a line of OBJECT.CFG means when no Makefile says it.
 #pragma once
 
 #include <string>
@@ -7,19 +7,24 @@
 namespace openr_host {
 
 struct ImageCandidate {
-  std::vector<std::string> names;  // of its object, file, folder and class, in any order
+  std::vector<std::string> names;  // names of its object, file, folder and class, in any order
 };
 
-// For each of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  Tried in turn, each
-// time for what is left and only where it is unambiguous: equal names, in any case; the wanted
-// name is the beginning of a candidate's, or the other way round; its letters occur in a
-// candidate's name in this order, the first one first; either name is a part of the other; the
-// letters occur in this order; both have four letters in a row in common; one is left on either
-// side.
+// Returns for each of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules are
+// tried in this order, each for the names that are left, and a rule counts only where it fits one
+// pair alone:
+//   - the names are equal, in any case;
+//   - one name is the beginning of the other;
+//   - the letters of the wanted name occur in the candidate's in this order, beginning with the
+//   first;
+//   - one name is a part of the other;
+//   - the letters of the wanted name occur in the candidate's in this order;
+//   - both have the same four letters in a row;
+//   - one wanted name and one candidate are left.
 std::vector<int> MatchImages(const std::vector<std::string>& wanted,
                              const std::vector<ImageCandidate>& candidates);
 
-// The 8.3 name for an image that nobody has named: "BallTracker" gives "BALLTRAC.BIN".
+// Returns an 8.3 name for an image that no file names: "BALLTRAC.BIN" for "BallTracker".
 std::string ShortImageName(const std::string& name);
 
 }  // namespace openr_host

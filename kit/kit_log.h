@@ -1,4 +1,5 @@
-// What the tools of the SDK tree tell the `openr build` that runs the Makefile that runs them.
+// A log by which the tools of the SDK tree report to `openr build`. openr build starts make, and
+// make starts the tools, so they have no other connection.
 #pragma once
 
 #include <string>
@@ -9,51 +10,52 @@ namespace openr_host {
 struct KitLog {
   struct Image {
     std::string file;                // where mkbin wrote it
-    std::string object;              // its name in the .ocf file
-    std::string ocf;                 // that file
-    std::vector<std::string> parts;  // object files and libraries it was linked of
+    std::string object;              // name of the object in the .ocf file
+    std::string ocf;                 // path of the .ocf file
+    std::vector<std::string> parts;  // the object files and libraries that were linked
   };
   struct Failure {
     std::string file;    // source or image that could not be made
-    std::string why;     // "does not compile", or what is undefined
-    std::string output;  // what it would have become; "" if unknown
+    std::string why;     // "does not compile", or the undefined names
+    std::string output;  // file that would have been made; "" if unknown
   };
-  // A source that was compiled, well or not.
+  // A compilation of one source, successful or not.
   struct Compile {
     std::string file;
-    std::string folder;              // where the compiler ran
-    std::vector<std::string> flags;  // of the Makefile: -D, -I and the like, folders absolute
+    std::string folder;  // where the compiler ran
+    // Flags of the Makefile such as -D and -I, with absolute folders.
+    std::vector<std::string> flags;
   };
   struct Repair {
     std::string place;  // "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // each file once, its last entry
-  std::vector<Failure> failures;  // each once, and none that was made good later
-  std::vector<Compile> compiles;  // each file and folder once, the last entry
+  std::vector<Image> images;      // one entry per file, the last one
+  std::vector<Failure> failures;  // one entry per failure; none if the file was made later
+  std::vector<Compile> compiles;  // one entry per file and folder, the last one
   std::vector<Repair> repairs;
 };
 
-// Appends to the file named by $OPENR_KIT_LOG, if any.  Names are made absolute.  Safe when
-// several tools run at once.
+// Appends to the file that $OPENR_KIT_LOG names; does nothing without that variable.  Names become
+// absolute.  Several tools may do this at once.
 void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);
 
-// Says that `output` was made, whatever failed before.
+// Notes that `output` was made, so that earlier failures to make it no longer count.
 void LogSuccess(const std::string& output);
 void LogRepair(const KitLog::Repair& repair);
 
-// An empty log when there is no such file.
+// Returns the content of the log; an empty log when there is no such file.
 KitLog ReadKitLog(const std::string& file);
 
 void AppendKitLog(const std::string& file, const KitLog& log);
 
-// Writes `log` in the place of what the file holds.
+// Replaces the content of the file by `log`.
 void WriteKitLog(const std::string& file, const KitLog& log);
 
-// Removes failures, repairs, and images that no longer exist from the log.  Called when a build
-// begins.
+// Removes failures, repairs, and images that no longer exist from the log.  Called at the beginning
+// of a build.
 void CleanKitLog(const std::string& file);
 
 }  // namespace openr_host

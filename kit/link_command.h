@@ -1,4 +1,4 @@
-// From a command line of mkbin to one for the host's linker.
+// Translates a command line of mkbin into one of the host's linker.
 #pragma once
 
 #include <functional>
@@ -8,20 +8,20 @@
 namespace openr_host {
 
 struct LinkCommand {
-  std::string output;                  // of -o
+  std::string output;                  // value of -o
   std::string ocf;                     // the .ocf file
-  std::string map;                     // of -m: where to say what lies where; "" for nowhere
+  std::string map;                     // value of -m, a file for the list of addresses; "": none
   std::vector<std::string> objects;    // object files, in order
-  std::vector<std::string> libraries;  // archives: named ones and those found for -l
+  std::vector<std::string> libraries;  // archives: those given by name and those found for -l
   bool is_verbose = false;             // -v
 };
 
-// `exists` tells whether a file is there.  A library that is found in no -L folder is one of the
-// SDK's, which the runtime stands for, and is left out.
+// Translates `arguments`.  `exists` tells whether a file exists.  A library that is in no -L folder
+// belongs to the SDK; the runtime has its functions, so it is left out.
 LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string& file)>& exists);
 
-// The names in the linker's complaints of undefined references, each once, in order.
+// Returns the names in the linker's messages about undefined references, each once, in order.
 std::vector<std::string> UndefinedNames(const std::string& output);
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// The macros of a few C sources, put in where they are used, as far as text can: enough to see
-// what FOREVER or STEP() stands for.  No conditions but "#if 0".
+// Expands the macros of a few C sources as far as is needed to see the meaning of FOREVER or
+// STEP().  Understands no conditions but "#if 0".
 #pragma once
 
 #include <map>
@@ -11,30 +11,30 @@
 
 namespace openr_host {
 
-// Text with macros put in, and where each of its characters comes from.
+// Text after macros were expanded, with the origin of each character.
 struct ExpandedText {
   std::string text;
-  std::vector<size_t> origins;  // offsets in the source; of a macro, where it is used
+  std::vector<size_t> origins;  // offset in the source; for the text of a macro, offset of its use
 };
 
 class MacroTable {
  public:
-  // Takes the #defines of a source.
+  // Adds the #defines of a source.
   void Read(const std::string& source);
 
-  // A number, or a name that #define gives one; -1 for anything else.
+  // Returns the value of a number, or of a macro that stands for a number; -1 for other words.
   int NumberOf(std::string_view word) const;
 
-  // What a #define gives `word`, as it is written; "" if none does.
+  // Returns the text that a #define gives `word`, as it is written; "" if there is no such #define.
   std::string WrittenAs(const std::string& word) const;
 
-  // `source` without comments, strings, directives and "#if 0", macros put in.  Those that are
-  // numbers stay as they are: people know them by name.
+  // Returns `source` with macros expanded, without comments, strings, directives and "#if 0".
+  // Macros that stand for numbers are not expanded, because messages name them.
   ExpandedText Expand(const std::string& source) const;
 
  private:
   struct Macro {
-    std::optional<std::vector<std::string>> parameters;  // nullopt: it takes none
+    std::optional<std::vector<std::string>> parameters;  // nullopt: a macro without brackets
     std::string body;                                    // without comments and strings
     std::string written;
   };

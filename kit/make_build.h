@@ -1,4 +1,4 @@
-// Building through the Makefiles a program has.
+// Builds a program with its own Makefiles.
 #pragma once
 
 #include <filesystem>
@@ -16,40 +16,40 @@ struct MakeOptions {
   std::string copies;  // see source_copies.h
   int jobs = 1;
   bool is_verbose = false;
-  enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;  // whether output is shown
+  enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;  // when the output is shown
 };
 
-// What make is called with.
+// How make is called for a project.
 struct MakePlan {
-  std::vector<std::filesystem::path> folders;  // in each: the first target, and `install`
-  std::vector<std::pair<std::string, std::string>> variables;  // on the command line
-  std::vector<std::filesystem::path> needed_folders;           // rules write into them
+  // Folders in which make runs, for the first target and for `install`.
+  std::vector<std::filesystem::path> folders;
+  std::vector<std::pair<std::string, std::string>> variables;  // given on the command line
+  std::vector<std::filesystem::path> needed_folders;  // folders that rules write into; made before
 };
 
 struct MakeOutcome {
   bool is_good = true;
-  std::string output;  // what make and its rules said; not of a run that was repeated
+  std::string output;  // output of make and its commands; without a run that was repeated
 };
 
-// Variables for a Memory Stick elsewhere point to the stick of the project that is nearest to the
-// folder in which make runs.
+// Plans how to call make.  A Makefile variable that names a Memory Stick outside of the project is
+// set to the project's own stick that is nearest to the folder in which make runs.
 MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 
-// Runs the plan.  What compilers and make say passes through.  The images that it made are in the
-// log.
+// Runs make as planned.  Output of compilers and make is passed on.  Images are in the log.
 MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
 
-// The first target and `install` of the Makefile in `folder`, with the variables of the plan.
+// Runs the Makefile in `folder` for the first target and `install`, with the variables of the plan.
 MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& plan,
                            const MakeOptions& options);
 
-// Runs make in `folder` with the kit's environment; `arguments` follow those of the kit.  make goes
-// on with other targets when one fails.
+// Runs make in `folder` with the kit's environment and flags, then `arguments`. make goes on with
+// other targets when one fails.
 MakeOutcome RunMakeIn(const std::filesystem::path& folder,
                       const std::vector<std::string>& arguments, const MakeOptions& options);
 
-// Why make failed, in one line, after what it said: what nothing makes, or which rule failed and
-// what its command said.  "" when it does not say.
+// Returns the reason why make failed, in one line: the file that no rule makes, or the rule that
+// failed and the last message of its command.  Returns "" if `output` does not show it.
 std::string CauseOf(const std::string& output);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// The compiler's flags of Makefiles, for objects that are built without their Makefile.
+// Finds the compiler flags that Makefiles use, for objects that are built without their Makefile.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace openr_host {
 
-// The flags (-D, -I, -std ...) with which Makefiles compile the sources of `folder`, each once: as
-// the compilers of a build wrote them to `log`, or else as the variables of the Makefile in
-// `folder` say.  `variables`: what make gets on its command line.
+// Returns the flags (-D, -I, -std ...) with which Makefiles compile the sources of `folder`, each
+// once.  They come from `log`, where the compilers of a build have noted them, or else from the
+// variables of the Makefile in `folder`.  `variables` are given to make on its command line.
 std::vector<std::string> FlagsOfMakefiles(
     const std::filesystem::path& folder, const KitLog& log,
     const std::vector<std::pair<std::string, std::string>>& variables, const MakeOptions& options);

@@ -1,4 +1,4 @@
-// openr controller new: a controller to begin with.
+// The command openr controller new: makes the files of a new controller.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace openr_host {
 
-// Why `name` cannot be the name of a controller, which is that of its C file, or "".
+// Returns the reason why `name` cannot be the name of a controller and its C file, or "".
 std::string WhyNoControllerName(const std::string& name);
 
-// NAME.c, Makefile.sources, Makefile.openr; to be written by WriteNewObject().
+// Returns NAME.c, Makefile.sources and Makefile.openr.  WriteNewObject() writes them.
 std::vector<NewFile> MakeNewController(const std::string& name);
 
 }  // namespace openr_host

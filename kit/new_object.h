@@ -1,4 +1,4 @@
-// openr new: an object to begin with.
+// The command openr new: makes the files of a new object.
 #pragma once
 
 #include <string>
@@ -7,20 +7,19 @@
 namespace openr_host {
 
 struct NewFile {
-  std::string path;  // relative
+  std::string path;  // below the folder of the object
   std::string text;
 };
 
-// Why `name` cannot be the name of an object, or "".
+// Returns the reason why `name` cannot be the name of an object, or "".
 std::string WhyNoObjectName(const std::string& name);
 
-// A folder with the object `name`: stub.cfg, sources, .ocf file, a Memory Stick tree that connects
-// it to the robot's sensors, a Makefile for the robot's SDK and ours, a CMakeLists.txt, a test with
-// openr::testing.
+// Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory
+// Stick tree that connects the object to the robot's sensors, a Makefile for both SDKs, the robot's
+// and ours, a CMakeLists.txt, and a test with openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
-// Writes them to `folder`.  Nothing that is there is overwritten: then nothing is written.
-// Returns what went wrong, or "".
+// Writes the files to `folder`.  If one of them exists, writes none.  Returns "" or the problem.
 std::string WriteNewObject(const std::vector<NewFile>& files, const std::string& folder);
 
 }  // namespace openr_host

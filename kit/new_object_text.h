@@ -1,5 +1,5 @@
-// The texts of a new object.  @Name@ is its class, @name@ its name in the .ocf file, @NAME@ the
-// image without ".BIN".
+// The texts of a new object. @Name@ stands for its class, @name@ for its name in the .ocf file,
+// @NAME@ for the image without ".BIN".
 #pragma once
 
 namespace openr_host::new_object {

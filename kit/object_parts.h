@@ -13,41 +13,42 @@
 
 namespace openr_host {
 
-// The files of a project and of the places it refers to, read once.
+// The files of a project and of the places it refers to.  Each file is read once.
 class ObjectParts {
  public:
   ObjectParts(const Project& project, const ReferredPlaces& places);
 
-  // Sources and headers: those below the object's folder, those in folders that its Makefiles name,
-  // those that mention its class, and what all of these include, with the sources beside headers.
-  // Files of other objects' folders count only if a Makefile names their folder.  Files
-  // that stubgen2 makes are left out.
+  // Returns the sources and headers of `object`: those in its folder, those in folders that its
+  // Makefiles name, those that mention its class, and the headers that all of these include, with
+  // the sources beside these headers.  A file in the folder of another object counts only if a
+  // Makefile names that folder.  Files made by stubgen2 are left out.
   const std::vector<std::filesystem::path>& CodeOf(const ObjectFolder& object) const;
 
-  // The .ocf files of its folder; else those that its Makefiles name; else, of those that lie in no
-  // object's folder, the one with a name like the object's.
+  // Returns the .ocf files in the object's folder.  If there are none, returns those that its
+  // Makefiles name.  If there are none either, returns the one outside of all objects' folders
+  // whose name is like the object's.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
-  // Whether its Makefiles compile it with the tools of the PC side of Remote Processing.
+  // Returns whether its Makefiles compile it for the PC, as a part of Remote Processing.
   bool IsForRemoteProcessing(const ObjectFolder& object) const;
 
-  // File names of images that rules install for this object only.
+  // Returns the file names of images that rules install for this object alone.
   std::vector<std::string> ImageNamesOf(const ObjectFolder& object) const;
 
-  // The same for all Makefiles and objects.
+  // Returns the file names of images that all rules of all Makefiles install.
   std::vector<std::string> AllImageNames() const;
 
-  // Whether a Makefile of the project contains this file name, in any case.
+  // Returns whether a Makefile of the project contains this file name, in any case.
   bool MakefilesName(const std::string& file_name) const;
 
-  // Whether some rule installs images under a name that only make can tell.
+  // Returns whether a rule installs an image under a name that only make can work out.
   bool HasUnreadableInstall() const;
 
-  // Finds a file by its name, upper and lower case being equal, but not inside of a stick.  An
-  // empty path if there is none.
+  // Finds a file by its name, in any case, outside of sticks.  Returns an empty path if there is
+  // none.
   std::filesystem::path FindFile(const std::string& name) const;
 
-  // The text of a file; for a Makefile the text that make reads (referred_places.h).
+  // Returns the text of a file; for a Makefile the text that make reads (referred_places.h).
   const std::string& TextOf(const std::filesystem::path& file) const;
 
  private:
@@ -63,10 +64,11 @@ class ObjectParts {
   Paths all_;
   Paths makefiles_;
   std::set<std::filesystem::path> object_folders_;
-  // Sources and headers by names in lower case, without folders; sources also without extension.
+  // Sources and headers by their names in lower case, without folders; by_stem_ has sources only,
+  // and their names without extension.
   std::multimap<std::string, std::filesystem::path> by_name_, by_stem_;
   mutable std::map<std::filesystem::path, std::string> texts_;
-  mutable std::map<std::filesystem::path, Paths> code_;  // by object folder
+  mutable std::map<std::filesystem::path, Paths> code_;  // by folder of the object
 };
 
 }  // namespace openr_host

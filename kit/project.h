@@ -1,4 +1,4 @@
-// What lies in a folder of OPEN-R programs: objects, Memory Sticks, Makefiles.
+// Finds the parts of a folder of OPEN-R programs: objects, Memory Sticks, Makefiles.
 #pragma once
 
 #include <filesystem>
@@ -9,44 +9,46 @@
 
 namespace openr_host {
 
-// A folder with a stub.cfg, or with a stub written by hand.
+// A folder of an object: it has a stub.cfg, or a stub written by hand.
 struct ObjectFolder {
   std::filesystem::path folder;
-  std::filesystem::path stub;  // empty: written by hand
-  std::string class_name;      // of stub.cfg
+  std::filesystem::path stub;  // path of stub.cfg; empty: the stub is written by hand
+  std::string class_name;      // from stub.cfg
   std::vector<std::filesystem::path> ocfs;
-  std::vector<std::filesystem::path> sources;  // of this folder only; without generated ones
-  std::vector<std::string> image_names;        // which rules of its Makefile install
+  std::vector<std::filesystem::path> sources;  // in this folder only, without generated files
+  std::vector<std::string> image_names;        // file names that rules of its Makefile install
 };
 
 // A folder that holds OPEN-R/MW.
 struct StickFolder {
   std::filesystem::path root;
-  std::vector<ObjectRecord> objects;    // of OBJECT.CFG, for every robot design, in file order
+  std::vector<ObjectRecord> objects;    // from OBJECT.CFG, of every robot design, in file order
   std::filesystem::path object_config;  // empty: there is none
 
-  // OPEN-R/MW/OBJS as it is spelt there.
+  // Returns the path of OPEN-R/MW/OBJS with the upper and lower case it has on the disk.
   std::filesystem::path ObjectsFolder() const;
 };
 
 struct Project {
   std::filesystem::path root;
-  std::vector<ObjectFolder> objects;     // in order of names
-  std::vector<ObjectFolder> neighbours;  // objects outside of the root, if the root has some
+  std::vector<ObjectFolder> objects;  // sorted by name
+  // Objects outside of the root; empty if the root has no objects.
+  std::vector<ObjectFolder> neighbours;
   std::vector<StickFolder> sticks;
-  std::vector<std::filesystem::path> makefiles;       // all of them, included ones too
-  std::vector<std::filesystem::path> shared_sources;  // in no object's own folder
-  std::vector<std::filesystem::path> header_folders;  // outside of objects' own folders
+  std::vector<std::filesystem::path> makefiles;  // all, including Makefiles that others include
+  std::vector<std::filesystem::path> shared_sources;  // outside of objects' folders
+  // Folders of headers outside of objects' folders.
+  std::vector<std::filesystem::path> header_folders;
 };
 
-// Reads `folders`: the first is the project's root, the others are what it refers to, of which
-// objects and sticks count only if the root has none.
+// Reads `folders`.  The first is the root of the project.  The others are folders that it refers
+// to; their objects and sticks count only if the root has none.
 Project ScanProject(const std::vector<std::filesystem::path>& folders);
 
-// Whether the text of a def.h comes from stubgen2, of whatever time.
+// Returns whether the text of a def.h was written by stubgen2, of any version.
 bool IsGeneratedDefinitions(const std::string& text);
 
-// The file name of a robot path: "/MS/OPEN-R/MW/OBJS/HELLO.BIN" is HELLO.BIN.
+// Returns the file name of a path on the robot: "HELLO.BIN" for "/MS/OPEN-R/MW/OBJS/HELLO.BIN".
 std::string FileNameOf(const ObjectRecord& record);
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// Files and folders around a folder of programs that it uses: Makefiles, sources and headers name
-// them by paths with "../".
+// Finds files and folders outside of a folder of programs that the programs use.  Makefiles,
+// sources and headers name them by paths with "../".
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,21 @@
 namespace openr_host {
 
 struct ReferredPlaces {
-  // The folder itself, then folders outside of it, in the order in which they are found.  No folder
-  // lies in another one.
+  // The folder itself, then folders outside of it in the order in which they were found.  No folder
+  // is inside another one.
   std::vector<std::filesystem::path> folders;
-  // Folders around one of these, as VPATH=.. names them.  All that they hold is too much: their own
-  // files count, without those of folders in them.
+  // Folders that contain one of these and are named themselves, as in VPATH=..  Only the files
+  // directly in them count, because the whole folder may hold much else.
   std::vector<std::filesystem::path> around;
-  std::vector<std::filesystem::path> files;  // of `around`
+  std::vector<std::filesystem::path> files;  // the files directly in `around`
 };
 
-// The text of a Makefile with that of the files it includes, and with variables that stand for a
-// path replaced by it: "$(TOP)/lib" is "../../lib" where TOP is "../..".
+// Returns the text of a Makefile, with the files that it includes, and with the values of variables
+// that stand for paths: "$(TOP)/lib" becomes "../../lib" where TOP is "../..".
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
-// Follows the paths from `root`, an absolute folder, and from what they lead to.
+// Follows the paths that files below `root`, an absolute folder, name, and the paths in what is
+// found there.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

@@ -1,7 +1,8 @@
-// What the SDK's g++ 3.3 took and today's refuses, and how to say it so that both take it.
+// Repairs sources that the SDK's g++ 3.3 accepted and today's g++ does not, so that both accept
+// them.
 //
-// A rule looks at one complaint of the compiler and at the text around its place.  Lines never
-// move: what follows is found where the person has it.
+// Each rule handles one kind of compiler message and looks at the text around its place.  No line
+// changes its number, so that later messages name the lines of the user's own file.
 #pragma once
 
 #include <string>
@@ -13,18 +14,19 @@ struct Complaint {
   std::string message;  // in English, with ASCII quotes
   std::string file;
   int line = 0;
-  int column = 0;  // in bytes
+  int column = 0;  // in bytes, from 1
 };
 
 struct Edit {
-  size_t begin = 0;  // in the text of the complaint's file
-  size_t end = 0;    // `begin`: an insertion
+  size_t begin = 0;  // offset in the file that the complaint is about
+  size_t end = 0;    // equal to `begin` for an insertion
   std::string text;
-  std::string what;  // for people; of one edit of a repair
+  std::string what;  // description for the user; set in one edit of a repair
 };
 
-// The edits that answer a complaint about `text`, which is the whole file; none if no rule fits.
-// `headers`: for a header that was not found, the paths of those there are.
+// Returns the edits of `text`, the whole file, that repair what `complaint` is about; none if no
+// rule fits.  If the complaint is about a missing header, `headers` are the paths of all headers
+// that could be meant.
 std::vector<Edit> RepairOf(const Complaint& complaint, const std::string& text,
                            const std::vector<std::string>& headers);
 

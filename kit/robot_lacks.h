@@ -1,4 +1,4 @@
-// What programs for a PC call and the robot has not.
+// Calls of programs for a PC that the robot does not have.
 #pragma once
 
 #include <string_view>
@@ -6,14 +6,14 @@
 namespace openr_host {
 
 struct LackedCall {
-  bool is_error;    // it does not work here either
-  const char* why;  // a sentence that goes on after "NAME(): "
+  bool is_error;    // the call fails on this host too
+  const char* why;  // text that follows "NAME(): "
 };
 
-// nullptr: the robot has it, or nobody knows of it.
+// Returns the entry of the call `name`; null if the robot has it or if the name is not known.
 const LackedCall* FindLackedCall(std::string_view name);
 
-// Whether the first argument of `name` is the name of a file or folder.
+// Returns whether the first argument of the function `name` is the name of a file or folder.
 bool TakesFileName(std::string_view name);
 
 }  // namespace openr_host

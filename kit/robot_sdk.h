@@ -1,4 +1,4 @@
-// Sony's OPEN-R SDK with its cross compiler: what makes images for the robot.
+// Runs Sony's OPEN-R SDK with its cross compiler, which makes images for the robot.
 #pragma once
 
 #include <filesystem>
@@ -9,22 +9,25 @@ namespace openr_host {
 
 class RobotSdk {
  public:
-  // The SDK that OPENRSDK_ROOT names.  Throws std::runtime_error that says what is missing: the
-  // variable, a tool, or that it is this project's own tree, which is for the host.
+  // Returns the SDK that OPENRSDK_ROOT names.  Throws std::runtime_error if the variable or a tool
+  // is missing, or if the SDK is this project's own tree, which builds for the host.
   static RobotSdk FromEnvironment();
 
-  // The SDK in `root`; throws as well.  Shows every command when `is_verbose`.
+  // Uses the SDK in `root`.  Throws as FromEnvironment() does.  Prints every command if
+  // `is_verbose`.
   explicit RobotSdk(const std::filesystem::path& root);
   void set_verbose(bool is_verbose) { is_verbose_ = is_verbose; }
 
   const std::filesystem::path& root() const { return root_; }
 
-  // The base of a Memory Stick for `model` ("MS_ERS200"): `flavour` BASIC, WLAN or WCONSOLE.
-  // Throws std::runtime_error that lists those that are there.
+  // Returns the folder with the base of a Memory Stick for `model` ("MS_ERS200") and `flavour`:
+  // BASIC, WLAN or WCONSOLE.  If there is none, throws std::runtime_error that lists the existing
+  // ones.
   std::filesystem::path BaseStick(const std::string& model, const std::string& flavour,
                                   bool is_protected) const;
 
-  // All throw std::runtime_error when the tool fails, which then has said why itself.
+  // The three functions throw std::runtime_error when the tool fails.  The tool has printed the
+  // reason then.
   // Writes def.h, entry.h and the stub to `folder`.
   void GenerateStub(const std::filesystem::path& config, const std::filesystem::path& folder) const;
 
@@ -32,12 +35,13 @@ class RobotSdk {
   void Compile(const std::filesystem::path& source, const std::filesystem::path& object,
                const std::vector<std::string>& options) const;
 
-  // `libraries`: "-lInternet".  Checks that what comes out is for the robot's processor.
+  // Links an image.  `libraries` are flags such as "-lInternet".  Checks that the image is for the
+  // robot's processor.
   void Link(const std::filesystem::path& ocf, const std::vector<std::filesystem::path>& objects,
             const std::vector<std::string>& libraries, const std::filesystem::path& image) const;
 
-  // The program that lists symbols of object files: the SDK's nm, else this machine's, which reads
-  // them as well.
+  // Returns the program that lists the symbols of object files: the SDK's nm, or else this
+  // machine's nm, which can read them too.
   std::string SymbolLister() const;
 
  private:
@@ -49,7 +53,7 @@ class RobotSdk {
   bool is_verbose_ = false;
 };
 
-// "" for a 32-bit little-endian MIPS program, else what the file is instead.
+// Returns "" if the file is a 32-bit little-endian MIPS program; otherwise says what it is.
 std::string WhyNotForRobot(const std::filesystem::path& image);
 
 }  // namespace openr_host

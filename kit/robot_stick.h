@@ -1,4 +1,4 @@
-// openr stick: the files for a Memory Stick, for the robot or for the host.
+// The command openr stick: makes the files of a Memory Stick, for the robot or for the host.
 #pragma once
 
 #include <string>
@@ -6,22 +6,23 @@
 namespace openr_host {
 
 struct RobotStickOptions {
-  std::string output;      // folder to make; holds OPEN-R/ afterwards
-  std::string controller;  // folder of a controller; "": the default one, which does nothing
-  std::string base;        // folder with OPEN-R/ to add to; "": the SDK's
+  std::string output;      // folder to create; OPEN-R/ will be in it
+  std::string controller;  // folder of a controller; "": the empty controller
+  std::string base;        // folder whose OPEN-R/ is the base of the stick; "": the SDK's
   std::string model = "ers210";
   std::string flavour = "WCONSOLE";
-  bool is_protected = true;  // memory protection
+  bool is_protected = true;  // the robot protects memory
   bool is_verbose = false;
-  std::string sources;  // the objects' sources, with stub.cfg/ (install_paths.h)
-  std::string stick;    // the default stick of the host: motions come from there
+  std::string sources;  // folder with the sources of the objects and stub.cfg/ (install_paths.h)
+  std::string stick;    // default stick of the host; the motions are taken from it
 };
 
-// Compiles the objects with the SDK of OPENRSDK_ROOT and puts them on the base of a stick.  The
-// output appears whole or not at all.  Throws std::runtime_error that says what is wrong.
+// Compiles the objects with the SDK of OPENRSDK_ROOT and adds them to the base of a stick.  The
+// output appears whole or not at all.  Throws std::runtime_error with the reason of a failure.
 void MakeRobotStick(const RobotStickOptions& options);
 
-// A copy of `stick` in `output`, whole or not at all; without what only the host's debugger reads.
+// Copies `stick` to `output`, whole or not at all, without the files that only a debugger on the
+// host reads.
 void MakeHostStick(const std::string& stick, const std::string& output);
 
 }  // namespace openr_host

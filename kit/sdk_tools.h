@@ -1,5 +1,5 @@
-// The tools of the SDK tree.  Each gets its arguments without its own name and returns its exit
-// status; what it says goes to standard output and error, as a tool of the SDK would.
+// The tools of the SDK tree.  Each takes its arguments without its own name, prints messages as the
+// tool of the SDK does, and returns its exit status.
 #pragma once
 
 #include <string>
@@ -14,23 +14,24 @@ using Arguments = std::vector<std::string>;
 // mipsel-linux-g++ and -gcc: the host's compiler with the kit's flags.
 int RunCompiler(const Arguments& arguments, bool is_cxx);
 
-// mkbin -o X.bin X.ocf a.o libb.a -lObjectComm: a shared object that holds the text of the .ocf.
+// mkbin -o X.bin X.ocf a.o libb.a -lObjectComm: makes a shared object that contains the text of the
+// .ocf.
 int RunMkbin(const Arguments& arguments);
 
-// image-info OCF OUT: the source of that text, to be compiled and linked last.
+// image-info OCF OUT: writes the source with that text, which is to be compiled and linked last.
 int RunImageInfo(const Arguments& arguments);
 
-// controller-main NM OUT [OBJECT...]: the source that calls main() of a controller, for build
-// systems; see controller_main.h.
+// controller-main NM OUT [OBJECT...]: writes the source that calls main() of a controller, for
+// build systems; see controller_main.h.
 int RunControllerMain(const Arguments& arguments);
 
-// gzcp FROM TO: a compressed copy.
+// gzcp FROM TO: makes a compressed copy.
 int RunGzcp(const Arguments& arguments);
 
-// strip [-o OUT] FILE...: changes nothing, so that a debugger finds lines on the host.
+// strip [-o OUT] FILE...: copies without a change, because a debugger on the host needs the lines.
 int RunStrip(const Arguments& arguments);
 
-// ar, ld and others: the host's, without the flags for the robot's processor.
+// ar, ld and others: runs the host's tool, without the flags for the robot's processor.
 int RunHostTool(const std::string& tool, const Arguments& arguments);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Command lines as a shell reads them.
+// Splits and quotes command lines in the way of a shell.
 #pragma once
 
 #include <string>
@@ -6,10 +6,11 @@
 
 namespace openr_host {
 
-// `text` as one word of a command: in quotes if it has blanks or the like.
+// Returns `text` as one word of a command line; in quotes if it has blanks or other special
+// characters.
 std::string ShellWord(const std::string& text);
 
-// The words of a command without variables, with quotes and backslashes taken off.
+// Returns the words of a command line, without quotes and backslashes.  Variables are not expanded.
 std::vector<std::string> SplitShellWords(const std::string& command);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Which folders are private copies of a person's sources, made by `openr build`.
+// The folders in which `openr build` has private copies of a user's sources.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 namespace openr_host {
 
 struct SourceCopy {
-  std::string copy;  // both absolute, without a slash at the end
+  std::string copy;  // both paths are absolute, without a slash at the end
   std::string original;
 };
 
-// As told by `openr build` in the environment; empty when a tool runs by itself.
+// Returns the list that `openr build` passes in the environment; empty when a tool runs by itself.
 std::vector<SourceCopy> SourceCopies();
 std::string ToEnvironment(const std::vector<SourceCopy>& copies);
 
-// `text` with the names of copies turned into those of the originals.
+// Returns `text` with paths of copies replaced by those of the originals.
 std::string InTermsOfOriginals(std::string text, const std::vector<SourceCopy>& copies);
 
-// The original of `file`, an absolute path; "" when it lies in no copy.
+// Returns the original of `file`, an absolute path; "" when it is in no copy.
 std::string OriginalOf(const std::string& file, const std::vector<SourceCopy>& copies);
 
 }  // namespace openr_host

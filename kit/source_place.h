@@ -1,4 +1,4 @@
-// From a position in a source to what a person is shown of it.
+// Turns a position in a source into what a message shows of it.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// The line and column of `offset` in `text`, which is that of `file`.
+// Returns the line and column of `offset` in `text`, the content of `file`.
 FilePosition PlaceAt(const std::string& file, std::string_view text, size_t offset);
 
 }  // namespace openr_host

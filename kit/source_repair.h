@@ -1,5 +1,5 @@
-// Old sources that today's g++ refuses and the SDK's g++ 3.3 took: small changes to the private
-// copy that `openr build` made of them.  The person's own files are never touched.
+// Repairs old sources that the SDK's g++ 3.3 accepted and today's g++ does not.  Changes only the
+// private copy that `openr build` has made, never the user's own files.
 #pragma once
 
 #include <map>
@@ -12,7 +12,8 @@
 
 namespace openr_host {
 
-// The repairs one compilation needs.  While it lives, no other one repairs: headers are shared.
+// The repairs during one compilation.  While a session exists, other processes wait with theirs,
+// because headers are shared.
 class RepairSession {
  public:
   RepairSession();
@@ -20,17 +21,17 @@ class RepairSession {
   RepairSession(const RepairSession&) = delete;
   RepairSession& operator=(const RepairSession&) = delete;
 
-  // Whether there is anything that may be changed at all.
+  // Returns whether there are private copies, which may be changed.
   bool may_repair() const { return !copies_.empty(); }
 
-  // Repairs what it can in one round.  `diagnostics`: the answer of g++ about `sources` with
-  // -fdiagnostics-format=json.  False when it can repair nothing.
+  // Makes one round of repairs.  `diagnostics` is the output of g++ with -fdiagnostics-format=json
+  // for `sources`.  Returns false if nothing could be repaired.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
-  // They helped: says in the log what was done, in terms of the originals.
+  // Keeps the repairs, and notes them in the log with the paths of the originals.
   void Keep();
 
-  // They did not: the files are as they were.
+  // Restores the files that were changed.
   void Undo();
 
  private:
@@ -39,7 +40,7 @@ class RepairSession {
 
   const std::vector<SourceCopy> copies_;
   int lock_ = -1;
-  std::map<std::string, std::string> former_;  // text of changed files
+  std::map<std::string, std::string> former_;  // by file: its text before the first repair
   std::vector<KitLog::Repair> repairs_;
 };
 

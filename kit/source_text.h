@@ -1,4 +1,4 @@
-// Reading C++ as text: where words and brackets are, with comments and strings out of the way.
+// Finds words and brackets in C++ text, without regard to comments and strings.
 #pragma once
 
 #include <string>
@@ -7,37 +7,39 @@
 
 namespace openr_host {
 
-// `text` with comments, strings and characters replaced by blanks; of the same length.
+// Returns `text` with comments, strings and character literals replaced by blanks, of the same
+// length.
 std::string WithoutComments(std::string_view text);
 
-// A string in quotes.
+// A string literal.
 struct StringLiteral {
-  size_t at = 0;     // of the opening quote
-  std::string text;  // between the quotes, as it is written
+  size_t at = 0;     // position of the opening quote
+  std::string text;  // text between the quotes, as written
 };
 
-// The strings of `text` that stand in no comment.
+// Returns the string literals of `text` outside of comments.
 std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 
-// The position of a line and a column, both from 1; npos when the text has no such place.
+// Returns the position of a line and a column, both from 1; npos if the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);
 
-// A position that there is not.
+// Means: no position.
 inline constexpr size_t kNone = std::string_view::npos;
 
-// The next position from `at` on (before `at`) that is not a blank or the end of a line, or kNone.
+// Return the position of the next character from `at` on, or of the previous one before `at`, that
+// is neither a blank nor a line end; kNone if there is none.
 size_t NextOf(std::string_view text, size_t at);
 size_t PreviousOf(std::string_view text, size_t at);
 
 bool IsWordCharacter(char c);
 
-// Whether the word `word` begins at `at`.
+// Returns whether the whole word `word` begins at `at`.
 bool HasWordAt(std::string_view text, size_t at, std::string_view word);
 
-// The word that begins at `at`; "" if none does.
+// Returns the word that begins at `at`; "" if none does.
 std::string_view WordAt(std::string_view text, size_t at);
 
-// The position of the bracket that closes the one at `open`; npos if there is none.
+// Returns the position of the bracket that closes the one at `open`; npos if there is none.
 size_t ClosingOf(std::string_view text, size_t open);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Joining two Memory Stick trees, and what a robot asks of the result.
+// Merges two Memory Stick trees, and checks the result for the robot.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,25 @@
 
 namespace openr_host {
 
-// OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base and of an application in one: the base's lines
-// before ours, in each part: before the first [design] and from there on.  A line that both have,
-// whatever blanks it has, is kept once.
+// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base and of an application.  The lines of
+// the base come first, both in the part before the first [design] and in the part after it.  A line
+// that both have, apart from blanks, is kept once.
 std::string MergeConfig(const std::string& base, const std::string& ours);
 
-// Whether the Memory Stick of the robot can hold this name: up to eight characters, a dot, up to
-// three.  "" or what is wrong.
+// Returns the reason why a Memory Stick of the robot cannot have a file `name`, or "".  A name has
+// up to eight characters, a dot, and up to three characters.
 std::string WhyNotShortName(const std::string& name);
 
-// Files and folders below `folder` whose names the robot's stick cannot hold.
+// Returns an error for each file and folder below `folder` whose name the robot's stick cannot
+// have.
 std::vector<Diagnostic> CheckNames(const std::filesystem::path& folder);
 
-// A blank beside '=' hangs the boot of the robot; an unknown key does nothing.
+// Checks a WLANCONF.TXT.  A blank beside '=' hangs the boot of the robot; an unknown key has no
+// effect.
 std::vector<Diagnostic> CheckWlanConfig(const std::string& file, const std::string& text);
 
-// What OBJECT.CFG of `stick` (which holds OPEN-R/) names and is not there, and whether something
-// handles the pause button.
+// Checks that the images which OBJECT.CFG of `stick` names exist, and that an object handles the
+// pause button.  `stick` holds OPEN-R/.
 std::vector<Diagnostic> CheckObjectConfig(const std::filesystem::path& stick);
 
 }  // namespace openr_host

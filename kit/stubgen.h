@@ -8,16 +8,17 @@ namespace openr_host {
 
 struct StubgenOptions {
   std::string file;          // "" or "-": standard input
-  std::string folder = ".";  // made if it does not exist
+  std::string folder = ".";  // created if it does not exist
 };
 
-// Reads a stub.cfg and writes def.h, entry.h and the two stub files; a summary goes to `out`,
-// complaints go to `err`.  Nothing is left half written: on any error the folder keeps the files it
-// had.  Returns the exit code: 0 good, 1 the input or the disk is to blame.
+// Reads a stub.cfg and writes def.h, entry.h and the two stub files.  Writes a summary to `out` and
+// errors to `err`.  After an error, the folder has the files it had before.  Returns the exit code:
+// 0 for success, 1 for an error in the input or on the disk.
 int RunStubgen(const StubgenOptions& options, std::istream& in, std::ostream& out,
                std::ostream& err);
 
-// The same from a command line, argv[0] being the command's name; 2 when that line is wrong.
+// Does the same for a command line, where argv[0] is the name of the command.  Returns 2 when the
+// command line is wrong.
 int StubgenMain(int argc, char** argv);
 
 }  // namespace openr_host

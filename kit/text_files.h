@@ -1,4 +1,4 @@
-// Small things about files and their names that many parts of the kit need.
+// Helper functions for text files, folders and file names, used by many parts of the kit.
 #pragma once
 
 #include <filesystem>
@@ -10,43 +10,46 @@ namespace openr_host {
 
 std::optional<std::string> ReadText(const std::filesystem::path& file);
 
-// Makes the folders that are missing; else as WriteFile().
+// Replaces the content of `file`, and creates missing folders.  Returns "" or the error, as
+// WriteFile() does.
 std::string WriteText(const std::filesystem::path& file, const std::string& text);
 
 std::string LowerCase(std::string text);
 
-// `path` with '_' for every character that make or the shell would take apart.
+// Returns `path` with '_' in place of every character that has a meaning for make or the shell.
 std::string WithoutOddCharacters(std::string path);
 
-// The entry of `folder` that is called `name` in any case; an empty path if there is none.
+// Returns the entry of `folder` called `name`, in any case; an empty path if there is none.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 
-// The same for several parts: OPEN-R/MW/CONF.
+// Returns the same for a path of several parts, such as OPEN-R/MW/CONF.
 std::filesystem::path FindBelow(std::filesystem::path folder, const std::string& path);
 
-// `path` below `folder`, with the parts that are there in any case as they are spelt there.
+// Returns `path` below `folder`.  Parts that exist, in any case, are written as on the disk.
 std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
 
-// Whether a file of this name is a C or C++ source, a header, or made of Makefile rules.
+// Return whether a file of this name is a C or C++ source, a header, or a file of Makefile rules.
 bool IsSourceName(const std::filesystem::path& file);
 bool IsHeaderName(const std::filesystem::path& file);
 bool IsMakefileName(const std::filesystem::path& file);
-// One that make finds by itself.
+// Returns whether make finds a file of this name without -f.
 bool IsMainMakefileName(const std::filesystem::path& file);
 
-// Folders of version control, hidden ones, and what CMake builds in: not sources.
+// Returns whether the folder holds no sources: a folder of version control, a hidden one, or a
+// build folder of CMake.
 bool IsIgnoredFolder(const std::filesystem::path& folder);
 
 bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-// All regular files below `folder`, in order of names, without ignored folders; links are
-// followed, but not in circles.
+// Returns all regular files below `folder`, sorted by name, without ignored folders.  Follows
+// links, but enters no folder twice on one path.
 std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
 
-// "" or "cannot be read: Permission denied" of a file or folder that is there.
+// Returns "" or a reason such as "cannot be read: Permission denied" for an existing file or
+// folder.
 std::string WhyUnreadable(const std::filesystem::path& path);
 
-// `folder` and what is below it, as far as it is there and may not be read.
+// Returns those of `folder` and the files and folders in it that exist and cannot be read.
 std::vector<std::filesystem::path> UnreadableBelow(const std::filesystem::path& folder);
 
 }  // namespace openr_host

@@ -1,8 +1,8 @@
-// The private copy of a person's folder in which Makefiles run: what they leave behind stays out
-// of the sources, and what does not suit the host can be changed.
+// A private copy of the user's folder, in which Makefiles run.  The files that they make stay out
+// of the sources, and files that do not fit the host can be changed.
 //
-// The copy keeps the times of files, and what was made in it, from one build to the next: only
-// what changed is copied again, so make does what it would do in the folder itself.
+// The copy stays from one build to the next, with the times of files and with what was made in it.
+// Only changed files are copied again, so make rebuilds what it would rebuild in the folder itself.
 #pragma once
 
 #include <cstdint>
@@ -17,30 +17,30 @@ namespace openr_host {
 
 class WorkCopy {
  public:
-  // `work`: a folder of the kit's own.  `sdk_root` replaces paths of other SDKs in Makefiles.
+  // `work` is a folder of the kit.  `sdk_root` replaces the paths of other SDKs in Makefiles.
   WorkCopy(std::filesystem::path work, std::string sdk_root);
 
-  // Brings the copy of `original`, an absolute folder, up to date, and of everything outside of it
-  // that its Makefiles and sources name with "../" (referred_places.h).  Returns its place in the
-  // copy.
-  // Throws std::runtime_error when something cannot be read or written.
+  // Brings the copy of `original`, an absolute folder, up to date, and copies everything outside of
+  // it that its Makefiles and sources name with "../" (referred_places.h).  Returns the path of the
+  // copy.  Throws std::runtime_error when something cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
-  // Where `original` is, or would be, in the copy.
+  // Returns the path that `original` has, or would have, in the copy.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
-  // Every folder added; the first one is what was asked for.  Folders around others, of which only
-  // files were copied and no folders, come last.
+  // Returns all copied folders.  The first is the one that the user named.  The last ones are
+  // folders of which only the files directly in them were copied.
   const std::vector<SourceCopy>& copies() const { return copies_; }
 
-  // Object files, libraries and images for another processor, which are not copied; their
-  // originals, each with the name of the processor.
+  // Returns the originals of object files, libraries and images that were not copied because they
+  // are for another processor, each with the name of the processor.
   const std::map<std::string, std::string>& left_out() const { return left_out_; }
 
-  // Whether the file of the copy came from the original as it is now, and not from the build.
+  // Returns whether the file of the copy is an unchanged copy of its original, and was not made by
+  // the build.
   bool IsOriginal(const std::filesystem::path& file) const;
 
-  // Remembers what was copied; to be called when all is added.
+  // Writes down what was copied, for the next build.  To be called after the last Add().
   void Save() const;
 
  private:
@@ -60,10 +60,10 @@ class WorkCopy {
   const std::filesystem::path work_;
   const std::string sdk_root_;
   std::vector<SourceCopy> copies_;
-  std::vector<std::filesystem::path> left_stubs_;  // copies of generated files, of this run
+  std::vector<std::filesystem::path> left_stubs_;  // copies of generated files, found in this run
   std::map<std::string, std::string> left_out_, former_left_out_;
-  std::map<std::string, Stamp> former_;   // by original: as of the last build
-  std::map<std::string, Stamp> present_;  // by original: seen now
+  std::map<std::string, Stamp> former_;   // by original: what the last build copied
+  std::map<std::string, Stamp> present_;  // by original: what this build found
 };
 
 }  // namespace openr_host
