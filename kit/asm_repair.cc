@@ -14,22 +14,23 @@ namespace {
 constexpr char kStopsNote[] =
     "assembly for the robot's processor left out; the object stops with a trap where it is reached";
 
-// A use of the word asm with its brackets.
+// A use of the word asm, with its brackets.
 struct AsmUse {
-  size_t begin = 0;             // of the word asm
-  size_t end = 0;               // behind the closing bracket
-  bool is_in_function = false;  // else it stands at the level of the file
-  bool names_register = false;  // register int x asm("$4")
+  size_t begin = 0;             // position of the word asm
+  size_t end = 0;               // position after the closing bracket
+  bool is_in_function = false;  // false: the statement is outside of functions
+  bool names_register = false;  // gives a variable a register: register int x asm("$4")
 };
 
-// Whether the block that opens at `brace` holds declarations: extern "C" { or namespace x {.
+// Returns whether the block that opens at `brace` contains declarations: extern "C" { or namespace
+// x {.
 bool IsOuterBlock(const std::string& code, size_t brace) {
   static const std::regex kHead("(^|[^\\w])(extern|namespace(\\s+\\w+)?)\\s*$");
   const size_t begin = brace < 80 ? 0 : brace - 80;
   return std::regex_search(code.substr(begin, brace - begin), kHead);
 }
 
-// The opening bracket behind the word asm and its qualifiers, or kNone.
+// Returns the position of the opening bracket after the word asm and its qualifiers, or kNone.
 size_t OpeningOf(const std::string& code, size_t word_end) {
   static const std::set<std::string_view> kQualifiers = {"volatile", "__volatile__", "__volatile",
                                                          "goto", "inline"};
@@ -42,13 +43,14 @@ size_t OpeningOf(const std::string& code, size_t word_end) {
   return at;
 }
 
-// Whether the word asm between `previous` and `next`, positions of code, gives a variable its
-// register: it stands behind a name, and behind it the declaration ends or goes on.
+// Returns whether the word asm between the positions `previous` and `next` gives a variable its
+// register.  Then a name stands before it, and after it the declaration ends or goes on.
 bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   if (previous == kNone || !IsWordCharacter(code[previous])) return false;
   if (next == kNone || std::string_view(";=,").find(code[next]) == kNone) return false;
   const size_t line = code.rfind('\n', previous);
-  if (code[NextOf(code, line == kNone ? 0 : line)] == '#') return false;  // behind a directive
+  if (code[NextOf(code, line == kNone ? 0 : line)] == '#')
+    return false;  // on the line of a directive
   size_t begin = previous;
   while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
   const std::string_view before = WordAt(code, begin);
@@ -57,7 +59,7 @@ bool NamesRegister(const std::string& code, size_t previous, size_t next) {
 
 std::vector<AsmUse> FindAsmUses(const std::string& code) {
   std::vector<AsmUse> uses;
-  std::vector<bool> is_outer;  // of the blocks open at `at`
+  std::vector<bool> is_outer;  // for each block that is open at `at`
   for (size_t at = 0; at < code.size(); ++at) {
     if (code[at] == '{') is_outer.push_back(IsOuterBlock(code, at));
     if (code[at] == '}' && !is_outer.empty()) is_outer.pop_back();
@@ -78,7 +80,7 @@ std::vector<AsmUse> FindAsmUses(const std::string& code) {
   return uses;
 }
 
-// The text between the first quotes of `statement` and the first colon outside of quotes.
+// Returns the text between the first quotes of `statement` and the first colon outside of quotes.
 std::string TemplateOf(std::string_view statement) {
   std::string text;
   bool is_quoted = false;
@@ -97,7 +99,7 @@ std::string TemplateOf(std::string_view statement) {
   return text;
 }
 
-// Whether leaving the instructions out changes nothing that a program can see.
+// Returns whether the program behaves the same without these instructions.
 bool HasNoEffect(const std::string& assembly) {
   static const std::regex kInstruction("(?:^|[\n;])[ \t]*([.\\w]+)[^\n;]*");
   static const std::set<std::string> kHarmless = {"nop", "ssnop", "ehb", "sync", ".set"};
@@ -107,12 +109,14 @@ bool HasNoEffect(const std::string& assembly) {
   return true;
 }
 
-// `replacement`, and behind it the line ends of what it replaces.
+// Returns `replacement`, followed by as many line ends as `replaced` has, so that line numbers
+// stay.
 std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    const bool goes_on = i >= back && replaced[i - back] == '\\';  // inside of a macro
+    // In a macro, the line end needs a backslash.
+    const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }
   return replacement;
@@ -136,7 +140,8 @@ int LineOf(const std::string& text, size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + 1;
 }
 
-// Lines that `use` fills for the assembler, which counts on at every line of the template.
+// Returns the last line that the assembler may name for `use`.  It counts on at each line of the
+// template.
 int LastLineOf(const AsmUse& use, const std::string& text) {
   const std::string assembly =
       TemplateOf(std::string_view(text).substr(use.begin, use.end - use.begin));
@@ -181,7 +186,7 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
   const std::string code = WithoutComments(header);
   std::vector<Edit> edits;
   for (AsmUse use : FindAsmUses(code)) {
-    // The first line of the macro: lines before it that do not end in a backslash are not its own.
+    // Finds the beginning of the macro: the line above its first line does not end in a backslash.
     size_t begin = code.rfind('\n', use.begin);
     while (begin != kNone && begin > 0 && code[begin - 1] == '\\')
       begin = code.rfind('\n', begin - 1);

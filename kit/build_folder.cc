@@ -37,7 +37,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In the folder of private copies: which kit and which folder it belongs to.
+// A file in the folder of private copies with the version of the kit and the path of the user's
+// folder.
 constexpr char kIdentityFile[] = "kit.txt";
 constexpr char kOwnerFile[] = "folder.txt";
 
@@ -48,7 +49,7 @@ fs::path DefaultWorkFolder(const fs::path& folder) {
          fmt::format("{}-{:016x}", WithoutOddCharacters(folder.filename()), hasher.Digest());
 }
 
-// Changes with the kit: what another one has built is not mixed with this one's.
+// Returns a text that changes with the kit, so that results of different versions are not mixed.
 std::string KitIdentity(const std::string& sdk_root) {
   fs::file_time_type newest = fs::file_time_type::min();
   for (const char* part : {"OPEN_R/include", "compat", "compile-flags.txt", "images"}) {
@@ -98,7 +99,7 @@ class FolderBuild {
   std::string OriginalName(const std::string& file) const;
 
   const BuildOptions options_;
-  const fs::path folder_;  // the person's
+  const fs::path folder_;  // the user's folder
   const fs::path work_;
   const std::string sdk_root_;
   int lock_ = -1;
@@ -107,17 +108,17 @@ class FolderBuild {
   std::vector<SourceCopy> copies_;
   std::vector<fs::path> copied_folders_;
   Project project_;
-  bool is_made_ = false;              // make was content
-  std::string make_cause_;            // why it was not; "" if it does not say
-  bool wants_all_ = false;            // there is no OBJECT.CFG
-  std::vector<std::string> hurdles_;  // why objects could not even be tried
-  std::vector<std::string> missing_;  // images that OBJECT.CFG names
+  bool is_made_ = false;              // make has succeeded
+  std::string make_cause_;            // the reason why make failed; "": unknown
+  bool wants_all_ = false;            // there is no OBJECT.CFG, so all images are wanted
+  std::vector<std::string> hurdles_;  // reasons why objects could not even be tried
+  std::vector<std::string> missing_;  // images that OBJECT.CFG names and that were not made
   std::vector<std::string> problems_;
   std::vector<std::string> notes_;
-  std::vector<std::string> sticks_;  // where they are now
+  std::vector<std::string> sticks_;  // paths where the sticks are now
 };
 
-// What is built of two folders must not be mixed, and nobody's own files be removed.
+// Throws if the folder for private copies belongs to another folder, or holds the user's own files.
 void FolderBuild::CheckWorkIsOurs() const {
   std::error_code error;
   if (!fs::exists(work_, error)) return;
@@ -137,7 +138,7 @@ void FolderBuild::CheckWorkIsOurs() const {
 void FolderBuild::PrepareWork() {
   std::error_code error;
   fs::create_directories(work_.parent_path(), error);
-  // Another build of the same folder is waited for.
+  // Waits for another build of the same folder.
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
   CheckWorkIsOurs();
@@ -148,7 +149,8 @@ void FolderBuild::PrepareWork() {
   const std::string problem = WriteText(identity_file, identity);
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
   WriteText(work_ / kOwnerFile, folder_.string());
-  // Images that were put in place by their names would be taken for new ones.
+  // Images that an earlier build has put on the stick by their names are removed, because they
+  // would look like new ones.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;
@@ -187,7 +189,7 @@ int FolderBuild::Run() {
   return Conclude();
 }
 
-// Whether a file of this object does not compile or link.
+// Returns whether a file of this object does not compile or link.
 bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
@@ -195,7 +197,8 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// The objects of which no image exists, but for those that no other way would compile either.
+// Returns the objects without an image, but not those with sources that do not compile, because
+// another way of building would not compile them either.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -217,7 +220,8 @@ void FolderBuild::Build() {
   }
   MakeOutcome outcome = RunMake(plan, make_);
   RemoveOldImages(outcome.is_good);
-  // A rule that goes through folders one by one ends at the first that fails.
+  // A rule that handles folders one by one ends at the first one that fails, so the others are
+  // tried here.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -241,7 +245,7 @@ void FolderBuild::Build() {
   TryConvention(rest, plan);
 }
 
-// Whether `image` was linked of something that failed now, so that it comes from an earlier build.
+// Returns whether a part of `image` failed now.  Then the image comes from an earlier build.
 bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>& failures) {
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
     if (failure.file == image.ocf || failure.output == image.file) return true;
@@ -254,7 +258,7 @@ bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>&
   });
 }
 
-// Whether a source beside the .ocf file of `image` is newer than it.
+// Returns whether a source beside the .ocf file of `image` is newer than the image.
 bool IsOlderThanSources(const KitLog::Image& image) {
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(image.file, error);
@@ -264,7 +268,8 @@ bool IsOlderThanSources(const KitLog::Image& image) {
   });
 }
 
-// Images of an earlier build that this one could not make anew would be taken for new ones.
+// Removes images of an earlier build that this build could not make again, because they would look
+// like new ones.
 void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
   const auto is_old = [&](const KitLog::Image& image) {
@@ -277,7 +282,8 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   WriteKitLog(make_.log, log);
 }
 
-// Whether some OBJECT.CFG names an image that there is not; without one, all are wanted.
+// Returns whether an image that an OBJECT.CFG names is missing.  Without OBJECT.CFG, all images are
+// wanted.
 bool FolderBuild::SomeImageIsMissing() const {
   const KitLog log = ReadKitLog(make_.log);
   bool has_list = false;
@@ -298,11 +304,11 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 }
 
 void FolderBuild::Deliver() {
-  Project after = ScanProject(copied_folders_);  // rules may have made sticks
+  Project after = ScanProject(copied_folders_);  // because rules may have made sticks
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
                            [](const StickFolder& stick) { return stick.objects.empty(); });
-  if (wants_all_ && HasFailed()) return;  // the OBJECT.CFG to be written would leave some out
+  if (wants_all_ && HasFailed()) return;  // the new OBJECT.CFG would not have all images
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
   std::set<std::string> used;
@@ -341,7 +347,7 @@ void FolderBuild::Deliver() {
   WriteText(work_ / "placed.txt", placed);
 }
 
-// Whether an object does not compile or link, or could not be tried.
+// Returns whether an object does not compile or link, or could not be tried.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||
@@ -350,8 +356,9 @@ bool FolderBuild::HasFailed() const {
          });
 }
 
-// Reports each failure: as an error if an image is missing for it, else as a note, because
-// OBJECT.CFG says what belongs to the program.  The cause comes last, where people look first.
+// Reports each failure: as an error if an image is missing because of it, else as a note, because
+// OBJECT.CFG says what belongs to the program.  The reason comes last, because people look at the
+// end of the output first.
 void FolderBuild::TellFailures() {
   const KitLog log = ReadKitLog(make_.log);
   for (const KitLog::Repair& repair : log.repairs)
@@ -367,13 +374,14 @@ void FolderBuild::TellFailures() {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // A compiler's complaint that make repeats is no news.
+  // If make has repeated the message of a compiler, it is not printed again.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);
 }
 
-// Object files and libraries for another processor that Makefiles name and that nothing made anew.
+// Returns the object files and libraries for another processor that Makefiles name and that the
+// build has not made anew.
 std::vector<std::string> FolderBuild::LeftOutAndMissed() const {
   std::string makefiles;
   for (const fs::path& file : project_.makefiles) makefiles += ReadText(file).value_or("");
@@ -405,7 +413,7 @@ std::string FolderBuild::OriginalName(const std::string& file) const {
   return original.empty() ? file : original;
 }
 
-// The object in whose folder `file` lies; "" if it lies in none.
+// Returns the object whose folder contains `file`; "" if none does.
 std::string FolderBuild::ObjectOf(const fs::path& file) const {
   for (const ObjectFolder& object : project_.objects) {
     const fs::path build = work_ / "build" / object.folder.lexically_relative(project_.root);
@@ -415,7 +423,7 @@ std::string FolderBuild::ObjectOf(const fs::path& file) const {
   return "";
 }
 
-// "Sender: Chat/Sender/Sender.cc does not compile; ..."
+// Returns a line such as "Sender: Chat/Sender/Sender.cc does not compile; ..."
 std::string FolderBuild::Described(const KitLog::Failure& failure) const {
   const std::string object = ObjectOf(failure.file);
   const std::string original = OriginalOf(failure.file, copies_);

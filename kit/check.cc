@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kPlacesMax = 5;  // shown beside the first one
+constexpr size_t kPlacesMax = 5;  // number of further places shown
 
 Remark::Kind KindOf(Severity severity) {
   if (severity == Severity::kNote) return Remark::Kind::kNote;
@@ -99,7 +99,8 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   Remarks unreadable;
   for (const fs::path& path : UnreadableBelow(folder))
     unreadable.Error(path.string(), WhyUnreadable(path) + "; nothing else was checked");
-  if (!unreadable.all().empty()) return unreadable;  // what is in it would be called missing
+  // Files that cannot be read would be reported as missing, so nothing else is checked.
+  if (!unreadable.all().empty()) return unreadable;
   // Files that Makefiles take from elsewhere belong to the program, as they do in openr build.
   const fs::path root = fs::canonical(folder);
   const ReferredPlaces places = FindReferredPlaces(root);

@@ -20,7 +20,8 @@ namespace {
 
 constexpr int kFrameMs = 8;
 
-// Which function of the controller's life a piece of code belongs to, directly or not.
+// The function of the controller that calls a piece of code, directly or not: main(), the function
+// of robot_run(), or the function of robot_die().
 enum class Part { kMain, kRun, kDie };
 
 class ControllerCheck {
@@ -49,7 +50,7 @@ class ControllerCheck {
     if (!code_.Defines("main")) {
       remarks_->Warning(first, "no main() in any source: nothing will happen");
     } else if (!code_.Calls("robot_run") && !code_.Calls("robot_step")) {
-      remarks_->Warning(first, "nobody calls robot_run(): main() runs once and that is all");
+      remarks_->Warning(first, "nothing calls robot_run(): main() runs once and that is all");
     }
   }
 
@@ -161,7 +162,7 @@ class ControllerCheck {
            (code[before] == '.' || (code[before] == '>' && before > 0 && code[before - 1] == '-'));
   }
 
-  // Whether `at` is the name of an std::ifstream or the like.
+  // Returns whether `at` is the name of a variable of type std::ifstream or the like.
   static bool IsFileStream(const std::string& code, size_t at) {
     size_t begin = PreviousOf(code, at);
     if (begin == kNone || begin + 1 == at) return false;
@@ -170,8 +171,8 @@ class ControllerCheck {
     return type == "ifstream" || type == "ofstream" || type == "fstream";
   }
 
-  // Names of devices: what robot_get_device() is given, and every "PRM:..." of the source, since
-  // controllers keep them in tables.
+  // Checks names of devices: arguments of robot_get_device(), and every string "PRM:...", because
+  // controllers keep names in tables.
   void CheckLocators(const CodeFile& file) {
     if (locators_.empty()) return;
     for (const StringLiteral& literal : StringLiteralsIn(file.source)) {
@@ -187,7 +188,7 @@ class ControllerCheck {
     }
   }
 
-  // Whether the text up to `last` ends in "robot_get_device(".
+  // Returns whether the text up to the position `last` ends in "robot_get_device(".
   static bool IsGivenToGetDevice(const std::string& source, size_t last) {
     constexpr std::string_view kFunction = "robot_get_device";
     if (last == kNone || source[last] != '(') return false;
@@ -213,7 +214,7 @@ class ControllerCheck {
 
   void CheckFileName(const CodeFile& file, const CodeCall& call) {
     const std::string argument = code_.FirstArgument(file, call);
-    if (!argument.starts_with('"')) return;  // not known before it runs
+    if (!argument.starts_with('"')) return;  // the name is only known at run time
     const std::string name = argument.substr(1, argument.find('"', 1) - 1);
     if (name.empty() || EqualsIgnoringCase(name.substr(0, 4), "/MS/")) return;
     const size_t slash = name.rfind('/');
@@ -223,7 +224,7 @@ class ControllerCheck {
                     name, slash == kNone ? name : name.substr(slash + 1)));
   }
 
-  // What the functions given to robot_run() return.
+  // Checks the values that functions given to robot_run() return.
   void CheckRunFunctions() {
     static const std::regex kReturn("\\breturn[ \t\r\n(]+(\\w+)[ \t\r\n)]*;");
     for (const CodeFunction& function : code_.functions()) {
@@ -238,10 +239,10 @@ class ControllerCheck {
   }
 
   const ControllerCode code_;
-  const std::vector<std::string>& locators_;  // of every device of every robot
+  const std::vector<std::string>& locators_;  // names of every device of every robot
   const std::set<std::string> run_functions_;
-  const std::set<std::string> in_run_, in_die_;  // functions, by name
-  const std::set<std::string> steps_;            // those that lead to robot_step()
+  const std::set<std::string> in_run_, in_die_;  // names of functions
+  const std::set<std::string> steps_;  // functions that call robot_step(), directly or not
   Remarks* const remarks_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The members alone: without the bodies of functions and what stands in round brackets.
+// Returns the members of a type, without bodies of functions and text in round brackets.
 std::string MembersOf(std::string body) {
   for (size_t at = 0; at < body.size(); ++at) {
     if (body[at] != '{' && body[at] != '(') continue;
@@ -30,7 +30,7 @@ std::string MembersOf(std::string body) {
   return body;
 }
 
-// What in these members does not survive being copied as bytes; "" when everything does.
+// Returns the reason why values with these members cannot be copied as bytes; "" if they can.
 std::string TroubleIn(const std::string& members) {
   static const std::regex kContainer(
       "\\b(string|vector|list|deque|map|multimap|set|multiset|queue|stack)\\b[ \t]*(<[^;]*>)?"
@@ -75,7 +75,7 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // Two types of one name: which is meant is not known.
+      // Two types have this name, so it is not known which one is meant.
       if (!seen_.insert(name).second) {
         troubles_.erase(name);
       } else if (!trouble.empty()) {
@@ -84,7 +84,8 @@ class DataCheck {
     }
   }
 
-  // The type of trouble that the call's variable has, or that it names; "" when none is seen.
+  // Returns the name of a type in troubles_ that the call's variable has, or that the call names;
+  // "" if there is none.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
     if (troubles_.contains(measured)) return measured;
@@ -113,8 +114,8 @@ class DataCheck {
 
   Remarks* const remarks_;
   std::map<std::string, File> files_;
-  std::set<std::string> seen_;                   // types
-  std::map<std::string, std::string> troubles_;  // by type: why
+  std::set<std::string> seen_;                   // names of types
+  std::map<std::string, std::string> troubles_;  // by type: the reason
 };
 
 }  // namespace

@@ -22,11 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Services the robot itself registers.
+// Services that the robot itself has.
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
                                       ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 
-// The name in the .ocf text that images for the host carry; "" when there is none.
+// Returns the object's name in the .ocf text inside a host image; "" if there is none.
 std::string ObjectNameIn(std::string_view bytes) {
   for (const std::string_view text : TextsIn(bytes)) {
     if (text.find("object") == std::string_view::npos) continue;
@@ -36,10 +36,10 @@ std::string ObjectNameIn(std::string_view bytes) {
   return "";
 }
 
-// A line of OBJECT.CFG whose image is not there, or is a binary for the robot.
+// A line of OBJECT.CFG without a usable image: the file is missing, or is a binary for the robot.
 struct MissingImage {
   ObjectRecord record;
-  std::string problem;  // of the binary; "" when no file is there
+  std::string problem;  // what is wrong with the binary; "": the file is missing
 };
 
 class ImageCheck {
@@ -96,12 +96,13 @@ class ImageCheck {
   const StickFolder& stick_;
   const ObjectParts& parts_;
   Remarks* const remarks_;
-  std::vector<const ObjectFolder*> objects_;  // of the project, then of its neighbours
+  std::vector<const ObjectFolder*> objects_;  // first those of the project, then its neighbours
   bool has_sources_ = false;
   StickImages images_;
   std::vector<PlacedObject> placed_;
   std::vector<MissingImage> missing_;
-  std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;  // of objects in images
+  // By the name of the object in the image.
+  std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;
 };
 
 void ImageCheck::CheckRecord(const ObjectRecord& record) {
@@ -110,7 +111,7 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     remarks_->AddConsequence(Remark::Kind::kNote, record.place, "lower case",
                              "lower case in a path; the stick keeps names in upper case");
   }
-  if (EqualsIgnoringCase(FileNameOf(record), kGatewayImage)) {  // the system's own
+  if (EqualsIgnoringCase(FileNameOf(record), kGatewayImage)) {  // a part of the system
     images_.has_gateway = true;
     return;
   }
@@ -121,7 +122,7 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     return;
   }
   const ImageFile image = ReadImageFile(file);
-  // Binaries for the robot lie where a build puts those for the host.
+  // Binaries for the robot are at the places where a build will put those for the host.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
   } else if (!image.problem.empty()) {
@@ -150,8 +151,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Objects for two robots often have one name; then the services tell which one was built.  A
-  // single namesake is taken even if its stub.cfg has changed since.
+  // Two objects for different robots often have one name.  Then the services tell which one was
+  // built.  If only one object has the name, it is taken even if its stub.cfg has changed since the
+  // build.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -166,7 +168,7 @@ bool ImageCheck::HasOcfName(const ObjectFolder& object, const std::string& name)
   });
 }
 
-// Whether the image of `record` has all services of the object's stub.cfg.
+// Returns whether the image of `record` has all services of the object's stub.cfg.
 bool ImageCheck::HasServicesIn(const ObjectFolder& object, const ObjectRecord& record) const {
   if (object.stub.empty()) return true;
   const StubConfig stub = ParseStubConfig(object.stub, ReadText(object.stub).value_or("")).config;
@@ -192,8 +194,8 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
   return names;
 }
 
-// For each missing image the index of its object, or -1.  Lines of several robots that name one
-// image are one image.
+// Returns for each missing image the index of its object, or -1.  Lines of several robots that name
+// the same image count once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;
   std::vector<size_t> index_of;
@@ -219,7 +221,7 @@ std::vector<int> ImageCheck::MatchMissing() const {
   return objects;
 }
 
-// Which objects of the project will the missing images be?
+// Finds out which objects of the project the missing images will be made from.
 void ImageCheck::ExpectFromProject() {
   const std::vector<int> matches = MatchMissing();
   std::vector<const MissingImage*> rest;
@@ -246,7 +248,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // Any of these objects may be the image that a rule of a Makefile makes.
+  // A rule of a Makefile makes an image under a name that is not known, so any of these objects may
+  // be it.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 
@@ -300,7 +303,7 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
     }
     return;
   }
-  // A stub written by hand registers names that stand in its sources.
+  // A stub written by hand registers services whose names are in its sources.
   static const std::regex kService("\"(\\w+\\.\\w+\\.\\w+\\.[SO])\"");
   for (const fs::path& file : parts_.CodeOf(object)) {
     const std::string& text = parts_.TextOf(file);
@@ -310,7 +313,8 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
 }
 
 void ImageCheck::CheckPlacedNames() {
-  std::vector<PlacedObject> in_order;  // of the folders, whatever the order of OBJECT.CFG is
+  // The order of folders is used, so that the order of OBJECT.CFG does not matter.
+  std::vector<PlacedObject> in_order;
   for (const ObjectFolder* object : objects_) {
     for (const PlacedObject& placed : placed_) {
       if (placed.folder == object) in_order.push_back(placed);

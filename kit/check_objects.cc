@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The SDK's samples have 3072; less than this has never been seen to work.
+// The SDK's samples have 3072.  No program with less than the limit is known to work.
 constexpr int64_t kStackBytesMin = 1024;
 constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
 
-// These files as one text without comments.
+// Returns the text of these files without comments.
 std::string CodeIn(const std::vector<fs::path>& files, const ObjectParts& parts) {
   std::string code;
   for (const fs::path& file : files) code += WithoutComments(parts.TextOf(file)) + "\n";
@@ -95,7 +95,7 @@ class ObjectCheck {
       CheckFunction(extra.function, extra.place, "void*");
   }
 
-  // Forgotten lines of DoInit and DoStart, which no compiler misses.
+  // Finds lines that are missing in DoInit and DoStart.  The program compiles without them.
   void CheckRegistration(const StubConfig& config) {
     const auto real = [](const StubService& service) { return !IsDummy(service); };
     const auto first = std::find_if(config.subjects.begin(), config.subjects.end(), real);
@@ -160,7 +160,8 @@ class ObjectCheck {
   const std::string code_;
 };
 
-// What nobody of the program does although somebody commands joints.
+// Finds steps that joints need before they move, such as motor power, which no object of the
+// program does although one commands joints.
 void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* remarks) {
   std::string code;
   const ObjectFolder* mover = nullptr;
@@ -177,9 +178,9 @@ void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* rema
   const std::string file = mover->folder;
   if (!HasWord(code, "SetMotorPower"))
     remarks->Warning(file,
-                     "commands joints, but nobody calls SetMotorPower(opowerON): they stay limp");
+                     "commands joints, but no object calls SetMotorPower(opowerON): they stay limp");
   if (!HasAnyWord(code, {"EnableJointGain", "SetDefaultJointGain"}))
-    remarks->Warning(file, "commands joints, but nobody calls EnableJointGain(): they stay limp");
+    remarks->Warning(file, "commands joints, but no object calls EnableJointGain(): they stay limp");
 }
 
 }  // namespace

@@ -22,11 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The address in the files of the original; a robot that openr runs here has another one.
+// The robot's address in the files of Sony's samples.  A robot that runs here has another one.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";
-constexpr int kSlipsOfThePen = 3;  // WLANDFLT.TXT, which is right, is 4 edits away
+// Largest edit distance of a name that was probably meant to be WLANCONF.TXT.  The valid name
+// WLANDFLT.TXT has distance 4.
+constexpr int kMisspeltDistanceMax = 3;
 
 class StickCheck {
  public:
@@ -71,7 +73,7 @@ class StickCheck {
   ConnectConfig wires_;
 };
 
-// `section`: the robot design that the line is limited to, or "".
+// `section` is the robot design that the line is limited to, or "".
 void StickCheck::CheckService(const ServiceName& name, const std::string& section,
                               const FilePosition& place) {
   const std::string full = Compose(name);
@@ -91,7 +93,7 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
 
 void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
-  // All services of an object that is not there have one cause.
+  // All services of a missing object have one cause.
   std::string cause = name.object + ".";
   std::vector<std::string> known;
   for (const auto& [service, owner] : images_.services) {
@@ -149,7 +151,7 @@ GatewayConfig StickCheck::ReadGateway(const fs::path& file, GatewaySide side) {
   return config;
 }
 
-// What the gateway is to carry, and what is wired to it.
+// Checks the services that the gateway carries, and the connections to it.
 void StickCheck::CheckGateway() {
   const fs::path robot_file = Config(kRobotGatewayFile), host_file = Config(kHostGatewayFile);
   GatewayConfig config = ReadGateway(robot_file, GatewaySide::kRobot);
@@ -187,7 +189,8 @@ void StickCheck::CheckGateway() {
   }
 }
 
-// A robot that runs on this computer has another address than the dog of that time.
+// Notes addresses of the original robot, because a robot that runs on this computer has another
+// address.
 void StickCheck::NoteOldAddresses(const GatewayConfig& host) {
   const fs::path file = Config(kAddressFile);
   AddressConfig addresses;
@@ -229,7 +232,7 @@ void StickCheck::CheckDesigns() {
   }
 }
 
-// The settings of the network, and files that were meant to be them.
+// Checks the network settings, and files with names that were probably meant to be theirs.
 void StickCheck::CheckWlan() {
   const fs::path folder = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF");
   const fs::path file = folder.empty() ? fs::path() : FindEntry(folder, kWlanFile);
@@ -247,18 +250,18 @@ void StickCheck::CheckWlan() {
           other,
           "lies in the wrong folder: the robot reads /MS/OPEN-R/SYSTEM/CONF/WLANCONF.TXT "
           "and nothing else; move it there");
-    } else if (is_here && EditDistance(name, kWlanFile) <= kSlipsOfThePen) {
+    } else if (is_here && EditDistance(name, kWlanFile) <= kMisspeltDistanceMax) {
       remarks_->Warning(other, "is no file that the robot reads; did you mean WLANCONF.TXT?");
     }
   }
 }
 
-// Names that no Memory Stick holds.
+// Finds file names that no Memory Stick can have.
 void StickCheck::CheckFileNames() {
   const fs::path openr = FindEntry(stick_.root, "OPEN-R");
   std::set<fs::path> seen;
   for (const fs::path& file : FilesBelow(openr)) {
-    if (file.extension() == ".DBG") continue;  // of the host
+    if (file.extension() == ".DBG") continue;  // files of the host only
     for (fs::path part = file; part != openr; part = part.parent_path()) {
       const std::string name = part.filename();
       if (IsShortName(name) || name == "VERSION.txt" || !seen.insert(part).second) continue;

@@ -29,7 +29,7 @@ bool IsSource(const std::string& file) {
                                    ".ii", ".i", ".s", ".S"});
 }
 
-// Flags whose value is the next word.
+// Returns whether the value of the flag is the next word.
 bool TakesNextWord(const std::string& flag) {
   return IsOneOf(flag, {"-o",
                         "-I",
@@ -56,9 +56,9 @@ bool TakesNextWord(const std::string& flag) {
                         "-aux-info"});
 }
 
-// Flags for the robot, and flags the kit decides about.
+// Returns whether the flag is for the robot's processor, or one that the kit chooses itself.
 bool IsRobotFlag(const std::string& flag) {
-  // Everything about the processor begins with -m.
+  // All flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
                                         "-fpie", "-fPIE",   "-fno-pic",  "-fno-PIC"};
   if (IsOneOf(flag, {"-EL", "-EB", "-ansi", "-Wno-return-type", "-nostdinc", "-nostdinc++", "-w",
@@ -73,7 +73,7 @@ bool IsRobotFlag(const std::string& flag) {
                      [&flag](const char* start) { return StartsWith(flag, start); });
 }
 
-// "-Ia -I- -Ib" of old: folders before it are for #include "..." only.
+// Replaces the old flags "-Ia -I- -Ib", where folders before -I- are for #include "..." only.
 void ModerniseIncludes(std::vector<std::string>* arguments) {
   const auto dash = std::find(arguments->begin(), arguments->end(), "-I-");
   if (dash == arguments->end()) return;
@@ -93,9 +93,9 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
                                                                            : Language::kCxx;
 }
 
-// The flags for the language level `name` of a -std flag; none for a level of another language.
-// Strict levels become those with GNU extensions, because the headers of the SDK's compiler hid
-// nothing for their sake.  `inline` of C99 was GNU's own until g++ 4.3.
+// Returns the flags for the language level `name` of a -std flag; none if the level is of another
+// language.  Strict levels become those with GNU extensions, because the headers of the SDK's
+// compiler hid nothing in strict levels.  `inline` of C99 had the meaning of GNU C until g++ 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};
@@ -111,7 +111,7 @@ std::vector<std::string> StandardFlags(const std::string& name, Language languag
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx) {
   CompileCommand command;
   std::string language, standard;
-  bool asks = false;  // for the version, or only preprocesses
+  bool asks = false;  // prints information, such as the version, or only preprocesses
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
@@ -149,14 +149,14 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder) {
   const auto absolute = [&folder](const std::string& path) {
     const fs::path whole = (fs::path(folder) / path).lexically_normal();
-    return (whole.has_filename() ? whole : whole.parent_path()).string();  // "a/" ends in nothing
+    return (whole.has_filename() ? whole : whole.parent_path()).string();  // "a/" has no file name
   };
   std::vector<std::string> flags;
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
     if (IsOneOf(word, {"-include", "-imacros", "-isystem", "-idirafter", "-iquote"}) && has_next) {
-      // A file that -include names is looked for in the folders of -I as well.
+      // A file of -include is looked for in the folders of -I too.
       const std::string there = absolute(arguments[++i]);
       flags.insert(flags.end(), {word, fs::exists(there) ? there : arguments[i]});
     } else if (IsOneOf(word, {"-D", "-U", "-I"}) && has_next) {

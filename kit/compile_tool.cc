@@ -1,5 +1,5 @@
-// The robot's compiler, on the host.  What does not compile at first is tried again with what the
-// old compiler would have let pass.
+// The robot's compiler, on the host.  If a source does not compile, compiles again with
+// declarations and repairs that make up for what the old compiler accepted.
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -25,7 +25,7 @@ size_t CountErrors(const std::string& output) {
   return count;
 }
 
-// Without remarks on flags of the form -Wno-x that it does not know.
+// Returns `output` without remarks on unknown flags of the form -Wno-x.
 std::string WithoutFlagNotes(const std::string& output) {
   std::istringstream lines(output);
   std::string kept;
@@ -52,8 +52,8 @@ class CompileRun {
 
   const Arguments given_;
   CompileCommand command_;
-  Arguments compiler_;  // with the kit's flags
-  Arguments extra_;     // what turned out to be needed
+  Arguments compiler_;  // the compiler and the kit's flags
+  Arguments extra_;     // flags that turned out to be needed
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
@@ -77,11 +77,11 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
   Arguments all = compiler_;
   all.insert(all.end(), extra.begin(), extra.end());
   all.insert(all.end(), command_.arguments.begin(), command_.arguments.end());
-  // What it says is read: in one language, please.
+  // The output is parsed, so it must be in English.
   return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
-// Flags of another age are left out once the compiler has named them.
+// Compiles without the old flags that the compiler says it does not know.
 ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
   ProcessResult result = Try(extra);
   while (!result.good()) {
@@ -104,12 +104,13 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
   *result = again;
 }
 
-// Changes the private copies of sources as long as that makes for fewer complaints.
+// Repairs the private copies of sources, round by round, as long as that reduces the number of
+// errors.
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Another compiler may have repaired a header while this one waited for the lock.  The old
-  // complaints no longer count then, so the file is compiled again.
+  // Another compiler may have repaired a header while this one waited for the lock.  The old errors
+  // may be gone then, so the file is compiled again.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);
@@ -120,7 +121,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
     now = Try(extra_);
     if (!now.good() && extra_.empty()) UsePreludeIfItHelps(&now);
   }
-  *result = now;  // if complaints are left, they are what a person has to look at
+  *result = now;  // errors that are left are for the user to solve
   if (now.good()) {
     session.Keep();
   } else {
@@ -128,7 +129,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
   }
 }
 
-// For `openr build`: what was compiled, with which flags, and how it went.
+// Notes for `openr build` what was compiled, with which flags, and whether it succeeded.
 void CompileRun::Log(bool is_good) const {
   const std::string here = std::filesystem::current_path();
   for (const std::string& source : command_.sources) {
@@ -156,7 +157,8 @@ int CompileRun::Run() {
     if (!result.good()) RepairIfItHelps(&result);
   }
   if (result.good() && TellsOfMissingReturn(result.output) && !IsClang(compiler_)) {
-    // The image has functions for these calls that make the missing value 0 (image_source.cc).
+    // With this flag the compiler calls functions of the image (image_source.cc) that make the
+    // missing value 0.
     extra_.push_back("-finstrument-functions");
     const ProcessResult again = Try(extra_);
     if (again.good()) result = again;

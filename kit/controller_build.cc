@@ -57,7 +57,7 @@ class ControllerBuild {
   }
 
  private:
-  // Each source where it lies, so that complaints and a debugger name it.
+  // Compiles each source in its folder, so that messages and a debugger name the user's file.
   bool Compile(const std::vector<fs::path>& sources) {
     bool good = true;
     for (const fs::path& source : sources) {
@@ -74,7 +74,7 @@ class ControllerBuild {
     return good;
   }
 
-  // Adds the function that calls main(), which depends on how main() was written.
+  // Compiles the function that calls main().  It depends on how main() was declared.
   bool CompileCallOfMain() {
     const ControllerMain main = FindControllerMain("nm", {objects_.begin(), objects_.end()});
     if (!main.problem.empty()) {
@@ -95,7 +95,8 @@ class ControllerBuild {
     return RunMkbin(arguments) == 0;
   }
 
-  // What travels along must be such that the robot's stick can hold it and boots with it.
+  // Checks that the files which are copied to the stick have names for it and that the robot boots
+  // with them.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -127,7 +128,7 @@ class ControllerBuild {
     StickFolder stick;
     stick.root = stick_;
     const fs::path images = stick.ObjectsFolder();
-    fs::remove(images / "CONTROLL.DBG");  // of another image
+    fs::remove(images / "CONTROLL.DBG");  // it belongs to an earlier image
     Put(Made(), images / kImage);
     const fs::path open_r = FindEntry(stick_, "OPEN-R");
     for (const auto& entry : fs::directory_iterator(folder_)) {

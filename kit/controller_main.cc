@@ -12,14 +12,14 @@
 namespace openr_host {
 namespace {
 
-// A form of main() as a symbol, and how C++ declares and calls it.
+// One way to declare main(): its symbol, and how C++ declares and calls it.
 struct Form {
   const char* symbol;
   const char* declaration;
   const char* call;
 };
 
-// C gives one symbol whatever the arguments are; a function without parameters ignores them.
+// C has the same symbol for all arguments.  A function without parameters ignores the arguments.
 constexpr Form kForms[] = {
     {"controller_main", "extern \"C\" int controller_main(int argc, char** argv);",
      "controller_main(1, arguments)"},
@@ -69,7 +69,7 @@ ControllerMain FindControllerMain(const std::string& nm,
     const std::string symbol = line.substr(0, line.find(' '));
     const Form* const found = FormOf(symbol);
     if (found == nullptr && symbol.starts_with(kCxxPrefix))
-      return {"", "main() has arguments that nobody gives; write int main(void)"};
+      return {"", "main() has arguments, and the robot gives none; write int main(void)"};
     if (found == nullptr) continue;
     form = found;
     ++count;

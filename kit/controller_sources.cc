@@ -32,14 +32,14 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
   return found;
 }
 
-// All variables that the file sets, as make understands them.
+// Makes make print all variables that the file sets.
 constexpr char kPrintVariables[] =
     "include $(LIST)\n"
     "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"
     "$(if $(filter file,$(origin $(v))),$(info = $($(v)))))\n"
     "openr-nothing:;\n";
 
-// Where the list names it, or else its first line.
+// Returns a diagnostic at the place where the list contains `word`, or else at its first line.
 Diagnostic AtWord(const fs::path& list, const std::string& text, const std::string& word,
                   std::string message) {
   std::vector<Diagnostic> ignored;

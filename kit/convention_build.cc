@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
-// Headers with a name, wherever the project keeps them.
+// Returns all headers of the project, by name.
 std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const Paths& shared) {
   std::set<fs::path> folders;
   for (const fs::path& file : sources) folders.insert(file.parent_path());
@@ -37,7 +37,8 @@ std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const P
   return headers;
 }
 
-// A program of its own, not part of an object.
+// Returns whether the source has a main(): then it is a program of its own and no part of an
+// object.
 bool HasMain(const fs::path& source) {
   static const std::regex kMain("(?:^|\n)[ \t]*(?:(?:int|void)[ \t\r\n]+)?main[ \t]*\\(");
   return std::regex_search(ReadText(source).value_or(""), kMain);
@@ -49,7 +50,7 @@ std::string Joined(const Paths& paths) {
   return text;
 }
 
-// The .ocf file of an object, or "" and why.
+// Returns the .ocf file of an object.  If there is no single one, returns "" and sets `problem`.
 fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   if (object.ocfs.size() == 1) return object.ocfs[0];
   if (object.ocfs.empty()) {
@@ -69,7 +70,7 @@ fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   return {};
 }
 
-// A word of a shell as a Makefile has to spell it.
+// Returns the word of a shell command with the escapes that a Makefile needs.
 std::string InMakefile(const std::string& word) {
   std::string text;
   for (const char c : word) {
@@ -80,14 +81,14 @@ std::string InMakefile(const std::string& word) {
   return text;
 }
 
-// Whether the def.h beside the stub.cfg was written by a person and not by stubgen2.
+// Returns whether the def.h beside the stub.cfg was written by hand, not by stubgen2.
 bool HasOwnDefinitions(const ObjectFolder& object) {
   const auto text = ReadText(object.folder / "def.h");
   return text && !IsGeneratedDefinitions(*text);
 }
 
-// A folder of the object that its sources expect the stub in, as `#include "stub/def.h"` says; ""
-// if they name none, or one where it lies or will be made anyway.
+// Returns the folder in which the object's sources expect the stub, as in `#include "stub/def.h"`;
+// "" if they name none, or a folder where the stub exists or will be made anyway.
 fs::path NamedStubFolder(const ObjectFolder& object) {
   static const std::regex kInclude(
       "(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)/(?:def|entry)\\.h[\">]");
@@ -108,16 +109,16 @@ fs::path NamedStubFolder(const ObjectFolder& object) {
   return {};
 }
 
-// Where the stub of `object` is made: where its sources expect it or else beside the stub.cfg, as a
-// person would, because sources of other objects may include it too ("../Walker/def.h").  In
-// `build` if there is a def.h of somebody's own.
+// Returns the folder for the stub of `object`: the one that its sources name, or else the folder of
+// stub.cfg, because sources of other objects may include the stub from there ("../Walker/def.h").
+// If that folder has a def.h written by hand, returns a folder in `build`.
 fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
   const fs::path named = NamedStubFolder(object);
   if (!named.empty()) return named;
   return HasOwnDefinitions(object) ? build : object.folder;
 }
 
-// Errors in a stub.cfg are said when its object is built.
+// Errors in a stub.cfg are reported later, when its object is built.
 void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
   const fs::path folder = StubFolder(object, {});
   if (object.stub.empty() || folder.empty()) return;
@@ -131,7 +132,7 @@ void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
 
 class ConventionBuild {
  public:
-  // `flags`: of the object's Makefile.
+  // `flags` come from the object's Makefile.
   ConventionBuild(const Project& project, const ObjectFolder& object,
                   std::vector<std::string> flags, fs::path build, const MakeOptions& options)
       : project_(project),
@@ -139,21 +140,22 @@ class ConventionBuild {
         flags_(std::move(flags)),
         build_(std::move(build)),
         options_(options) {
-    // What a first attempt left undefined is no failure if the second one succeeds.
+    // Undefined names at the first attempt are no failure if the second attempt succeeds, so the
+    // log is kept apart.
     options_.log = build_ / "log.txt";
     for (const fs::path& source : project.shared_sources) {
       if (!HasMain(source)) shared_.push_back(source);
     }
   }
 
-  // Returns why it cannot be tried, or "".
+  // Builds.  Returns the reason why the object cannot be tried, or "".
   std::string Run() {
     std::string problem;
     ocf_ = ChooseOcf(object_, &problem);
     if (!problem.empty()) return problem;
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
-    // What is undefined in a first attempt may be found in a second one.
+    // Names that are undefined at the first attempt may be found at the second one.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";
@@ -174,7 +176,7 @@ class ConventionBuild {
     return RunMakeIn(build_, {}, options_).is_good;
   }
 
-  // Whether all that is wrong is that something is undefined.
+  // Returns whether undefined names are the only failure.
   bool LinksOnly() const {
     const std::vector<KitLog::Failure> failures = log().failures;
     return !failures.empty() &&
@@ -183,7 +185,7 @@ class ConventionBuild {
            });
   }
 
-  // Sources that nobody includes a header of; those that do not compile were not meant.
+  // Links all shared sources whose header is not included.  Those that do not compile are left out.
   void LinkWithAll(const Paths& included) {
     Paths rest, compiling;
     std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),
@@ -199,12 +201,14 @@ class ConventionBuild {
     Make(MakeOptions::Says::kAlways);
   }
 
-  // The flags of the Makefile know best where headers are; other folders are looked at last then.
+  // Folders of the object's Makefile are searched first, because they are known to be right; other
+  // folders come last.
   std::string CompilerFlags() const {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
     flags += " -I" + object_.folder.string();
-    // A folder that is searched last is no longer searched first (gcc, -idirafter).
+    // gcc searches a folder of -idirafter last, even if -I names it too, so a folder gets one of
+    // the flags.
     const auto add = [&](const fs::path& folder, const char* search) {
       const bool is_first =
           std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();
@@ -288,7 +292,7 @@ std::vector<std::string> BuildByConvention(const Project& project,
                             build.lexically_normal(), options);
     const std::string problem = attempt.Run();
     KitLog log = attempt.log();
-    log.compiles.clear();  // of our own Makefile
+    log.compiles.clear();  // the flags of the kit's own Makefile are of no use
     AppendKitLog(options.log, log);
     if (!problem.empty()) {
       problems.push_back(fmt::format("{}: {}", object.folder.filename().string(), problem));

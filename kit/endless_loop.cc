@@ -24,7 +24,7 @@ class LoopFinder {
   }
 
  private:
-  // Behind the statement that begins at `at`.
+  // Returns the position after the statement that begins at `at`.
   size_t EndOfStatement(size_t at) const {
     for (size_t i = NextOf(code_, at); i != kNone && i < code_.size(); ++i) {
       if (code_[i] == ';' || code_[i] == '}') return i + 1;
@@ -39,7 +39,7 @@ class LoopFinder {
     return code_.size();
   }
 
-  // Whether this "while" is that of a do.
+  // Returns whether this "while" belongs to a "do".
   bool IsEndOfDo(size_t at) const { return std::count(do_ends_.begin(), do_ends_.end(), at) > 0; }
 
   void LookAtDo(size_t at) {
@@ -87,7 +87,8 @@ class LoopFinder {
     return word == "true" || is_true_(word);
   }
 
-  // What nothing but time answers differently: not when the condition itself changes something.
+  // Returns whether the condition asks a device for a value that changes only with time.  A
+  // condition that changes a variable itself does not count.
   static bool AsksADevice(const std::string& condition) {
     static const std::regex kAsks(
         "\\b(\\w+_sensor_get_value|servo_get_position|accelerometer_get_values|"
@@ -96,9 +97,9 @@ class LoopFinder {
     return std::regex_search(condition, kAsks) && !std::regex_search(condition, kChanges);
   }
 
-  // Whether something between the two places leaves the loop whose body that is.
+  // Returns whether a statement between the two positions leaves the loop whose body they enclose.
   bool Leaves(size_t begin, size_t end) const {
-    size_t inner = begin;  // a break before this place leaves a loop or switch in the loop
+    size_t inner = begin;  // a break before this position leaves only an inner loop or switch
     for (size_t at = begin; at < end;) {
       const std::string_view word = WordAt(code_, at);
       if (word == "return" || word == "goto" || word == "throw" || word == "exit" ||

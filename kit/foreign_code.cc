@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kArchiveMark = "!<arch>\n";
-constexpr size_t kMemberHeaderSize = 60;  // name 16, four numbers 32, size 10, end mark 2
+constexpr size_t kMemberHeaderSize = 60;  // name 16, four numbers 32, size 10, end mark 2 bytes
 
-// The machine of the program we are part of.
+// Returns the ELF machine number of this host.
 unsigned HostMachine() {
 #if defined(__x86_64__)
   return EM_X86_64;
@@ -28,7 +28,8 @@ unsigned HostMachine() {
 #endif
 }
 
-// Reads the header of an ELF file.  The machine stands at the same place in all of them.
+// Returns the processor in the header of an ELF file.  The machine number is at the same offset in
+// all ELF files.
 std::string ForeignProcessorOfElf(std::string_view bytes) {
   constexpr size_t kMachineAt = offsetof(Elf32_Ehdr, e_machine);
   if (bytes.size() < kMachineAt + 2 || !bytes.starts_with(std::string_view(ELFMAG, SELFMAG)))
@@ -58,7 +59,7 @@ std::string ForeignProcessorOfElf(std::string_view bytes) {
 }
 
 struct Member {
-  std::string name;  // as in the header, without blanks at the end
+  std::string name;  // as in the header, without trailing blanks
   std::string_view bytes;
 };
 
@@ -100,7 +101,8 @@ std::vector<std::string> ArchiveMembers(const fs::path& file) {
   for (const Member& member : MembersOf(archive)) {
     if (member.name == "//") {
       long_names = member.bytes;
-    } else if (member.name.size() > 1 && member.name[0] == '/') {  // "/12": an offset in that list
+    } else if (member.name.size() > 1 && member.name[0] == '/') {
+      // "/12" is an offset in the list of long names.
       const size_t at = std::strtoul(member.name.c_str() + 1, nullptr, 10);
       if (at < long_names.size())
         names.emplace_back(long_names.substr(at, long_names.find('/', at) - at));

@@ -19,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An image of this build, and what it may be called.
+// An image of this build, and the names it may have.
 struct BuiltImage {
   KitLog::Image log;
   std::string bytes;
   std::vector<std::string> names;
 };
 
-// Files in the folder of images of `stick`.
+// Returns the files in the image folder of `stick`.
 std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -38,7 +38,7 @@ std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
 
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
   std::vector<BuiltImage> images;
-  std::vector<std::pair<std::string, std::string>> installed;  // name and bytes
+  std::vector<std::pair<std::string, std::string>> installed;  // file name and content
   for (const StickFolder& stick : project.sticks) {
     for (const fs::path& file : InstalledFiles(stick))
       installed.emplace_back(file.filename(), ReadImageFile(file).bytes);
@@ -92,7 +92,7 @@ class StickCompletion {
     return kNone;
   }
 
-  // What rules of Makefiles put there.
+  // Finds the images that rules of Makefiles have put on the stick.
   void FindInstalled() {
     for (const ObjectRecord& record : stick_.objects) {
       const std::string name = FileNameOf(record);
@@ -114,12 +114,12 @@ class StickCompletion {
     }
   }
 
-  // An object that is not in OBJS.
+  // Returns the path for an object that is outside of OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Whether no other stick lies nearer to the folder of an image.
+  // Returns whether this stick is the nearest one to the folder of the image.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -135,7 +135,7 @@ class StickCompletion {
     for (const std::string& name : missing_) TakeFromKit(name);
   }
 
-  // Takes those of the unused images that are wanted and meant by a missing name.
+  // Matches missing names with unused images for which `is_wanted` is true.
   void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
@@ -191,7 +191,7 @@ class StickCompletion {
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
-  // A folder that has no OBJECT.CFG.
+  // Writes an OBJECT.CFG with all images.
   void ListEverything() {
     std::string text;
     for (size_t i = 0; i < built_.size(); ++i) {
@@ -214,7 +214,7 @@ class StickCompletion {
   const std::string sdk_root_;
   const std::vector<BuiltImage> built_;
   const bool has_failures_;
-  std::set<size_t> used_;  // of built_
+  std::set<size_t> used_;  // indexes in built_
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;
   Harvest harvest_;
@@ -226,7 +226,7 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
   return ReadText(a) == ReadText(b);
 }
 
-// MW/DATA/P, where programs open files for writing; OPEN-R makes no folders for them.
+// Creates MW/DATA/P, where programs open files for writing, because OPEN-R creates no folders.
 void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
   const fs::path middleware =
       target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);

@@ -7,10 +7,10 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kPrefixMin = 3;  // shorter beginnings and parts say nothing
-constexpr size_t kSharedMin = 4;  // letters in a row that two different names have in common
+constexpr size_t kPrefixMin = 3;  // a shorter common beginning or part may be chance
+constexpr size_t kSharedMin = 4;  // number of equal letters in a row
 
-// Letters and digits in lower case, without an extension.
+// Returns the letters and digits of the name in lower case, without the extension.
 std::string Normalised(const std::string& name) {
   std::string result;
   for (const char c : name.substr(0, name.rfind('.'))) {
@@ -44,7 +44,7 @@ bool IsLongSubsequence(const std::string& wanted, const std::string& name) {
   return wanted.size() >= kPrefixMin && IsSubsequence(wanted, name);
 }
 
-// "mywalker" and "walking" share "walk".
+// Returns whether the names have a part in common, as "mywalker" and "walking" have "walk".
 bool ShareAWord(const std::string& wanted, const std::string& name) {
   for (size_t at = 0; at + kSharedMin <= wanted.size(); ++at) {
     if (name.find(wanted.substr(at, kSharedMin)) != std::string::npos) return true;
@@ -63,7 +63,7 @@ class Matcher {
     }
   }
 
-  // Pairs what `fits` leaves no choice about.
+  // Pairs each name that fits exactly one candidate, if that candidate fits no other name.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

@@ -34,8 +34,8 @@ struct ImageInfo {
 static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
     )";
 
-// A function that ends without the value it should return is compiled with calls at its begin and
-// end (compile_tool.cc); the last call leaves its own 0 where the value is looked for.
+// A function that may end without returning a value is compiled with calls at its beginning and its
+// end (compile_tool.cc).  The last call leaves 0 in the register of the return value.
 constexpr std::string_view kRest = R"(;
 
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;

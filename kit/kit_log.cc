@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Words of a line are separated by tabs; what has one inside is shown with a blank.
+// Returns a line with tabs between the words.  A tab inside a word becomes a blank.
 std::string Line(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) {
@@ -46,7 +46,7 @@ std::vector<std::string> Split(const std::string& line) {
   return words;
 }
 
-// `words` from the n-th on.
+// Returns `words` without the first n.
 std::vector<std::string> From(size_t n, const std::vector<std::string>& words) {
   return {words.begin() + static_cast<long>(n), words.end()};
 }

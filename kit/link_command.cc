@@ -6,7 +6,7 @@
 namespace openr_host {
 namespace {
 
-// -oX and -o X alike.  Moves `i` to the value's word.
+// Returns the value of -oX or of -o X.  In the second case moves `i` to the value.
 std::string ValueOf(const std::vector<std::string>& arguments, size_t* i) {
   const std::string& word = arguments[*i];
   if (word.size() > 2) return word.substr(2);
@@ -19,7 +19,7 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string&)>& exists) {
   LinkCommand command;
   std::vector<std::string> folders;
-  std::vector<std::string> wanted;  // of -l
+  std::vector<std::string> wanted;  // names of -l
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     if (word == "-v") {
@@ -33,7 +33,7 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
     } else if (word.starts_with("-l")) {
       wanted.push_back(ValueOf(arguments, &i));
     } else if (word == "-p") {
-      ValueOf(arguments, &i);  // where the SDK lies
+      ValueOf(arguments, &i);  // the folder of the SDK, which is not needed
     } else if (word.ends_with(".ocf")) {
       command.ocf = word;
     } else if (word.ends_with(".a")) {

@@ -1,4 +1,4 @@
-// mkbin, for the host.
+// mkbin for the host.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,8 +29,8 @@ int Refuse(const std::string& why) {
   return 1;
 }
 
-// Refuses what was compiled for another processor.  Object files of a former build for the robot
-// look new to make; libraries may have come without their sources.
+// Refuses object files and libraries for another processor.  Object files of an earlier build for
+// the robot look up to date to make, and libraries may have come without sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);
@@ -54,12 +54,14 @@ bool HasForeignCode(const LinkCommand& command) {
   return false;
 }
 
-// The stem of the output, beside which the SDK's mkbin leaves its intermediate files too.
+// Returns the path of the output without its extension.  Intermediate files are put beside it, as
+// the SDK's mkbin does.
 std::string Stem(const std::string& output) {
   return (fs::path(output).parent_path() / fs::path(output).stem()).string();
 }
 
-// Compiles the text of the .ocf file; "" after a complaint.
+// Compiles the source with the text of the .ocf file.  Returns the object file, or "" after
+// printing an error.
 std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_text) {
   const std::string source = Stem(command.output) + ".snap.c";
   const std::string object = Stem(command.output) + ".snap.o";
@@ -77,7 +79,8 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
-// The file that the linker makes.  The image is a copy of it, so that no image is ever incomplete.
+// Returns the file that the linker writes.  The image is a copy of it, so that no incomplete image
+// ever exists.
 std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
@@ -93,8 +96,9 @@ Arguments LinkArguments(const LinkCommand& command, const std::string& image_inf
   return link;
 }
 
-// Without warnings of functions like gets(), which the object will not get from the C library.
-std::string WithoutDangers(const std::string& output) {
+// Returns `output` without warnings about dangerous functions such as gets(), because the runtime
+// gives objects safe versions.
+std::string WithoutDangerWarnings(const std::string& output) {
   std::istringstream lines(output);
   std::string kept, last;
   for (std::string line; std::getline(lines, line);) {
@@ -109,7 +113,8 @@ std::string WithoutDangers(const std::string& output) {
   return last.empty() ? kept : kept + last + "\n";
 }
 
-// The SDK's mkbin leaves steps on the way under these names, and rules look at them.
+// Makes links with the names of the intermediate files of the SDK's mkbin, because rules of
+// Makefiles look at them.
 void LinkIntermediates(const LinkCommand& command) {
   std::error_code ignored;
   for (const char* extension : {".snap.elf", ".rel.elf"}) {
@@ -118,7 +123,7 @@ void LinkIntermediates(const LinkCommand& command) {
   }
 }
 
-// What the linker said, in one line.
+// Summarises the errors of the linker in one line.
 std::string Summarise(const std::string& output) {
   const std::vector<std::string> names = UndefinedNames(output);
   if (names.empty()) return "does not link";
@@ -154,7 +159,7 @@ int RunMkbin(const Arguments& arguments) {
     std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
   const ProcessResult result =
       RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
-  std::fputs(WithoutDangers(result.output).c_str(), stderr);
+  std::fputs(WithoutDangerWarnings(result.output).c_str(), stderr);
   if (!result.good()) {
     if (!result.not_found.empty()) Refuse(result.not_found);
     LogFailure({command.output, Summarise(result.output), command.output});

@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kExpandedMax = 4 << 20;  // macros that double each other
+constexpr size_t kExpandedMax = 4 << 20;  // limit for macros that double each other
 
 bool IsNumber(std::string_view word) {
   return !word.empty() && word.size() < 8 &&
@@ -21,14 +21,14 @@ std::string Trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n\\") + 1 - begin));
 }
 
-// A body like "(64)" is the number 64.
+// Returns the body of a macro without outer brackets: "64" for "(64)".
 std::string_view WithoutBrackets(std::string_view body) {
   while (body.size() > 2 && body.front() == '(' && body.back() == ')')
     body = body.substr(1, body.size() - 2);
   return body;
 }
 
-// Where the line that begins at `at` ends, continuations with it.
+// Returns the end of the line that begins at `at`, with its continuation lines.
 size_t EndOfDirective(std::string_view code, size_t at) {
   for (size_t i = at; i < code.size(); ++i) {
     if (code[i] == '\n' && (i == 0 || code[i - 1] != '\\')) return i;
@@ -37,13 +37,13 @@ size_t EndOfDirective(std::string_view code, size_t at) {
 }
 
 struct Directive {
-  size_t begin = 0;  // its #
+  size_t begin = 0;  // position of its #
   size_t end = 0;
-  std::string_view word;  // "define"
-  size_t rest = 0;        // what follows the word
+  std::string_view word;  // such as "define"
+  size_t rest = 0;        // position after the word
 };
 
-// The directives of a text without comments.
+// Returns the directives of a text without comments.
 std::vector<Directive> DirectivesOf(std::string_view code) {
   std::vector<Directive> found;
   for (size_t line = 0; line < code.size();) {
@@ -59,14 +59,14 @@ std::vector<Directive> DirectivesOf(std::string_view code) {
   return found;
 }
 
-// The same text with what the compiler's own eyes do not see made blank.
+// Returns the text with directives and the parts in "#if 0" replaced by blanks.
 std::string WithoutDirectives(std::string code) {
   const auto blank = [&code](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (code[i] != '\n') code[i] = ' ';
     }
   };
-  int depth = 0;  // within "#if 0"
+  int depth = 0;  // number of conditions open since "#if 0"
   size_t dead = 0;
   const std::string text = code;
   for (const Directive& directive : DirectivesOf(text)) {
@@ -86,7 +86,7 @@ std::string WithoutDirectives(std::string code) {
   return code;
 }
 
-// "(a, b)" that begins at `open`: its parts.
+// Returns the parts of "(a, b)", which begins at `open`.
 std::vector<std::string> PartsOf(std::string_view text, size_t open, size_t close) {
   std::vector<std::string> parts;
   int depth = 0;
@@ -104,7 +104,7 @@ std::vector<std::string> PartsOf(std::string_view text, size_t open, size_t clos
   return parts;
 }
 
-// `body` with its parameters replaced.
+// Returns `body` with its parameters replaced by `values`.
 std::string Filled(std::string_view body, const std::vector<std::string>& parameters,
                    const std::vector<std::string>& values) {
   std::string filled;
@@ -166,7 +166,8 @@ ExpandedText MacroTable::Expand(const std::string& source) const {
   return result;
 }
 
-// What is left of `text` when the macro used at `at`, if one is, has been put in; else `at`.
+// Adds the expansion of the macro that is used at `at`, and returns the position after its use.
+// Returns `at` if no macro is used there.
 size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, const Names& hidden,
                             ExpandedText* result) const {
   const std::string_view word = WordAt(text, at);
@@ -186,7 +187,8 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
   return close + 1;
 }
 
-// `fixed`: the origin of all characters; kNone: each is its own.
+// Adds `text` with macros expanded.  `fixed` is the origin of all its characters; kNone: each
+// character is its own origin.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

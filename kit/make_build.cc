@@ -32,7 +32,7 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
-      // A Makefile that sets no compiler gets make's own idea of one.
+      // A Makefile that sets no compiler would get make's default compiler.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
@@ -45,19 +45,19 @@ Environment MakeEnvironment(const MakeOptions& options) {
 
 ProcessResult Make(const fs::path& folder, const std::vector<std::string>& arguments, int jobs,
                    bool echoes, const MakeOptions& options) {
-  // A file that a failing rule left half made would count as made in the next run.
+  // A file that a failing rule has half written would count as up to date in the next run.
   std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
   if (!echoes) all.push_back("--output-sync=target");
-  // Recipes of the time were written where sh is bash.
+  // Recipes of these programs were written on systems where sh was bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);
-  environment.emplace_back("PWD", folder);  // rules take it for the place of their Makefile
+  environment.emplace_back("PWD", folder);  // rules use it as the folder of their Makefile
   return RunProcess(all, {environment, folder, true, true, echoes, true});
 }
 
-// Makefiles that no other one of the list is above of.
+// Returns the folders of Makefiles that have no other Makefile of the list in a folder above them.
 std::vector<fs::path> TopFolders(const Project& project) {
   std::vector<fs::path> folders;
   for (const fs::path& file : project.makefiles) {
@@ -71,8 +71,8 @@ std::vector<fs::path> TopFolders(const Project& project) {
   return folders;
 }
 
-// Leads away from the copy, or was meant to be given by a person: in the environment, maybe.
-// `makefiles`: the text of all of them.
+// Returns whether the variable points out of the copy, or has no value in the Makefiles, so that
+// the user was meant to set it.  `makefiles` is the text of all Makefiles.
 bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
   static const std::regex kReference("\\$[({](\\w+)[)}].*");
@@ -101,9 +101,9 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
   return said.find("make: *** No rule to make target 'install'") == std::string::npos;
 }
 
-// The stick for rules that write to one elsewhere.  With several sticks this is an expression for
-// make, because each folder of the project may have its own: the stick beside the folder in which
-// make runs, or else beside the nearest folder around it.
+// Returns the value for variables that name a stick elsewhere.  With several sticks it is an
+// expression for make, because each folder of the project may have its own stick: the one beside
+// the folder in which make runs, or else beside the nearest folder around it.
 std::string StickValue(const Project& project) {
   if (project.sticks.empty()) return project.root / "MS";
   std::vector<fs::path> roots;
@@ -119,15 +119,15 @@ std::string StickValue(const Project& project) {
   return fmt::format("$(firstword {}{})", cases, project.sticks[0].root.string());
 }
 
-// Variables of the plan as arguments of make.
+// Returns the variables of the plan as arguments of make.
 std::vector<std::string> VariableArguments(const MakePlan& plan) {
   std::vector<std::string> arguments;
   for (const auto& [name, value] : plan.variables) arguments.push_back(name + "=" + value);
   return arguments;
 }
 
-// The complaint of make in `line`: "No rule to make target 'x'" of "make[1]: *** No rule to make
-// target 'x'.  Stop.".  "" for any other line.
+// Returns make's error in `line`: "No rule to make target 'x'" for "make[1]: *** No rule to make
+// target 'x'.  Stop.".  Returns "" for other lines.
 std::string ComplaintOfMake(const std::string& line) {
   static const std::regex kComplaint(
       "(?:\\S*make(?:\\[\\d+\\])?: |([^\\s:]+:\\d+): )\\*\\*\\* (.*?)\\.?(?:  Stop\\.)?");
@@ -141,7 +141,7 @@ std::string ComplaintOfMake(const std::string& line) {
 std::string CauseOf(const std::string& output) {
   static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
   std::istringstream lines(output);
-  std::string before;  // the last line that a command said
+  std::string before;  // the last line of a command's output
   std::string tool, rule;
   for (std::string line; std::getline(lines, line);) {
     const std::string complaint = ComplaintOfMake(line);
@@ -152,8 +152,8 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    // A program that was not found says more than one that failed, and the first rule that failed
-    // says more than those that wait for it.
+    // A missing program explains more than a program that failed, and the first rule that failed
+    // explains more than the rules that wait for it.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -167,7 +167,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   MakePlan plan;
   plan.folders = TopFolders(project);
   const std::string stick = StickValue(project);
-  std::string all;  // definitions in one file hold for what another includes
+  std::string all;  // one text, because a file uses the variables of files that it includes
   for (const fs::path& file : project.makefiles) {
     const std::string text = ReadText(file).value_or("");
     all += text + "\n";
@@ -209,9 +209,9 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
     return {result.good(), result.output};
   }
   if (options.jobs > 1) {
-    // Old Makefiles often leave out dependencies and only work in order: if several jobs at once
-    // fail, nothing of it is shown and the rest is done one by one.  Rules may ignore a failure, so
-    // the compilers are asked as well.
+    // Old Makefiles often lack dependencies and work only in order.  If several jobs at once fail,
+    // their output is not shown, and the rest is done one by one.  Rules may ignore a failure, so
+    // the failures in the log of the compilers count as well.
     const KitLog before = ReadKitLog(options.log);
     const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
     KitLog after = ReadKitLog(options.log);
@@ -237,7 +237,7 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // A step that failed above fails again here; its messages were shown then.
+  // A step that failed in the first run fails again here, and its messages are shown then.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

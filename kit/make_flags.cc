@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// "-include FILE" is two words that belong together; all others stand alone.
+// Adds `flags` that `all` does not have.  "-include FILE" is one flag of two words.
 void AddFlags(const Words& flags, Words* all) {
   for (size_t i = 0; i < flags.size(); ++i) {
     const bool is_pair = flags[i].starts_with("-i") && i + 1 < flags.size();
@@ -33,7 +33,7 @@ bool HasMainMakefile(const fs::path& folder) {
   return false;
 }
 
-// A rule that prints the values of all variables that Makefiles set, each on a line.
+// A rule that prints the value of each variable that Makefiles set, one per line.
 constexpr char kShowVariables[] =
     "openr-kit-flags: ; "
     "$(foreach v,$(.VARIABLES),$(if $(filter file,$(origin $v)),$(info $($v))))@:";

@@ -14,7 +14,7 @@ void AddOnce(const std::string& name, Names* names) {
   if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
 }
 
-// The first group of every match, each once.
+// Returns the group `group` of every match, each text once.
 Names AllMatches(const std::string& text, const std::regex& pattern, size_t group = 1) {
   Names names;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
@@ -45,9 +45,10 @@ MakefileVariable Describe(const std::string& name, const std::string& text) {
   return variable;
 }
 
-// How variables for the SDK are used, and which folder of it each use means; the first one holds.
+// The ways in which variables for the SDK are used, each with the folder of the SDK that it shows.
+// The first one that fits counts.
 struct SdkUse {
-  const char* rest;  // behind the variable
+  const char* rest;  // text after the variable
   const char* folder;
 };
 constexpr SdkUse kSdkUses[] = {
@@ -66,15 +67,15 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\r' || (i + 1 < text.size() && text[i + 1] != '\n')) result += text[i];
   }
-  // A path stops at what cannot be part of one in a Makefile; before it none may be going on, but
-  // -I and the like.
+  // A path ends at a character that no path in a Makefile contains.  It begins after such a
+  // character or after a flag such as -I.
   static const std::regex kTool(
       "(^|[^\\w./)}-]|-[ILB])(/[\\w./+-]*?)/(?:bin/mipsel-linux-|OPEN_R/)");
   Names roots = AllMatches(result, kTool, 2);
   static const std::regex kUsual(
       "(^|[^\\w./)}-]|-[ILB])((?:/[\\w.+-]+)+/OPEN_R_SDK)(?=[^\\w.+-]|$)");
   for (const std::string& root : AllMatches(result, kUsual, 2)) AddOnce(root, &roots);
-  // The longest first: one may begin with another.
+  // Longer roots come first, because one root may be the beginning of another.
   std::sort(roots.begin(), roots.end(),
             [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
   for (const std::string& root : roots) {

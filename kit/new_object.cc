@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Objects that are there without being on a stick; tcpGateway runs where a HOSTGW.CFG asks for it.
+// Objects that exist without being on a stick. tcpGateway runs if a HOSTGW.CFG asks for it.
 constexpr const char* kSystemObjects[] = {"oobjectManager", "OVirtualRobotComm",
                                           "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
 

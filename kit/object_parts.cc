@@ -30,7 +30,7 @@ bool HasWord(const std::string& text, const std::string& word) {
   return false;
 }
 
-// Relative paths of a Makefile, with and without "../": words that hold a slash.
+// Returns the relative paths in a Makefile, with and without "../": words with a slash.
 std::vector<std::string> PathsIn(const std::string& makefile) {
   std::vector<std::string> paths = UpwardPaths(makefile);
   std::string word;
@@ -75,8 +75,8 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Whether the nearest object folder above `file` is that of another object.  A folder around both
-// objects is nobody's.
+// Returns whether the nearest object folder above `file` is that of another object.  A folder that
+// contains both objects belongs to neither.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
@@ -86,8 +86,8 @@ bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) co
   return false;
 }
 
-// Makefiles in the object's folder, and those elsewhere that name this object's folder and no
-// other one's.
+// Returns the Makefiles in the object's folder, and those elsewhere that name this object's folder
+// and no other object's.
 std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const {
   Paths found;
   for (const fs::path& file : makefiles_) {
@@ -107,7 +107,7 @@ std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const
   return found;
 }
 
-// Files that these Makefiles name, and those directly in folders that they name.
+// Returns the files that these Makefiles name, and the files directly in folders that they name.
 std::vector<fs::path> ObjectParts::NamedBy(const Paths& makefiles) const {
   std::set<fs::path> named;
   for (const fs::path& makefile : makefiles) {
@@ -165,7 +165,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
     if (IsOcf(file)) named.push_back(file);
   }
   if (!named.empty()) return named;
-  // Without Makefiles an .ocf file lies beside stub.cfg: nothing else says which one is meant.
+  // Without Makefiles, an .ocf file counts only if it is beside stub.cfg, because nothing else says
+  // which one is meant.
   if (makefiles_.empty()) return {};
   Paths free;
   for (const fs::path& file : all_) {

@@ -20,7 +20,7 @@ bool DefinesEntryTable(const std::string& text) {
   return text.find("ObjectEntryTable") != std::string::npos && std::regex_search(text, kTable);
 }
 
-// What stubgen2 leaves behind.
+// Returns whether stubgen2 has made the file.
 bool IsGenerated(const fs::path& file, const std::string& class_name) {
   return !class_name.empty() && file.stem() == class_name + "Stub";
 }
@@ -45,7 +45,8 @@ ObjectFolder DescribeObject(const fs::path& folder, const std::vector<fs::path>&
   return object;
 }
 
-// A stub.cfg, or an .ocf file beside a source with an entry table.
+// Returns whether the folder is that of an object: it has a stub.cfg, or an .ocf file beside a
+// source with an entry table.
 bool IsObjectFolder(const std::vector<fs::path>& files) {
   bool has_ocf = false, has_table = false;
   for (const fs::path& file : files) {
@@ -63,7 +64,7 @@ StickFolder DescribeStick(const fs::path& root) {
   if (stick.object_config.empty()) return stick;
   const std::string text = ReadText(stick.object_config).value_or("");
   stick.objects = ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
-  // One line for each robot may name the same image.
+  // Lines for different robots may name the same image.
   std::set<std::string> seen;
   std::erase_if(stick.objects, [&](const ObjectRecord& record) {
     return !seen.insert(LowerCase(record.path)).second;
@@ -105,9 +106,10 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
-  std::set<fs::path> seen;  // one folder may lie in another one
+  std::set<fs::path> seen;  // because one folder may be inside another
   for (const fs::path& folder : folders) {
-    // A neighbour that is referred to may have a stick of its own: not ours to write to.
+    // A folder outside of the project may have a stick of its own, which must not be written to if
+    // the project has one.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder))
       if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
@@ -121,7 +123,7 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   const auto is_ours = [&](const ObjectFolder& object) {
     return IsBelow(object.folder, project.root);
   };
-  // Nor are its objects ours to build, if there are some here.
+  // If the project has objects, those of folders outside are not built.
   if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
     const auto first =
         std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);

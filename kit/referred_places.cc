@@ -14,19 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kOutsideFilesMax = 20'000;  // of one folder that is only referred to
+constexpr size_t kOutsideFilesMax = 20'000;  // of one folder outside of the program
 
-// Files that may be part of an object.  Other files of a folder around the program are not ours.
+// Returns whether the file may be part of an object.  Other files in a folder outside of the
+// program are not copied.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
 }
 
-constexpr int kDepthMax = 8;  // of includes, and of variables in variables
+constexpr int kDepthMax = 8;  // of includes in files, and of variables in values
 
 using Variables = std::map<std::string, std::string>;
 
-// Variables whose first value is one path, perhaps with other variables in it.
+// Returns the variables whose first value is one path, which may contain other variables.
 Variables PathVariables(const std::string& makefile) {
   static const std::regex kDefinition(
       "(?:^|\n)[ \t]*(?:export[ \t]+)?(\\w+)[ \t]*[:?]?=[ \t]*([\\w./+(){}$-]+)[ \t\r]*(?=\n|#|$)");
@@ -50,12 +51,12 @@ std::string Expanded(const std::string& text, const Variables& variables) {
     }
     if (done == 0) break;
     result = next + result.substr(done);
-    if (result.size() > 100 * text.size() + 1000) return text;  // a variable that names itself
+    if (result.size() > 100 * text.size() + 1000) return text;  // a variable contains itself
   }
   return result;
 }
 
-// Files that a Makefile includes, as far as its own variables tell.
+// Returns the files that a Makefile includes, as far as its own variables tell.
 std::vector<fs::path> IncludedFiles(const fs::path& folder, const std::string& makefile) {
   static const std::regex kInclude("(?:^|\n)[ \t]*[-s]?include[ \t]+([^#\n]+)");
   std::vector<fs::path> files;
@@ -104,12 +105,12 @@ class PlaceSearch {
     if (text.find("..") == std::string::npos) return;
     for (const std::string& path : UpwardPaths(text)) {
       fs::path target = (file.parent_path() / path).lexically_normal();
-      if (!target.has_filename()) target = target.parent_path();  // "a/.." ends in a slash
+      if (!target.has_filename()) target = target.parent_path();  // "a/.." becomes "./"
       AddTarget(target, path.ends_with(".."));
     }
   }
 
-  // `is_above`: named as the folder above, not by its name.
+  // Adds a place that was found.  `is_above`: it is named as ".." and not by its name.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;
@@ -119,7 +120,7 @@ class PlaceSearch {
     const bool wants_files = is_above || !is_folder;
     if (is_around_root || (wants_files && IsAroundSome(folder))) {
       if (!is_folder) AddFile(target);
-      AddFilesIn(folder);  // headers that lie beside a source are named without a path
+      AddFilesIn(folder);  // a source names headers beside it without a path
     } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
       places_.folders.push_back(folder);
     }

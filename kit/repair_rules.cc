@@ -15,16 +15,16 @@ namespace {
 
 using Edits = std::vector<Edit>;
 
-// A complaint, and the text with and without comments.
+// A complaint, and its file with and without comments.
 struct Spot {
   const Complaint& complaint;
   const std::string& text;
-  const std::string code;  // without comments and strings
-  const size_t at;         // of the complaint
+  const std::string code;  // text without comments and strings
+  const size_t at;         // position of the complaint
 
   bool Says(const char* words) const { return complaint.message.find(words) != kNone; }
 
-  // What stands between the n-th pair of quotes of the message, from 1.
+  // Returns the text between the n-th pair of quotes of the message, counted from 1.
   std::string Quoted(int n = 1) const {
     size_t end = kNone, begin = kNone;
     for (int i = 0; i < n; ++i) {
@@ -36,7 +36,7 @@ struct Spot {
   }
 };
 
-// Blanks of the same shape: line ends stay.
+// Returns blanks in place of the text; line ends stay.
 std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
   std::string blanks = text.substr(begin, end - begin);
   for (char& c : blanks) {
@@ -45,13 +45,13 @@ std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
   return blanks;
 }
 
-// std::vector<T>::iterator it;
+// Adds a missing typename: std::vector<T>::iterator it;
 Edits Typename(const Spot& place) {
   if (!place.Says("need 'typename' before")) return {};
   return {{place.at, place.at, "typename ", "'typename' put before " + place.Quoted(2)}};
 }
 
-// void Turn(int left, int left);
+// Removes a repeated parameter name: void Turn(int left, int left);
 Edits RepeatedParameter(const Spot& place) {
   if (!place.Says("redefinition of '")) return {};
   const std::string_view word = WordAt(place.code, place.at);
@@ -66,12 +66,12 @@ Edits RepeatedParameter(const Spot& place) {
   if (close == kNone || word.empty()) return {};
   size_t next = NextOf(place.code, close + 1);
   if (next != kNone && HasWordAt(place.code, next, "const")) next = NextOf(place.code, next + 5);
-  if (next == kNone || place.code[next] != ';') return {};  // only a declaration can do without
+  if (next == kNone || place.code[next] != ';') return {};  // a definition needs the name
   return {{place.at, place.at + word.size(), std::string(word.size(), ' '),
            fmt::format("the second parameter called '{}' left without a name", word)}};
 }
 
-// typedef unsigned long uint32; where the SDK has the type with the robot's 32 bits.
+// Removes a type that the SDK has with the robot's 32 bits: typedef unsigned long uint32;
 Edits OwnTypedef(const Spot& place) {
   if (!place.Says("conflicting declaration 'typedef")) return {};
   const size_t begin = place.code.rfind("typedef", place.at);
@@ -83,7 +83,7 @@ Edits OwnTypedef(const Spot& place) {
            fmt::format("'{}' left out: the SDK's is of the robot's width", place.Quoted())}};
 }
 
-// switch (x) { case 1: return; default: }
+// Adds a missing statement after a label: switch (x) { case 1: return; default: }
 Edits LabelAtEnd(const Spot& place) {
   if (!place.Says("expected primary-expression before '}'")) return {};
   const size_t before = PreviousOf(place.code, place.at);
@@ -91,9 +91,10 @@ Edits LabelAtEnd(const Spot& place) {
   return {{before + 1, before + 1, ";", "';' put behind a label at the end of a block"}};
 }
 
-// "in " __FUNCTION__, which was a string literal.
+// Replaces __FUNCTION__ beside a string by __FILE__, because it was a string literal itself:
+// "in " __FUNCTION__
 Edits FunctionName(const Spot& place) {
-  size_t begin = NextOf(place.code, place.at);  // the compiler points behind what went before
+  size_t begin = NextOf(place.code, place.at);  // the compiler points after the preceding text
   if (place.Says("before string constant")) {
     begin = PreviousOf(place.code, place.at);
     while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;
@@ -107,7 +108,7 @@ Edits FunctionName(const Spot& place) {
            fmt::format("{} beside a string became __FILE__", word)}};
 }
 
-// a <? b and a >?= b, the operators for minimum and maximum; see compat/openr_prelude.h.
+// Replaces the operators for minimum and maximum, a <? b and a >?= b; see compat/openr_prelude.h.
 Edits MinimumOperator(const Spot& place) {
   if (!place.Says("expected primary-expression before '?'") || place.at == 0) return {};
   const char sign = place.code[place.at - 1];
@@ -119,7 +120,7 @@ Edits MinimumOperator(const Spot& place) {
            fmt::format("{}?{} said in another way", sign, assigns ? "=" : "")}};
 }
 
-// if (file < 0): a pointer and a number.
+// Repairs comparisons of a pointer with a number: if (file < 0)
 Edits PointerAndZero(const Spot& place) {
   if (!place.Says("ordered comparison of pointer with integer zero")) return {};
   const size_t after =
@@ -134,14 +135,14 @@ Edits PointerAndZero(const Spot& place) {
   return {};
 }
 
-// int Table<3>::size = 3; without template<>.
+// Adds a missing template<>: int Table<3>::size = 3;
 Edits Specialisation(const Spot& place) {
   if (!place.Says("requires 'template<>' syntax")) return {};
   size_t begin = place.at;
   while (begin > 0 && std::string_view(";{}").find(place.code[begin - 1]) == std::string_view::npos)
     --begin;
   begin = NextOf(place.code, begin);
-  while (begin < place.at && place.code[begin] == '#') {  // a line for the preprocessor
+  while (begin < place.at && place.code[begin] == '#') {  // skips lines of directives
     begin = place.code.find('\n', begin);
     begin = begin == kNone ? place.at : NextOf(place.code, begin);
   }
@@ -156,14 +157,14 @@ Edits StaticSpecialisation(const Spot& place) {
            fmt::format("'{}' of a specialisation left out", word)}};
 }
 
-// int ::f() {} at global scope, after a declaration of f.
+// Removes the global scope of a definition after its declaration: int ::f() {}
 Edits KnownGlobalName(const Spot& place) {
   if (!place.Says("explicit qualification in declaration")) return {};
   if (place.code.compare(place.at, 2, "::") != 0) return {};
   return {{place.at, place.at + 2, "  ", "'::' left out before a name at global scope"}};
 }
 
-// int ::f(); at global scope.
+// Removes the global scope of a declaration: int ::f();
 Edits GlobalName(const Spot& place) {
   if (!place.Says("should have been declared inside '::'")) return {};
   size_t at = place.at;  // the compiler points at the closing bracket, or at the name
@@ -181,14 +182,14 @@ Edits GlobalName(const Spot& place) {
   return {{colon - 1, colon + 1, "  ", "'::' left out before a name at global scope"}};
 }
 
-// A loop whose declaration may be meant by a use after it.
+// A loop that declares a variable which is used after the loop.
 struct Loop {
-  size_t begin = kNone;  // of the word for
+  size_t begin = kNone;  // position of the word for
   size_t declaration = 0;
   size_t semicolon = 0;
 };
 
-// The loop at `at`, where the word for is, if it declares `name`.
+// Returns the loop that begins at `at` if it declares `name`.
 std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const std::string& name) {
   const size_t open = NextOf(code, at + 3);
   if (open == kNone || code[open] != '(') return std::nullopt;
@@ -200,7 +201,7 @@ std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const s
   return Loop{at, open + 1, semicolon};
 }
 
-// The last such loop before `use` whose block is still open there.
+// Returns the last such loop before `use` whose enclosing block is still open at `use`.
 std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::string& name) {
   int depth = 0;
   for (size_t at = use; at-- > 0;) {
@@ -212,15 +213,15 @@ std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::str
   return std::nullopt;
 }
 
-// What stands before the word `name`: "int " of "int i = 0".
+// Returns the text before the word `name`: "int " of "int i = 0".
 std::string TypeIn(const std::string& declaration, const std::string& name) {
   size_t at = declaration.find(name);
   while (at != kNone && !HasWordAt(declaration, at, name)) at = declaration.find(name, at + 1);
   return declaration.substr(0, at);
 }
 
-// for (int i = 0; ...) {}  use(i);  The variable lived on until the end of the block; a later loop
-// with the same declaration meant the same one, as far as anybody could tell.
+// Moves a declaration out of a loop: for (int i = 0; ...) {} use(i); The variable used to live
+// until the end of the block.  A later loop with the same declaration then used the same variable.
 Edits LoopVariable(const Spot& place) {
   if (!place.Says("was not declared in this scope")) return {};
   const std::string name = place.Quoted();
@@ -249,15 +250,15 @@ Edits LoopVariable(const Spot& place) {
   return edits;
 }
 
-// Whether a block whose head is `head` belongs to a template that may inherit names: a class with
-// a base that depends on something, or a member defined outside of its class.
+// Returns whether a block after the text `head` belongs to a template that may inherit names: a
+// class whose base depends on a parameter, or a member defined outside of its class.
 bool MayInheritNames(const std::string& head) {
   static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
   static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");
   return std::regex_search(head, kDerived) || std::regex_search(head, kMember);
 }
 
-// The same for any of the blocks around `at`.
+// Returns whether that is true for one of the blocks around `at`.
 bool IsInInheritingTemplate(const std::string& code, size_t at) {
   int depth = 0;
   while (at-- > 0) {
@@ -272,7 +273,7 @@ bool IsInInheritingTemplate(const std::string& code, size_t at) {
   return false;
 }
 
-// A name that a template inherits from a base that depends on its parameter.
+// Adds this-> to a name that a template inherits from a base that depends on its parameter.
 Edits InheritedName(const Spot& place) {
   if (!place.Says("was not declared in this scope")) return {};
   if (WordAt(place.code, place.at) != place.Quoted()) return {};
@@ -284,7 +285,8 @@ Edits InheritedName(const Spot& place) {
            fmt::format("'this->' put before '{}', which a template inherits", place.Quoted())}};
 }
 
-// #include "Sub\HEADER.H" of a file system where case does not count.
+// Corrects the case and the slashes of a header's name, written for another file system: #include
+// "Sub\HEADER.H"
 Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
   const size_t end = place.complaint.message.find(": No such file or directory");
   if (end == kNone) return {};

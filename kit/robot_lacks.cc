@@ -6,8 +6,8 @@
 namespace openr_host {
 namespace {
 
-// After the Programmer's Guide, appendix A (what of the C library does not work), and what
-// developers were told of threads and sleeping.
+// From the Programmer's Guide, appendix A (parts of the C library that do not work), and from
+// answers to developers about threads and sleeping.
 struct Group {
   std::initializer_list<std::string_view> names;
   LackedCall call;

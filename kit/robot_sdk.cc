@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of the core reference, section 5.5.
+// Names from the core reference, section 5.5.
 constexpr const char* kTools[] = {"bin/mipsel-linux-g++", "bin/mipsel-linux-gcc",
                                   "OPEN_R/bin/stubgen2", "OPEN_R/bin/mkbin"};
 
@@ -79,7 +79,7 @@ fs::path RobotSdk::BaseStick(const std::string& model, const std::string& flavou
 }
 
 void RobotSdk::GenerateStub(const fs::path& config, const fs::path& folder) const {
-  // It writes to the folder it runs in.
+  // stubgen2 writes to the folder in which it runs.
   Run({Tool("OPEN_R/bin/stubgen2"), config}, folder, config.filename().string());
 }
 
@@ -121,7 +121,7 @@ void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& fo
   ProcessOptions options;
   options.folder = folder;
   options.has_no_input = true;
-  // mkbin and what it starts look for each other and for the compiler there.
+  // mkbin and the tools that it starts find each other and the compiler in PATH.
   const char* const path = std::getenv("PATH");
   options.environment = {
       {"OPENRSDK_ROOT", root_},

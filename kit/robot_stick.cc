@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder beside the output that becomes it at the end, or goes.
+// A folder beside the output.  It takes the name of the output at the end, or is removed after a
+// failure.
 class Draft {
  public:
   explicit Draft(const std::string& output)
@@ -61,9 +62,9 @@ class Draft {
 };
 
 struct RobotObject {
-  const char* name;   // of its class, its folder and its files
-  const char* image;  // in OBJECT.CFG
-  bool has_common;    // uses objects/common
+  const char* name;   // name of its class, its folder and its files
+  const char* image;  // file name in OBJECT.CFG
+  bool has_common;    // includes objects/common
   bool has_network;
 };
 
@@ -80,7 +81,7 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
   return found;
 }
 
-// What is on a stick may be read-only in the SDK; ours is to be written to.
+// Copies a tree and makes the copy writable, because files of the SDK may be read-only.
 void CopyTree(const fs::path& from, const fs::path& to) {
   fs::copy(from, to, fs::copy_options::recursive);
   for (const auto& entry : fs::recursive_directory_iterator(to))
@@ -115,7 +116,7 @@ class RobotStick {
     PutNetworkSettings();
     PutMotions();
     ThrowIf(CheckNames(draft_.stick()), "the robot's stick cannot hold these names");
-    CompileController();  // first, because it is what has mistakes in it
+    CompileController();  // first, because it is the part with errors most often
     CompileCommon();
     for (const RobotObject& object : kObjects) MakeImage(object);
     ThrowIf(CheckObjectConfig(draft_.stick()), "the stick is not complete");
@@ -124,7 +125,7 @@ class RobotStick {
   }
 
  private:
-  // A file's place on the stick, in whatever case its folders are there.
+  // Returns the path of a file on the stick.  Folders that exist keep their case.
   fs::path On(const std::string& folder, const std::string& name) const {
     fs::path place = FindBelow(open_r_, folder);
     if (place.empty()) {
@@ -141,7 +142,7 @@ class RobotStick {
     Write(to, MergeConfig(ReadText(to).value_or(""), ours));
   }
 
-  // The controller's own, else the base's, else ours.
+  // Copies the network settings of the controller, or else of the base, or else ours.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =
@@ -180,7 +181,7 @@ class RobotStick {
     std::vector<fs::path> objects;
     for (const fs::path& source : SourcesIn(folder))
       objects.push_back(Compile(source, work, includes));
-    for (const fs::path& source : SourcesIn(work))  // the stub
+    for (const fs::path& source : SourcesIn(work))  // sources of the stub
       objects.push_back(Compile(source, work, includes));
     if (object.name == std::string("Controller"))
       objects.insert(objects.end(), controller_.begin(), controller_.end());
@@ -194,7 +195,7 @@ class RobotStick {
     }
   }
 
-  // Its main function gets another name; the wrapper calls it.
+  // Compiles the controller.  Its main function gets another name, by which the wrapper calls it.
   void CompileController() {
     ControllerSources sources;
     if (options_.controller.empty()) {
@@ -228,7 +229,8 @@ class RobotStick {
     controller_.push_back(Compile(source, work, {}));
   }
 
-  // Numbered: two sources of one object may have one name.
+  // Compiles one source.  Object files have numbers, because two sources of an object may have one
+  // name.
   fs::path Compile(const fs::path& source, const fs::path& work,
                    const std::vector<std::string>& options) {
     fs::create_directories(work);
@@ -270,7 +272,7 @@ class RobotStick {
   RobotSdk sdk_;
   Draft draft_;
   fs::path base_, open_r_;
-  std::vector<fs::path> common_, controller_;  // compiled
+  std::vector<fs::path> common_, controller_;  // object files
   int num_compiled_ = 0;
 };
 
@@ -294,7 +296,7 @@ void MakeHostStick(const std::string& stick, const std::string& output) {
   for (const auto& entry : fs::recursive_directory_iterator(draft.stick()))
     if (entry.path().extension() == ".DBG") debug_files.push_back(entry);
   for (const fs::path& file : debug_files) fs::remove(file);
-  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // programs write there
+  fs::create_directories(SpeltBelow(draft.stick(), "OPEN-R/MW/DATA/P"));  // where programs write
   draft.Finish();
   fmt::print("openr run --stick {}\n", ShellWord(output));
 }

@@ -1,4 +1,5 @@
-// openr-sdk: every tool of the SDK tree is a link to it and is told apart by its name.
+// openr-sdk: all tools of the SDK tree are links to this program.  It looks at the name it was
+// called by.
 //
 //   mipsel-linux-g++ -O2 -c a.cc      the same as      openr-sdk g++ -O2 -c a.cc
 #include <cstdio>
@@ -22,7 +23,7 @@ constexpr char kUsage[] =
     "  image-info OCF OUT    the source of an image's description, for build systems\n"
     "  controller-main NM OUT [OBJECT...]    the source that calls a controller's main()\n";
 
-// "/sdk/bin/mipsel-linux-g++" is g++.
+// Returns the name of the tool: "g++" for "/sdk/bin/mipsel-linux-g++".
 std::string ToolName(const std::string& program) {
   const std::string name = program.substr(program.rfind('/') + 1);
   const std::string target = "-linux-";

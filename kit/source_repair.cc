@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// g++ writes one JSON array per line, among lines of other kinds.
+// Reads the output of g++: one JSON array per line, with lines of other kinds between.
 std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   std::vector<Complaint> complaints;
   std::istringstream lines(diagnostics);
@@ -45,9 +45,9 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   return complaints;
 }
 
-// The assembler's complaints about lines of a source: "a.cc:3: Error: no such instruction: ...".
-// For assembly outside of functions the assembler names no source; the complaint then belongs to
-// one of the `sources` that the compiler was given.
+// Reads the errors of the assembler: "a.cc:3: Error: no such instruction: ...".  For assembly
+// outside of functions the assembler names no source, so the error counts for each of `sources`,
+// the files that the compiler was given.
 std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");
@@ -68,7 +68,7 @@ std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
   return complaints;
 }
 
-// Applies what does not overlap, from the back to the front.
+// Returns `text` with the edits that do not overlap, made from the end to the beginning.
 std::string Edited(std::string text, std::vector<Edit> edits) {
   std::sort(edits.begin(), edits.end(),
             [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
@@ -84,7 +84,7 @@ bool Overlaps(const std::vector<Edit>& edits, const std::vector<Edit>& others) {
   });
 }
 
-// make must not think that something happened.
+// Writes the file with its old time, so that make does not see a change.
 void WriteWithTime(const std::string& file, const std::string& text) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error);
@@ -107,7 +107,8 @@ RepairSession::~RepairSession() {
   if (lock_ >= 0) close(lock_);
 }
 
-// A macro of a header may hold the assembly that the line of `complaint` uses.
+// Adds edits of a header, because the assembly in the line of `complaint` may come from a macro of
+// a header.
 void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
                                   std::map<std::string, std::vector<Edit>>* edits_of) {
   const size_t begin = OffsetOf(text, complaint.line, 1);
@@ -134,7 +135,7 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   std::vector<Complaint> complaints = ReadComplaints(diagnostics);
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
-  // What is not declared for want of a 'typename' will be.
+  // Names that are not declared because a 'typename' is missing will be declared after that repair.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

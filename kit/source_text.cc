@@ -6,7 +6,7 @@
 namespace openr_host {
 namespace {
 
-// Where a comment that begins at `at` ends, or `at` if none begins there.
+// Returns the end of the comment that begins at `at`, or `at` if none does.
 size_t EndOfComment(std::string_view text, size_t at) {
   if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
   if (text.substr(at, 2) != "/*") return at;
@@ -14,7 +14,8 @@ size_t EndOfComment(std::string_view text, size_t at) {
   return end == kNone ? text.size() : end + 2;
 }
 
-// The same for strings and characters; they end with their line at the latest.
+// Returns the same for strings and character literals.  They end at the end of their line at the
+// latest.
 size_t EndOfString(std::string_view text, size_t at) {
   const char quote = text[at];
   if (quote != '"' && quote != '\'') return at;

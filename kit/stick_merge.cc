@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A configuration up to its first [design], and the rest.
+// The part of a configuration up to its first [design], and the rest.
 struct Parts {
   std::vector<std::string> common, sections;
 };
@@ -48,7 +48,7 @@ bool HasRecord(const Parts& parts) {
          std::any_of(parts.sections.begin(), parts.sections.end(), IsRecord);
 }
 
-// Keys of the Installation Guide 3.2.2.
+// Keys of WLANCONF.TXT (Installation Guide 3.2.2).
 const std::set<std::string> kWlanKeys = {"HOSTNAME", "ETHER_IP",     "ETHER_NETMASK", "IP_GATEWAY",
                                          "ESSID",    "WEPENABLE",    "WEPKEY",        "APMODE",
                                          "CHANNEL",  "DNS_SERVER_1", "DNS_DEFDNAME",  "USE_DHCP"};
@@ -57,12 +57,12 @@ const std::set<std::string> kWlanKeys = {"HOSTNAME", "ETHER_IP",     "ETHER_NETM
 
 std::string MergeConfig(const std::string& base, const std::string& ours) {
   const Parts theirs = Split(base), mine = Split(ours);
-  if (!HasRecord(theirs)) return ours;  // the SDK's template
+  if (!HasRecord(theirs)) return ours;  // the base has only the template of the SDK
   std::set<std::string> known;
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // The same line may stand in several sections.
+      // The same line may be in several sections.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }

@@ -42,7 +42,7 @@ std::optional<std::string> ReadStream(std::istream& in) {
   return text;
 }
 
-// nullopt after a complaint.
+// Returns the text, or nullopt after printing an error.
 std::optional<std::string> ReadInput(const std::string& file, std::istream& in, std::ostream& err) {
   if (file.empty()) {
     std::optional<std::string> text = ReadStream(in);
@@ -59,8 +59,8 @@ std::optional<std::string> ReadInput(const std::string& file, std::istream& in, 
   return text;
 }
 
-// All of them or none: the first name changes when all contents are on the disk.  "" or what went
-// wrong.
+// Writes all files or none: the files get their names only when all contents are on the disk.
+// Returns "" or the error.
 std::string WriteTogether(const std::vector<GeneratedFile>& files, const fs::path& folder) {
   std::vector<PendingFile> pending;
   for (const GeneratedFile& file : files) {
@@ -139,7 +139,7 @@ int StubgenMain(int argc, char** argv) {
     return kCommandLineWrong;
   };
   StubgenOptions options;
-  optind = 0;  // begins anew, also after an earlier command line
+  optind = 0;  // makes getopt begin anew after an earlier command line
   opterr = 0;
   for (;;) {
     const int flag = getopt_long(argc, argv, "o:h", kFlags, nullptr);

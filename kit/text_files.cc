@@ -18,7 +18,7 @@ bool HasExtension(const fs::path& file, std::initializer_list<const char*> exten
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// `open` holds the folders (without links) that lead here.
+// `open` holds the folders on the way to this one, without links, so that circles are found.
 void AddFiles(const fs::path& folder, std::vector<fs::path>* open, std::vector<fs::path>* files) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);

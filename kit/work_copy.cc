@@ -24,20 +24,21 @@ namespace fs = std::filesystem;
 
 constexpr char kLeftOutFile[] = "left_out.txt";
 
-// An image of an earlier build on the stick: the outcome, not a source.
+// Returns whether the file is an image that an earlier build has put on the stick.
 bool IsBuiltImage(const fs::path& file) {
   const std::string folder = LowerCase(file.parent_path().filename());
   return folder == "objs" && LowerCase(file.extension()) == ".bin" &&
          ReadImageFile(file).problem.empty();
 }
 
-// Lists of dependencies name the robot's headers.
+// Returns whether the file is a list of dependencies for make.  Such lists name headers of the
+// robot's compiler.
 bool IsDependencyList(const fs::path& file) {
   const std::string name = file.filename();
   return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
 }
 
-// Made by stubgen2 from the stub.cfg beside it.
+// Returns whether stubgen2 has made the file from the stub.cfg beside it.
 bool IsGeneratedStub(const fs::path& file) {
   const std::string name = file.filename();
   const bool looks_so =
@@ -59,7 +60,7 @@ bool IsText(const std::string& text) {
   return text.substr(0, 4096).find('\0') == std::string::npos;
 }
 
-// Makefiles, and the scripts they call.
+// Returns whether the file is a Makefile, or a script that Makefiles may call.
 bool IsToBeAdapted(const fs::path& file, const std::string& text) {
   const std::string extension = file.extension();
   const bool is_script = extension == ".sh" || extension == ".in" || file.filename() == "configure";
@@ -131,7 +132,7 @@ void WorkCopy::AddFolder(const fs::path& original) {
   for (const fs::path& file : FilesBelow(original)) {
     if (!IsBelow(file, work_)) CopyFile(file);
   }
-  // Empty folders matter: rules write into them.
+  // Creates empty folders too, because rules write into them.
   std::error_code error;
   for (fs::recursive_directory_iterator it(original, error), end; !error && it != end;
        it.increment(error)) {
@@ -169,15 +170,15 @@ void WorkCopy::CopyFile(const fs::path& original) {
   std::error_code error;
   fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
   SetTime(copy, original);
-  // Older than its stub.cfg, so a rule that makes it will.
+  // The stub gets a time before its stub.cfg, so that a rule which makes it will run.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);
     if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
   }
 }
 
-// Stubs that lie about come from another stubgen2.  A Makefile may rely on them, because its rules
-// have no dependencies or the wrong order: ours take their place.
+// Replaces stubs that other versions of stubgen2 have left, because a Makefile may use them without
+// a rule that makes them in time.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
   for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());
@@ -198,7 +199,7 @@ void WorkCopy::MakeStubsAnew() const {
   fs::remove_all(made, error);
 }
 
-// Files that are gone from the originals go from the copy.
+// Removes files from the copy whose originals are gone.
 void WorkCopy::RemoveVanished() {
   for (const auto& [name, stamp] : former_) {
     if (present_.contains(name) || !IsCovered(name)) continue;

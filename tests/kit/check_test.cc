@@ -183,7 +183,7 @@ TEST(CheckTest, JointsThatNobodyPowersAreNamed) {
   const KitFolder folder("makefile");
   folder.Write("Sender/More.cc", "int format = odataJOINT_COMMAND2;\n");
   const std::string text = Checked(folder, 0);
-  EXPECT_THAT(text, Says("Sender:", "nobody calls SetMotorPower(opowerON)"));
+  EXPECT_THAT(text, Says("Sender:", "no object calls SetMotorPower(opowerON)"));
 }
 
 TEST(CheckTest, ABuiltStickIsCheckedByWhatItsImagesSay) {

@@ -179,7 +179,7 @@ TEST_F(ControllerCheckTest, TheTimeStepOfARunFunctionIsLookedAt) {
 
 TEST_F(ControllerCheckTest, AControllerWithoutALoopIsSaidSo) {
   EXPECT_THAT(Checked("#include <robot.h>\nint main(void) { return robot_get_mode(); }\n"),
-              HasSubstr("nobody calls robot_run(): main() runs once"));
+              HasSubstr("nothing calls robot_run(): main() runs once"));
 }
 
 TEST_F(ControllerCheckTest, AControllerWithoutMainIsSaidSo) {
