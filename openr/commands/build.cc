@@ -1,4 +1,4 @@
-// openr build: a folder of OPEN-R programs, built for the host.
+// The command openr build: builds a folder of OPEN-R programs for the host.
 #include <memory>
 
 #include "kit/build_folder.h"

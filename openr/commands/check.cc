@@ -1,4 +1,4 @@
-// openr check: reads a program and its stick without running it.
+// The command openr check: checks a program and its stick without running it.
 #include "kit/check.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ struct CheckFlags {
   bool json = false;
 };
 
-// Names of all devices that robot_get_device() knows on some robot.
+// Returns the names of all devices that robot_get_device() knows, of all robots.
 std::vector<std::string> AllLocators() {
   std::vector<std::string> locators;
   for (const char* robot : {"ers210", "ers220", "ers7"}) {

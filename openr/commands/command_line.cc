@@ -15,14 +15,14 @@
 namespace openr_host {
 namespace {
 
-// "rc mtn"; "" for the program itself.
+// Returns the words that lead to the command, such as "rc mtn"; "" for the program itself.
 std::string PathOf(const CLI::App& command) {
   if (command.get_parent() == nullptr) return "";
   const std::string parent = PathOf(*command.get_parent());
   return parent.empty() ? command.get_name() : parent + " " + command.get_name();
 }
 
-// The command the words led to so far.
+// Returns the command that the words of the command line have led to so far.
 const CLI::App& Chosen(const CLI::App& app) {
   const std::vector<CLI::App*> next = app.get_subcommands();
   return next.empty() ? app : Chosen(*next.back());
@@ -43,7 +43,7 @@ std::vector<std::string> CommandNames(const CLI::App& parent) {
   return names;
 }
 
-// `word` stands where a command of `parent` should; "": nothing does.
+// Returns the error for `word` in place of a command of `parent`; "" for `word`: there is no word.
 std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
   const std::vector<std::string> names = CommandNames(parent);
   const std::string path = PathOf(parent);
@@ -56,7 +56,7 @@ std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
 
 bool IsFlag(const std::string& word) { return word.starts_with('-'); }
 
-// Whether `command`, the last one chosen, is nothing without another one.
+// Returns whether `command`, the last one chosen, needs the name of a further command.
 bool NeedsCommand(const CLI::App& command) {
   const auto is_missing = [](const CLI::Option* o) { return o->get_required() && o->count() == 0; };
   const auto options = command.get_options();
@@ -64,7 +64,7 @@ bool NeedsCommand(const CLI::App& command) {
          std::none_of(options.begin(), options.end(), is_missing);
 }
 
-// A word that no command and no flag takes.
+// Returns the error for a word that no command and no flag takes.
 std::string NotExpected(const CLI::App& command, const std::string& word) {
   std::vector<std::string> flags;
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
@@ -85,7 +85,7 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   }
   const std::string path = PathOf(*about);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
-  // Not help(): that would tell of the command that was chosen, which is `help`.
+  // help() is of no use here, because it describes the command that was chosen, which is `help`.
   PrintAnswer(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal));
 }
 
@@ -102,7 +102,7 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
   };
-  // Commands are missed before words are found to be left over: a wrong one is both.
+  // A missing command is reported first, because a misspelt command is also a word left over.
   if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
     const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
     if (word != rest.end()) return NoSuchCommand(command, *word);

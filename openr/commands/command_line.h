@@ -1,4 +1,4 @@
-// What the program says about its own command line: what is wrong with it, and help.
+// Explains errors in the program's command line, and finds the words that ask for help.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,11 +6,11 @@
 
 namespace openr_host {
 
-// What is wrong, and what may have been meant, in one line.  `app` is the whole program, `error`
-// what parsing it threw.
+// Returns a line that says what is wrong and what may have been meant.  `app` is the whole program;
+// parsing its command line threw `error`.
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error);
 
-// The words to ask for help about the command that was chosen: "openr help run".
+// Returns the words that ask for help about the command that was chosen: "openr help run".
 std::string HelpWords(const CLI::App& app);
 
 }  // namespace openr_host

@@ -83,7 +83,8 @@ CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
-  // Not a ValidationError, which CLI11 would put the name of the flag in front of once more.
+  // ParseError is thrown, because CLI11 would put the flag's name before the text of a
+  // ValidationError, which has it already.
   throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
                         CLI::ExitCodes::ValidationError);
 }

@@ -11,38 +11,38 @@
 
 namespace openr_host {
 
-// --stick, --robot, --world, --seed.
+// Adds --stick, --robot, --world and --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
-// --battery and --cost of commands that run robots.
+// Add --battery and --cost, for commands that run robots.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
-// A flag that takes a duration as people write it.  `take` gets microseconds, and only when the
-// flag is given.
+// Adds a flag that takes a duration such as "20s".  `take` is called with microseconds if the flag
+// is given.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
                              const std::function<void(int64_t us)>& take,
                              const std::string& description);
 
-// The same for a variable, whose value is the default.
+// Does the same for a variable, whose value is the default.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
-// Refuses what is not a whole number of 64 bits.
+// Refuses values that are not whole numbers of 64 bits.
 CLI::Validator IsCount();
 
 // Refuses files that cannot be written, before the command begins.
 CLI::Validator IsWritable();
 
-// Refuses files that cannot be read, before the command begins, as "FLAG FILE: reason".
+// Refuses files that cannot be read, before the command begins.  The error is "FLAG FILE: reason".
 CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension);
 CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);
 
-// Throws what IsReadable() does for a file with this problem; "": there is none.
+// Throws the error of IsReadable() for a file with this problem; does nothing if `problem` is "".
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem);
 
-// Refuses folders that can be neither made nor written into.
+// Refuses folders that can be neither created nor written to.
 CLI::Validator IsFolder();
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// openr controller: programs in Webots style, as part of the object Controller.
+// The command openr controller: makes and builds programs in Webots style, which run in the object
+// Controller.
 #include <fmt/format.h>
 
 #include <memory>
@@ -23,7 +24,7 @@ struct ControllerFlags {
   std::string folder;
 };
 
-// CONTROLL.BIN of the robot is linked with the object around it, so a whole stick is made.
+// Makes a whole stick, because the robot's CONTROLL.BIN is linked with the object Controller.
 int BuildForRobot(const ControllerBuildOptions& build) {
   if (build.output.empty()) {
     throw std::runtime_error("--robot makes a whole stick: name a new folder for it with -o");

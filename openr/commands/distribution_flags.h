@@ -21,9 +21,9 @@ void AddBusFlags(CLI::App* command, BusOptions* bus);
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {
-  std::vector<std::string> places;  // OBJECT=PROCESS
+  std::vector<std::string> places;  // each "OBJECT=PROCESS"
   std::string file;
-  std::vector<std::string> isolated;  // objects
+  std::vector<std::string> isolated;  // names of objects
   std::string wrapper;                // command line of a debugger
   bool is_free = false;
   bool is_monitored = false;  // publishes its status also without workers

@@ -1,4 +1,4 @@
-// openr explore: one graph under many legal orders of its messages.
+// The command openr explore: runs one graph of objects with many legal orders of its messages.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,7 +54,8 @@ struct ExploreFlags {
   bool json = false;
 };
 
-// Refuses what is meant as a file and cannot be read: no built-in name has a dot or a slash.
+// Refuses a property file that cannot be read.  A name with a dot or a slash means a file, because
+// no built-in property has one.
 std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";
@@ -142,10 +143,11 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// Objects print to nowhere unless there is a file; every run, of whatever process, adds to it.
+// The output of objects.  It is discarded unless there is a file; all runs, in all processes, write
+// to that file.
 class SharedConsole {
  public:
-  // Throws std::runtime_error.
+  // Throws std::runtime_error when the file cannot be written.
   explicit SharedConsole(const std::string& file) : file_(file) {
     if (file.empty()) return;
     std::string problem;
@@ -169,7 +171,7 @@ class SharedConsole {
     *error_ = WriteAll(descriptor_, text);
   }
 
-  // "FILE: cannot be written: why", or "".
+  // Returns "FILE: cannot be written: why", or "".
   std::string Problem() const {
     return descriptor_ < 0 || *error_ == 0 ? "" : WhyNotWritten(file_, *error_);
   }
@@ -177,10 +179,10 @@ class SharedConsole {
  private:
   const std::string file_;
   int descriptor_ = -1;
-  int* error_ = nullptr;  // the first of any process
+  int* error_ = nullptr;  // errno of the first failed write of any process
 };
 
-// `exit_code`, or 1 after a complaint.
+// Returns `exit_code`; prints an error and returns 1 if the console could not be written.
 int WithConsole(int exit_code, const SharedConsole& console) {
   const std::string problem = console.Problem();
   if (problem.empty()) return exit_code;
@@ -188,9 +190,9 @@ int WithConsole(int exit_code, const SharedConsole& console) {
   return kExitWrong;
 }
 
-// Completes the plan by what the stick is.
+// Sets the parts of the plan that depend on the stick.
 void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
-  LoadCostFile(stick.simulation.cost_file);  // so that a wrong one is reported once, here
+  LoadCostFile(stick.simulation.cost_file);  // reports a wrong file once, before processes start
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;
   plan->run.properties.Make();
@@ -199,7 +201,7 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
   plan->prepare_run = [simulation] { return PrepareSimulation(simulation); };
 }
 
-// "ended before their time: 2 by battery\n", or "".
+// Returns a line such as "ended before their time: 2 by battery\n", or "" if no run ended early.
 std::string EndsBeforeTime(const Json& result) {
   std::string text;
   for (const auto& [reason, runs] : result.at("ended_by").items()) {
@@ -239,11 +241,11 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   return text;
 }
 
-// False after a complaint.
+// Writes the failure to the file of the flags.  Returns false after printing an error.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    RemoveFile(flags.file);  // one of an earlier exploration would be taken for this one's
+    RemoveFile(flags.file);  // a file of an earlier exploration would look like a result
     return true;
   }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);

@@ -1,4 +1,4 @@
-// openr graph: objects, services and connections of a stick.
+// The command openr graph: shows objects, services and connections of a stick.
 #include <fmt/format.h>
 
 #include <memory>
@@ -51,7 +51,7 @@ void Write(const std::string& text, const std::string& name) {
 
 int Graph(GraphFlags flags) {
   const Console console("");
-  flags.simulation.console = [](std::string_view) {};  // only the wiring is asked for
+  flags.simulation.console = [](std::string_view) {};  // the console is not wanted, only the graph
   flags.simulation.host_network = false;
   const RunStick stick(flags.simulation.stick, true);
   flags.simulation.stick = stick.folder();

@@ -1,4 +1,4 @@
-// openr mtn: what is in a motion file, and whether a robot can play it.
+// The command openr mtn: shows the content of motion files, and whether a robot can play them.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -30,10 +30,10 @@ struct MtnFlags {
   std::vector<std::string> files;
   std::string robot = "ers210";
   bool json = false;
-  Json answers = Json::array();  // with json
+  Json answers = Json::array();  // filled with --json
 };
 
-// False after a complaint in `problem`.
+// Reads the file.  Returns false, and sets `problem`, if it is no motion file.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
   *problem = WhyNotReadable(name, "motion file", ".MTN");
   if (!problem->empty()) return false;
@@ -65,13 +65,14 @@ std::string CountedFrames(const MtnFile& motion) {
   return Counted(static_cast<uint64_t>(motion.NumKeyFrames()), "key frame");
 }
 
-// Joints of these types, the ears, have two positions and no angle: 0, anything else.
+// Returns whether the joint has two positions and no angle, as ears do: 0 is one position, any
+// other value the other.
 bool HasTwoPositions(const std::string& locator) {
   return locator.find("-Joint3:") != std::string::npos ||
          locator.find("-Joint4:") != std::string::npos;
 }
 
-// The lowest and highest angle of the file's joint `j` in this motion, as text.
+// Returns the lowest and highest angle of the file's joint `j` in this motion, as text.
 std::string RangeOf(const MtnFile& motion, int j) {
   Sint32 low = motion.NumKeyFrames() > 0 ? motion.Angle(0, j) : 0, high = low;
   bool off = false, on = false;
@@ -142,7 +143,8 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// A line per key frame: time, attitude and joints, in degrees; 0 or 1 for two positions.
+// Prints a line per key frame: time, attitude and joints in degrees; 0 or 1 for joints with two
+// positions.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
@@ -170,7 +172,7 @@ bool Dump(const std::string& name, MtnFlags*) {
 
 using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
 
-// One document, however many files: an object, or a list of them.
+// Prints one JSON document: an object for one file, a list of objects for several.
 void PrintAnswers(const Json& answers) {
   const Json& document = answers.size() == 1 ? answers[0] : answers;
   fmt::print("{}\n", document.dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -1,4 +1,4 @@
-// openr new: an object to begin with.
+// The command openr new: makes the files of a new object.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -21,7 +21,8 @@ struct NewFlags {
   std::string folder;
 };
 
-// Commands to go on with.  Each can be run as it is printed, from where the person stands.
+// Returns the commands that a user will want next.  Each can be run as printed, in the current
+// folder.
 std::string NextCommands(const std::string& folder) {
   const std::string openr = ShellWord(ProgramCall());
   const std::string prefix = std::filesystem::path(ProgramFolder()).parent_path();

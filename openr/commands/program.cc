@@ -1,4 +1,4 @@
-// The command line of the program, and what is said when a command fails.
+// Builds the command line of the program, and prints the error when a command fails.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -41,15 +41,15 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddVersionCommand(app, exit_code);
 }
 
-// For people on standard error, and as the answer where one was asked for.
+// Prints the error on standard error, and also as the JSON answer if one was asked for.
 void TellFailure(const std::string& why, bool as_json) {
   std::fprintf(stderr, "openr: %s\n", why.c_str());
   if (!as_json) return;
-  const auto replace = nlohmann::json::error_handler_t::replace;  // what is not UTF-8
+  const auto replace = nlohmann::json::error_handler_t::replace;  // for bytes that are not UTF-8
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
-// Help was asked for, or the version.
+// Prints the help or the version that was asked for.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
@@ -81,7 +81,7 @@ int RunProgram(int argc, char** argv) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    if (std::ferror(stdout) != 0) {  // fmt::print() throws it
+    if (std::ferror(stdout) != 0) {  // fmt::print() throws this error
       NoteLostAnswer(error.code().value());
     } else {
       TellFailure(error.what(), as_json);

@@ -1,4 +1,4 @@
-// openr rc: the remote control on the command line.
+// The command openr rc: the remote control on the command line.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ int Perform(const RcFlags& flags, const RcAction& action) {
   }
 }
 
-// Numbers a joint can be asked for at all; limits of speed and acceleration are positive.
+// Refuses numbers that no joint can have.  Limits of speed and acceleration must be positive.
 CLI::Validator JointValue(bool is_limit) {
   const auto problem = [is_limit](const std::string& text) {
     double value = 0;
@@ -60,7 +60,7 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
-// The commands of rc, which share their flags.
+// The commands of openr rc, which share their flags.
 class RcCommands {
  public:
   RcCommands(CLI::App* app, int* exit_code)

@@ -41,7 +41,7 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
   FlushAnswer();
 }
 
-// A device of the robot, and the name it goes by.
+// A device of the robot, and the name for messages.
 struct Device {
   int index;
   std::string name;

@@ -1,4 +1,4 @@
-// What the commands of `openr rc` ask of the robot, and what they print.
+// The requests that the commands of `openr rc` send to the robot, and the printing of answers.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,7 @@ struct RcFlags {
   int key_frames = 0;
 };
 
-// Each prints one answer, or many, to standard output; what goes wrong is thrown as by
-// RemoteClient.
+// An action prints one or more answers to standard output.  Throws the errors of RemoteClient.
 using RcAction = std::function<void(RemoteClient* client, const RcFlags& flags)>;
 
 void RcInfoAction(RemoteClient* client, const RcFlags& flags);
@@ -35,10 +34,10 @@ void RcSensorsAction(RemoteClient* client, const RcFlags& flags);
 void RcPlayAction(RemoteClient* client, const RcFlags& flags);
 void RcStopAction(RemoteClient* client, const RcFlags& flags);
 
-// rcMOVE, rcSPEED or rcACCEL, with a value in `unit`.
+// Returns the action for rcMOVE, rcSPEED or rcACCEL, with a value in `unit`.
 RcAction RcJointAction(RcCommand command, const std::string& unit);
 
-// rcLED or rcEAR.
+// Returns the action for rcLED or rcEAR.
 RcAction RcLightAction(RcCommand command);
 
 }  // namespace openr_host

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-// What the values of the group "other" are in, by SensorKind.
+// The unit of a sensor in the group "other", by its SensorKind.
 struct UnitOfKind {
   int kind;
   const char* unit;
@@ -35,7 +35,7 @@ UnitOfKind UnitOf(const RcDescription& sensor) {
   return found == std::end(kUnits) ? UnitOfKind{kind, "", 1} : *found;
 }
 
-// Pairs of name and value.
+// Returns a JSON object with a value for each name.
 Json Values(const std::vector<RcDescription>& names, const std::vector<Sint32>& values) {
   Json json = Json::object();
   for (size_t i = 0; i < std::min(names.size(), values.size()); ++i) {
@@ -53,7 +53,8 @@ std::string FrameText(uint32_t frame) {
 Json FrameJson(uint32_t frame) { return frame == kNoFrame ? Json() : Json(frame); }
 
 std::string StateName(int state) {
-  return state == 0xff ? "starting" : MoverStateName(state);  // 0xff: nothing heard of it yet
+  // 0xff: RCServer has not heard of a state yet.
+  return state == 0xff ? "starting" : MoverStateName(state);
 }
 
 SensorFormat::SensorFormat(RemoteClient* client)

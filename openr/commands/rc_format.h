@@ -1,4 +1,4 @@
-// How answers of the remote control look to people and to programs.
+// Formats answers of the remote control for people and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace openr_host {
 
 class RemoteClient;
 
-// "frame 1234:"; before the first sensor values "frame -:".
+// Returns "frame 1234:"; before the first sensor values "frame -:".
 std::string FrameText(uint32_t frame);
-// The number, or null.
+// Returns the number of the frame, or null before the first sensor values.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// What the robot does: the name of a MoverState; "starting" while RCServer has not heard of one.
+// Returns the name of a MoverState; "starting" while RCServer has not heard of one.
 std::string StateName(int state);
 
-// Sensor values with the names and units the robot gives them.
+// Formats sensor values with the names and units of the robot's sensors.
 class SensorFormat {
  public:
   explicit SensorFormat(RemoteClient* client);

@@ -1,4 +1,4 @@
-// openr replay: runs a recorded run again and compares it.
+// The command openr replay: runs a recorded run again and compares the two.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -28,7 +28,7 @@ struct ReplayFlags {
   bool step = false;
   bool json = false;
   bool console = false;
-  int64_t handler_limit_us = 10'000'000;  // as in openr run
+  int64_t handler_limit_us = 10'000'000;  // the default of openr run
 };
 
 nlohmann::ordered_json TextOrNull(const std::string& text) {

@@ -51,7 +51,7 @@ struct RunFlags {
   bool no_payloads = false;
   bool json = false;
   bool no_panel = false;
-  const CLI::Option* panel = nullptr;  // with an address or without
+  const CLI::Option* panel = nullptr;  // its address may be left out
   std::string panel_address;
   std::string log = "info";
   std::string console_file;
@@ -178,7 +178,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
           ->expected(0, 1);
 }
 
-// "" or why the picture cannot be taken in a run like this.
+// Returns the reason why a run with these flags cannot take the picture, or "".
 std::string Misfit(const PictureRequest& plan, const RunFlags& flags) {
   if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
   if (flags.for_us && plan.time_us > *flags.for_us) {
@@ -215,7 +215,7 @@ double RateOf(const std::string& text) {
       "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
 }
 
-// Each output is written from its beginning.
+// Throws if two outputs would go to the same file, because each is written from its beginning.
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {
       {"--report", flags.report_file},   {"--record", flags.record_file},
@@ -225,7 +225,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   std::map<std::string, std::string> flag_of;
   for (const auto& [flag, file] : named) {
     if (file.empty() || file == "-" || file == "/dev/null") continue;
-    std::error_code error;  // a stream (/dev/stdout) leads to no file
+    std::error_code error;  // of a stream such as /dev/stdout, which has no file
     const std::string real = std::filesystem::weakly_canonical(file, error);
     const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
     if (!is_new) {
@@ -235,7 +235,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
-// With --json standard output is one JSON object, and nothing else may be written there.
+// Throws if something else than the JSON object of --json would be written to standard output.
 void CheckStandardOutput(const RunFlags& flags) {
   if (!flags.json) return;
   const std::pair<const char*, const std::string&> named[] = {
@@ -250,7 +250,7 @@ void CheckStandardOutput(const RunFlags& flags) {
   }
 }
 
-// Throws CLI::ValidationError when the flags make no sense.
+// Throws CLI::ValidationError when the flags contradict each other.
 RunPlan PlanOf(const RunFlags& flags) {
   CheckThatFilesDiffer(flags);
   CheckStandardOutput(flags);
@@ -273,7 +273,7 @@ RunPlan PlanOf(const RunFlags& flags) {
   return plan;
 }
 
-// False after a complaint.
+// Prints the problem, if there is one.  Returns whether there was none.
 bool IsGood(const std::string& problem) {
   if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
   return problem.empty();
@@ -288,7 +288,7 @@ bool Answer(const std::string& text) {
   }
 }
 
-// False after a complaint.
+// Writes the report.  Returns false after printing an error.
 bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags) {
   const bool is_answered = !flags.json || Answer(JsonText(report) + "\n");
   if (flags.report_file.empty()) return is_answered;
@@ -309,7 +309,8 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
   return text;
 }
 
-// The report of a run that an object brings down: what there is at that moment, and why.
+// Writes the report of a run that an object ends by a crash or by not returning.  The report has
+// the state at that moment, and the reason.
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
                      const RunFacts& facts, const RunFlags& flags) {
   {
@@ -329,12 +330,12 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   distribution->EndProcesses();
 }
 
-// One run, from its command line to its report.
+// One run of `openr run`, from its command line to its report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
 
-  // The exit code.
+  // Runs, and returns the exit code.
   int Run();
 
  private:
@@ -372,14 +373,15 @@ CommandedRun::CommandedRun(const RunFlags& flags)
   facts_.seed = options_.seed;
 }
 
-// With everybody who listens or takes part.
+// Returns the options, with all listeners and workers added.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { console_.Print(text); };
   if (records()) recorder_.Listen(&options);
-  distribution_.Enter(&options, plan_.say);  // the recorder hears it as input
+  // Called after Listen(), so that the recorder records ROS 2 commands as input.
+  distribution_.Enter(&options, plan_.say);
   return options;
 }
 
@@ -390,7 +392,8 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  if (!boots_ && interrupts_.count() > 0) boots_ = true;  // as far as anybody knows
+  // The run was interrupted before that was known.
+  if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
   } else {
@@ -411,10 +414,11 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
   system().NoteRunEnd(end);
 }
 
-// False after a complaint.
+// Runs the simulation.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const LastAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  std::optional<std::string> place;  // findings name a record that is on no stick
+  // The finding names this place if the crash record is on no stick.
+  std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(
       std::vector<std::string>(static_cast<size_t>(options_.robots), stick_.crash_log()),
@@ -442,7 +446,8 @@ bool CommandedRun::RunToTheEnd() {
   return good;
 }
 
-// False after a complaint.  The processes end when all is known that only they know.
+// Writes the report, then ends the processes, because the report needs facts from them.  Returns
+// false after printing an error.
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
   const bool is_stopped = system().end() && system().end()->kind == EndKind::kStrict;

@@ -1,4 +1,4 @@
-// openr stick: a Memory Stick tree, for the robot or for the host.
+// The command openr stick: makes a Memory Stick tree, for the robot or for the host.
 #include <map>
 #include <memory>
 

@@ -20,8 +20,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSliceUs = 50'000;      // between looks at Ctrl-C
-constexpr int64_t kOthersUs = 1'500'000;  // with --once: within which every run has spoken
+constexpr int64_t kSliceUs = 50'000;      // interval of looking for Ctrl-C
+constexpr int64_t kOthersUs = 1'500'000;  // for --once: long enough to hear every run
 
 struct TopFlags {
   BusOptions bus;
@@ -36,7 +36,7 @@ class Top {
   explicit Top(const TopFlags& flags)
       : flags_(flags), bus_(flags.bus), reader_(&bus_), on_screen_(isatty(STDOUT_FILENO) == 1) {}
 
-  // Tables until Ctrl-C.
+  // Prints tables until Ctrl-C.
   int Watch() {
     for (int64_t next_us = flags_.interval_us; interrupts_.count() == 0;
          next_us += flags_.interval_us) {
@@ -48,7 +48,7 @@ class Top {
     return kExitGood;
   }
 
-  // One table of all that speak.
+  // Prints one table of all runs that are heard.
   int Once() {
     while (runs_.empty() && NowUs() < flags_.wait_us && interrupts_.count() == 0) Listen();
     if (runs_.empty()) return Complain();
@@ -70,7 +70,7 @@ class Top {
     runs_.Take(reader_.Take(), Now_s());
   }
 
-  // Throws std::runtime_error when it cannot be written.
+  // Prints the table.  Throws std::runtime_error when it cannot be written.
   void Show() {
     PrintAnswer(flags_.json ? JsonText(TopJson(runs_.All(), Now_s())) + "\n" : Table());
     FlushAnswer();

@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Run = RunsHeard::Run;
 
-constexpr double kSilent_s = 3;   // runs speak once a second
-constexpr double kEnded_s = 10;   // that an ended run stays on the screen
+constexpr double kSilent_s = 3;   // a run publishes its status once a second
+constexpr double kEnded_s = 10;   // an ended run stays on the screen so long
 constexpr size_t kStateMax = 40;  // characters of a state in the table
 
-// Where an object runs.
+// The process, host and process id of an object.
 struct ProcessHost {
   std::string process;
   std::string host;
@@ -35,7 +35,7 @@ ProcessHost HostOf(const RunStatus& run, const RunStatus::Object& object) {
   return {object.process, run.host, run.pid, ""};
 }
 
-// How long nothing was heard, if that is longer than it should be.
+// Returns how long the run has not been heard, if that is longer than usual; else 0.
 double Silence_s(const Run& run, double now_s) {
   const double silent_s = now_s - run.heard_s;
   return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;
@@ -56,7 +56,7 @@ enum Column {
 };
 constexpr size_t kColumns = kState + 1;
 using Row = std::array<std::string, kColumns>;
-using Widths = std::array<size_t, kColumns>;  // 0: left out
+using Widths = std::array<size_t, kColumns>;  // of the columns; 0: left out
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
   const ProcessHost place = HostOf(run, object);
@@ -81,7 +81,8 @@ size_t LineWidth(const Widths& widths) {
   return sum;
 }
 
-// The state, which is last, may be cut to a few words' length before another column goes.
+// Returns the width of each column.  The state, which is the last column, is shortened before
+// another column is left out.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};
@@ -100,7 +101,8 @@ Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
 }
 
 std::string Table(const std::vector<Row>& rows, size_t columns) {
-  constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};  // of words; others are of numbers
+  // Columns of words are aligned left, numbers right.
+  constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};
   const Widths widths = WidthsFor(rows, columns);
   std::string text;
   for (const Row& row : rows) {
@@ -117,7 +119,7 @@ std::string Table(const std::vector<Row>& rows, size_t columns) {
   return text;
 }
 
-// A line of words, at blanks, what follows indented.
+// Breaks a line at blanks; the following lines are indented.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";
@@ -172,7 +174,7 @@ void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
     if (!status.objects.empty()) {
       runs_[key] = {status, now_s};
     } else if (const auto found = runs_.find(key); found != runs_.end()) {
-      found->second.status.has_ended = true;  // it went without a word
+      found->second.status.has_ended = true;  // the run ended without publishing a last status
       found->second.heard_s = now_s;
     }
   }
@@ -252,7 +254,7 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // each line to its end; the last one without a new one; the rest is wiped
+  std::string screen;  // each line is cleared to its end, and the screen after the last line
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

@@ -1,4 +1,4 @@
-// What openr top shows: runs as a table for people, or as JSON.
+// Formats the runs for openr top, as a table or as JSON.
 #pragma once
 
 #include <map>
@@ -11,17 +11,17 @@
 
 namespace openr_host {
 
-// The runs that were heard, and when.
+// The runs that were heard, each with the time of its last status.
 class RunsHeard {
  public:
   struct Run {
     RunStatus status;
-    double heard_s = 0;  // by the wall clock of who listens
+    double heard_s = 0;  // by the wall clock of this process
   };
 
   void Take(const std::vector<RunStatus>& news, double now_s);
 
-  // Forgets those that ended some time ago.
+  // Removes runs that ended some time ago.
   void Forget(double now_s);
 
   bool empty() const { return runs_.empty(); }
@@ -32,15 +32,15 @@ class RunsHeard {
   std::map<Key, Run> runs_;
 };
 
-// Lines, each with its end.  `columns`: of the screen, for which columns of the table are left out,
-// the least important first, and other lines are folded; 0: as wide as it is.
+// Returns the table.  `columns` is the width of the screen: columns of the table are left out, the
+// least important first, and other lines are broken.  0: the width is not limited.
 std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s, size_t columns = 0);
 
-// {"runs": [...]}.
+// Returns {"runs": [...]}.
 nlohmann::ordered_json TopJson(const std::vector<RunsHeard::Run>& runs, double now_s);
 
-// The first `rows` lines of `text`, of `columns` characters at most, for a screen whose cursor is
-// at home; says what is left out.
+// Returns the first `rows` lines of `text`, cut to `columns` characters, for a screen with its
+// cursor at the top left.  Says how many lines are left out.
 std::string OnScreen(const std::string& text, size_t rows, size_t columns);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// openr trace: shows a recorded run.
+// The command openr trace: shows a recorded run.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -22,7 +22,8 @@ struct TraceFlags {
   TraceFilter filter;
 };
 
-// Throws std::runtime_error when the filter names what the recording does not have.
+// Throws std::runtime_error when the filter names an object or service that is not in the
+// recording.
 void CheckFilter(const TraceFlags& flags) {
   if (flags.filter.object.empty() && flags.filter.service.empty()) return;
   TraceReader reader(flags.file);

@@ -15,7 +15,7 @@ namespace {
 
 using Session = std::unique_ptr<Dwfl, decltype(&dwfl_end)>;
 
-// Where the file is put in the session; any address will do.
+// Address in the session at which the file is placed.  Any address will do.
 constexpr GElf_Addr kBase = 0x10000;
 
 std::string Readable(const char* symbol) {
@@ -39,9 +39,10 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  const CurrentScope scope(nullptr, nullptr);  // its memory and files are not an object's
-  // Debug information is looked for beside the file, nowhere else: what is installed on a machine
-  // must not change what a run says.
+  // Makes memory and files belong to the program, not to an object.
+  const CurrentScope scope(nullptr, nullptr);
+  // Debug information is searched only beside the file, because packages installed on a machine
+  // must not change the output of a run.
   static char only_beside[] = ":.";
   static char* path = static_cast<char*>(only_beside);
   static const Dwfl_Callbacks kCallbacks = {.find_elf = nullptr,

@@ -41,15 +41,16 @@ namespace openr_host {
 namespace {
 
 constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-constexpr size_t kAlternateStackBytes = 256 << 10;  // a report is made on it
+constexpr size_t kAlternateStackBytes = 256 << 10;  // enough to make a report on it
 
-// Paths of the files, by robot; fixed before the run.
+// Paths of the record files, by robot.  They are set before the run.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;
-std::optional<std::string>* g_place = nullptr;  // see CrashLog; none: the file is not named
+// See CrashLog; none: the finding does not name the file.
+std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 
-// The FpFlag that SIGFPE is about; 0: a division of integers.
+// Returns the FpFlag that caused SIGFPE; 0: a division of integers.
 unsigned KindOf(const siginfo_t& info) {
   switch (info.si_code) {
     case FPE_FLTINV:
@@ -58,7 +59,7 @@ unsigned KindOf(const siginfo_t& info) {
       return kFpDivByZero;
     case FPE_FLTOVF:
       return kFpOverflow;
-    case FPE_FLTUND:  // said of a denormal operand, too; results are not caught
+    case FPE_FLTUND:  // also sent for a denormal operand; FpFlag has a flag for that
       return kFpDenormal;
     default:
       return 0;
@@ -81,7 +82,7 @@ const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
   return "an address that is not the object's";
 }
 
-// "SIGSEGV (an address that is not the object's)".  REQUIRES: there is a handler.
+// Adds "SIGSEGV (an address that is not the object's)".  REQUIRES: a handler runs.
 void AddName(int signal, const siginfo_t& info, const void* context, SignalText* text) {
   switch (signal) {
     case SIGSEGV:
@@ -105,8 +106,8 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
-// Arithmetic that is only to be reported: notes where it is, for ImageObject, and lets the
-// instruction run again as usual.  False when the object has to stop.
+// Handles arithmetic that is only reported: notes its place for ImageObject and lets the
+// instruction run again without a signal.  Returns false if the object must stop.
 bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);
@@ -124,7 +125,7 @@ bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #endif
 }
 
-// Null when the robot has no file.
+// Returns the path of the robot's record file; null if it has none.
 const std::string* FileOf(int robot) {
   if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size())
     return nullptr;
@@ -132,13 +133,13 @@ const std::string* FileOf(int robot) {
   return file.empty() ? nullptr : &file;
 }
 
-// The file that the record goes to, opened and written with what a signal handler may call.
+// The file for the record.  It is opened and written with calls that a signal handler may use.
 class RecordFile {
  public:
-  // `name`: null for no file.
+  // Opens the file `name`; null: there is no file.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
-    // Not open(), which may act for an object in this process.
+    // open() is not used, because it is a hook in this process that may act for an object.
     descriptor_ =
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
@@ -149,14 +150,15 @@ class RecordFile {
     if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
   }
 
-  // Says on standard error that the file was written, or why it was not.  Returns whether it was.
+  // Prints on standard error that the file was written, or why not.  Returns whether it was
+  // written.
   bool Tell() const {
     if (name_ == nullptr) return false;
     SignalText note;
     if (error_ == 0) {
       note.Add("openr: wrote ").Add(*name_);
     } else {
-      // strerror() may allocate; this one is fit for signal handlers (GNU C library).
+      // strerror() may allocate; strerrordesc_np() of the GNU C library does not.
       const char* const why = strerrordesc_np(error_);
       note.Add("openr: ").Add(*name_).Add(": the record of the crash cannot be written: ");
       note.Add(why == nullptr ? "unknown error" : why);
@@ -199,15 +201,16 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (t_current.object != nullptr) AddName(signal, *info, context, &name);
   text.Add("EXCEPTION ").Add(name.text());
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
-  // That of an instruction, or in the guard, is another one in each run; the stack says where.
+  // The address of an instruction, or in a stack guard, differs from run to run, so it is not
+  // printed; the stack says where the crash was.
   if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
   text.Add("\nOBJECT ");
-  if (!AddCurrentHandler(&text)) {  // the program's own fault
+  if (!AddCurrentHandler(&text)) {  // the program itself has crashed
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
     sigaction(signal, &action, nullptr);
-    return;  // the instruction fails again, now as the system wants it
+    return;  // the instruction runs again, now with the default action
   }
   text.Add("\n");
   ending.finding.Add("crash: ").Add(name.text()).Add(" in ");
@@ -265,7 +268,8 @@ CrashLog::~CrashLog() {
 }
 
 void CrashLog::BeginAfresh(const std::string& file) {
-  std::error_code error;  // it is not there, or may not be written: then no record is added either
+  // If there is no such file, or it cannot be removed, no record can be added either.
+  std::error_code error;
   std::filesystem::remove(file, error);
 }
 

@@ -24,7 +24,7 @@ struct Walk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // of the signal handler
+  bool is_outside = false;  // the walk has left the signal handler
 };
 
 _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
@@ -34,13 +34,14 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   walk->is_outside = walk->is_outside || is_interrupted != 0;
   if (!walk->is_outside || IsStackChange(address)) return _URC_NO_REASON;
   if (walk->count == walk->max) return _URC_END_OF_STACK;
-  // A call, not what is done after it, which may be another line, or another function.
+  // The address of a call is wanted, not its return address, which may belong to another line or
+  // function.
   walk->addresses[walk->count++] = is_interrupted != 0 ? address : address - 1;
   return _URC_NO_REASON;
 }
 
-// The caller of an address that is no code: that has no frame to be unwound, but the address where
-// it was to return is on the stack.
+// Returns the caller of an address that is no code.  There is no frame to unwind for such an
+// address, but the return address is on the stack.
 uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
 #if defined(__x86_64__)
   const auto* const machine = &static_cast<const ucontext_t*>(context)->uc_mcontext;

@@ -1,4 +1,4 @@
-// Where a crash is: the calls that were under way, as people can look them up.
+// The stack of calls at a crash, as text for people.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,23 @@ namespace openr_host {
 
 class Object;
 
-// Made in the signal handler of a crash, after BeginEnding(): a stack may be so damaged that
-// walking it crashes as well.  Frames are named by file and offset in it, not by address: the same
-// crash reads the same in each run.  What called the object's handler is left out.
+// Made in the signal handler of a crash, after BeginEnding(), because the stack may be so damaged
+// that walking it crashes again.  Frames are named by file and offset, not by address, so that the
+// same crash gives the same text in each run.  Callers of the object's handler are left out.
 class CrashStack {
  public:
   // `context`: the third argument of the signal handler.
   CrashStack(const Object& object, const void* context);
 
-  // "STACK" and a line per frame, the innermost first:
-  // "  #0 TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)".
+  // Adds "STACK" and a line per frame, the innermost first: "  #0 TROUBLE.BIN+0x1234 Trouble::Go()
+  // (Trouble.cc:57)".
   void AddTo(SignalText* text) const;
 
-  // ", at TROUBLE.BIN+0x1234 Trouble::Go() (Trouble.cc:57)": where the object's own code was left;
-  // nothing if unknown.
+  // Adds the innermost frame of the object's own code: ", at TROUBLE.BIN+0x1234 Trouble::Go()
+  // (Trouble.cc:57)".  Adds nothing if there is none.
   void AddPlace(SignalText* text) const;
 
-  // The address of that; null if unknown.
+  // Returns the address of that frame; null if there is none.
   const void* OwnAddress() const;
 
  private:
@@ -34,9 +34,9 @@ class CrashStack {
 
   struct Frame {
     uintptr_t address = 0;
-    const char* file = nullptr;  // null: no code
+    const char* file = nullptr;  // null: the address is no code of a file
     uintptr_t offset = 0;
-    bool is_own = false;  // of the object's image
+    bool is_own = false;  // the code is in the object's image
   };
 
   void Add(uintptr_t address, const Object& object);

@@ -24,10 +24,11 @@ constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIG
 
 LastWords* g_newest = nullptr;
 Ending* g_ending = nullptr;
-Current g_current;          // of the object's handler
+Current g_current;          // the object and handler that ran when the end began
 bool g_is_awaited = false;  // a LastAnswer exists
 int g_answer = -1;
-std::optional<PreparedFile> g_answer_file;  // nothing is allocated at the end of a run
+// Prepared here, because nothing is allocated in OnSignalDuringEnding().
+std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {
   if (g_is_awaited) {

@@ -11,8 +11,8 @@ namespace {
 
 const char* const kSystemEntries[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
-// Looking into the object's tables is safe while its own code runs: the runtime, which may be
-// changing them, does not.
+// Returns the name of an entry.  The tables of the object can be read while its own code runs,
+// because only the runtime changes them.
 const char* EntryOf(const Object& object, uint32_t selector) {
   if (selector < 4) return kSystemEntries[selector];
   if (!t_current.image_code) return "";
@@ -46,7 +46,8 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
   std::string_view rest = text.text();
   while (rest.ends_with('\n')) rest.remove_suffix(1);
   Add("\"");
-  constexpr size_t kTail = sizeof "\\n\"" - 1;  // the longest character and the end
+  // Bytes of the longest escaped character and the closing quote.
+  constexpr size_t kTail = sizeof "\\n\"" - 1;
   for (const char c : rest) {
     if (size_ + kTail > sizeof text_) break;
     const char one[] = {c, 0};
@@ -83,7 +84,7 @@ bool AddCurrentHandler(SignalText* text) {
   return true;
 }
 
-// In pieces, each of which is small enough.
+// Writes the JSON in pieces, because each SignalText has a fixed size.
 void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
                        const Current& current, int descriptor) {
   if (descriptor < 0) return;

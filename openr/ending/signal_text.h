@@ -1,4 +1,4 @@
-// Text put together where nothing may be allocated: in signal handlers.
+// Builds text in signal handlers, where nothing may be allocated.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@ struct Current;
 
 class SignalText {
  public:
-  SignalText& Add(std::string_view text);  // what does not fit is left out
+  SignalText& Add(std::string_view text);  // text that does not fit is cut off
   SignalText& AddNumber(uint64_t number, unsigned base = 10);
 
-  // Writes it to `descriptor`.
+  // Writes the text to `descriptor`.
   void WriteTo(int descriptor) const;
 
-  // Adds `text` as a string of JSON; what does not fit is left out of the string.
+  // Adds `text` as a JSON string.  Text that does not fit is cut off inside of the string.
   SignalText& AddQuoted(const SignalText& text);
 
   std::string_view text() const { return {text_, size_}; }
@@ -27,16 +27,16 @@ class SignalText {
   size_t size_ = 0;
 };
 
-// "JointMover, NotifyMover (selector 7), message 4711, t=1248000 us" of the handler that runs on
-// this thread.  False, and nothing added, when there is none.
+// Adds a description of the handler that runs on this thread: "JointMover, NotifyMover (selector
+// 7), message 4711, t=1248000 us".  Returns false, and adds nothing, if no handler runs.
 bool AddCurrentHandler(SignalText* text);
 
-// "NotifyMover (selector 7)" of it; REQUIRES: there is one.
+// Adds its entry only: "NotifyMover (selector 7)".  REQUIRES: a handler runs.
 void AddCurrentEntry(SignalText* text);
 
-// Writes the shortest report, for a run whose state cannot be read any more: {"error": record,
-// "ended_by": ended_by, "findings": [...]} with one error, about the handler that ran.  Does
-// nothing when `descriptor` is negative.
+// Writes the shortest report, because the state of the run may not be readable any more: {"error":
+// record, "ended_by": ended_by, "findings": [...]} with one error about the handler that ran.  Does
+// nothing if `descriptor` is negative.
 void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
                        const Current& current, int descriptor);
 

@@ -17,12 +17,12 @@ namespace openr_host {
 namespace {
 
 constexpr int kSignal = SIGVTALRM;
-constexpr int kTicks = 8;  // looks per limit: a handler is caught at most 1/8 late
+constexpr int kTicks = 8;  // checks per limit, so a handler is stopped at most 1/8 too late
 
 timer_t g_timer;
 uint64_t g_limit_s_tenths = 0;
-uint64_t g_message = 0;  // the handler seen at the last tick
-int g_seen = 0;          // ticks in a row
+uint64_t g_message = 0;  // number of the message that was handled at the last tick
+int g_seen = 0;          // ticks in a row with this message
 
 void EndTheHandler() {
   Ending ending;

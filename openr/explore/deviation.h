@@ -1,9 +1,9 @@
-// Where a run left the canonical order: what a random schedule writes down and a scripted one
-// plays again.
+// A deviation is a place where a run left the canonical order.  Random schedules write deviations
+// down, and scripted schedules play them again.
 //
-// A deviation names its spot by what stays the same when others are taken out: an instant, a
-// receiver, the n-th message from one object to another.  That is what makes shortening work,
-// and the file readable.
+// The place is named by facts that stay the same when other deviations are removed: an instant, a
+// receiver, the n-th message from one object to another.  Therefore a list of deviations can be
+// shortened, and a person can read it.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ class System;
 
 struct Deviation {
   enum class Kind : uint8_t {
-    kStart,  // the nth DoStart of which the order is open is that of `object`
-    kTie,    // at time_us, the nth time several objects have a message due: `object` goes first
-    kDelay,  // the nth message from `sender` to entry `selector` of `object` comes us later
-    kCost,   // the nth call of entry `selector` of `object` takes us more, or less
-    kFrame,  // robot nth counts its frames from us on
+    kStart,  // `object` makes the nth DoStart of which the order is open
+    kTie,    // `object` goes first the nth time that several have a message due at time_us
+    kDelay,  // nth message from `sender` to entry `selector` of `object` comes us later
+    kCost,   // nth call of entry `selector` of `object` takes us more (or less, if negative)
+    kFrame,  // robot number nth counts its frames from us on
   };
   Kind kind = Kind::kTie;
-  int64_t time_us = 0;  // of kTie; of kDelay and kCost for people
+  int64_t time_us = 0;  // for kTie; in kDelay and kCost only for people to read
   uint64_t nth = 0;     // from 0
   ObjectId object = kNoObject;
   ObjectId sender = kNoObject;
@@ -41,8 +41,8 @@ struct Deviation {
 //    "entry":"B.In.Number.O (Notify)","us":4000}
 nlohmann::ordered_json DeviationToJson(const Deviation& deviation, const System& system);
 
-// Throws std::runtime_error that says what is wrong: a field that is missing, an object that is not
-// there.  "entry" is for people and not looked at.
+// Throws std::runtime_error if a field is missing or an object does not exist.  "entry" is for
+// people and is not read.
 Deviation DeviationFromJson(const nlohmann::ordered_json& json, const System& system);
 
 }  // namespace openr_host

@@ -1,11 +1,11 @@
-// The schedule of a search: choices one after the other, and what is known to be in vain.
+// The schedule of a search: a list of choices, and the choices that need not be tried.
 //
-// Two deliveries can be swapped without anybody noticing unless they have to do with the same
-// memory, or send to the same object, so that the order in its queue is at stake.  Memory is that
-// of the receiver, of the sender of a notification, whose region is read, and of all whose regions
-// the receiver still holds.  What has been explored sleeps until something that it cannot be
-// swapped with wakes it (Godefroid's sleep sets); a run in which only sleepers are left is cut: its
-// orders are those of another one.
+// Two deliveries can be swapped without an effect unless they use the same memory, or send to the
+// same object, whose queue keeps their order.  A delivery uses the memory of the receiver, of the
+// sender of a notification, whose region is read, and of all objects whose regions the receiver
+// still holds.  A delivery that has been explored sleeps: it need not be tried again until another
+// one that it cannot be swapped with has happened (sleep sets, Godefroid).  A run in which only
+// sleeping deliveries are left is cut, because its orders equal those of an earlier run.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace openr_host {
 
-// What a delivery has to do with: one bit an object; objects from 63 on share the last one, which
-// only costs reduction.
+// The objects that a delivery has to do with, one bit each.  Objects from 63 on share the last bit,
+// which only makes more orders count as different.
 struct Touched {
   uint64_t memory = 0;
   uint64_t queues = 0;
@@ -29,7 +29,7 @@ struct Touched {
 };
 constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
 
-// Deliveries that need not be tried, by receiver: its next message.
+// Deliveries that need not be tried, by receiver; each stands for its next message.
 using SleepSet = std::map<ObjectId, Touched>;
 
 nlohmann::ordered_json TouchedToJson(const Touched& touched);
@@ -39,18 +39,19 @@ SleepSet SleepFromJson(const nlohmann::ordered_json& json);
 
 class ExactSchedule : public ExploreSchedule {
  public:
-  // `plan`: "choices" (indices, for the first questions), "sleep" (for the last of them), "reduce"
-  // (false: nothing sleeps).  Later questions get the first candidate that is awake.
+  // `plan` has "choices" (indices of the candidates, for the first questions), "sleep" (the sleep
+  // set at the last of them) and "reduce" (false: nothing sleeps).  Later questions get the first
+  // candidate that does not sleep.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Before its handler runs.
+  // Called before the handler of `message` runs.
   void SawDelivery(const Message& message);
 
-  // Nothing new can come of this run.
+  // True if this run can show nothing new.
   bool is_cut() const { return is_cut_; }
 
-  // {"cut": bool, "nodes": [{"candidates": [ids], "chosen": index, "touched": .., "sleep": ..}]},
-  // a node for every question.
+  // Returns {"cut": bool, "nodes": [{"candidates": [ids], "chosen": index, "touched": .., "sleep":
+  // ..}]} with a node for every question.
   nlohmann::ordered_json Tell();
 
  protected:
@@ -76,12 +77,12 @@ class ExactSchedule : public ExploreSchedule {
 
   const bool reduce_;
   std::vector<size_t> choices_;
-  SleepSet next_sleep_;  // from the last of choices_ on
+  SleepSet next_sleep_;  // sleep set after the last of choices_
   SleepSet sleep_;
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // The delivery that goes on: from its choice or its beginning to that of the next one.
+  // The current delivery, from its choice or its beginning to the choice of the next one.
   bool has_event_ = false;
   bool is_begun_ = false;  // its message has been delivered
   ObjectId event_target_ = kNoObject;

@@ -1,4 +1,4 @@
-// A cost file whose jitter is chosen by the schedule of the run.
+// Reads the costs of handlers from a cost file; the schedule of the run chooses the jitter.
 #pragma once
 
 #include <utility>
@@ -12,7 +12,7 @@ class ExploredCost : public ConfiguredCost {
  public:
   explicit ExploredCost(CostConfig config) : ConfiguredCost(std::move(config), 1) {}
 
-  // Null: none.
+  // Sets the schedule; null: there is no jitter.
   void set_schedule(ExploreSchedule* schedule) { schedule_ = schedule; }
 
  protected:

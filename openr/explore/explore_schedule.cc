@@ -11,11 +11,12 @@
 namespace openr_host {
 namespace {
 
-// Largest delay of a seed.  On a real dog the longest gap between two sensor vectors an
-// application saw was below 188 ms, where 32 are usual (docs/exploring.md).
+// Largest delays of a seed; the seed chooses one.  On a real dog the longest gap between two sensor
+// vectors that an application saw was below 188 ms, where 32 ms are usual (docs/exploring.md).
 constexpr int64_t kDelayMaxUs[] = {2'000, 20'000, 150'000};
 
-// The robot's network came in steps of about 200 ms under load (field-notes.md, 11.6).
+// Largest delay of the network.  On the robot, data came in steps of about 200 ms under load
+// (field-notes.md, 11.6).
 constexpr int64_t kNetworkFramesMax = 25;
 
 }  // namespace
@@ -60,9 +61,9 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
   return known != 0;
 }
 
-// What an object hears it hears in the order in which it was sent, as from the robot's queues: a
-// slow object is late for everything.  Answers to Call() and what comes by a clock keep their
-// time.
+// Delays a message.  Messages to one object keep the order of sending, as in the robot's queues, so
+// a delay of one delays those behind it.  Answers to Call() and messages of a clock are not
+// delayed.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
   SawPost(message);
   if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;
@@ -126,7 +127,8 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& 
     const double all[] = {static_cast<double>(rates)...};
     return all[temper.NextBelow(sizeof...(rates))];
   };
-  // In this order, whatever is switched off.
+  // All values are drawn in this order, also for parts that are switched off, so that these change
+  // no other part.
   const double start = one_of(0, 1, 1), tie = one_of(0.02, 0.3, 1);
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);
@@ -160,7 +162,7 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
   return static_cast<int64_t>(cost_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
 }
 
-// So that the number wraps within the run.
+// Picks a frame number such that the counter wraps within the run.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -

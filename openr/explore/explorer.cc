@@ -16,12 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kTail = 12;        // of the last messages, in a failure
-constexpr size_t kSeedsNamed = 10;  // of those that differ
+constexpr size_t kTail = 12;        // number of last messages shown in a failure
+constexpr size_t kSeedsNamed = 10;  // number of differing seeds that are named
 
 bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
 
-// Answers in order of their numbers, as soon as there is no gap.
+// Passes answers on in the order of their numbers, as soon as there is no gap.
 class InOrder {
  public:
   explicit InOrder(std::function<void(const Json&)> take) : take_(std::move(take)) {}
@@ -41,12 +41,12 @@ class InOrder {
   std::map<size_t, Json> early_;
 };
 
-// What many runs come to.
+// The sum of many runs.
 class Sum {
  public:
   explicit Sum(const ExplorePlan& plan) : plan_(plan) {}
 
-  // False once nothing more is wanted.
+  // Returns false when no more runs are needed.
   bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
 
   void Add(const Json& answer) {
@@ -77,7 +77,7 @@ class Sum {
  private:
   const ExplorePlan& plan_;
   uint64_t runs_ = 0, broken_ = 0, messages_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // how many runs each reason ended
+  std::map<std::string, uint64_t> ended_by_;  // by reason: number of runs that it ended
   Hasher digest_;
   std::optional<Json> first_broken_;
 };
@@ -124,7 +124,7 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 Json VerifySeeds(const ExplorePlan& plan) {
   WorkerPool pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
-  // Seeds with a mark in their answer: how many, and the first ones.
+  // Seeds with a certain mark in their answer: their number, and the first ones.
   struct Marked {
     uint64_t count = 0;
     Json seeds = Json::array();

@@ -28,7 +28,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// All that comes from `descriptor`; false when it does not end within `wall_s` of silence.
+// Appends all that comes from `descriptor` to `text`.  Returns false if nothing comes for `wall_s`
+// seconds.
 bool ReadAll(int descriptor, int wall_s, std::string* text) {
   for (;;) {
     pollfd wanted = {descriptor, POLLIN, 0};
@@ -68,8 +69,8 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
           {"deviations", std::move(deviations)}};
 }
 
-// What a copy said that ended before its time: an answer that is short of hashes, or, if even that
-// failed, an error.
+// Returns the answer of a copy that ended early: what it wrote before its end, which is an answer
+// without hashes or, if that failed too, an error.
 Json ForkServer::AnswerOfTheDead(const Json& plan, const std::string& said, int status) {
   const Json json = Json::parse(said, nullptr, false);
   if (json.is_object() && json.contains("broken")) return json;

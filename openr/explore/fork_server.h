@@ -1,7 +1,7 @@
-// Runs of one graph, each in a copy of the process (fork).
+// Makes runs of one graph, each in a copy of the process (fork).
 //
-// Putting a run together costs more than a run; a copy of the process is ready at once, and
-// whatever a run does to it, the next one begins the same.
+// Assembling a run costs more than the run itself.  A copy of the process is ready at once, and
+// every run begins in the same state, whatever an earlier run has done.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace openr_host {
 
 struct ForkLimits {
-  int64_t handler_us = 2'000'000;  // processor time of one handler
-  int wall_s = 120;                // of a whole run; only a run that hangs takes so long
+  int64_t handler_us = 2'000'000;  // limit of processor time of one handler
+  int wall_s = 120;                // limit of real time of a run; only a run that hangs reaches it
 };
 
 class ForkServer {
@@ -25,9 +25,9 @@ class ForkServer {
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
-  // The answer of RunPlan() in a copy.  A copy that crashes answers with the property no-crash
-  // broken, one that has to be ended with handlers-return; both name the handler.  A plan that
-  // does not fit gives {"problem": text}.
+  // Returns the answer of RunPlan() in a copy.  If the copy crashes, the answer says that the
+  // property no-crash is broken; if the copy must be killed, that handlers-return is broken.  Both
+  // name the handler.  A plan that does not fit gives {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:
@@ -40,7 +40,7 @@ class ForkServer {
   PreparedRun prepared_;
   const RunOptions options_;
   const ForkLimits limits_;
-  DeviationLog* log_;  // shared with the copies, so that a crash does not take it along
+  DeviationLog* log_;  // shared with the copies, so that a crash does not lose it
 };
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// What is explored: a graph of objects, put together up to System::Boot().
+// A prepared run: a graph of objects, assembled up to the point before System::Boot().
 #pragma once
 
 #include <functional>
@@ -14,17 +14,17 @@ class ExploredCost;
 
 struct PreparedRun {
   System* system = nullptr;
-  std::vector<VirtualRobot*> robots;  // none: a graph without a body
+  std::vector<VirtualRobot*> robots;  // empty: a graph without a body
   ExploredCost* cost = nullptr;       // null: handlers take no time
-  std::shared_ptr<void> owner;        // of all of these
-  std::string problem;                // why it cannot run, or ""
+  std::shared_ptr<void> owner;        // keeps all of these alive
+  std::string problem;                // the reason why it cannot run, or ""
 };
 
-// Puts the same run together each time it is called; each worker process calls it once.
+// Assembles the same run each time it is called.  Each explorer process calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// A stick on a body.  Nobody writes to the stick and there is no network outside.  Throws
-// std::runtime_error when it cannot be put together.
+// Assembles a stick on a body.  Objects cannot write to the stick, and there is no network outside.
+// Throws std::runtime_error when it cannot be assembled.
 PreparedRun PrepareSimulation(SimulationOptions options);
 
 }  // namespace openr_host

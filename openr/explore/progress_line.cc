@@ -13,8 +13,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kPauseNs = 200'000'000;  // from one drawing to the next
-constexpr char kToStart[] = "\r\x1b[K";    // to the start of the line, which is wiped
+constexpr int64_t kPauseNs = 200'000'000;  // time between two drawings
+constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and clears it
 
 std::string TimeLeft(double left_s) {
   constexpr double kInMinutes_s = 180;

@@ -1,4 +1,4 @@
-// The line that tells a person on a terminal how far an exploration is.
+// A line on the terminal that shows the progress of an exploration.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,15 @@
 
 namespace openr_host {
 
-// "openr explore: 40 of 100 seeds, about 90 s left".  `what` is the plural of what is counted.  The
-// time is left out while nothing is done, since nobody knows it then.
+// Returns "openr explore: 40 of 100 seeds, about 90 s left".  `what` is the plural of what is
+// counted.  The time is left out at the beginning, when it is not known.
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s);
 
-// Draws the line again and again in one place.  Writes nothing when `descriptor` is no terminal.
+// Draws the line repeatedly in one place.  Writes nothing if `descriptor` is no terminal.
 class ProgressLine {
  public:
   ProgressLine(int descriptor, uint64_t total, std::string what);
-  ~ProgressLine();  // wipes the line
+  ~ProgressLine();  // clears the line
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
@@ -24,7 +24,7 @@ class ProgressLine {
  private:
   void Draw(uint64_t done);
 
-  const int descriptor_;  // -1: there is no terminal
+  const int descriptor_;  // -1: no terminal
   const uint64_t total_;
   const std::string what_;
   const int64_t begin_ns_;

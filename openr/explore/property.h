@@ -1,6 +1,6 @@
-// What must hold in every run.
+// Properties, which must hold in every run.
 //
-// Built-in properties are named in PropertyTable(); others come from files (property_file.h).
+// PropertyTable() has the built-in properties; property_file.h reads others from files.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace openr_host {
 
-// A run as properties see it.
+// The state of a run as properties see it.
 struct RunView {
   const PreparedRun* prepared = nullptr;
   const std::vector<StandingMonitor>* standing = nullptr;  // by robot
@@ -28,8 +28,8 @@ class Property {
 
   const std::string& name() const { return name_; }
 
-  // After the boot and after every frame, and at the end of the run.  "" or how it is broken;
-  // the run is over then.
+  // Called after the boot, after every frame and at the end of the run.  Returns "" or how the
+  // property is broken; then the run is over.
   virtual std::string Check(const RunView&) { return ""; }
   virtual std::string CheckEnd(const RunView&) { return ""; }
 
@@ -44,21 +44,21 @@ struct PropertyEntry {
   std::unique_ptr<Property> (*make)();
 };
 
-// All built-in ones.  no-crash and handlers-return are always on and not here: a run that breaks
-// them cannot look at itself.
+// Returns the built-in properties, without no-crash and handlers-return.  These two are always on,
+// and are judged by another process, because a run that breaks them cannot go on.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
 
-// Which of them `record` (last_words.h) is about.
+// Returns which of these two the text `record` (last_words.h) is about.
 const char* PropertyOfEnding(std::string_view record);
 
-// Which properties a run is to have: names of built-in ones, "default" for those that are so by
-// default, files, or what a line of such a file says ("finally objects.B.state == done").
+// The properties to check: names of built-in ones, "default" for the default ones, names of files,
+// or a line as in such a file ("finally objects.B.state == done").
 struct PropertyChoice {
   std::vector<std::string> names = {"default"};
 
-  // Throws std::runtime_error when a name is neither or a file is wrong.
+  // Throws std::runtime_error when a name is not known or a file is wrong.
   std::vector<std::unique_ptr<Property>> Make() const;
 };
 

@@ -158,7 +158,7 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  bool has_been_ = false;  // of kEventually
+  bool has_been_ = false;  // for kEventually: the condition was true once
   bool was_looked_at_ = false;
 };
 
@@ -199,7 +199,7 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 
 namespace {
 
-// Failures are told by name.
+// Checks that names differ, because a failure is reported by name.
 void CheckNames(const std::vector<PropertyRule>& rules, std::vector<Diagnostic>* diagnostics) {
   std::set<std::string> names = {kNoCrash, kHandlersReturn};
   for (const PropertyEntry& entry : PropertyTable()) names.insert(entry.name);

@@ -1,13 +1,13 @@
-// Properties in a text file, one a line:
+// Reads properties from a text file with one property per line:
 //
 //   # NAME: WHEN QUANTITY OP VALUE
 //   stands: eventually within 20s robots[0].standing == true
 //   calm:   always from 15s robots[0].pitch_deg < 10
 //   done:   finally objects.Planner.state == finished with all
 //
-// always: at every frame; eventually: at one frame at least, with `within` by that time; finally:
-// at the end of the run.  `from D` leaves out what was before.  OP is == != < <= > >=; texts only
-// have the first two.  Quantities are those of quantity.h.
+// `always` means at every frame; `eventually` at one frame at least, with `within D` up to that
+// time; `finally` at the end of the run.  `from D` ignores frames before that time.  OP is == != <
+// <= > >=; texts have only == and !=.  Quantities are those of quantity.h.
 #pragma once
 
 #include <memory>
@@ -29,11 +29,11 @@ struct PropertyRule {
   int64_t within_us = -1;  // -1: no limit
   std::string quantity;
   std::string op;
-  std::string value;   // the rest of the line
-  FilePosition place;  // of the quantity
+  std::string value;   // the rest of the line, after OP
+  FilePosition place;  // place of the quantity
 };
 
-// A bad line is reported and skipped.
+// A wrong line is reported and skipped.
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 
@@ -42,7 +42,7 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 
-// Both throw std::runtime_error with every wrong line.
+// Both throw std::runtime_error with all errors.
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text);
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path);

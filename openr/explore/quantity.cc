@@ -33,7 +33,7 @@ Quantity OfObject(const Object* object, const std::string& field) {
   Unknown("field of an object", field, {"state", "messages", "dropped", "queue_max"});
 }
 
-// "JointMover.state"
+// Finds a quantity such as "JointMover.state".
 Quantity FindInObjects(const System& system, int robot, const std::string& name) {
   const size_t dot = name.rfind('.');
   if (dot == kNone)
@@ -48,7 +48,7 @@ Quantity FindInObjects(const System& system, int robot, const std::string& name)
   Unknown(fmt::format("object of robot {}", robot), object_name, known);
 }
 
-// "LF_j1" or its locator; degrees.
+// Finds a joint by its name, "LF_j1", or locator.  The value is in degrees.
 Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& name) {
   int joint = model.FindJoint(name);
   if (joint < 0) joint = model.FindJointByLocator(name);
@@ -62,7 +62,7 @@ Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& nam
   };
 }
 
-// By locator; OPEN-R's unit.
+// Finds a sensor by its locator.  The value is in OPEN-R's unit.
 Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& locator) {
   const int sensor = model.FindSensorByLocator(locator);
   if (sensor < 0) {

@@ -1,4 +1,4 @@
-// What can be asked about a run by name, in property files.
+// Quantities of a run that property files can name.
 #pragma once
 
 #include <functional>
@@ -12,9 +12,9 @@ namespace openr_host {
 using Value = std::variant<double, std::string>;
 using Quantity = std::function<Value(const RunView&)>;
 
-// The quantity of that name, as in docs/exploring.md: "objects.JointMover.state",
-// "robots[0].joint.LF_j1".  Looks the name up in `view` once.  Throws std::runtime_error when
-// there is none.
+// Returns the function that reads the quantity `name` (docs/exploring.md):
+// "objects.JointMover.state", "robots[0].joint.LF_j1".  The name is looked up in `view` once.
+// Throws std::runtime_error when it is not known.
 Quantity FindQuantity(const std::string& name, const RunView& view);
 
 }  // namespace openr_host

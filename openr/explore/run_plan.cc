@@ -49,7 +49,7 @@ class PlanRun {
     schedule_->set_log(log);
   }
 
-  // What can be told when an object has ended the process.
+  // Returns the answer for a run that an object ended together with the process.
   Json Died(const Ending& ending) {
     std::string_view text = ending.record.text();
     while (text.ends_with('\n')) text.remove_suffix(1);
@@ -162,7 +162,7 @@ class PlanRun {
     return broken_.is_null() ? EndName(EndKind::kTime) : "property";
   }
 
-  // What did not hold, and what had led to it.
+  // Adds the property that was broken, and the messages before that.
   void AddBroken(Json* to) const {
     Json& answer = *to;
     answer["broken"] = broken_;
@@ -190,11 +190,11 @@ class PlanRun {
   const int64_t slice_us_;
   const size_t tail_max_;
   const std::unique_ptr<ExploreSchedule> schedule_;
-  ExactSchedule* const exact_;  // the same, if it is one
+  ExactSchedule* const exact_;  // null: it is no ExactSchedule
   std::vector<std::unique_ptr<Property>> properties_;
   std::vector<StandingMonitor> standing_;
   RunView view_;
-  uint64_t last_message_ = 0;  // number
+  uint64_t last_message_ = 0;  // number of the last message
   std::deque<TraceRecord> tail_;
   Json broken_;
 };

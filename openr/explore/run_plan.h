@@ -10,14 +10,14 @@
 
 namespace openr_host {
 
-// The same for all runs of an exploration.
+// Options that are the same for all runs of an exploration.
 struct RunOptions {
-  int64_t for_us = 20'000'000;  // virtual
+  int64_t for_us = 20'000'000;  // virtual time
   Vary vary;
   PropertyChoice properties;
 };
 
-// A run is asked for, and answered, in JSON, since both cross from process to process.
+// Makes one run.  Its plan and its answer are JSON, because they are sent between processes.
 //
 // Plan: "seed"; then the schedule is drawn from the seed, or
 //   "script"  deviations to play again (deviation.h)

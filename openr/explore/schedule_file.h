@@ -1,4 +1,5 @@
-// The file of a failing run: what was explored, and the order that breaks it.
+// The file of a failing run: the stick and options that were explored, and the order that breaks a
+// property.
 //
 //   { "openr_explore": 1, "stick": "", "robot": "ers210", "world": "", "body": "ideal",
 //     "robots": 1, "strict": false, "guard": true, "cost": "", "battery": "drain",
@@ -14,7 +15,7 @@
 
 namespace openr_host {
 
-// What was run; seeds and orders aside.
+// The stick and options of an exploration, without seeds and orders.
 struct ExploredStick {
   // stick, robot, world, body, robots, strict, guard_regions, cost_file, battery
   SimulationOptions simulation;
@@ -32,11 +33,11 @@ struct ScheduleFile {
   std::string text;
 };
 
-// The list under "deviations" goes to `deviations`.  Throws std::runtime_error naming the file and
-// what is wrong with it.
+// Reads the file; its list "deviations" goes to `deviations`.  Throws std::runtime_error with the
+// name of the file and the error.
 ScheduleFile ReadScheduleFile(const std::string& path, nlohmann::ordered_json* deviations);
 
-// For people: property, time, text, the deviations and the last messages.
+// Returns a text for people: property, time, text, the deviations and the last messages.
 std::string DescribeFailure(const nlohmann::ordered_json& failure);
 
 }  // namespace openr_host

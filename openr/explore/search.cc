@@ -1,4 +1,4 @@
-// All orders of one graph, depth first: each run is told the choices that lead to it.
+// Searches all orders of one graph, depth first.  Each run is given the choices that lead to it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A question on the way to the last run, and which of its answers have been explored.
+// A question on the path to the last run, and its answers that have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
-  SleepSet sleep;  // when the question was asked first
-  SleepSet done;   // prepared, by candidate
+  SleepSet sleep;  // sleep set when the question was first asked
+  SleepSet done;   // explored candidates
   size_t current = 0;
-  Touched touched;  // by the current answer
+  Touched touched;  // objects touched by the current answer
 };
 
 class Search {
@@ -81,13 +81,14 @@ class Search {
     }
   }
 
-  // A run that crashed does not tell its questions, so their other answers stay unknown.
+  // Handles a run that crashed.  It does not report its questions, so their other answers stay
+  // unknown.
   void TakeDeath() {
     ++orders_;
     stopped_ = "at a run that did not come to its end";
   }
 
-  // To the next answer that is worth a run; false when there is none.
+  // Goes to the next answer that is worth a run.  Returns false when there is none.
   bool Backtrack() {
     while (!stack_.empty()) {
       Frame& frame = stack_.back();
@@ -103,7 +104,7 @@ class Search {
     return false;
   }
 
-  // The share of the tree that is done, each question's answers weighing the same.
+  // Returns the explored share of the tree.  The answers of one question have equal weights.
   double Covered() const {
     if (stopped_.empty()) return 1;
     double covered = 0, weight = 1;
@@ -130,7 +131,7 @@ class Search {
   WorkerPool& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // how many orders each reason ended
+  std::map<std::string, uint64_t> ended_by_;  // by reason: number of orders that it ended
   size_t choices_max_ = 0;
   std::string stopped_;
   std::optional<Json> failure_;

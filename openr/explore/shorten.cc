@@ -15,7 +15,8 @@ class Shortener {
   Shortener(const StillBreaks& still_breaks, int runs_max, Json* script, Json* answer)
       : still_breaks_(still_breaks), left_(runs_max), script_(*script), answer_(*answer) {}
 
-  // Parts of half, then of a quarter, ... then single ones, until none can go.
+  // Removes parts of half of the list, then of a quarter and so on, then single deviations, until
+  // none can go.
   void LeaveOut() {
     if (Try(Json::array())) return;
     size_t part = (script_.size() + 1) / 2;
@@ -50,7 +51,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // what followed is at `begin` now
+        any = true;  // the following part is at `begin` now
       } else {
         begin = end;
       }

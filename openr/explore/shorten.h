@@ -1,4 +1,4 @@
-// The fewest deviations that still break a property.
+// Shortens a list of deviations to the ones that are needed to break a property.
 #pragma once
 
 #include <functional>
@@ -7,14 +7,15 @@
 
 namespace openr_host {
 
-// The answer of a run with this script when it breaks the property in question, else nothing.
+// Runs a script.  Returns the answer if the run breaks the property in question, else nothing.
 using StillBreaks =
     std::function<std::optional<nlohmann::ordered_json>(const nlohmann::ordered_json& script)>;
 
-// Leaves out deviations of `script` as long as the property breaks, in larger parts first (delta
+// Removes deviations of `script` as long as the property stays broken, in large parts first (delta
 // debugging, Zeller and Hildebrandt), then makes delays and costs smaller.  Changes `script`, and
-// `answer` to that of the run with it.  Returns how many runs it took, `runs_max` at most.
-// Without any one of the deviations left the property holds, unless runs_max ended it.
+// sets `answer` to that of the run with it.  Returns the number of runs, at most `runs_max`.
+// Unless that limit was reached, the property holds if any one of the remaining deviations is
+// removed.
 int Shorten(const StillBreaks& still_breaks, int runs_max, nlohmann::ordered_json* script,
             nlohmann::ordered_json* answer);
 

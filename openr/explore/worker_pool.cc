@@ -29,7 +29,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // of second runs: no multiple of anything
+constexpr int64_t kOddSliceUs = 50'021;  // slice of second runs; no multiple of any period
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -39,7 +39,7 @@ void SilenceOutput() {
   close(nowhere);
 }
 
-// False when the other side is gone.
+// Returns false if the other end of the channel is closed.
 bool Send(int channel, const std::string& line) {
   for (size_t done = 0; done < line.size();) {
     const ssize_t size = send(channel, line.data() + done, line.size() - done, MSG_NOSIGNAL);
@@ -50,12 +50,14 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Moves all that is allocated from here on: what depends on an address comes out differently.
+// Moves everything that is allocated from here on to other addresses, so that results which depend
+// on an address change.
 void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1)) return;  // the heap goes on behind it
+  if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
+    return;  // the heap continues after this hole
   static void* volatile hole = malloc(4099);
   (void)hole;
 }
@@ -65,7 +67,7 @@ bool AreEqual(const Json& one, const Json& other) {
          one.value("trace", "") == other.value("trace", "");
 }
 
-// Runs plans, those with "twice" a second time elsewhere.
+// Runs plans.  Runs plans with "twice" a second time in a process with other addresses.
 class PlanServer {
  public:
   PlanServer(PreparedRun prepared, const RunOptions& options, const ForkLimits& limits,
@@ -78,7 +80,8 @@ class PlanServer {
     Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
     const bool differs = !AreEqual(answer, elsewhere_->RunOne(again));
-    // A run at the addresses of the first one tells whether addresses are what made the difference.
+    // A third run, at the addresses of the first one, shows whether the addresses made the
+    // difference.
     const bool differs_here = differs && !AreEqual(answer, server_.Run(again));
     answer["differs"] = differs_here;
     answer["depends_on_addresses"] = differs && !differs_here;
@@ -90,7 +93,7 @@ class PlanServer {
   WorkerPool* const elsewhere_;
 };
 
-// Lines of plans in, lines of answers out, until the other side closes.
+// Reads lines of plans and writes lines of answers until the other end is closed.
 void Serve(PlanServer* server, int channel) {
   std::string heard;
   char buffer[65536];
@@ -117,7 +120,8 @@ struct WorkerPool::Job {
   Memory memory;
   int outer_channel;
 
-  // The folder of the images' copies goes with the prepared run; that is why this returns normally.
+  // Returns normally, so that the folder with copies of the images is removed with the prepared
+  // run.
   void Work(int channel) const;
 };
 
@@ -164,7 +168,8 @@ void WorkerPool::Start(const Job& job) {
   if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
   if (pid == 0) {
     close(channel[0]);
-    // Or those at the other ends would never learn that this end is gone.
+    // Closes the channels to the other processes, because those would not notice the end of the
+    // explorer while this process keeps them open.
     for (const Worker& other : workers_) close(other.channel);
     if (job.outer_channel >= 0) close(job.outer_channel);
     job.Work(channel[1]);

@@ -1,4 +1,4 @@
-// Worker processes, each with a prepared run of its own, that run the plans they are given.
+// A pool of child processes that run plans, each with a prepared run of its own.
 #pragma once
 
 #include <sys/types.h>
@@ -13,30 +13,31 @@
 
 namespace openr_host {
 
-// Where a worker's memory lies.
+// Where the memory of a child process is.
 enum class Memory {
   kAsItComes,
-  kElsewhere,  // heap, stacks and images at other addresses than in workers as they come
+  kElsewhere,  // heap, stacks and images have other addresses than in kAsItComes
 };
 
 class WorkerPool {
  public:
-  // Starts `workers` processes and waits until each has its prepared run.  A plan with "twice" is
-  // run a second time by a process with its memory elsewhere, sliced differently, and a third time
-  // here when state or trace differ.  In the answer "depends_on_addresses" says that the third run
-  // was like the first, "differs" that it was not; `twice` says that such plans will come.
-  // `outer_channel` is closed in the workers.  Throws std::runtime_error when a worker cannot make
-  // its prepared run. REQUIRES: the process has one thread.
+  // Starts the processes and waits until each has its prepared run.  A plan with "twice" is run a
+  // second time in a process with kElsewhere and another length of time slices; `twice` says that
+  // such plans will come.  If state or trace differ, it is run a third time at the addresses of the
+  // first run.  In the answer, "depends_on_addresses" says that the third run was like the first,
+  // "differs" that it was not.  The child processes close `outer_channel`.  Throws
+  // std::runtime_error when a process cannot make its prepared run.  REQUIRES: this process has one
+  // thread.
   WorkerPool(const PrepareRun& prepare_run, const RunOptions& options, const ForkLimits& limits,
              int workers, bool twice = false, Memory memory = Memory::kAsItComes,
              int outer_channel = -1);
-  ~WorkerPool();  // ends them
+  ~WorkerPool();  // ends the processes
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  // Gives every plan of `next` (until it returns nothing) to the next idle worker, and every answer
-  // to `take` as it comes, with the number of its plan, from 0.  Throws std::runtime_error when a
-  // plan has a problem or a worker is lost.
+  // Calls `next` until it returns nothing, gives each plan to an idle process, and calls `take` for
+  // each answer as it comes, with the number of its plan, from 0.  Throws std::runtime_error when a
+  // plan has a problem or a process has ended.
   void Run(const std::function<std::optional<nlohmann::ordered_json>()>& next,
            const std::function<void(size_t number, nlohmann::ordered_json answer)>& take);
 
@@ -47,12 +48,12 @@ class WorkerPool {
     pid_t pid = -1;
     int channel = -1;
     bool is_busy = false;
-    size_t number = 0;  // of its plan
-    std::string heard;  // not a whole line yet
+    size_t number = 0;  // number of its plan
+    std::string heard;  // start of the next line
   };
-  struct Job;  // what a worker process is made with
+  struct Job;  // options of a child process
   void Start(const Job& job);
-  // The next line of a worker, when there is one without waiting.
+  // Returns the next line of a process if one is there, without waiting.
   std::optional<std::string> ReadLine(Worker* worker);
   std::string WaitForLine(Worker* worker);
 
