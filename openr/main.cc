@@ -1,8 +1,8 @@
 // openr: runs software for Sony's AIBO on a PC.  Start reading here.
 //
-// A command is a file of commands/: it describes its flags, and a function that does the work.
-// `openr run` puts a Simulation together (simulation.h), a Runner runs it frame by frame
-// (runner.h), and what happened becomes a report (report.h).
+// Each command is a file of commands/, which describes its flags and has a function that does the
+// work.  `openr run` makes a Simulation (simulation.h), a Runner runs it frame by frame (runner.h),
+// and the result becomes a report (report.h).
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 

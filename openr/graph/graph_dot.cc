@@ -1,5 +1,5 @@
-// The picture of a graph in the language of Graphviz: a box per object, with what it observes on
-// the left and what it is the subject of on the right.
+// Draws a graph in the language of Graphviz: a box per object, with its observers on the left and
+// its subjects on the right.
 #include <fmt/format.h>
 
 #include <map>
@@ -35,7 +35,7 @@ std::string Escaped(const std::string& text) {
   return result;
 }
 
-// The name within its object.
+// Returns the name of a service without its object.
 std::string ShortName(const std::string& service) {
   const std::optional<ServiceName> name = ParseServiceName(service, nullptr);
   return name ? name->service : service;
@@ -63,7 +63,8 @@ class DotWriter {
   }
 
  private:
-  // A part of the robot stands twice: what it tells on the left, what it is told on the right.
+  // A part of the robot gets two boxes: one on the left with what it sends, one on the right with
+  // what it receives.
   void AddObject(size_t index) {
     const GraphObject& object = graph_.objects[index];
     const std::string node = fmt::format("o{}", index);
@@ -82,7 +83,8 @@ class DotWriter {
       const GraphService& service = object.services[i];
       if (!(service.is_subject ? with_subjects : with_observers)) continue;
       ports_[{object.robot, service.name}] = fmt::format("{}:s{}", node, i);
-      // Ends that no line of CONNECT.CFG names only fill the picture.
+      // Services that no line of CONNECT.CFG names are left out, because they only fill the
+      // picture.
       if (wires_.count({object.robot, service.name}) == 0) continue;
       (service.is_subject ? right : left) +=
           fmt::format("<tr><td port=\"s{}\" align=\"{}\">{}</td></tr>", i,

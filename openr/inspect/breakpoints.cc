@@ -77,7 +77,7 @@ void Breakpoints::CheckObject(const std::string& name) const {
   throw std::runtime_error(fmt::format("there is no object '{}'{}", name, DidYouMean(name, known)));
 }
 
-// Services are known once somebody has booted.
+// Checks that a service of this name exists.  Services are known after booting.
 void Breakpoints::CheckService(const std::string& part) const {
   for (const auto& object : replayer_->system().objects()) {
     if (object == nullptr) continue;

@@ -1,4 +1,4 @@
-// Where a replay stops by itself.
+// Conditions at which a replay stops.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace openr_host {
 
-// A replay as quantities see it (openr/explore/quantity.h).
+// The state of a replay as quantities see it (openr/explore/quantity.h).
 class ReplayView {
  public:
   explicit ReplayView(Replayer* replayer);
 
-  // After every message: what has to be looked at once a frame.
+  // Called after every message; updates values once a frame.
   void Sample();
   const RunView& run() const { return run_; }
 
@@ -28,38 +28,38 @@ class ReplayView {
   int64_t frame_ = -1;
 };
 
-// As text, so that they survive going back: "object JointMover", "service Effector",
-// "state JointMover accepting-commands", "when robots[0].pitch_deg > 10", "finding".
+// Breakpoints are kept as text, so that they survive going back: "object JointMover", "service
+// Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10", "finding".
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const ReplayView* view) : replayer_(replayer), view_(view) {}
 
-  // Returns what is wrong with `text`, or "".
+  // Adds a breakpoint.  Returns "" or what is wrong with `text`.
   std::string Add(const std::string& text);
-  // Returns false when there is no such number (from 1).
+  // Removes breakpoint `number`, from 1.  Returns false if there is none.
   bool Remove(size_t number);
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Conditions that hold now count when they hold again after they did not.
+  // Ignores conditions that hold now until they have been false once.
   void Arm();
-  // The first one that holds after the message delivered last; 0: none.
+  // Returns the number of the first breakpoint that holds after the last message; 0: none does.
   size_t Hit();
 
-  // One line each.
+  // Returns the breakpoints as text, one per line.
   std::string Save() const;
   void Load(const std::string& text);
 
  private:
   struct Break {
     std::string text;
-    std::optional<PropertyRule> rule;  // of "when"
-    Quantity quantity;                 // of `rule`
+    std::optional<PropertyRule> rule;  // for "when"
+    Quantity quantity;                 // the quantity of `rule`
     bool held = false;
   };
 
   Break Read(const std::string& text) const;
-  // Throw std::runtime_error when there is none such.
+  // The next two throw std::runtime_error when there is no such object or service.
   void CheckObject(const std::string& name) const;
   void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;

@@ -1,4 +1,4 @@
-// Bytes of trace files: little-endian numbers of fixed and of variable length.
+// Writes and reads the bytes of trace files: little-endian numbers of fixed and of variable length.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ class ByteWriter {
   void U8(uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
   void U32(uint32_t value) { Fixed(value, 4); }
   void U64(uint64_t value) { Fixed(value, 8); }
-  // Seven bits a byte, the lowest first.
+  // Writes seven bits per byte, the lowest first.
   void Varint(uint64_t value);
-  // Small negative numbers stay short: 0, -1, 1, -2 become 0, 1, 2, 3.
+  // Writes small negative numbers in few bytes: 0, -1, 1, -2 become 0, 1, 2, 3.
   void Zigzag(int64_t value) {
     Varint(static_cast<uint64_t>(value) << 1 ^ static_cast<uint64_t>(value >> 63));
   }
@@ -29,8 +29,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-// Reads what ByteWriter wrote.  Throws std::runtime_error where the bytes end too early or a
-// number has too many.
+// Reads bytes of ByteWriter.  Throws std::runtime_error when the bytes end too early or a number
+// has too many.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}

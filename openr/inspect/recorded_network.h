@@ -1,4 +1,4 @@
-// Networks that write down what came from outside, and that say it again.
+// Networks for recordings: one records what comes from outside, one plays it again.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-// Passes everything on to another network; `heard` gets what every Poll() returned, if it was
+// Passes all calls to another network, and calls `heard` with what Poll() returned, if that was
 // anything.
 class RecordingNetwork : public PassingNetwork {
  public:
@@ -29,7 +29,7 @@ class RecordingNetwork : public PassingNetwork {
   const Heard heard_;
 };
 
-// Ignores every command; Poll() returns what `say` says.
+// Ignores all commands.  Poll() returns what `say` returns.
 class ReplayedNetwork : public Network {
  public:
   using Say = std::function<std::vector<NetworkEvent>()>;

@@ -1,4 +1,4 @@
-// Writes a run down while it runs.
+// Records a run to a file.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,14 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Makes the networks of a simulation that is still to be made report here.
+  // Sets `options` so that the networks of the simulation report to this recorder.  Called before
+  // the simulation is made.
   void Listen(SimulationOptions* options);
 
-  // Begins the file; throws std::runtime_error when it cannot be made, or another run is writing
-  // it. REQUIRES: before Boot(); `options` are those of `simulation`; `stick`: where a replay finds
-  // the files (RunStick::name()); `is_free`: the run is free-running and cannot be replayed.
+  // Begins the file.  Throws std::runtime_error when it cannot be created or another run writes to
+  // it.  `stick` is the folder in which a replay finds the files (RunStick::name()).  `is_free`
+  // says that the run is free-running and cannot be replayed.  REQUIRES: System::Boot() has not
+  // been called; `simulation` was made with `options`.
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false);
 
@@ -28,7 +30,7 @@ class Recorder {
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
-  // Returns what went wrong with the file, or "".
+  // Ends the file.  Returns "" or the error in writing it.
   std::string Finish(System* system) { return writer_->Finish(system); }
 
  private:

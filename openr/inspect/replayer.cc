@@ -41,7 +41,8 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   return options;
 }
 
-// What objects changed later is put back, the last change first.
+// Makes a copy of the stick as it was at the beginning of the run: undoes the recorded changes, the
+// last one first.
 std::string Replayer::StickOfThen(const std::string& now) {
   namespace fs = std::filesystem;
   const fs::path stick = fs::path(folder_.path()) / "stick";
@@ -77,7 +78,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // several cannot write
+  if (options.robots == 1) {  // several robots share a stick, which is read-only then
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
@@ -171,7 +172,7 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind == Kind::kEnd) {
-    at_end_ = true;  // the recording was cut off, or ended inside this instant
+    at_end_ = true;  // the recording ends inside this instant
     return;
   }
   if (next->kind == Kind::kLoss) return EndAtLoss();
@@ -190,7 +191,8 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (difference_.empty()) ++count_;
 }
 
-// One process has them all, and a handler there may have done half of its work.
+// Ends the replay where the run lost a process.  A handler may have been interrupted there, so the
+// run cannot be repeated from this place on.
 void Replayer::EndAtLoss() {
   at_end_ = true;
   loss_ = fmt::format(
@@ -212,7 +214,7 @@ void Replayer::CompareEnd(const TraceEntry& end) {
   }
 }
 
-// Input of this instant that is no message; true when there was some.
+// Applies input of this instant that is not a message.  Returns whether there was any.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
@@ -272,7 +274,8 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // Nothing came by the time of the next entry: right if that is input, which is then due.
+  // No message comes before the next entry.  That is right if the next entry is input, which is due
+  // then.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
   const TraceEntry missing = *next;

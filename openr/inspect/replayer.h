@@ -17,15 +17,15 @@ namespace openr_host {
 
 struct ReplayOptions {
   std::string file;
-  std::string stick;  // "": the one that was recorded
+  std::string stick;  // folder; "": the stick of the recording
   std::function<void(std::string_view)> console;
 };
 
 class Replayer {
  public:
-  // Builds the run up to Boot(), on a copy of the stick as it was then.  Throws std::runtime_error
-  // when the recording or what it was made of cannot be used, or somebody else than the recorded
-  // run has changed the stick.
+  // Assembles the run up to Boot(), on a copy of the stick as it was then.  Throws
+  // std::runtime_error when the recording, or a file that it needs, cannot be used, or when the
+  // stick was changed by others than the recorded run.
   explicit Replayer(const ReplayOptions& options);
   ~Replayer();
   Replayer(const Replayer&) = delete;
@@ -34,27 +34,28 @@ class Replayer {
   Simulation& simulation() { return *simulation_; }
   System& system() { return simulation_->system(); }
 
-  // Delivers one message and all input that comes before the next.  False at the end of the
-  // recording or after a difference.
+  // Delivers one message, and all input before the next one.  Returns false at the end of the
+  // recording and after a difference.
   bool Step();
-  // To the end of the recording, to `time_us`, or to the first difference.
+  // Runs to the end of the recording, to `time_us`, or to the first difference.
   void RunUntil(int64_t time_us);
 
-  // What the recording says of the message delivered last.
+  // Returns the recording's entry for the last message.
   const TraceEntry& last() const { return last_; }
-  // When the next message or input of the recording comes; INT64_MAX at its end.
+  // Returns the time of the next message or input in the recording; INT64_MAX at its end.
   int64_t NextTimeUs();
   uint64_t count() const { return count_; }  // messages that were equal
-  // How many messages the recording has up to the one of that number; nullopt when it has none
-  // such.
+  // Returns how many messages the recording has up to the message `number`; nullopt if there is no
+  // such message.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Why it ends before the run did that was recorded: a process was lost; "".
+  // Returns the reason why the replay ends before the recorded run did: a process was lost.  "": it
+  // does not.
   const std::string& loss() const { return loss_; }
 
-  // The first difference, with number, time, port and byte; "" while there is none.
+  // Returns the first difference, with number, time, port and byte; "" while there is none.
   const std::string& difference() const { return difference_; }
-  // Damage of the file, as far as it was met.
+  // Returns the damage of the file found so far.
   const std::vector<std::string>& problems() const { return reader_.problems(); }
   const TraceReader& reader() const { return reader_; }
 
@@ -73,7 +74,7 @@ class Replayer {
 
   const std::string file_;
   TraceReader reader_;
-  TempFolder folder_;  // of the copy of the stick
+  TempFolder folder_;  // holds the copy of the stick
   std::unique_ptr<Simulation> simulation_;
   TraceEntry last_;
   uint64_t count_ = 0;

@@ -24,7 +24,7 @@
 namespace openr_host {
 namespace {
 
-constexpr uint64_t kSnapshotMessages = 1000;  // between two snapshots
+constexpr uint64_t kSnapshotMessages = 1000;  // number of messages between two snapshots
 constexpr size_t kBreaksBytes = 16 << 10;
 
 constexpr char kHelp[] =
@@ -43,17 +43,17 @@ constexpr char kHelp[] =
 const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
                                          "breaks", "delete", "print", "help", "quit"};
 
-// What all copies of the process share.
+// Memory that all copies of the process share.
 struct Shared {
-  bool went_back;    // the copy ended to go back
-  uint64_t target;   // to this count of messages
-  int64_t until_us;  // and then forward to this time; 0: stay
-  bool ends;         // the prompt is over
+  bool went_back;    // the copy has ended in order to go back
+  uint64_t target;   // number of messages to go back to
+  int64_t until_us;  // virtual time to run to after that; 0: stay
+  bool ends;         // the user has ended the session
   bool differs;
   char breaks[kBreaksBytes];
 };
 
-// nullopt when `text` is not digits alone, or too many.
+// Returns the number that `text` consists of; nullopt if it is none or too large.
 std::optional<uint64_t> NumberIn(const std::string& text) {
   uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -61,8 +61,8 @@ std::optional<uint64_t> NumberIn(const std::string& text) {
   return number;
 }
 
-// A line of descriptor 0, read byte by byte: copies of the process share its position, but would
-// not share a buffer.
+// Reads a line from descriptor 0, byte by byte.  A buffer cannot be used, because copies of the
+// process share the position in the input but would each have a buffer of their own.
 bool ReadLine(std::string* line) {
   line->clear();
   for (char c = 0; read(0, &c, 1) == 1;) {
@@ -79,7 +79,7 @@ class Stepper {
     breaks_.Load(shared_->breaks);
   }
 
-  // Returns in the process that made the first call, when the prompt is over.
+  // Runs the session.  Returns only in the process that was called first.
   void Run() {
     if (!Snapshot()) return;
     Show();
@@ -90,7 +90,8 @@ class Stepper {
   }
 
  private:
-  // Forks.  True in the copy, which goes on; false in the original when all is over.
+  // Forks.  Returns true in the copy, which continues, and false in the original when the session
+  // is over.
   bool Snapshot() {
     const uint64_t here = replayer_->count();
     for (;;) {
@@ -112,11 +113,11 @@ class Stepper {
         shared_->ends = shared_->differs = true;
       }
       if (shared_->ends) return false;
-      if (shared_->target < here && is_copy_) _exit(0);  // the one before goes back further
+      if (shared_->target < here && is_copy_) _exit(0);  // an earlier original goes back further
     }
   }
 
-  // From the snapshot at `here` to where going back should end.
+  // Runs from the snapshot at `here` to the place where going back is to end.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // snapshots on the way are new ones
     if (shared_->target > here) Forward(shared_->target - here);
@@ -141,7 +142,8 @@ class Stepper {
     return ReadLine(line);
   }
 
-  // Forward by `count` messages, with snapshots on the way.  False where it ends early.
+  // Runs forward by `count` messages, with snapshots on the way.  Returns false if the replay ends
+  // before.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();
@@ -151,7 +153,8 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        if (went_back_) return false;  // what was being done is undone
+        // The process came back to this snapshot, so the command is obsolete.
+        if (went_back_) return false;
       }
     }
     return true;
@@ -233,7 +236,8 @@ class Stepper {
   void PrintQueue();
   void PrintQuantity(const std::string& name);
 
-  // Steps, back and deletes want a number.  False when `verb` is none of these.
+  // Handles the commands that take a number: steps, back and delete.  Returns false if `verb` is
+  // another command.
   bool ObeyWithNumber(const std::string& verb, const std::string& rest) {
     const bool steps = verb == "step" || verb == "s", backs = verb == "back" || verb == "b";
     if (!steps && !backs && verb != "delete") return false;
@@ -252,7 +256,7 @@ class Stepper {
     return true;
   }
 
-  // False for "quit".
+  // Handles a command.  Returns false for "quit".
   bool Obey(const std::string& line) {
     went_back_ = false;
     std::istringstream words(line);

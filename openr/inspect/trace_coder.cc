@@ -6,7 +6,7 @@
 namespace openr_host {
 namespace {
 
-// Regions of this size do not fit the robot.
+// Largest payload that is read.  No region of this size fits the robot.
 constexpr uint64_t kPayloadMax = 64 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
@@ -57,7 +57,7 @@ void TraceCoder::WritePayload(const TraceEntry& entry, ByteWriter* out) {
   for (size_t at = 0; at < now.size();) {
     size_t equal = at;
     while (equal < now.size() && now[equal] == last[equal]) ++equal;
-    size_t other = equal;  // a short equal stretch is not worth a new piece
+    size_t other = equal;  // a new piece costs more than a short equal stretch saves
     for (size_t run = 0; other < now.size() && run < 4; ++other)
       run = now[other] == last[other] ? run + 1 : 0;
     out->Varint(equal - at);

@@ -1,7 +1,7 @@
-// A recorded run in a file: what it was made of, what came from outside, every message.
+// A recorded run in a file: what it was made of, all input from outside, and every message.
 //
-// The layout is docs/trace-format.md.  A file is a header and blocks with a checksum each, so
-// that a run that was killed leaves a file that can be used up to its last block.
+// docs/trace-format.md describes the layout.  A file is a header and blocks with a checksum each,
+// so the file of a run that was killed can be used up to its last whole block.
 #pragma once
 
 #include <cstdint>
@@ -22,38 +22,39 @@ class System;
 struct RunEnd;
 
 constexpr uint32_t kTraceVersion = 3;
-constexpr uint32_t kOldestTraceVersion = 2;  // that can be read: it has no kEnded
+constexpr uint32_t kOldestTraceVersion = 2;  // oldest version that can be read; it has no kEnded
 
-// What a run is a function of, besides the recorded input.
+// Everything besides the recorded input that determines a run.
 struct TraceHeader {
   std::string program;  // version of openr
-  std::string stick;    // folder, as it was given
+  std::string stick;    // folder, as the user wrote it
   uint64_t stick_hash = 0;
   std::string robot, body, world;
-  std::string cost;                    // file; "": zero
+  std::string cost;                    // cost file; "": zero cost
   std::string battery;                 // see ParseBattery()
-  std::string microphone, images;      // files and folders; "": none
-  std::vector<std::string> addresses;  // of --ip, "10.0.1.2=127.0.0.1"
+  std::string microphone, images;      // file, folder; "": none
+  std::vector<std::string> addresses;  // arguments of --ip, "10.0.1.2=127.0.0.1"
   int robots = 1;
   uint64_t seed = 1;
   bool strict = false;
-  bool is_free = false;  // --free-running: cannot be replayed
+  bool is_free = false;  // free-running runs cannot be replayed
   bool payloads = true;  // messages carry their bytes
 };
 
 struct TraceEntry {
   enum class Kind : uint8_t {
-    kObject = 1,    // id, robot, name: before its first message
+    kObject = 1,    // id, robot, name; comes before the first message of the object
     kEntry = 2,     // id (of the object), selector, name
     kMessage = 3,   // record, payload
-    kNetwork = 4,   // robot, events: what one Poll() returned, during the message before
+    kNetwork = 4,   // robot, events: result of one Poll(), during the message before
     kPause = 5,     // time_us: the pause button was pressed
-    kShutdown = 6,  // time_us: nobody handled it, the program asked for the shutdown
+    kShutdown = 6,  // time_us: no object handled the pause button, so the program shut down
     kEnd = 7,       // time_us, trace_hash, state_hash
     kConsole = 8,   // time_us, robot, name: what was typed
-    kStick = 9,     // what, name, payload: a file or folder before objects change it
-    kLoss = 10,     // time_us, name: of a process that was lost; what follows cannot be replayed
-    kEnded = 11,    // name, payload: EndName() and why, before kEnd; none when the run was killed
+    kStick = 9,     // what, name, payload: a file or folder before an object changed it
+    kLoss = 10,     // time_us, name: a process was lost; the rest cannot be replayed
+    // Name, payload: EndName() and the reason, before kEnd; missing if the run was killed.
+    kEnded = 11,
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
   Kind kind = Kind::kEnd;
@@ -70,7 +71,7 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Numbers that follow from the entry before need few bytes.
+// Encodes entries.  Numbers that can be predicted from the entry before take few bytes.
 class TraceCoder {
  public:
   explicit TraceCoder(bool payloads) : payloads_(payloads) {}
@@ -80,7 +81,7 @@ class TraceCoder {
  private:
   void WriteMessage(const TraceEntry& entry, ByteWriter* out);
   void ReadMessage(ByteReader* in, TraceEntry* entry);
-  // As what differs from the last payload of the same sender and size.
+  // Writes the difference to the last payload of the same sender and size.
   void WritePayload(const TraceEntry& entry, ByteWriter* out);
   void ReadPayload(ByteReader* in, TraceEntry* entry);
 
@@ -92,26 +93,27 @@ class TraceCoder {
 
 class TraceWriter {
  public:
-  // Throws std::runtime_error when the file cannot be made, or another process writes it.
+  // Throws std::runtime_error when the file cannot be created, or another process writes to it.
   TraceWriter(const std::string& file, const TraceHeader& header);
   ~TraceWriter();
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
 
-  // From the trace's sink.
+  // Adds a message; called by a sink of the trace.
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
   void AddLoss(const std::string& process, int64_t time_us);
   void AddEnded(const RunEnd& end);
   void AddConsole(int robot, std::string_view text, int64_t time_us);
-  // `path` on the host is about to change; `name` is what it is below the stick's folder.
+  // Adds the file or folder `path` of the host, which is about to change.  `name` is its path below
+  // the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
-  // Writes what has been added.  Fit for a signal handler that ends the process.
+  // Writes out what has been added.  May be called in a signal handler that ends the process.
   void Flush();
 
-  // The last entry.  Returns what went wrong with the file, or "".
+  // Adds the last entry.  Returns "" or the error in writing the file.
   std::string Finish(System* system);
 
  private:
@@ -123,7 +125,7 @@ class TraceWriter {
   const bool payloads_;
   TraceCoder coder_;
   int descriptor_ = -1;
-  int error_ = 0;  // the first of writing
+  int error_ = 0;  // errno of the first failed write
   ByteWriter block_;
   std::set<int32_t> objects_;
   std::set<std::pair<int32_t, uint32_t>> entries_;
@@ -131,30 +133,31 @@ class TraceWriter {
 
 class TraceReader {
  public:
-  // Throws std::runtime_error when it is no trace file or one of another version.
+  // Throws std::runtime_error when it is no trace file or has another version.
   explicit TraceReader(const std::string& file);
 
   const TraceHeader& header() const { return header_; }
 
-  // The next entry without taking it; null at the end of what can be read.
+  // Returns the next entry without taking it; null at the end of the readable part.
   const TraceEntry* Peek();
-  // REQUIRES: Peek() is not null.
+  // Takes the next entry.  REQUIRES: Peek() is not null.
   TraceEntry Take();
 
-  // "FILE: block 3 at offset 4711: ..." of what is damaged or missing, as far as it was met.
+  // Returns what is damaged or missing so far: "FILE: block 3 at offset 4711: ...".
   const std::vector<std::string>& problems() const { return problems_; }
 
-  // "FILE: the recording does not say how the run ended: ..." when it has a whole last block but no
-  // end; "" otherwise, and as long as the end of the file was not met.
+  // Returns "FILE: the recording does not say how the run ended: ..." when the last block is whole
+  // but no end was recorded; otherwise, and before the end of the file, "".
   const std::string& note() const { return note_; }
 
-  // Names seen so far.
+  // Returns the name of an object, or a text with its id if no entry has named it yet.
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
-  // Why the run ended: EndName() and a sentence; empty when it was not recorded, or not met yet.
+  // Returns EndName() and the reason of the run's end; empty when not recorded or not reached yet.
   const std::pair<std::string, std::string>& ended() const { return why_ended_; }
-  // At the end: "there is no object 'JointMvoer'; did you mean ...", or "".  Empty names are there.
+  // At the end of the file, returns "" or an error such as "there is no object 'JointMvoer'; did
+  // you mean ...".  An empty name is never an error.
   std::string WhyNothing(const std::string& object, const std::string& service) const;
 
  private:
@@ -167,17 +170,17 @@ class TraceReader {
   std::string bytes_;
   size_t at_ = 0;
   int block_count_ = 0;
-  size_t block_size_ = 0;  // of the last one
+  size_t block_size_ = 0;  // size of the last block
   TraceHeader header_;
   std::optional<TraceCoder> coder_;
   std::optional<ByteReader> block_;
   std::optional<TraceEntry> next_;
   bool ended_ = false;
-  TraceRecord last_{};  // the message before
+  TraceRecord last_{};  // record of the message before
   std::pair<std::string, std::string> why_ended_;
   std::vector<std::string> problems_;
   std::string note_;
-  std::map<int32_t, std::pair<int, std::string>> objects_;  // robot, name
+  std::map<int32_t, std::pair<int, std::string>> objects_;  // by id: robot and name
   std::map<std::pair<int32_t, uint32_t>, std::string> entries_;
 };
 

@@ -57,7 +57,7 @@ std::string DescribeInput(const TraceEntry& entry) {
   }
 }
 
-// A quoted field, where one is needed.
+// Returns a field of the table, in quotes if it needs them.
 std::string Field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -65,7 +65,8 @@ std::string Field(const std::string& text) {
   return quoted + "\"";
 }
 
-// Slices have a length so that they can be seen and arrows have something to end at.
+// Length of a slice.  It must not be 0, because the viewer shows slices by their length and ends
+// arrows at them.
 constexpr double kSliceUs = 0.8;
 
 class PerfettoWriter {
@@ -89,7 +90,7 @@ class PerfettoWriter {
   }
 
   void AddMessage(const TraceRecord& record) {
-    // Messages of one instant stand side by side, in order.
+    // Messages of one instant are drawn side by side, in order.
     at_ = record.time_us == instant_us_ ? at_ + 1 : static_cast<double>(record.time_us);
     instant_us_ = record.time_us;
     if (at_ < last_) at_ = last_;

@@ -1,4 +1,4 @@
-// A recorded run for people and for other programs.
+// Shows a recorded run as text, as CSV and for the Perfetto viewer.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace openr_host {
 
-// Virtual time in seconds, for texts.
+// Returns virtual time in seconds.
 inline double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// Which messages are shown; empty texts match all.
+// The messages to show; empty texts match all.
 struct TraceFilter {
   std::string object;   // sender or receiver, by name
   std::string service;  // part of the entry's name
@@ -23,17 +23,17 @@ struct TraceFilter {
 
 using TextSink = std::function<void(std::string_view)>;
 
-// One line a message and one an input.
+// Writes one line per message and per input.
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// The same table with a line of headings.
+// Writes the same table as CSV, with a line of headings.
 void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Trace events as JSON, as ui.perfetto.dev opens them: a process a robot, a track an object, a
-// slice a handler, an arrow from the handler that posted a message to the one it ran.
+// Writes trace events in JSON for ui.perfetto.dev: a process per robot, a track per object, a slice
+// per handler, and an arrow from the handler that posted a message to the handler that got it.
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// One line: "4711 t=1.248000 JointMover -> OVirtualRobotComm ... 132 bytes".
+// Returns one line: "4711 t=1.248000 JointMover -> OVirtualRobotComm ...  132 bytes".
 std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record);
 
 }  // namespace openr_host

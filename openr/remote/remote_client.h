@@ -1,4 +1,4 @@
-// The client's end of the remote control: docs/remote-control.md over a TCP connection.
+// A client of the remote control: the protocol of docs/remote-control.md over a TCP connection.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-// "HOST" or "HOST:PORT", the port being that of the robot if none is given.
+// "HOST" or "HOST:PORT"; without a port, the robot's port is used.
 struct RemoteAddress {
   std::string host;
   uint16_t port = RC_PORT;
@@ -18,27 +18,27 @@ struct RemoteAddress {
   std::string Text() const { return host + ":" + std::to_string(port); }
 };
 
-// Returns "" or what is wrong.  The network of a robot is IPv4: addresses of IPv6 are refused.
+// Returns "" or the error.  IPv6 addresses are refused, because the robot's network is IPv4.
 std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address);
 
-// The robot refused a request.
+// Thrown when the robot refuses a request.
 class RemoteRefusal : public std::runtime_error {
  public:
   RemoteRefusal(int the_status, uint32_t the_frame, const std::string& why)
       : std::runtime_error(why), status(the_status), frame(the_frame) {}
   const int status;      // RcStatus
-  const uint32_t frame;  // of the answer
+  const uint32_t frame;  // frame number in the answer
 };
 
-// What a request brought back.
+// The answer to a request.
 struct RemoteAnswer {
-  uint32_t frame = 0;  // 8 ms each; 0xffffffff before the first sensor values
+  uint32_t frame = 0;  // number of the frame of 8 ms; 0xffffffff before the first sensor values
   std::vector<uint8_t> payload;
 };
 
-// Robots answer in the order of the requests.  What goes wrong is thrown: std::runtime_error with a
-// remedy when the robot cannot be reached or does not answer in time, RemoteRefusal when it says
-// no.
+// A connection to a robot, which answers requests in their order.  Throws std::runtime_error with a
+// remedy when the robot cannot be reached or does not answer in time, and RemoteRefusal when it
+// refuses a request.
 class RemoteClient {
  public:
   RemoteClient(const RemoteAddress& address, int timeout_ms)
@@ -53,7 +53,7 @@ class RemoteClient {
   std::vector<RemoteAnswer> RequestAll(int command,
                                        const std::vector<std::vector<uint8_t>>& payloads);
 
-  // A request made of any struct of RemoteProtocol.h that has Write().
+  // Sends a struct of RemoteProtocol.h that has Write().
   template <typename Payload>
   RemoteAnswer RequestWith(int command, const Payload& payload) {
     uint8_t bytes[RC_MAX_PACKET];
@@ -62,7 +62,7 @@ class RemoteClient {
     return Request(command, {bytes, bytes + writer.Size()});
   }
 
-  // Reads a struct of RemoteProtocol.h out of an answer.
+  // Reads a struct of RemoteProtocol.h from an answer.
   template <typename Payload>
   Payload Read(const RemoteAnswer& answer) const {
     Payload payload{};
@@ -74,9 +74,9 @@ class RemoteClient {
  private:
   RemoteClient(const RemoteAddress& address, int timeout_ms, bool is_probe);
   void Connect();
-  // Whether the robot answers another client, now that this connection is lost.
+  // Returns whether the robot answers a new client, after this connection was lost.
   bool RobotGoesOn() const;
-  int WaitForConnection() const;  // an errno
+  int WaitForConnection() const;  // returns an errno
   uint16_t SendRequest(int command, const std::vector<uint8_t>& payload);
   RemoteAnswer ReceiveAnswer(uint16_t tag);
   void Send(const std::vector<uint8_t>& bytes);
@@ -84,25 +84,25 @@ class RemoteClient {
   bool WaitFor(short events) const;
   [[noreturn]] void ThrowMalformed() const;
   [[noreturn]] void ThrowSilent() const;
-  [[noreturn]] void ThrowLost(int error) const;  // an errno; 0: closed by the other end
+  [[noreturn]] void ThrowLost(int error) const;  // `error` is an errno; 0: the other end has closed
   [[noreturn]] void Throw(const std::string& why) const;
 
   const RemoteAddress address_;
   const int timeout_ms_;
-  const bool is_probe_;  // made by RobotGoesOn() of another one
+  const bool is_probe_;  // this client was made by RobotGoesOn()
   int socket_ = -1;
   uint16_t tag_ = 0;
   RcFramer framer_;
 };
 
-// Devices of the robot by name, title, locator or number.
+// The devices of the robot, to be found by name, title, locator or number.
 class RemoteDevices {
  public:
   RemoteDevices(RemoteClient* client, RcDeviceKind kind);
 
   const std::vector<RcDescription>& all() const { return all_; }
 
-  // Index of the device.  Throws std::runtime_error that lists the names there are.
+  // Returns the index of the device.  Throws std::runtime_error that lists the names.
   int Find(const std::string& name) const;
 
  private:

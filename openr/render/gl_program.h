@@ -1,7 +1,7 @@
-// Shaders and textures of OpenGL 2.1, owned.
+// Owners of shaders and textures of OpenGL 2.1.
 #pragma once
 
-// GL_GLEXT_PROTOTYPES comes from the build.
+// The build defines GL_GLEXT_PROTOTYPES.
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -10,7 +10,7 @@
 
 namespace openr_host::render {
 
-// Throws std::runtime_error with the compiler's words when a shader does not compile.
+// Throws std::runtime_error with the compiler's message when a shader does not compile.
 class GlProgram {
  public:
   GlProgram(const char* vertex_text, const char* fragment_text);
@@ -20,7 +20,7 @@ class GlProgram {
 
   void Use() const { glUseProgram(program_); }
 
-  // Of the program in use.
+  // Sets a variable of the program in use.
   void Set(const char* name, int value) const;
   void Set(const char* name, float value) const;
   void Set(const char* name, const Eigen::Vector3f& value) const;
@@ -30,7 +30,7 @@ class GlProgram {
   GLuint program_ = 0;
 };
 
-// A square picture of distances, drawn into between Bind() and the next Bind...().
+// A square picture of distances.  Between Bind() and the next Bind...(), OpenGL draws into it.
 class DepthTarget {
  public:
   explicit DepthTarget(int size_px);

@@ -6,14 +6,14 @@
 namespace openr_host::render {
 namespace {
 
-// One side of the box: a grid over [-1, 1] x [-1, 1] in which the middle line is there twice,
-// once for each half; between the two lies the flat part.
+// Adds one side of the box: a grid over [-1, 1] x [-1, 1].  The middle line is there twice, once
+// for each half, with the flat part between the two.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;
   const int v_axis = (axis + 2) % 3;
   const int per_line = 2 * (steps + 1);
-  // Equal angles along an edge, so that the rounding is even.
+  // Angles along an edge are equal, so that the rounding is even.
   const auto slope = [steps](int i) {
     const int step = i <= steps ? i - steps : i - steps - 1;  // -steps .. 0, 0 .. steps
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);

@@ -17,8 +17,8 @@ struct Mesh {
   std::vector<uint32_t> triangles;  // three indices each, counterclockwise from outside
 };
 
-// Centred on the origin, edges along the axes; `radius` is cut to half of the shortest edge.
-// `steps` >= 1 segments round a quarter of an edge.
+// Returns a box centred on the origin, with edges along the axes.  `radius` is reduced to half of
+// the shortest edge if it is larger.  `steps` >= 1 is the number of segments for a quarter circle.
 Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps);
 
 }  // namespace openr_host::render

@@ -12,7 +12,7 @@ namespace openr_host {
 class VirtualRobot;
 
 struct PictureRequest {
-  int64_t time_us = -1;  // virtual; -1: at the end of the run
+  int64_t time_us = -1;  // virtual time; -1: the end of the run
   View view = View::kIso;
   int robot = 0;
   int width_px = 1280;
@@ -20,12 +20,12 @@ struct PictureRequest {
   std::string file;
 };
 
-// Reads "t=5s,view=side,size=1280x720,robot=0"; all parts are optional, t=end is the end.
-// Returns "" or what is wrong.
+// Reads "t=5s,view=side,size=1280x720,robot=0".  All parts are optional; t=end means the end.
+// Returns "" or the error.
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
-// Draws the robot as it is now.  Loads libopenr_render.so, and Mesa with it, when first called.
-// Returns "" or what went wrong.
+// Draws the robot as it is now.  The first call loads libopenr_render.so, and Mesa with it.
+// Returns "" or the error.
 std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, const World& world);
 
 }  // namespace openr_host

@@ -6,8 +6,8 @@
 
 namespace openr_host::render {
 
-// The bytes of a PNG file with these rows of red, green, blue, the top row first; `rgb` has
-// 3 * width * height bytes.  Throws std::runtime_error.
+// Returns a PNG file with the pixels `rgb`: rows of red, green, blue, the top row first, 3 * width
+// * height bytes.  Throws std::runtime_error.
 std::string EncodePng(int width, int height, const std::vector<uint8_t>& rgb);
 
 }  // namespace openr_host::render

@@ -1,4 +1,4 @@
-// The one door into this library; see scene.h.
+// The only function of this library that is called from outside; see scene.h.
 #include <exception>
 
 #include "openr/render/png_file.h"

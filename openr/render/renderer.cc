@@ -14,16 +14,16 @@
 namespace openr_host::render {
 namespace {
 
-constexpr int kOversample = 3;  // pixels drawn per pixel shown, along each edge
-constexpr int kEdgeSteps = 8;   // segments of a quarter of a rounded edge
+constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, along each edge
+constexpr int kEdgeSteps = 8;   // segments of a quarter circle at rounded edges
 constexpr int kShadowPixels = 2048;
-constexpr double kShadowHalfM = 0.40;  // what is further from the target casts no shadow
+constexpr double kShadowHalfM = 0.40;  // no shadows beyond this distance from the target
 constexpr double kFloorHalfM = 6;
 const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
 const Colour kFloorColour{0.83f, 0.84f, 0.85f};
 const Eigen::Vector3d kToSun = Eigen::Vector3d(0.35, -0.55, 1.0).normalized();
 
-// OpenGL into a piece of memory, current while it lives.
+// An OpenGL context that draws into memory.  It is the current context while the object exists.
 class OffScreen {
  public:
   OffScreen(int width, int height)

@@ -1,4 +1,4 @@
-// The picture of a robot in its world: what its bodies, lights and ears look like from outside.
+// Makes the scene of a robot in its world: the look of its bodies, lights and ears.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// A robot at one instant.
+// The look of a robot at one instant.
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> X_WL;  // order of RobotModel::bodies, as Body::BodyPoses()
@@ -20,10 +20,10 @@ struct RobotLook {
   std::vector<double> plungers_rad;     // order of RobotModel::plungers; missing ones are 0
 };
 
-// Where to look from, relative to the robot's place and heading.
+// The place of the camera, relative to the robot's position and heading.
 enum class View { kSide, kFront, kTop, kIso, kFollow };
 
-// "side", "front", "top", "iso", "follow"; false for any other name.
+// Reads "side", "front", "top", "iso" or "follow"; returns false for other names.
 bool ParseView(std::string_view name, View* view);
 
 render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, const World& world,

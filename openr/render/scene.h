@@ -1,6 +1,6 @@
-// A picture to be taken, as plain data: what stands where, in which colour, seen from where.
+// A picture to be drawn, as plain data: shapes with places and colours, a light, a camera.
 //
-// World W: metres, right-handed, z up, floor at z = 0.  Nothing here knows robots.
+// World W: metres, right-handed, z up, floor at z = 0.  Nothing here depends on robots.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,14 +20,14 @@ struct Shape {
   double radius_m = 0;  // of the edges; at most half of the shortest edge is used
   Colour colour;
   float gloss = 0.3f;  // 0 dull to 1 polished
-  bool glows = false;  // shines by itself, in its colour
+  bool glows = false;  // shines by itself, in its own colour
 };
 
 struct Camera {
-  Eigen::Vector3d p_W{1, -1, 0.5};  // where it is
+  Eigen::Vector3d p_W{1, -1, 0.5};  // place of the camera
   Eigen::Vector3d target_W{0, 0, 0};
-  Eigen::Vector3d up{0, 0, 1};  // not along the line of sight
-  double fov_rad = 0.5;         // of the height of the picture
+  Eigen::Vector3d up{0, 0, 1};  // must not be along the line of sight
+  double fov_rad = 0.5;         // angle over the height of the picture
 };
 
 struct Scene {
@@ -41,8 +41,8 @@ struct Picture {
   int height_px = 720;  // 16 to 4096
 };
 
-// The function that libopenr_render.so has under the name openr_render_picture.  `png` gets the
-// bytes of a PNG file; or `error` says what went wrong.
+// Type of the function openr_render_picture of libopenr_render.so.  Sets `png` to the bytes of a
+// PNG file, or `error` to the error.
 using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* png,
                            std::string* error);
 constexpr char kRenderPictureName[] = "openr_render_picture";

@@ -25,7 +25,7 @@ void main() {
   vec4 world = world_from_shape * gl_Vertex;
   place = world.xyz;
   normal = mat3(world_from_shape) * gl_Normal;
-  // A little off the surface, so that it does not shade itself.
+  // The point is moved a little off the surface, so that the surface does not shade itself.
   vec4 lifted = vec4(place + 0.0015 * normalize(normal), 1.0);
   in_sun = 0.5 + 0.5 * (sun_from_world * lifted).xyz;
   in_sky = 0.5 + 0.5 * (sky_from_world * lifted).xyz;
@@ -33,8 +33,8 @@ void main() {
 }
 )";
 
-// Light from the sun with a soft shadow; from the sky, darker where something is right above;
-// a gloss; the floor with its grid, which fades into the background.
+// Light from the sun with a soft shadow; light from the sky, darker where something is right above;
+// gloss; the floor with its grid, which fades into the background.
 const char kPictureFragmentShader[] = R"(#version 120
 uniform sampler2DShadow sun_depth;
 uniform sampler2DShadow sky_depth;
@@ -46,14 +46,14 @@ uniform vec3 centre;
 uniform float gloss;
 uniform float glow;
 uniform float grid;   // distance of the lines on the floor; 0: not the floor
-uniform float reach;  // where the floor has faded away
+uniform float reach;  // distance at which the floor has faded away
 varying vec3 place;
 varying vec3 normal;
 varying vec3 in_sun;
 varying vec3 in_sky;
 
-// The part of `samples` points in a disc that are lit; neighbours turn their disc by another
-// angle, which the averaging of pixels smooths.
+// Returns the lit share of `samples` points in a disc.  Neighbouring pixels turn the disc by
+// different angles; averaging pixels smooths the result.
 float Lit(sampler2DShadow depth, vec3 at, float radius, float samples) {
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   float lit = 0.0;
@@ -74,7 +74,7 @@ float Line(float x, float width) {
 void main() {
   vec3 n = normalize(normal);
   vec3 to_eye = normalize(eye - place);
-  vec3 base = colour * colour;  // near enough to linear light
+  vec3 base = colour * colour;  // approximates linear light
   float fade = 0.0;
   if (grid > 0.0) {
     vec2 cell = place.xy / grid;

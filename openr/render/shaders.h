@@ -1,4 +1,4 @@
-// GLSL 1.20 of the two passes: distances from a light, and the picture.
+// Shaders in GLSL 1.20 for the two passes: distances from a light, and the picture.
 #pragma once
 
 namespace openr_host::render {

@@ -13,7 +13,7 @@ namespace {
 constexpr NetAddress kRemote = {0x7f000001, 1};  // a port that no client of the host has
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
-// More than any joint turns or its motor can; the robot has the limits.
+// Largest position that is passed on: more than any joint turns.  The robot checks its own limits.
 constexpr double kPositionMax_rad = 2 * kPi;
 constexpr double kSpeedMax_rad_s = 1000;
 
@@ -29,7 +29,7 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::Want(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    const double speed_rad_s = wanted.speed_rad_s;  // holds until it is told otherwise
+    const double speed_rad_s = wanted.speed_rad_s;  // stays in force until another limit comes
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
   }
@@ -104,7 +104,7 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Takes the place that the robot holds for the next client.
+// Takes the place that the robot keeps open for the next client.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();
@@ -123,7 +123,7 @@ void JointClient::Request(int command, int joint, double value) {
   writer.U16(RC_HEADER_SIZE + 5);
   writer.U8(RC_VERSION);
   writer.U8(static_cast<Uint32>(command));
-  writer.U16(0);  // answers come in order
+  writer.U16(0);  // number of the request, which is not needed because answers come in order
   writer.U8(static_cast<Uint32>(joint));
   writer.S32(static_cast<Sint32>(std::lround(value * kCentidegPerRad)));
   out_.append(reinterpret_cast<const char*>(bytes), static_cast<size_t>(writer.Size()));

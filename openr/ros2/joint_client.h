@@ -1,10 +1,10 @@
-// A client of the remote control inside the program: joint targets of ROS 2 go to the robot as a
-// client on the network sends them (docs/remote-control.md).
+// A client of the remote control inside the program.  It sends joint targets of ROS 2 to the robot
+// as a client on the network does (docs/remote-control.md).
 //
-// It stands between a robot and its network and makes a connection of its own to the robot's port,
-// without a socket.  For the robot, the order of events and a recording it is one client more:
-// what it says comes out of Poll() as everything from outside does, so a run with commands is
-// replayed like any other, and the robot's own limits of position, speed and acceleration hold.
+// It is placed between a robot and its network, and opens a connection of its own to the robot's
+// port, without a socket.  Its data come out of Poll() like all data from outside.  Therefore the
+// robot, the order of events and a recording treat it like any other client, a run with commands
+// can be replayed, and the robot's limits of position, speed and acceleration hold.
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,23 @@ namespace openr_host {
 
 struct JointTarget {
   double position_rad = 0;
-  double speed_rad_s = 0;  // limit from now on; 0: the one in force
+  double speed_rad_s = 0;  // limit from now on; 0: no change
 };
 
 class JointClient : public PassingNetwork {
  public:
-  // `refused` hears why the robot did not take a target.
+  // A function that is called with the reason when the robot refuses a target.
   using Refused = std::function<void(const std::string& why)>;
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
 
-  // Targets by joint, in the robot's numbering, for the next Poll().  While the robot has not yet
-  // answered the ones before, the newest of each joint waits.
+  // Sets targets by joint, in the robot's numbering, for the next Poll().  Until the robot has
+  // answered the targets before, only the newest target of each joint is kept.
   void Want(const std::map<int, JointTarget>& targets);
 
-  // Targets wait that the robot does not take.
+  // Returns whether targets wait because the robot has not taken them.
   bool IsWaiting() const { return !wanted_.empty(); }
-  // They are too old.
+  // Drops the waiting targets.
   void GiveUp() { wanted_.clear(); }
 
   void Listen(NetHandle listener, uint16_t port) override;
@@ -58,17 +58,17 @@ class JointClient : public PassingNetwork {
 
   const Refused refused_;
   std::map<int, JointTarget> wanted_;  // by joint
-  NetHandle listener_ = 0;             // of the remote control
-  std::deque<NetHandle> accepts_;      // of it, not yet connected
+  NetHandle listener_ = 0;             // handle on which the remote control listens
+  std::deque<NetHandle> accepts_;  // accept operations of the remote control without a client yet
 
-  // Of the connection.
-  NetHandle handle_ = 0;  // 0: none
+  // State of the connection.
+  NetHandle handle_ = 0;  // 0: no connection
   std::string out_;       // requests that the robot has not read
   int unanswered_ = 0;
   uint64_t taken_ = 0;  // bytes of answers since the last Poll()
-  size_t wants_ = 0;    // of a Receive()
+  size_t wants_ = 0;    // bytes that a Receive() of the robot waits for
   bool is_closing_ = false;
-  bool is_broken_ = false;  // what came is no answer
+  bool is_broken_ = false;  // the data received were no valid answer
   RcFramer framer_;
 };
 

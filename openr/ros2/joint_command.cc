@@ -7,7 +7,7 @@
 namespace openr_host {
 namespace {
 
-// Of a text from the network: short and without anything that a terminal would obey.
+// Returns a text from the network in a form for messages: short, and without control characters.
 std::string Shown(const std::string& text) {
   constexpr size_t kMax = 40;
   std::string shown;

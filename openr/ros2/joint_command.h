@@ -1,4 +1,4 @@
-// What a message of ROS 2 asks of a robot's joints.
+// Checks messages of ROS 2 with targets for joints.
 #pragma once
 
 #include <map>
@@ -10,9 +10,9 @@
 
 namespace openr_host {
 
-// Looks at a command that came over the network: its joints are those of `model`, each once, with
-// one finite position each, and finite velocities for all or none.  Returns "" and the targets by
-// joint, or why the whole of it is refused.
+// Reads a command that came over the network.  Its joints must be those of `model`, each once, with
+// one finite position each, and finite velocities for all or none.  Returns "" and sets the targets
+// by joint, or returns the reason why the whole command is refused.
 std::string ReadJointCommand(const Ros2JointCommand& command, const RobotModel& model,
                              std::map<int, JointTarget>* targets);
 

@@ -41,19 +41,19 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         switches_[sensor] = std::make_unique<Ros2Switch>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kForce:
-      case SensorKind::kRaw:  // how hard the dog is touched, in the counts of its converter
+      case SensorKind::kRaw:  // strength of a touch, in counts of the converter
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kDistance:
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/distance/" + part);
         break;
       default:
-        break;  // joints and acceleration have topics of their own; there is no temperature
+        break;  // joints and acceleration have other topics; there is no temperature
     }
   }
 }
 
-// In SI units.
+// Returns the value of a sensor in SI units.
 double RobotTopics::Value(int sensor) const {
   const double value = robot_->sensor(sensor).value;
   const SensorKind kind = robot_->model().sensors[static_cast<size_t>(sensor)].kind;
@@ -73,13 +73,13 @@ std::string RobotTopics::Publish(int64_t time_us) {
 void RobotTopics::PublishJoints(int64_t time_us) {
   std::vector<double> positions, velocities;
   for (const JointModel& joint : robot_->model().joints) positions.push_back(Value(joint.sensor));
-  // The robot has no sensor of speed; these are the body's.
+  // The robot has no speed sensors, so the speeds of the simulated body are published.
   for (const JointState& joint : robot_->body().state().joints)
     velocities.push_back(joint.speed_rad_s);
   joints_.Publish(time_us, positions, velocities);
 }
 
-// The sensors say gravity minus acceleration; ROS 2 wants acceleration minus gravity.
+// The sensors measure gravity minus acceleration; ROS 2 wants acceleration minus gravity.
 void RobotTopics::PublishAcceleration(int64_t time_us) {
   const std::vector<Sensor>& sensors = robot_->model().sensors;
   Eigen::Vector3d felt{0, 0, 0};

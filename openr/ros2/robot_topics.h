@@ -1,4 +1,4 @@
-// What one robot tells on topics of ROS 2 (docs/ros2.md).
+// Publishes the sensors of one robot as topics of ROS 2 (docs/ros2.md).
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace openr_host {
 
-// The part of a topic's name that stands for a sensor: "Paw sensor (left fore leg)" is
-// paw_sensor_left_fore_leg.
+// Returns the part of a topic's name for a sensor: paw_sensor_left_fore_leg for "Paw sensor (left
+// fore leg)".
 std::string TopicPart(const std::string& sensor);
 
 class RobotTopics {
  public:
-  // Topics are named `space`/..., the robot's devices as its model names them.
+  // Topics are named `space`/..., and devices have the names of the robot's model.
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
-  // After each frame.  "" or why there is no image.
+  // Publishes the state; called after each frame.  Returns "" or the reason why there is no image.
   std::string Publish(int64_t time_us);
 
  private:
@@ -30,7 +30,7 @@ class RobotTopics {
   std::string PublishImage(int64_t time_us);
 
   VirtualRobot* const robot_;
-  int64_t frame_ = 0;  // published last
+  int64_t frame_ = 0;  // number of the last published frame
   Ros2JointStates joints_;
   Ros2Imu imu_;
   Ros2Image image_;

@@ -1,6 +1,6 @@
-// A run seen by ROS 2: its clock and robots as topics, commands for their joints back.
-//
-// It looks and never touches: what it tells changes nothing in the run.  Commands enter as a client
+// Connects a run with ROS 2: publishes its clock and robots as topics, and takes commands for
+// joints.  Publishing changes nothing in the run.  Commands enter as from a client of the remote
+// control, see joint_client.h.
 // of the remote control does, see joint_client.h.
 #pragma once
 
@@ -20,10 +20,11 @@
 
 namespace openr_host {
 
-// "" or what is wrong with a name of a namespace: words with slashes between.
+// Returns "" or what is wrong with the name of a namespace: words with slashes between.
 std::string WrongNamespace(const std::string& name);
 
-// What people are told about one robot: each text once, and not more than they would read.
+// Messages to the user about one robot.  Each text is printed once, and only a limited number of
+// texts.
 class Ros2Complaints {
  public:
   using Say = std::function<void(const std::string& line)>;
@@ -33,7 +34,7 @@ class Ros2Complaints {
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
-  // At the end: how many there were that were not said.
+  // Prints at the end how many texts were left out.
   void SayHowManyMore() const;
 
  private:
@@ -45,20 +46,21 @@ class Ros2Complaints {
 
 class Ros2Link {
  public:
-  using Say = Ros2Complaints::Say;  // for people
+  using Say = Ros2Complaints::Say;  // prints a message
 
-  // `space` is the robot's namespace, with its number after it if there are several.  Puts itself
-  // into the network of the robots of a simulation that is still to be made of `options`; inside
-  // of what is there, so that a recorder hears it.  `bus` and this outlive the simulation.
+  // `space` is the robot's namespace; with several robots, their numbers are added.  Adds itself to
+  // the networks in `options`, from which a simulation is made later.  Networks that `options` has
+  // already get the commands too, so a recorder must be there before.  `bus` and this object must
+  // outlive the simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
 
-  // When the simulation is there.
+  // Called when the simulation has been made.
   void Begin(Simulation* simulation);
-  // After each frame.
+  // Called after each frame.
   void AfterFrame();
-  // The run is over.
+  // Called when the run is over.
   void End();
 
  private:

@@ -27,7 +27,8 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
   text_ = std::move(*text);
 }
 
-// Whole lines only, until standard input ends.
+// Returns the whole lines that have come; at the end of standard input, also a rest without a line
+// end.
 std::string ConsoleFeed::TakeLines() {
   pollfd input = {STDIN_FILENO, POLLIN, 0};
   while (is_open_ && poll(&input, 1, 0) > 0) {
@@ -40,7 +41,7 @@ std::string ConsoleFeed::TakeLines() {
     }
   }
   if (!is_open_) return std::exchange(text_, "");
-  const size_t end = text_.rfind('\n') + 1;  // 0 without a whole line
+  const size_t end = text_.rfind('\n') + 1;  // 0: there is no whole line
   std::string lines = text_.substr(0, end);
   text_.erase(0, end);
   return lines;

@@ -1,4 +1,4 @@
-// What people type for the objects of a run: from a file, or line by line as it comes.
+// Gives objects the console input that people type: from a file, or line by line as it comes.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@ class System;
 
 class ConsoleFeed {
  public:
-  // `file`: its text is typed at the start of the run.  "-": lines of standard input, looked for
-  // at every Feed().  "": the same if it is a terminal, else nothing.  Throws std::runtime_error
-  // when the file cannot be read.
+  // `file` is given to the objects at the start of the run.  "-" means lines of standard input,
+  // read at every Feed().  "" means the same if standard input is a terminal, else no input.
+  // Throws std::runtime_error when the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
-  // Gives what there is to every robot of `system`.
+  // Gives the text that has come to every robot of `system`.
   void Feed(System* system);
 
  private:
   std::string TakeLines();
 
-  std::string text_;          // read, not fed
-  bool is_terminal_ = false;  // which shows what is typed
-  bool is_open_ = false;      // more may come from standard input
+  std::string text_;          // text that was read and not given to the robots yet
+  bool is_terminal_ = false;  // a terminal echoes itself what is typed
+  bool is_open_ = false;      // standard input has not ended
 };
 
 }  // namespace openr_host

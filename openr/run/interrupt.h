@@ -1,17 +1,17 @@
-// Ctrl-C, SIGTERM and a terminal that closes, as a count to look at between frames.
+// Counts Ctrl-C, SIGTERM and SIGHUP.  The run looks at the count between frames.
 #pragma once
 
 namespace openr_host {
 
-// The meaning of a terminal that closes (SIGHUP).
+// What a terminal that closes (SIGHUP) does.
 enum class HangUp {
-  kEnds,     // the end of the process, as without us
+  kEnds,     // ends the process, the default action
   kCounts,   // the same as Ctrl-C
-  kIgnored,  // nothing: the work comes to an end by itself
+  kIgnored,  // nothing, because the work ends by itself
 };
 
-// While it lives, SIGINT and SIGTERM are only counted; the third ends the process at once, should
-// the run not come to an end by itself.
+// While it exists, SIGINT and SIGTERM are only counted.  The third one ends the process at once, in
+// case the run does not end.
 class InterruptCounter {
  public:
   explicit InterruptCounter(HangUp hang_up = HangUp::kEnds);

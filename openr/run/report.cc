@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Enough for a person and for any tolerance; and no 0.30000000000000004.
+// Rounds to a step that is finer than any tolerance, so that no 0.30000000000000004 is written.
 double Rounded(double value, double step) {
   const double rounded = std::round(value / step) * step;
   return rounded == 0 ? 0 : std::round(rounded * 1e9) / 1e9;

@@ -19,7 +19,8 @@
 namespace openr_host {
 namespace {
 
-// After a shutdown that the program asks for itself: DoStop and DoDestroy of all objects.
+// Time limit for DoStop and DoDestroy of all objects, when the program itself asks for the
+// shutdown.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
 
 }  // namespace
@@ -58,7 +59,7 @@ std::optional<RunEnd> Runner::WhyOver() const {
   return {};
 }
 
-// The next frame boundary, or what comes before it.
+// Returns the time of the next frame boundary, or of an event before it.
 int64_t Runner::NextStop() const {
   const int64_t now_us = simulation_->system().now_us();
   int64_t stop_us = (now_us / kFrameUs + 1) * kFrameUs;
@@ -138,9 +139,10 @@ double Runner::wall_time_s() const {
   return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
 }
 
-// Up to `stop_us`, no faster than the wall clock; what other processes did is done when it comes.
+// Runs up to `stop_us`, no faster than the wall clock.  Results of other processes are applied as
+// they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  constexpr double kSliceUs = 1000;  // so late may be what is due between two frames
+  constexpr double kSliceUs = 1000;  // limit of the delay of events between two frames
   System& system = simulation_->system();
   while (!system.powered_off()) {
     const int64_t clock_us = pacer->TimeNow(system.now_us());

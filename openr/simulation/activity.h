@@ -1,4 +1,4 @@
-// Whether the objects of a stick do anything.
+// Tells whether the objects of a stick do anything.
 #pragma once
 
 namespace openr_host {
@@ -6,8 +6,8 @@ namespace openr_host {
 class System;
 struct Message;
 
-// Whether an object of the stick sent `message`, but for its readiness for the next vector of a
-// system object: sensor values and asking for more of them go on for ever.
+// Returns whether an object of the stick sent `message`, and it is more than readiness for the next
+// vector of a system object.  Sensor values, and the readiness for them, go on for ever.
 bool IsActivity(const System& system, const Message& message);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Cost files for --cost.
+// Loads cost files for --cost.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace openr_host {
 
-// Reads the file, or the one of that name that came with the program ("ers210.cost").  Nothing for
-// "" and "zero": handlers take no time.  Throws std::runtime_error with every wrong line.
+// Reads the file `name`, or the file of that name that came with the program ("ers210.cost").
+// Returns nothing for "" and "zero": handlers take no time.  Throws std::runtime_error with all
+// errors.
 std::optional<CostConfig> LoadCostFile(const std::string& name);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// The network of a robot.
+// Makes the network of a robot.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@ namespace openr_host {
 class IpStack;
 class Network;
 
-// Sockets on the loopback interface.  `rc_port`: the port of the host for the remote control; 0:
-// any free one, -1: the robot's own if it is free, else the next free one.  `addresses`: those that
-// programs have compiled in, and where they are.
+// Returns a network of sockets on the loopback interface.  `rc_port` is the port of the host for
+// the remote control; 0: any free port; -1: the robot's own port or, if that is taken, the next
+// free one.  `addresses` maps addresses that programs have compiled in to addresses of the host.
 std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses);
 
-// Why nobody can listen on `rc_port` now, or "".
+// Returns the reason why no program can listen on `rc_port` now, or "".
 std::string WhyNoPort(int rc_port);
 
-// Without sockets and without anybody else in it.
+// Returns a network without sockets, in which the robot is alone.
 std::unique_ptr<Network> MakeLonelyNetwork();
 
-// 0 while nobody listens.
+// Returns the port of the host for the remote control; 0 while no object listens.
 uint16_t HostPortOfRemoteControl(const IpStack& network);
 
 }  // namespace openr_host

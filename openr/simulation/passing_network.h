@@ -1,5 +1,5 @@
-// A network that passes everything on to another: the base of those that stand between a robot and
-// its network.
+// A network that passes all calls to another one.  Base class of networks that are put between a
+// robot and its network.
 #pragma once
 
 #include <memory>

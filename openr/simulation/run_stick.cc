@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 constexpr char kCrashLog[] = "EMON.LOG";
 
-// The path of the crash log in the cache folder, which is made.  When that fails, the crash handler
-// says why the file cannot be written.
+// Returns the path of the crash log in the cache folder, and creates that folder.  If the folder
+// cannot be created, the crash handler reports later why the file cannot be written.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;

@@ -1,9 +1,9 @@
 // The folder that a run uses as its Memory Stick.
 //
-// A stick that a person has named is used as it is: what objects write is there afterwards, and so
-// is the record of a crash.  The default stick, which came with the program and is that of every
-// run without --stick, is never written: such a run gets a copy of its own, gone at its end, and
-// the record of a crash goes to the program's cache folder.
+// A stick that the user has named is used directly: objects write to it, and so does the record of
+// a crash.  The default stick came with the program and is used by every run without --stick, so it
+// is never written to: such a run gets a copy, which is removed at its end, and the record of a
+// crash goes to the program's cache folder.
 #pragma once
 
 #include <filesystem>
@@ -16,21 +16,22 @@ namespace openr_host {
 
 class RunStick {
  public:
-  // `wanted`: the folder that was named, "" for none.  `is_written`: objects may write on it; one
-  // that is only read needs no copy.  Throws std::runtime_error.
+  // `wanted` is the folder that the user has named; "": none.  `is_written` says that objects may
+  // write to it; without that, no copy is made.  Throws std::runtime_error.
   RunStick(const std::string& wanted, bool is_written);
 
-  // The stick that people and recordings name: another run finds the same files there.
+  // Returns the folder to name in messages and recordings, in which another run finds the same
+  // files.
   const std::string& name() const { return name_; }
 
-  // Where the files of this run are.
+  // Returns the folder with the files of this run.
   const std::string& folder() const { return folder_; }
 
-  // The file for the record of a crash; it is possible that it cannot be written.
+  // Returns the file for the record of a crash.  It may not be writable.
   const std::string& crash_log() const { return crash_log_; }
 
-  // Whether the run uses the default stick: the crash record is in the cache folder then, and
-  // findings name the file.
+  // Returns whether the run uses the default stick.  Then the crash record is in the cache folder,
+  // and findings name the file.
   bool is_default() const { return is_default_; }
 
  private:
@@ -41,12 +42,12 @@ class RunStick {
   std::string crash_log_;
 };
 
-// The file for the record of a crash on the stick in `folder`.
+// Returns the file for the record of a crash on the stick in `folder`.
 std::string CrashLogOn(const std::string& folder);
 
-// Copies the stick `from` to the folder `to`, which is there and empty.  Files may be written
-// there, whoever owns the original; debug information, which is large and only read, becomes a
-// link. Throws std::filesystem::filesystem_error.
+// Copies the stick `from` to the folder `to`, which exists and is empty.  The copies can be written
+// to, whoever owns the originals.  Debug information is large and only read, so a link to it is
+// made instead.  Throws std::filesystem::filesystem_error.
 void CopyStick(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace openr_host

@@ -59,7 +59,8 @@ std::unique_ptr<Body> BodyOf(const std::string& kind, const RobotModel& model, c
   return body;
 }
 
-// The options of a robot's devices.  Files for sound and pictures are for the first robot only.
+// Returns the options of a robot's devices.  Only the first robot gets the files for sound and
+// pictures.
 VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   VirtualRobotOptions devices = DevicesWithBattery(options.battery);
   if (!is_first) return devices;
@@ -75,7 +76,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");  // in any case
+  // The name may be in any case.
+  const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {
     throw std::runtime_error(
@@ -127,7 +129,7 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
 }
 
-// Says that the battery will not end the run, which nobody expects of one that is nearly empty.
+// Reports that a nearly empty battery will not end the run, which is a surprise for users.
 void Simulation::NoteALowBattery(const std::string& text) {
   Battery battery;
   ParseBattery(text, &battery);
@@ -140,14 +142,14 @@ void Simulation::NoteALowBattery(const std::string& text) {
                   text, kLowCapacityPercent, kLowCapacityPercent));
 }
 
-// The pairs of the command line, then those of the stick.
+// Returns the address pairs of the command line, then those of the stick.
 std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& options,
                                                  MemoryStick* stick, int index) {
   const auto text = stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + kAddressFile);
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (index == 0)  // the robots share one stick
+    if (index == 0)  // once, because the robots share one stick
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);

@@ -1,4 +1,4 @@
-// Whether the robot stands: the rule of docs/cli.md.
+// Decides whether the robot stands, by the rule of docs/cli.md.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ class StandingMonitor {
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 
-  // Compares with the posture "stand" of the model, resting on a flat floor; a model without
-  // one never stands.
+  // Compares with the posture "stand" of the model on a flat floor.  A model without that posture
+  // never stands.
   explicit StandingMonitor(const RobotModel& model);
 
-  // Once per frame, at virtual time `now_us`.
+  // Looks at the state; called once per frame, at virtual time `now_us`.
   void Sample(const BodyState& state, int64_t now_us);
 
-  // All paws touch, height and attitude are those of the posture, and the base has been slow
-  // for kCalmUs.
+  // Returns whether all paws touch the floor, height and attitude are those of the posture, and the
+  // base has been slow for kCalmUs.
   bool standing() const { return upright_ && calm_us_ >= kCalmUs; }
 
  private:
