@@ -64,7 +64,7 @@ class Sum {
     if (plan_.progress) plan_.progress(runs_);
   }
 
-  Json Tell(WorkerPool* pool) const {
+  Json Tell(ExplorerProcesses* pool) const {
     Json sum = {{"runs", runs_},
                 {"broken", broken_},
                 {"ended_by", ended_by_},
@@ -84,7 +84,7 @@ class Sum {
 
 }  // namespace
 
-Json MakeFailure(const ExplorePlan& plan, WorkerPool* pool, const Json& answer) {
+Json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool, const Json& answer) {
   const uint64_t seed = answer.at("seed").get<uint64_t>();
   const std::string property = answer["broken"]["property"].get<std::string>();
   Json script = answer.at("deviations");
@@ -108,7 +108,7 @@ Json MakeFailure(const ExplorePlan& plan, WorkerPool* pool, const Json& answer) 
 }
 
 Json ExploreSeeds(const ExplorePlan& plan) {
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, plan.jobs);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs);
   Sum sum(plan);
   InOrder in_order([&](const Json& answer) { sum.Add(answer); });
   uint64_t next_seed = plan.first_seed;
@@ -122,7 +122,7 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 }
 
 Json VerifySeeds(const ExplorePlan& plan) {
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
   // Seeds with a certain mark in their answer: their number, and the first ones.
   struct Marked {
@@ -156,7 +156,7 @@ Json VerifySeeds(const ExplorePlan& plan) {
 }
 
 Json ReplayDeviations(const ExplorePlan& plan, const Json& script, uint64_t seed) {
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, 1);
   return pool.RunOne({{"seed", seed}, {"script", script}, {"tail", kTail}, {"deviations", true}});
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "openr/explore/worker_pool.h"
+#include "openr/explore/explorer_processes.h"
 
 namespace openr_host {
 
@@ -16,7 +16,7 @@ struct ExplorePlan {
   ForkLimits limits;
   uint64_t first_seed = 1;
   uint64_t runs = 100;        // number of seeds; for a search, limit of runs
-  int jobs = 1;               // worker processes
+  int jobs = 1;               // child processes that run plans
   bool reduce = true;         // for a search: leave out orders equal to others
   bool stop_at_first = true;  // stop at the first seed that breaks a property
   int shorten_runs = 2000;    // limit of runs for shortening; 0: no shortening
@@ -49,7 +49,7 @@ nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
 //   "seed", "property", "time_us", "message", "text", "waits", "tail", "deviations" (shortened),
 //   "deviations_found" (number before shortening), "shorten_runs", "canonical" (true: the property
 //   is broken without any deviation too).
-nlohmann::ordered_json MakeFailure(const ExplorePlan& plan, WorkerPool* pool,
+nlohmann::ordered_json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool,
                                    const nlohmann::ordered_json& answer);
 
 }  // namespace openr_host

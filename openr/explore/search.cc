@@ -27,7 +27,7 @@ struct Frame {
 
 class Search {
  public:
-  Search(const ExplorePlan& plan, WorkerPool* pool) : plan_(plan), pool_(*pool) {}
+  Search(const ExplorePlan& plan, ExplorerProcesses* pool) : plan_(plan), pool_(*pool) {}
 
   Json Run() {
     do {
@@ -128,7 +128,7 @@ class Search {
   }
 
   const ExplorePlan& plan_;
-  WorkerPool& pool_;
+  ExplorerProcesses& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
   std::map<std::string, uint64_t> ended_by_;  // by reason: number of orders that it ended
@@ -140,7 +140,7 @@ class Search {
 }  // namespace
 
 Json SearchOrders(const ExplorePlan& plan) {
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, 1);
   return Search(plan, &pool).Run();
 }
 

@@ -1,4 +1,5 @@
-// Exploring the default stick: nothing breaks, every seed repeats itself, workers do not show.
+// Exploring the default stick: nothing breaks, every seed repeats itself, the number of processes
+// does not show.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -40,17 +41,18 @@ TEST(ExplorerTest, SeedsOnThePhysicalBodyRepeatThemselves) {
   EXPECT_EQ(VerifySeeds(plan)["differences"], 0);
 }
 
-TEST(ExplorerTest, OneWorkerAndTwoComeToTheSame) {
+TEST(ExplorerTest, OneProcessAndTwoComeToTheSame) {
   ExplorePlan plan = StickPlan();
   const Json one = ExploreSeeds(plan);
   plan.jobs = 2;
   EXPECT_EQ(ExploreSeeds(plan), one);
 }
 
-// The hash of a run in a copy of a worker is that of a run in this process, in one piece.
+// The hash of a run in a copy of an explorer process is that of a run in this process, in one
+// piece.
 TEST(ExplorerTest, ACopiedProcessComesToTheSameAsAPlainRun) {
   const ExplorePlan plan = StickPlan();
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, 1);
   const Json copied = pool.RunOne({{"seed", 1}});
   const PreparedRun prepared = plan.prepare_run();
   prepared.system->Boot();
@@ -63,7 +65,7 @@ TEST(ExplorerTest, SeedsGiveOrdersOfTheirOwn) {
   ExplorePlan plan = StickPlan();
   plan.run.for_us = 1'000'000;
   plan.run.vary = {.delays = false, .network = false, .frames = false};
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, 1);
   std::set<std::string> traces;
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     traces.insert(pool.RunOne({{"seed", seed}})["trace"].get<std::string>());
@@ -90,7 +92,7 @@ TEST(ExplorerTest, HandlersThatTakeTimeBreakNothing) {
 
 TEST(ExplorerTest, ARandomRunIsRepeatedByItsDeviations) {
   const ExplorePlan plan = StickPlan();
-  WorkerPool pool(plan.prepare_run, plan.run, plan.limits, 1);
+  ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, 1);
   for (uint64_t seed = 2; seed < 6; ++seed) {
     const Json random = pool.RunOne({{"seed", seed}, {"deviations", true}});
     const Json scripted = pool.RunOne({{"seed", seed}, {"script", random["deviations"]}});

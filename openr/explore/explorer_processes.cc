@@ -1,4 +1,4 @@
-#include "openr/explore/worker_pool.h"
+#include "openr/explore/explorer_processes.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ bool AreEqual(const Json& one, const Json& other) {
 class PlanServer {
  public:
   PlanServer(PreparedRun prepared, const RunOptions& options, const ForkLimits& limits,
-             WorkerPool* elsewhere)
+             ExplorerProcesses* elsewhere)
       : server_(std::move(prepared), options, limits), elsewhere_(elsewhere) {}
 
   Json Run(const Json& plan) {
@@ -90,7 +90,7 @@ class PlanServer {
 
  private:
   ForkServer server_;
-  WorkerPool* const elsewhere_;
+  ExplorerProcesses* const elsewhere_;
 };
 
 // Reads lines of plans and writes lines of answers until the other end is closed.
@@ -112,7 +112,7 @@ void Serve(PlanServer* server, int channel) {
 
 }  // namespace
 
-struct WorkerPool::Job {
+struct ExplorerProcesses::Job {
   const PrepareRun& prepare_run;
   const RunOptions& options;
   const ForkLimits& limits;
@@ -125,12 +125,12 @@ struct WorkerPool::Job {
   void Work(int channel) const;
 };
 
-void WorkerPool::Job::Work(int channel) const try {
+void ExplorerProcesses::Job::Work(int channel) const try {
   SilenceOutput();
-  std::unique_ptr<WorkerPool> elsewhere;
+  std::unique_ptr<ExplorerProcesses> elsewhere;
   if (twice) {
-    elsewhere = std::make_unique<WorkerPool>(prepare_run, options, limits, 1, false,
-                                             Memory::kElsewhere, channel);
+    elsewhere = std::make_unique<ExplorerProcesses>(prepare_run, options, limits, 1, false,
+                                                    Memory::kElsewhere, channel);
   }
   if (memory == Memory::kElsewhere) MoveMemory();
   PreparedRun prepared = prepare_run();
@@ -142,26 +142,27 @@ void WorkerPool::Job::Work(int channel) const try {
   Send(channel, JsonText(Json{{"problem", error.what()}}) + "\n");
 }
 
-WorkerPool::WorkerPool(const PrepareRun& prepare_run, const RunOptions& options,
-                       const ForkLimits& limits, int workers, bool twice, Memory memory,
-                       int outer_channel) {
-  for (int i = 0; i < workers; ++i)
+ExplorerProcesses::ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
+                                     const ForkLimits& limits, int count, bool twice, Memory memory,
+                                     int outer_channel) {
+  for (int i = 0; i < count; ++i)
     Start({prepare_run, options, limits, twice, memory, outer_channel});
-  for (Worker& worker : workers_) {
-    const Json hello = Json::parse(WaitForLine(&worker));
-    if (hello != kReady) throw std::runtime_error(hello.value("problem", "a worker is lost"));
+  for (Child& child : children_) {
+    const Json hello = Json::parse(WaitForLine(&child));
+    if (hello != kReady)
+      throw std::runtime_error(hello.value("problem", "a process of the explorer is lost"));
   }
 }
 
-WorkerPool::~WorkerPool() {
-  for (const Worker& worker : workers_) close(worker.channel);
-  for (const Worker& worker : workers_) WaitForEnd(worker.pid);
+ExplorerProcesses::~ExplorerProcesses() {
+  for (const Child& child : children_) close(child.channel);
+  for (const Child& child : children_) WaitForEnd(child.pid);
 }
 
-void WorkerPool::Start(const Job& job) {
+void ExplorerProcesses::Start(const Job& job) {
   int channel[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel) != 0) {
-    throw std::runtime_error("no channel to a worker process");
+    throw std::runtime_error("no channel to a process of the explorer");
   }
   std::fflush(nullptr);
   const pid_t pid = fork();
@@ -170,72 +171,72 @@ void WorkerPool::Start(const Job& job) {
     close(channel[0]);
     // Closes the channels to the other processes, because those would not notice the end of the
     // explorer while this process keeps them open.
-    for (const Worker& other : workers_) close(other.channel);
+    for (const Child& other : children_) close(other.channel);
     if (job.outer_channel >= 0) close(job.outer_channel);
     job.Work(channel[1]);
     std::fflush(nullptr);
     _exit(0);
   }
   close(channel[1]);
-  Worker worker;
-  worker.pid = pid;
-  worker.channel = channel[0];
-  workers_.push_back(std::move(worker));
+  Child child;
+  child.pid = pid;
+  child.channel = channel[0];
+  children_.push_back(std::move(child));
 }
 
-std::optional<std::string> WorkerPool::ReadLine(Worker* worker) {
+std::optional<std::string> ExplorerProcesses::ReadLine(Child* child) {
   char buffer[65536];
-  const ssize_t size = recv(worker->channel, buffer, sizeof buffer, MSG_DONTWAIT);
+  const ssize_t size = recv(child->channel, buffer, sizeof buffer, MSG_DONTWAIT);
   if (size < 0 && (errno == EINTR || errno == EAGAIN)) return {};
-  if (size <= 0) throw std::runtime_error("a worker process has ended before its work");
-  worker->heard.append(buffer, static_cast<size_t>(size));
-  const size_t end = worker->heard.find('\n');
+  if (size <= 0) throw std::runtime_error("a process of the explorer has ended before its work");
+  child->heard.append(buffer, static_cast<size_t>(size));
+  const size_t end = child->heard.find('\n');
   if (end == std::string::npos) return {};
-  std::string line = worker->heard.substr(0, end);
-  worker->heard.erase(0, end + 1);
+  std::string line = child->heard.substr(0, end);
+  child->heard.erase(0, end + 1);
   return line;
 }
 
-std::string WorkerPool::WaitForLine(Worker* worker) {
+std::string ExplorerProcesses::WaitForLine(Child* child) {
   for (;;) {
-    pollfd wanted = {worker->channel, POLLIN, 0};
+    pollfd wanted = {child->channel, POLLIN, 0};
     poll(&wanted, 1, -1);
-    if (auto line = ReadLine(worker)) return *line;
+    if (auto line = ReadLine(child)) return *line;
   }
 }
 
-void WorkerPool::Run(const std::function<std::optional<Json>()>& next,
-                     const std::function<void(size_t, Json)>& take) {
+void ExplorerProcesses::Run(const std::function<std::optional<Json>()>& next,
+                            const std::function<void(size_t, Json)>& take) {
   size_t number = 0;
-  const auto employ = [&](Worker* worker) {
+  const auto give_plan = [&](Child* child) {
     const std::optional<Json> plan = next();
-    worker->is_busy = plan.has_value();
+    child->is_busy = plan.has_value();
     if (!plan) return;
-    worker->number = number++;
-    if (!Send(worker->channel, JsonText(*plan) + "\n")) {
-      throw std::runtime_error("a worker process has ended before its work");
+    child->number = number++;
+    if (!Send(child->channel, JsonText(*plan) + "\n")) {
+      throw std::runtime_error("a process of the explorer has ended before its work");
     }
   };
-  for (Worker& worker : workers_) employ(&worker);
-  while (std::any_of(workers_.begin(), workers_.end(), [](const auto& w) { return w.is_busy; })) {
+  for (Child& child : children_) give_plan(&child);
+  while (std::any_of(children_.begin(), children_.end(), [](const auto& w) { return w.is_busy; })) {
     std::vector<pollfd> wanted;
-    for (const Worker& worker : workers_) {
-      wanted.push_back({worker.is_busy ? worker.channel : -1, POLLIN, 0});
+    for (const Child& child : children_) {
+      wanted.push_back({child.is_busy ? child.channel : -1, POLLIN, 0});
     }
     if (poll(wanted.data(), wanted.size(), -1) < 0) continue;
-    for (size_t i = 0; i < workers_.size(); ++i) {
+    for (size_t i = 0; i < children_.size(); ++i) {
       if (wanted[i].revents == 0) continue;
-      const auto line = ReadLine(&workers_[i]);
+      const auto line = ReadLine(&children_[i]);
       if (!line) continue;
       Json answer = Json::parse(*line);
       if (answer.contains("problem")) throw std::runtime_error(answer["problem"]);
-      take(workers_[i].number, std::move(answer));
-      employ(&workers_[i]);
+      take(children_[i].number, std::move(answer));
+      give_plan(&children_[i]);
     }
   }
 }
 
-Json WorkerPool::RunOne(const Json& plan) {
+Json ExplorerProcesses::RunOne(const Json& plan) {
   Json result;
   bool asked = false;
   Run(

@@ -19,7 +19,7 @@ enum class Memory {
   kElsewhere,  // heap, stacks and images have other addresses than in kAsItComes
 };
 
-class WorkerPool {
+class ExplorerProcesses {
  public:
   // Starts the processes and waits until each has its prepared run.  A plan with "twice" is run a
   // second time in a process with kElsewhere and another length of time slices; `twice` says that
@@ -28,12 +28,12 @@ class WorkerPool {
   // "differs" that it was not.  The child processes close `outer_channel`.  Throws
   // std::runtime_error when a process cannot make its prepared run.  REQUIRES: this process has one
   // thread.
-  WorkerPool(const PrepareRun& prepare_run, const RunOptions& options, const ForkLimits& limits,
-             int workers, bool twice = false, Memory memory = Memory::kAsItComes,
-             int outer_channel = -1);
-  ~WorkerPool();  // ends the processes
-  WorkerPool(const WorkerPool&) = delete;
-  WorkerPool& operator=(const WorkerPool&) = delete;
+  ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
+                    const ForkLimits& limits, int count, bool twice = false,
+                    Memory memory = Memory::kAsItComes, int outer_channel = -1);
+  ~ExplorerProcesses();  // ends the processes
+  ExplorerProcesses(const ExplorerProcesses&) = delete;
+  ExplorerProcesses& operator=(const ExplorerProcesses&) = delete;
 
   // Calls `next` until it returns nothing, gives each plan to an idle process, and calls `take` for
   // each answer as it comes, with the number of its plan, from 0.  Throws std::runtime_error when a
@@ -44,7 +44,7 @@ class WorkerPool {
   nlohmann::ordered_json RunOne(const nlohmann::ordered_json& plan);
 
  private:
-  struct Worker {
+  struct Child {
     pid_t pid = -1;
     int channel = -1;
     bool is_busy = false;
@@ -54,10 +54,10 @@ class WorkerPool {
   struct Job;  // options of a child process
   void Start(const Job& job);
   // Returns the next line of a process if one is there, without waiting.
-  std::optional<std::string> ReadLine(Worker* worker);
-  std::string WaitForLine(Worker* worker);
+  std::optional<std::string> ReadLine(Child* child);
+  std::string WaitForLine(Child* child);
 
-  std::vector<Worker> workers_;
+  std::vector<Child> children_;
 };
 
 }  // namespace openr_host
