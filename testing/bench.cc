@@ -1,4 +1,4 @@
-// What a bench is built of.
+// Bench: its construction, and the parts it is made of.
 #include "testing/bench.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ using openr_host::TraceRecord;
 namespace {
 
 constexpr char kSeedVariable[] = "OPENR_SEED";
-constexpr uint32_t kFirstClientIp = 0x0a000102;  // 10.0.1.2, in the robot's network
+constexpr uint32_t kFirstClientIp = 0x0a000102;  // 10.0.1.2, in the network of the robot
 
 std::unique_ptr<System> MakeSystem(const BenchOptions& options, std::string* console) {
   SystemOptions system_options;
@@ -173,7 +173,7 @@ Object& Bench::AddImage(const std::string& file) {
   stick_->ImportImage(file, name);
   Object* const object = openr_host::LoadImage(system_.get(), 0, name, "AddImage");
   if (object == nullptr) {
-    AllowFinding(findings().size() - 1);  // it is said here
+    AllowFinding(findings().size() - 1);  // the failure above reports it already
     throw std::runtime_error(findings().back().text);
   }
   return *object;
@@ -197,7 +197,8 @@ std::vector<std::string> Bench::KnownServices() {
   for (const auto& object : system_->objects()) {
     for (const auto& [selector, entry] : object->entry_names)
       services.push_back(entry.substr(0, entry.rfind(" (")));
-    if (!object->is_image) continue;  // it tells when it is booted; until then its file does
+    // An image says its services when booted, and its file has them before.
+    if (!object->is_image) continue;
     const std::string file = stick_->Locate(object->path).path;
     for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))
       services.push_back(std::move(text));
@@ -225,7 +226,7 @@ std::string Bench::FullName(const std::string& name, char direction) {
   }
   if (!others.empty()) return others[0];
   const auto dots = std::count(name.begin(), name.end(), '.');
-  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // which throws
+  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // throws the error
   throw std::invalid_argument(fmt::format(
       "there is no {} '{}' on this bench yet{}; add its object first, or write the "
       "whole name",

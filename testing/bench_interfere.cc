@@ -1,4 +1,4 @@
-// What a test does to the messages of a bench, and what it expects of them.
+// Bench: changes to messages, and expectations about them.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
@@ -48,8 +48,8 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 
 // ---- Injecting
 
-// Whether the subject with that Ready entry is connected with the observer with that Notify entry;
-// a failure otherwise.
+// Returns whether the subject with that Ready entry is connected with the observer with that Notify
+// entry; reports a failure if not.
 bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
                          const Place& place) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);
@@ -129,7 +129,7 @@ bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
 }
 
 bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place) {
-  constexpr uint32_t kSelectors = 64;  // entries an object may have
+  constexpr uint32_t kSelectors = 64;  // limit of entries of an object
   const Object& target = object(spec.to());
   uint32_t selector = 0;
   while (selector < kSelectors && target.EntryName(selector) != spec.entry()) ++selector;
@@ -159,7 +159,7 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
   const bool is_good = CheckNames(spec, place);
   HeldMessages& held = doors_.Hold(spec, place);
-  return is_good ? held : held.Optional();  // one failure is enough
+  return is_good ? held : held.Optional();  // avoids a second failure for the same cause
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {

@@ -1,4 +1,4 @@
-// What a test sees of a bench.
+// Bench: functions that look at the state of the robot and the objects.
 #include <errno.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kStandingFrames = 75;
 
-// Index of the device with that name or locator.
+// Returns the index of the device with that name or locator.
 template <typename Device>
 size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const char* kind) {
   std::vector<std::string> known;
@@ -34,7 +34,7 @@ size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const 
 
 }  // namespace
 
-// The command that runs this test again, with this seed.
+// Returns the command that runs this test again with this seed.
 std::string Bench::CommandOf(uint64_t seed) {
   const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
   std::string command = fmt::format("OPENR_SEED={} {}", seed, program_invocation_name);

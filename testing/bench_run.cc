@@ -1,4 +1,4 @@
-// The verbs of a bench.
+// Bench: functions that run it.
 #include <fmt/format.h>
 
 #include "testing/bench.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr int64_t kBootUsMax = 60'000'000;
 constexpr int64_t kStepToMessageUsMax = 3'600'000'000;
 constexpr int64_t kFrameUsMax =
-    10 * openr_host::kFrameUs;  // longer than any body waits with its next frame
+    10 * openr_host::kFrameUs;  // longer than the time to the next frame of any body
 
 std::string Seconds(Duration duration) {
   return fmt::format("{} s", static_cast<double>(duration.count()) * 1e-6);
@@ -171,7 +171,7 @@ bool Bench::SensorVector(int count, Place place) {
   const int64_t wanted = (dog().frame() / kFrames + count) * kFrames;
   const bool good = Control(place, [&] {
     system_->RunUntil([&] { return dog_->frame() >= wanted; }, count * kFrames * kFrameUsMax);
-    system_->RunUntil(system_->now_us());  // what else is due
+    system_->RunUntil(system_->now_us());  // delivers everything else that is due now
   });
   if (dog_->frame() >= wanted) return good;
   return Miss(place, "SensorVector: the body stands still; is the robot booted?");

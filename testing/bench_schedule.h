@@ -1,4 +1,4 @@
-// The order of a bench: the seed's, until a test asks for another.
+// The order of messages on a bench: that of the seed, until a test asks for another one.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 
 namespace openr::testing {
 
-// The n-th message of a kind that finds its receiver's queue full.
+// The n-th message of a kind is refused, as if the receiver's queue was full.
 class RefusedMessage {
  public:
   RefusedMessage(MessageSpec spec, uint64_t nth, const Place& place)
       : spec_(std::move(spec)), nth_(nth), place_(place) {}
 
-  // That it never comes is no failure of the test.
+  // It is no failure of the test if that message never comes.
   RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
   uint64_t matches() const { return matches_; }  // messages of that kind so far, up to the n-th
-  // The message, for people; "" before it happened.
+  // Returns the message as text for people; "" before it came.
   const std::string& text() const { return text_; }
 
  private:
@@ -42,17 +42,17 @@ class BenchSchedule : public openr_host::Schedule {
  public:
   BenchSchedule(openr_host::System* system, uint64_t seed);
 
-  // Of objects that may be next, these come first, in this order.
+  // If several objects may be next, the first of these comes first.
   void Prefer(std::vector<std::string> objects) { preferred_ = std::move(objects); }
 
-  // Messages take `extra_us` longer from now on; 0: as before.
+  // From now on, messages that fit take `extra_us` longer; 0: as before.
   void Delay(MessageSpec spec, int64_t extra_us);
 
   RefusedMessage& Refuse(MessageSpec spec, uint64_t nth, const Place& place) {
     return refused_.emplace_back(std::move(spec), nth, place);
   }
 
-  // Reports what was to be refused and never came, once.
+  // Reports, once, the messages to be refused that never came.
   void Verify(const ReportAt& report);
 
   size_t Choose(Question question, const std::vector<openr_host::ObjectId>& candidates) override;
@@ -66,7 +66,8 @@ class BenchSchedule : public openr_host::Schedule {
   const bool is_canonical_;
   std::vector<std::string> preferred_;
   std::vector<std::pair<MessageSpec, int64_t>> delays_;
-  // When the last delayed message from a sender to a receiver is due: none overtakes it.
+  // By sender and receiver: time at which the last delayed message is due.  No later message
+  // overtakes it.
   std::map<std::pair<openr_host::ObjectId, openr_host::ObjectId>, int64_t> last_due_us_;
   std::deque<RefusedMessage> refused_;
 };

@@ -1,5 +1,5 @@
-// The Memory Stick of a bench: a temporary folder that goes with it, so that a test can
-// neither spoil a stick nor disturb another test.
+// The Memory Stick of a bench.  It is a temporary folder that is removed with the bench, so a test
+// can neither spoil a stick nor disturb another test.
 #pragma once
 
 #include <memory>
@@ -15,27 +15,27 @@ namespace openr::testing {
 
 class BenchStick : public openr_host::MemoryStick {
  public:
-  // A copy of the folder `model`, which holds OPEN-R/, or an empty stick when it is "".
-  // Throws std::runtime_error when there is no such folder or no room.
+  // Copies the folder `model`, which holds OPEN-R/; "": makes an empty stick.  Throws
+  // std::runtime_error when there is no such folder or no room.
   explicit BenchStick(const std::string& model);
 
-  // ---- for tests; names as objects use them: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
+  // ---- For tests; names are those that objects use: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
 
-  // Makes or replaces a file and the folders above it.  Throws std::runtime_error when the
-  // name is not one of the stick.
+  // Creates or replaces a file, and creates the folders above it.  Throws std::runtime_error when
+  // the name is not below /MS.
   void Write(const std::string& name, std::string_view bytes);
-  // The whole file; nullopt when there is none.
+  // Returns the content of the file; nullopt when there is none.
   std::optional<std::string> Read(const std::string& name) { return ReadFile(name); }
   bool Has(const std::string& name) { return Locate(name).exists; }
-  // Full names of all files below `folder`, sorted.
+  // Returns the full names of all files below `folder`, sorted.
   std::vector<std::string> List(const std::string& folder = "/MS");
   void Remove(const std::string& name);
 
-  // A copy of an image of the host, with its debug information if that lies beside it.  Throws
-  // std::runtime_error when there is no such file.
+  // Copies an image for the host, with the debug information beside it if there is any.  Throws
+  // std::runtime_error when the file cannot be read.
   void ImportImage(const std::string& host_file, const std::string& name);
 
-  // Goes on with a copy of its own, in a copy of the process (fork).
+  // Makes a copy of the files and uses that.  Called in a copy of the process (fork).
   void MoveToCopy();
 
   // ---- MemoryStick

@@ -1,5 +1,5 @@
-// pthread_create() and socket() of the whole program are defined here: a definition in a
-// program comes before those of its libraries.
+// Defines pthread_create() and socket() for the whole program.  The linker prefers definitions in a
+// program to those of its libraries.
 #include "testing/control.h"
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ bool ControlledScope::Refuse(const char* what) {
 }
 
 int ThreadCount() {
-  if (!g_thread_was_made) return 1;  // the usual case costs nothing
+  if (!g_thread_was_made) return 1;  // saves time in the usual case
   int count = 0;
   std::error_code error;
   for ([[maybe_unused]] const auto& task :

@@ -1,5 +1,5 @@
-// What a bench cannot control it refuses: threads and real sockets, whose timing no two
-// runs share.
+// Refuses what a bench cannot control: threads and real sockets.  Their timing differs from run to
+// run.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace openr::testing {
 
-// While one lives on this thread: whoever makes a thread or a socket, in this thread, is
-// refused it and written down.
+// While a ControlledScope exists on this thread, code on this thread cannot make threads or
+// sockets.  Each attempt is noted.
 class ControlledScope {
  public:
   ControlledScope();
@@ -16,10 +16,11 @@ class ControlledScope {
   ControlledScope(const ControlledScope&) = delete;
   ControlledScope& operator=(const ControlledScope&) = delete;
 
-  // "Blinker, in Alarm (message #45), asked for a thread", in order.
+  // Returns the attempts in order: "Blinker, in Alarm (message #45), asked for a thread".
   const std::vector<std::string>& refused() const { return refused_; }
 
-  // For the functions that refuse.  `what`: "a thread".  False when nothing is controlled.
+  // Called by the functions that refuse.  `what` is "a thread" or the like.  Returns false when no
+  // scope exists.
   static bool Refuse(const char* what);
 
  private:
@@ -27,10 +28,10 @@ class ControlledScope {
   std::vector<std::string> refused_;
 };
 
-// Threads of this process.
+// Returns the number of threads of this process.
 int ThreadCount();
 
-// For pthread_create().
+// Called by pthread_create().
 void NoteThread();
 
 }  // namespace openr::testing

@@ -18,7 +18,7 @@ using openr_host::System;
 
 namespace {
 
-// The regions a lost message carries go back to their subject.
+// Returns the regions that a dropped message carries to their subject.
 void ReturnRegions(System* system, const Message& message) {
   if (message.kind == PayloadKind::kNotify) {
     const CurrentScope scope(system, system->object(message.sender));
@@ -41,7 +41,7 @@ bool HeldMessages::Take(Message* message) {
   return true;
 }
 
-// Readmitted messages go to the head of the queue, so the last one goes in first.
+// Messages are put back at the head of the queue, so the last one is put back first.
 void HeldMessages::Release() {
   is_open_ = true;
   for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(messages_.back());

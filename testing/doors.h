@@ -1,4 +1,4 @@
-// What a test does to messages on their way: hold them, lose them.
+// Changes that a test makes to messages on their way: hold them back, drop them.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class System;
 
 namespace openr::testing {
 
-// Messages that wait at a door until the test lets them go on.  They go first at the
+// Messages that are held back until the test releases them.  Released messages are the first at the
 // instant at which the system runs next.
 class HeldMessages {
  public:
@@ -26,23 +26,23 @@ class HeldMessages {
 
   size_t count() const { return messages_.size(); }
 
-  // That nobody ever comes to the door is no failure of the test.
+  // It is no failure of the test if no message comes to be held.
   HeldMessages& Optional() { return is_optional_ = true, *this; }
 
-  // Opens the door for good and lets all go, the oldest first.
+  // Ends holding, and releases all messages, the oldest first.
   void Release();
-  // The oldest one, if any; the door stays closed for the others.
+  // Releases the oldest message, if there is one; goes on holding.
   void ReleaseOne();
-  // Opens the door for good; `order` are indices into what is held, each once.
-  // REQUIRES: order.size() == count().
+  // Ends holding, and releases the messages in this order; `order` has each index of a held message
+  // once.  REQUIRES: order.size() == count().
   void ReleaseInOrder(const std::vector<size_t>& order);
 
-  // "2 held: notify Blinker.Blink -> Eye.Light", for people.
+  // Returns a text for people: "2 held: notify Blinker.Blink -> Eye.Light".
   std::string Text() const;
 
  private:
   friend class Doors;
-  // True: it is kept here.
+  // Returns true if it keeps the message.
   bool Take(openr_host::Message* message);
 
   openr_host::System* const system_;
@@ -52,10 +52,10 @@ class HeldMessages {
   bool has_held_ = false;
   bool is_open_ = false;
   std::deque<openr_host::Message*> messages_;
-  std::set<uint64_t> passing_;  // numbers of those that were released one by one
+  std::set<uint64_t> passing_;  // numbers of the messages that were released one by one
 };
 
-// Messages that get lost on their way: their receiver never hears of them.
+// Messages that are dropped: their receiver does not get them.
 class DroppedMessages {
  public:
   DroppedMessages(MessageSpec spec, int count, const Place& place)
@@ -63,7 +63,7 @@ class DroppedMessages {
 
   int count() const { return static_cast<int>(texts_.size()); }
 
-  // That fewer than asked for come along is no failure of the test.
+  // It is no failure of the test if fewer messages come than were to be dropped.
   DroppedMessages& Optional() { return is_optional_ = true, *this; }
   const std::vector<std::string>& texts() const { return texts_; }
 
@@ -87,12 +87,12 @@ class Doors : public openr_host::Gate {
     return dropped_.emplace_back(std::move(spec), count, place);
   }
 
-  // Reports what was to be held or lost and never came, once.
+  // Reports, once, messages to be held or dropped that never came.
   void Verify(const ReportAt& report);
 
   bool Admit(openr_host::Message* message) override;
 
-  // A line for every closed door with somebody behind it.
+  // Returns a line for every door that is closed and holds messages.
   std::string Text() const;
 
  private:

@@ -1,8 +1,8 @@
-// What shall happen, may happen, must not happen.
+// Messages that a test expects, allows or disallows.
 //
-// Expected messages happen in the order in which they were asked for; what comes between
-// them does not matter, unless the bench is strict: then every notification that is
-// neither expected next nor allowed is a failure.
+// Expected messages must come in the order of the calls.  Other messages may come between them,
+// unless the bench is strict: then every notification that is neither expected next nor allowed is
+// a failure.
 #pragma once
 
 #include <deque>
@@ -22,26 +22,27 @@ class Expectations {
 
   void Expect(MessageSpec spec, const Place& place);
   void Allow(MessageSpec spec) { allowed_.push_back(std::move(spec)); }
-  // Reported once per call of this.
+  // Reports messages that fit, once per call of this function.
   void Disallow(MessageSpec spec, const Place& place);
-  // Failures of strictness point to `place`.
+  // Sets strictness.  Failures because of it point to `place`.
   void set_strict(bool strict, const Place& place);
 
-  // For every message, just before its handler runs.
+  // Called for every message, just before its handler runs.
   void See(const SeenMessage& message, const Report& report);
 
-  // Whether everything expected has happened.
+  // Returns whether all expected messages have come.
   bool met() const { return expected_.empty(); }
 
-  // Reports what was expected and has not happened, and forgets it.
+  // Reports the expected messages that have not come, and forgets them.
   void Verify(const Report& report);
 
  private:
   struct Expected {
     MessageSpec spec;
     Place place;
-    std::string early;  // the last message that matched before its turn
-    std::string other;  // the last one between the same ends with another payload, and why
+    std::string early;  // last message that fitted, but came too early
+    // Last message between the same ends with another payload, and why it did not fit.
+    std::string other;
   };
   struct Disallowed {
     MessageSpec spec;
@@ -49,7 +50,7 @@ class Expectations {
     bool reported = false;
   };
 
-  // Notes in what has not had its turn why `message` is not it.
+  // Notes for expectations that have not been met why `message` does not fit.
   void Compare(const SeenMessage& message);
   void SeeUnexpected(const SeenMessage& message, const Report& report);
 

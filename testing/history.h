@@ -1,4 +1,4 @@
-// The messages delivered last, for failures.
+// The last delivered messages, for the text of failures.
 #pragma once
 
 #include <deque>
@@ -17,14 +17,14 @@ class History {
     messages_.push_back(message.Past());
   }
 
-  // One line each, the oldest first.
+  // Returns one line per message, the oldest first.
   std::string Text() const {
     std::string text;
     for (const SeenMessage& message : messages_) text += "  " + message.Text() + "\n";
     return text;
   }
 
-  // 0: none.
+  // Returns the number of the last message; 0: there was none.
   uint64_t last_number() const { return messages_.empty() ? 0 : messages_.back().number(); }
 
  private:

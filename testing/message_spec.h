@@ -1,4 +1,4 @@
-// Which messages: the one way to name messages in every verb of a bench.
+// A description of messages.  All functions of a bench that concern messages take one.
 //
 //   Notify("Blinker.Blink", "Eye.Light")                     data over that connection
 //   Notify("Blinker.Blink").With(Data<int>(Gt(3)))           with a payload, to anybody
@@ -30,13 +30,13 @@ class MessageSpec {
  public:
   explicit MessageSpec(std::optional<MessageKind> kind = {}) : kind_(kind) {}
 
-  // Copies that ask for more.
+  // These return copies with a further condition.
   MessageSpec From(std::string end) const;
   MessageSpec To(std::string end) const;
   MessageSpec ToEntry(std::string name) const;
   MessageSpec With(PayloadMatcher payload) const;
 
-  // With and without a look at the payload.
+  // Match with and without the condition on the payload.
   bool Matches(const SeenMessage& message) const;
   bool MatchesEnds(const SeenMessage& message) const;
 
@@ -46,7 +46,7 @@ class MessageSpec {
   const std::string& entry() const { return entry_; }
   const std::optional<PayloadMatcher>& payload() const { return payload_; }
 
-  // "notify Blinker.Blink -> Eye.Light with a datum that is equal to 3"
+  // Returns "notify Blinker.Blink -> Eye.Light with a datum that is equal to 3".
   std::string Text() const;
 
  private:
@@ -62,13 +62,14 @@ MessageSpec Ready(std::string observer = "", std::string subject = "");
 MessageSpec NotReady(std::string observer = "", std::string subject = "");
 MessageSpec ToEntry(std::string object, std::string name);
 
-// Whether `name` is `service` itself or its first parts: "Blinker.Blink" names
+// Returns whether `name` is the name `service` or its first parts: "Blinker.Blink" for
 // "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
 // ---- Payloads
 
-// All data of a message, as values of type T.  False, and why, when one has not its size.
+// Reads all data of a message as values of type T.  Returns false, and the reason, when the size of
+// one does not fit.
 template <typename T>
 bool ReadData(const SeenMessage& message, std::vector<T>* values, std::ostream* why) {
   static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -151,21 +152,21 @@ class DataMatcher : public ::testing::MatcherInterface<const SeenMessage&> {
   const ::testing::Matcher<const std::vector<T>&> inner_;
 };
 
-// One datum of type T that `matcher` (or a value) matches.
+// Matches a message with one datum of type T that `matcher` (or a value) matches.
 template <typename T, typename M>
 PayloadMatcher Data(M matcher) {
   return ::testing::MakeMatcher(
       new DatumMatcher<T>(::testing::SafeMatcherCast<const T&>(std::move(matcher))));
 }
 
-// Any number of data, as a vector of T.
+// Matches a message with any number of data, as a vector of T.
 template <typename T, typename M>
 PayloadMatcher DataAre(M matcher) {
   return ::testing::MakeMatcher(
       new DataMatcher<T>(::testing::SafeMatcherCast<const std::vector<T>&>(std::move(matcher))));
 }
 
-// One datum as a text up to its first NUL.
+// Matches a message with one datum, as a text up to its first NUL.
 PayloadMatcher Text(::testing::Matcher<const std::string&> matcher);
 
 }  // namespace openr::testing

@@ -1,4 +1,4 @@
-// Where in a test something was asked for, so that a failure points there.
+// A line of a test that asked for something, so that a failure can point there.
 #pragma once
 
 #include <functional>
@@ -10,21 +10,21 @@ struct Place {
   const char* file = "";
   int line = 0;
 
-  // As a default argument: the line of the call.
+  // Returns the line of the call when used as a default argument.
   static constexpr Place Here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
     return {file, line};
   }
 };
 
-// Gets failures: where the test asked for what did not hold, and what that is.
+// A function that takes a failure: the line of the test, and what did not hold.
 using ReportAt = std::function<void(const Place&, const std::string&)>;
 
 // Adds a failure of the running test that points to `place`.  The test goes on.
 void Fail(const Place& place, const std::string& text);
 
-// Whether the running test, or the copy of the process in which a part of it runs, has failed
-// fatally.
+// Returns whether the running test has failed fatally.  In a copy of the process, this is about the
+// part of the test that runs there.
 bool FailedFatally();
-void NoteFatalFailure();  // of the copy
+void NoteFatalFailure();  // called in the copy
 
 }  // namespace openr::testing

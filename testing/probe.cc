@@ -18,7 +18,7 @@ using openr_host::System;
 
 namespace {
 
-// "Blinker.Blink", whose Ready or Notify entry `entry` is.
+// Returns "Blinker.Blink" for the service whose Ready or Notify entry is `entry`.
 std::string NameOf(const System& system, const OServiceEntry& entry) {
   const Object* const object = system.object(openr_host::ObjectIdOf(entry.GetOID()));
   if (object == nullptr) return "(unknown)";
@@ -26,7 +26,7 @@ std::string NameOf(const System& system, const OServiceEntry& entry) {
   return ShortName({object->name, std::string_view(name).substr(0, name.find(" ("))});
 }
 
-// The end whose full name, or part of it, is `name`.
+// Returns the end whose full name, or part of it, is `name`.
 template <typename End>
 End& FindEnd(std::deque<End>& ends, const Object& object, std::string_view name, const char* kind) {
   std::vector<std::string> known;

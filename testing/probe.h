@@ -1,7 +1,7 @@
-// Objects a test speaks and listens through.
+// Probe: an object through which a test sends and receives.
 //
-// A Probe has the services it is given.  Its observers write down what they get; its
-// subjects send what the test says, and write down who is ready.
+// A Probe has the services that the test gives it.  Its observers store what they get.  Its
+// subjects send what the test says, and store who is ready.
 //
 //   Probe& eye = bench.AddProbe("Eye", {"Eye.Light.int.O", "Eye.Speed.int.S"});
 //   eye.subject("Speed").Send(5);
@@ -22,15 +22,15 @@
 
 namespace openr::testing {
 
-// One event of an observer.
+// One event that an observer got.
 struct ReceivedEvent {
   int64_t time_us = 0;
-  uint64_t number = 0;  // of the message
+  uint64_t number = 0;  // number of the message
   std::string from;     // "Blinker.Blink"
   int notify_count = 1;
-  std::vector<std::string> data;  // bytes
+  std::vector<std::string> data;  // bytes of each datum
 
-  // Datum `i` as a T; a failure and zeros when it has not its size.
+  // Returns datum `i` as a T; reports a failure and returns zeros if its size does not fit.
   template <typename T>
   T as(size_t i = 0, Place place = Place::Here()) const {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -38,7 +38,7 @@ struct ReceivedEvent {
     if (CheckSize(i, sizeof value, place)) std::memcpy(&value, data[i].data(), sizeof value);
     return value;
   }
-  // Datum `i` up to its first NUL.
+  // Returns datum `i` as a text up to its first NUL.
   std::string text(size_t i = 0, Place place = Place::Here()) const;
 
  private:
@@ -47,11 +47,11 @@ struct ReceivedEvent {
 
 class ProbeObserver {
  public:
-  // All events so far.
+  // Returns all events so far.
   const std::vector<ReceivedEvent>& events() const { return events_; }
   size_t count() const { return events_.size(); }
 
-  // All data of all events, each as a T.
+  // Returns all data of all events, each as a T.
   template <typename T>
   std::vector<T> values(Place place = Place::Here()) const {
     std::vector<T> all;
@@ -60,7 +60,8 @@ class ProbeObserver {
     }
     return all;
   }
-  // The last datum of the last event.  A failure and zeros when there is none.
+  // Returns the last datum of the last event; reports a failure and returns zeros when there is
+  // none.
   template <typename T>
   T last(Place place = Place::Here()) const {
     if (CheckAny(place)) return events_.back().as<T>(events_.back().data.size() - 1, place);
@@ -68,13 +69,13 @@ class ProbeObserver {
   }
   void Clear() { events_.clear(); }
 
-  // Says ready when the probe starts and after every event (the default), or only when the
-  // test says so.
+  // Sets whether the observer says ready when the probe starts and after every event (the default),
+  // or only when the test says so.
   void set_auto_ready(bool on) { auto_ready_ = on; }
   OStatus AssertReady();
   OStatus DeassertReady();
 
-  // Called in the handler of every event, after it was written down.
+  // Sets a function that is called in the handler of every event, after the event was stored.
   void set_on_event(std::function<void(const ONotifyEvent&)> call) { on_event_ = std::move(call); }
 
   const std::string& service() const { return service_; }
@@ -96,19 +97,19 @@ class ProbeObserver {
 struct ReceivedReady {
   int64_t time_us = 0;
   std::string from;       // "Eye.Light"
-  bool asserted = false;  // AssertReady() or DeassertReady()
+  bool asserted = false;  // true: AssertReady(); false: DeassertReady()
 };
 
 class ProbeSubject {
  public:
-  // Sets the value and notifies.  What nobody is ready for waits, as on the robot.  A failure
-  // when no observer is connected.
+  // Sets the value and notifies.  Data for observers that are not ready wait, as on the robot.
+  // Reports a failure when no observer is connected.
   template <typename T>
   OStatus Send(const T& value, Place place = Place::Here()) {
     Set(value, place);
     return Notify();
   }
-  // The same in two steps: several data for one event.
+  // The same in two steps, for several data in one event.
   template <typename T>
   OStatus Set(const T& value, Place place = Place::Here()) {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -116,10 +117,10 @@ class ProbeSubject {
   }
   OStatus SetBytes(const void* bytes, size_t size, Place place = Place::Here());
   OStatus Notify();
-  // A text with its NUL.
+  // Sends a text with its NUL.
   OStatus SendText(const std::string& text, Place place = Place::Here());
 
-  // Whether every observer, or at least one, is ready.
+  // Returns whether every observer, or at least one, is ready.
   bool all_ready() const { return end_->IsAllReady() != 0; }
   bool any_ready() const { return end_->IsAnyReady() != 0; }
   const std::vector<ReceivedReady>& readies() const { return readies_; }
@@ -141,20 +142,20 @@ class ProbeSubject {
 
 class Probe : public openr_host::CodeObject {
  public:
-  // Full names of services.  REQUIRES: CheckServices() accepts them.
+  // `services` are full names.  REQUIRES: CheckServices() accepts them.
   explicit Probe(const std::vector<std::string>& services);
 
-  // Throws std::invalid_argument for what is no service.
+  // Throws std::invalid_argument for a name that no service can have.
   static void CheckServices(const std::vector<std::string>& services);
 
-  // By full name, "Eye.Light" or "Light".  Throws std::invalid_argument that lists the ones
-  // there are.
+  // Returns the end with the full name, "Eye.Light" or "Light".  Throws std::invalid_argument that
+  // lists the existing ones.
   ProbeSubject& subject(std::string_view service);
   ProbeObserver& observer(std::string_view service);
 
-  // "DoInit", "DoStart", ... as they came.
+  // Returns "DoInit", "DoStart", ... in the order of the calls.
   const std::vector<std::string>& calls() const { return calls_; }
-  // Runs in DoStart, before the observers say that they are ready.
+  // Sets a function that runs in DoStart, before the observers say that they are ready.
   void set_on_start(std::function<void()> call) { on_start_ = std::move(call); }
 
   OStatus DoInit(const OSystemEvent& event) override;

@@ -39,7 +39,7 @@ uint32_t SizeOf(const Message& message) {
   return static_cast<uint32_t>(size);
 }
 
-// The service whose Ready or Notify entry `selector` of an object is.
+// Returns the name of the service whose Ready or Notify entry is `selector`.
 std::string_view ServiceOf(const Object& object, uint32_t selector) {
   const auto found = object.entry_names.find(selector);
   if (found == object.entry_names.end()) return "";

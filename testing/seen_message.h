@@ -1,4 +1,4 @@
-// A message as a test sees it: on its way, refused, or being delivered.
+// A message as a test sees it.  The message may be on its way, refused, or being delivered.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,31 @@ namespace openr::testing {
 
 enum class MessageKind : uint8_t {
   kNotify,    // data of a subject for an observer
-  kReady,     // of an observer for a subject: AssertReady()
+  kReady,     // AssertReady() of an observer, for a subject
   kNotReady,  // DeassertReady()
-  kReply,     // answers a Call() or Send() with an answer
-  kOther,     // DoInit and its kin, extra entries, messages of the system
+  kReply,     // answer to a Call(), or to a Send() that wants one
+  kOther,     // DoInit and the like, extra entries, messages of the system
 };
 
-// "notify", "ready" and so on; null for kOther, which goes by its entry.
+// Returns "notify", "ready" and so on; null for kOther, which is named by its entry.
 const char* WordFor(MessageKind kind);
 
 class SeenMessage {
  public:
-  // `system` must outlive this; `message` may go, see Past().
+  // `system` must outlive this object.  `message` must live as long as the data are read; see
+  // Past().
   SeenMessage(const openr_host::System& system, const openr_host::Message& message);
 
-  // What is left of it when it is over: everything but its data.
+  // Returns a copy without data, which can be used after the message is gone.
   SeenMessage Past() const;
 
-  uint64_t number() const { return number_; }  // 0: not numbered yet, or refused
-  uint64_t cause() const { return cause_; }    // number of the message whose handler sent it
+  uint64_t number() const { return number_; }  // 0: has no number yet, or was refused
+  uint64_t cause() const { return cause_; }    // number of the message whose handler sent this one
   int64_t time_us() const { return time_us_; }
   MessageKind kind() const { return kind_; }
   uint32_t size() const { return size_; }  // bytes of content
 
-  // One end: an object and, for what goes over a connection, its service by full name
+  // One end: an object and, for messages over a connection, the full name of its service
   // ("Blinker.Blink.int.S").  Empty texts: not known.
   struct End {
     std::string_view object;
@@ -46,17 +47,17 @@ class SeenMessage {
   };
   End from() const;
   End to() const;
-  // "DoStart", "notify", "Alarm".
+  // Returns the entry: "DoStart", "notify", "Alarm".
   std::string entry() const;
 
-  // What a notification carries, datum by datum; other messages that are plain bytes
-  // have one.  0 when it is over.
+  // Returns the number of data of a notification; 1 for other messages of plain bytes; 0 for
+  // Past().
   int data_count() const;
   // REQUIRES: 0 <= i < data_count().
   std::string_view data(int i) const;
 
-  // "#4711 t=1.248000 JointMover.Move -> OVirtualRobotComm.Effector notify, 5120 bytes,
-  // caused by #4702"
+  // Returns "#4711 t=1.248000 JointMover.Move -> OVirtualRobotComm.Effector notify, 5120 bytes,
+  // caused by #4702".
   std::string Text() const;
 
  private:
@@ -67,13 +68,13 @@ class SeenMessage {
   uint64_t cause_ = 0;
   int64_t time_us_ = 0;
   openr_host::ObjectId sender_ = openr_host::kNoObject;
-  uint32_t sender_entry_ = 0;  // of the end of a connection it comes from
+  uint32_t sender_entry_ = 0;  // entry of the sender's end of a connection
   openr_host::ObjectId target_ = openr_host::kNoObject;
   uint32_t selector_ = 0;
   uint32_t size_ = 0;
 };
 
-// "Blinker.Blink" for a service, the object's name where there is none.
+// Returns "Blinker.Blink" for a service; the object's name where there is none.
 std::string ShortName(const SeenMessage::End& end);
 
 }  // namespace openr::testing

@@ -23,7 +23,7 @@ namespace {
 using openr_host::WriteAll;
 using ::testing::TestPartResult;
 
-// One result on its way from a copy to its original.
+// The header of a test result that a copy sends to its original.
 struct ResultHeader {
   TestPartResult::Type type;
   int line;
@@ -31,8 +31,8 @@ struct ResultHeader {
   size_t message_size;
 };
 
-// Takes every result of a copy, also in the middle of an EXPECT_NONFATAL_FAILURE(), and sends
-// it at once, so that nothing is lost when the copy dies.
+// Takes every result of a copy, also inside of EXPECT_NONFATAL_FAILURE(), and sends it at once, so
+// that no result is lost when the copy crashes.
 class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
  public:
   explicit ResultSender(int pipe)
@@ -41,7 +41,7 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
   void ReportTestPartResult(const TestPartResult& result) override {
     if (result.fatally_failed()) NoteFatalFailure();
     const std::string file = result.file_name() == nullptr ? "" : result.file_name();
-    // The story of this copy; the original's would be another one.
+    // The story is added here, because the original would add the story of its own bench.
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
@@ -56,7 +56,7 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
 };
 
 void LiveAsCopy(const std::function<void()>& body, int pipe) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // not longer than its original
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the copy ends with its original
   const ResultSender sender(pipe);
   try {
     body();
@@ -67,7 +67,7 @@ void LiveAsCopy(const std::function<void()>& body, int pipe) {
   }
 }
 
-// The results of a copy become results here.
+// Adds the results of a copy to the running test.
 void AddResults(const std::string& bytes) {
   for (size_t at = 0; at + sizeof(ResultHeader) <= bytes.size();) {
     ResultHeader header;

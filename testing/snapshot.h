@@ -1,5 +1,5 @@
-// A state that takes long to reach, reached once: every test gets a copy of the process in
-// which it holds.
+// A state that takes long to reach is reached once.  Every test gets a copy of the process in this
+// state.
 //
 //   Snapshot<Bench>& Standing() {
 //     static Snapshot<Bench> standing([] {
@@ -14,9 +14,9 @@
 //     Standing().Run([](Bench& bench) { ... });
 //   }
 //
-// A copy (fork) takes a fraction of a millisecond and shares nothing with the others, so
-// tests may do to it what they like, crash included.  Failures and skips in a copy are those
-// of the test that asked for it, at the same lines.
+// A copy (fork) takes a fraction of a millisecond and shares nothing with other copies, so a test
+// may change the state or crash.  Failures and skips in a copy belong to the test that asked for
+// it, at the same lines.
 #pragma once
 
 #include <functional>
@@ -27,16 +27,17 @@
 
 namespace openr::testing {
 
-// Runs `body` in a copy of this process.  What fails there fails here; so does a copy that
-// dies.  REQUIRES: no other thread (reported otherwise).
+// Runs `body` in a copy of this process.  A failure in the copy, and a crash of it, is a failure of
+// the running test.  REQUIRES: the process has one thread (reports a failure otherwise).
 void RunInCopy(const std::function<void()>& body, const Place& place);
 
-// World: anything; what it calls OnCopied() is called in every copy, for what must not be
-// shared (Bench: the stick).
+// World may be any type.  If it has OnCopied(), that is called in every copy, to separate what must
+// not be shared (for Bench: the stick).
 template <typename World>
 class Snapshot {
  public:
-  // `make` reaches the state, once, when the first test asks for it.  Null: it could not.
+  // `make` reaches the state.  It is called once, when the first test asks for it.  Null: it
+  // failed.
   explicit Snapshot(std::function<std::unique_ptr<World>()> make) : make_(std::move(make)) {}
 
   void Run(const std::function<void(World&)>& test, Place place = Place::Here()) {

@@ -12,14 +12,15 @@
 namespace openr::testing {
 namespace {
 
-// How stories begin to end; see Bench::Story().
+// The beginning of the last part of a story; see Bench::Story().
 constexpr char kMark[] = "To see it again: ";
 
 StoryTeller* g_newest = nullptr;
-// Asking for it while a failure is reported would wait for ever: GoogleTest holds its lock.
+// The running test.  It is kept here, because GoogleTest holds a lock while it reports a failure,
+// so that asking for the test would block.
 const ::testing::TestInfo* g_test = nullptr;
 
-// After the first failure of each test.
+// Prints the story after the first failure of each test.
 class Listener : public ::testing::EmptyTestEventListener {
  public:
   void OnTestStart(const ::testing::TestInfo& test) override {
@@ -52,7 +53,7 @@ void Listen() {
 
 }  // namespace
 
-// Against crashes and endless handlers, in this process.
+// Handles crashes and handlers that do not return, in this process.
 struct StoryTeller::Guards {
   explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
 
@@ -63,7 +64,7 @@ struct StoryTeller::Guards {
     std::fflush(nullptr);
   }};
 
-  static inline std::unique_ptr<Guards> now;  // those of the newest bench
+  static inline std::unique_ptr<Guards> now;  // of the newest bench
 };
 
 StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_limit_us)
@@ -74,7 +75,8 @@ StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_lim
   OnCopied();
 }
 
-// Benches of one test go in any order, so this need not be the newest.
+// Takes this one out of the list of benches.  It may not be the newest, because a test may destroy
+// its benches in any order.
 StoryTeller::~StoryTeller() {
   StoryTeller** link = &g_newest;
   while (*link != this) link = &(*link)->outer_;

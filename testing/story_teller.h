@@ -1,5 +1,5 @@
-// Makes every failure of a test end with what happened on its bench: those of a bench's own verbs,
-// plain EXPECTs, crashes and handlers that do not return.
+// Adds to every failure of a test what happened on its bench: to failures of the bench's own
+// functions, of plain EXPECTs, to crashes, and to handlers that do not return.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@ class TestInfo;
 
 namespace openr::testing {
 
-// One per bench, as long as it lives.
+// Each bench has one.
 class StoryTeller {
  public:
-  // `story`: what Bench::Story() says; it is told while GoogleTest reports, and must ask it
-  // nothing. A handler that uses more than `handler_limit_us` of processor time (0: never) ends the
-  // process, as a crash of an object does.
+  // `story` returns Bench::Story().  It is called while GoogleTest reports a failure, so it must
+  // not call GoogleTest.  A handler that uses more than `handler_limit_us` of processor time (0: no
+  // limit) ends the process, as a crash of an object does.
   StoryTeller(std::function<std::string()> story, int64_t handler_limit_us);
   ~StoryTeller();
   StoryTeller(const StoryTeller&) = delete;
   StoryTeller& operator=(const StoryTeller&) = delete;
 
-  // In a copy of the process, which has inherited no timer, and may be another test's.
+  // Called in a copy of the process.  A copy inherits no timer, and may belong to another test.
   void OnCopied();
 
-  // `failure` with the story of the test's newest bench, unless it has a story already; as it is
-  // when the test has no bench.  Those of a Snapshot belong to the test only in its copy.
+  // Returns `failure` with the story of the test's newest bench, unless it has a story already or
+  // the test has no bench.  A bench of a Snapshot belongs to a test only in the copy.
   static std::string WithStory(const std::string& failure);
 
  private:
@@ -35,8 +35,8 @@ class StoryTeller {
 
   const std::function<std::string()> story_;
   const int64_t handler_limit_us_;
-  StoryTeller* outer_;                         // the one before
-  const ::testing::TestInfo* test_ = nullptr;  // whose bench it is
+  StoryTeller* outer_;                         // that of the bench before
+  const ::testing::TestInfo* test_ = nullptr;  // test of the bench
 };
 
 }  // namespace openr::testing

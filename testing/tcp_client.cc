@@ -72,7 +72,7 @@ std::string TcpClient::WaitsFor() const {
   }
 }
 
-// At the next frame boundary.
+// Makes the client look at its connection at the next frame boundary.
 void TcpClient::PostPoll() {
   if (std::exchange(poll_posted_, true)) return;
   const openr_host::CurrentScope scope(&system(), &host());
@@ -116,7 +116,7 @@ void TcpClient::Take(const NetworkEvent& event) {
   }
 }
 
-// True when the step is over.
+// Does a part of a step.  Returns true when the step is done.
 bool TcpClient::Do(const Step& step) {
   const size_t left = heard_.size() - passed_;
   switch (step.kind) {
@@ -150,7 +150,7 @@ bool TcpClient::Do(const Step& step) {
 
 bool TcpClient::DoConnect(const Step& step) {
   if (connected_) return true;
-  if (connecting_) return false;  // the answer comes with a Poll()
+  if (connecting_) return false;  // a later Poll() brings the answer
   connecting_ = true;
   ended_ = broken_ = false;
   ++handle_;

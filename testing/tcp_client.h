@@ -1,11 +1,11 @@
-// A client on another computer, as a test plays it: a script on the bench's own network.
+// A client on another computer: a script on the bench's own network.
 //
 //   bench.AddClient().Connect(54000).Send("PING\n").Hear("PONG\n").Close();
 //   bench.RunFor(1s);
 //
-// The script goes on by virtual time, at the frame boundaries at which input from outside
-// enters a robot, so a run with clients repeats itself like any other.  A script that has
-// not come to its end fails the test when the bench is verified.
+// The script proceeds by virtual time, at the frame boundaries at which input from outside enters a
+// robot, so a run with clients repeats itself too.  A script that has not ended fails the test when
+// the bench is verified.
 #pragma once
 
 #include <cstdint>
@@ -24,35 +24,35 @@ class TcpClient : public openr_host::CodeObject {
  public:
   TcpClient(std::shared_ptr<openr_host::LoopbackHub> hub, uint32_t own_ip, uint32_t robot_ip);
 
-  // ---- The script, step after step
+  // ---- The script, step by step
 
-  // Until somebody listens on `port` of the robot and takes the connection.
+  // Waits until an object listens on `port` of the robot and accepts the connection.
   TcpClient& Connect(uint16_t port, Place place = Place::Here());
   TcpClient& Send(std::string bytes, Place place = Place::Here());
-  // Until these bytes came; what came before them is passed over.
+  // Waits until these bytes have come.  Bytes before them are skipped.
   TcpClient& Hear(std::string bytes, Place place = Place::Here());
-  // Until so many more bytes came.
+  // Waits until that many more bytes have come.
   TcpClient& HearBytes(size_t count, Place place = Place::Here());
-  // Until the robot has ended the connection.
+  // Waits until the robot has ended the connection.
   TcpClient& HearEnd(Place place = Place::Here());
-  // Ends the connection in an orderly way, or as a computer that is switched off.
+  // Close() ends the connection properly, the next one as a computer does that is switched off.
   TcpClient& Close(Place place = Place::Here());
   TcpClient& Reset(Place place = Place::Here());
 
   bool done() const { return script_.empty(); }
-  // "to hear 'PONG\n'", and what was heard instead; "" when done.
+  // Returns the step that it waits for, "to hear 'PONG\n'", and what has come so far; "" when done.
   std::string WaitsFor() const;
-  // The test's line of the step it waits at.  REQUIRES: !done().
+  // Returns the test's line of that step.  REQUIRES: !done().
   const Place& place() const { return script_.front().place; }
-  // Forgets the rest.
+  // Forgets the steps that are left.
   void DropScript() { script_.clear(); }
 
   // ---- What happened
 
   bool connected() const { return connected_; }
-  bool ended() const { return ended_; }                // by the robot
-  bool broken() const { return broken_; }              // reset by the robot
-  const std::string& heard() const { return heard_; }  // everything
+  bool ended() const { return ended_; }                // the robot has ended the connection
+  bool broken() const { return broken_; }              // the robot has reset the connection
+  const std::string& heard() const { return heard_; }  // all bytes that have come
 
  private:
   enum class Kind { kConnect, kSend, kHear, kHearBytes, kHearEnd, kClose, kReset };
@@ -60,7 +60,7 @@ class TcpClient : public openr_host::CodeObject {
     Kind kind;
     Place place;
     std::string bytes = {};
-    size_t count = 0;  // port of kConnect
+    size_t count = 0;  // for kConnect: the port
   };
 
   TcpClient& Add(Step step);
@@ -81,7 +81,7 @@ class TcpClient : public openr_host::CodeObject {
   bool ended_ = false;
   bool broken_ = false;
   std::string heard_;
-  size_t passed_ = 0;  // bytes of heard_ that the script has taken
+  size_t passed_ = 0;  // bytes of heard_ that the script has used
 };
 
 }  // namespace openr::testing

@@ -1,6 +1,6 @@
 // openr::testing: tests for OPEN-R objects, with GoogleTest.
 //
-// bench.h is where to begin; docs/testing.md is the tutorial.
+// Read bench.h first; docs/testing.md is the tutorial.
 #pragma once
 
 #include <gmock/gmock.h>
