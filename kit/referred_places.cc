@@ -8,6 +8,7 @@
 
 #include "kit/makefile_text.h"
 #include "kit/text_files.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 namespace {
@@ -176,6 +177,9 @@ std::string ExpandedMakefile(const fs::path& file) {
   return Expanded(text, PathVariables(text));
 }
 
-ReferredPlaces FindReferredPlaces(const fs::path& root) { return PlaceSearch(root).Run(); }
+ReferredPlaces FindReferredPlaces(const fs::path& root) {
+  ASSERT(root.is_absolute(), "{}", root.string());
+  return PlaceSearch(root).Run();
+}
 
 }  // namespace openr_host

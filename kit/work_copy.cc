@@ -15,6 +15,7 @@
 #include "kit/project.h"
 #include "kit/referred_places.h"
 #include "kit/text_files.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/image_file.h"
 
 namespace openr_host {
@@ -110,6 +111,7 @@ bool WorkCopy::IsOriginal(const fs::path& file) const {
 }
 
 fs::path WorkCopy::Add(const fs::path& original) {
+  ASSERT(original.is_absolute(), "{}", original.string());
   const ReferredPlaces places = FindReferredPlaces(original);
   for (const fs::path& folder : places.folders) AddFolder(folder);
   for (const fs::path& file : places.files) CopyFile(file);

@@ -34,7 +34,7 @@ class HeldMessages {
   // Releases the oldest message, if there is one; goes on holding.
   void ReleaseOne();
   // Ends holding, and releases the messages in this order; `order` has each index of a held message
-  // once.  REQUIRES: order.size() == count().
+  // once.  Throws std::invalid_argument otherwise.
   void ReleaseInOrder(const std::vector<size_t>& order);
 
   // Returns a text for people: "2 held: notify Blinker.Blink -> Eye.Light".

@@ -4,6 +4,7 @@
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 
@@ -121,6 +122,7 @@ int SeenMessage::data_count() const {
 }
 
 std::string_view SeenMessage::data(int i) const {
+  ASSERT(0 <= i && i < data_count(), "i={} of {}", i, data_count());
   if (message_->kind != PayloadKind::kNotify)
     return {reinterpret_cast<const char*>(message_->payload), message_->size};
   const auto& datum = AsNotify(*message_).data[i];

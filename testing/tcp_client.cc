@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 
 namespace openr::testing {
@@ -52,6 +53,11 @@ TcpClient& TcpClient::Add(Step step) {
   script_.push_back(std::move(step));
   PostPoll();
   return *this;
+}
+
+const Place& TcpClient::place() const {
+  ASSERT(!done());
+  return script_.front().place;
 }
 
 std::string TcpClient::WaitsFor() const {

@@ -43,7 +43,7 @@ class TcpClient : public openr_host::CodeObject {
   // Returns the step that it waits for, "to hear 'PONG\n'", and what has come so far; "" when done.
   std::string WaitsFor() const;
   // Returns the test's line of that step.  REQUIRES: !done().
-  const Place& place() const { return script_.front().place; }
+  const Place& place() const;
   // Forgets the steps that are left.
   void DropScript() { script_.clear(); }
 

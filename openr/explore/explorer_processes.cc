@@ -21,6 +21,7 @@
 
 #include "cli/json_text.h"
 #include "cli/process_copy.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/address_plan.h"
 
 namespace openr_host {
@@ -145,6 +146,7 @@ void ExplorerProcesses::Job::Work(int channel) const try {
 ExplorerProcesses::ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
                                      const ForkLimits& limits, int count, bool twice, Memory memory,
                                      int outer_channel) {
+  ASSERT(count >= 1, "count={}", count);
   for (int i = 0; i < count; ++i)
     Start({prepare_run, options, limits, twice, memory, outer_channel});
   for (Child& child : children_) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
@@ -32,6 +33,7 @@ const SubjectState* FindSubject(const System& system, const Robot& robot,
 }  // namespace
 
 GraphView CollectGraph(System* system_pointer) {
+  ASSERT(system_pointer->booted());
   System& system = *system_pointer;
   GraphView graph;
   graph.virtual_time_s = static_cast<double>(system.now_us()) / 1e6;

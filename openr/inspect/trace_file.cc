@@ -15,6 +15,7 @@
 #include "cli/input_file.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/read_file.h"
 #include "runtime/base/spelling.h"
@@ -305,7 +306,7 @@ const TraceEntry* TraceReader::Peek() {
 }
 
 TraceEntry TraceReader::Take() {
-  Peek();
+  ASSERT(Peek() != nullptr);
   TraceEntry entry = std::move(next_.value());
   next_.reset();
   return entry;

@@ -12,6 +12,7 @@
 #include "openr/simulation/activity.h"
 #include "openr/simulation/pacing.h"
 #include "openr/simulation/simulation.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/stack_report.h"
 #include "runtime/core/stalls.h"
@@ -31,7 +32,9 @@ Runner::Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* int
       interrupts_(interrupts),
       standing_(simulation->robots().size(), StandingMonitor(simulation->model())),
       taken_(plan_.snapshots.size(), false),
-      announced_(simulation->robots().size(), false) {}
+      announced_(simulation->robots().size(), false) {
+  ASSERT(plan_.rate > 0 || plan_.pump == nullptr);
+}
 
 void Runner::WatchActivity() {
   if (!plan_.until_idle) return;

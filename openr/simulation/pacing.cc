@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/current.h"
 
@@ -35,6 +36,7 @@ void Pacer::WaitFor(int64_t time_us) {
 }
 
 int64_t Pacer::TimeNow(int64_t reached_us) {
+  ASSERT(rate_ > 0);
   const int64_t now_ns = WallClockNs();
   if (StartsAt(reached_us, now_ns)) return reached_us;
   const double since_us = static_cast<double>(now_ns - start_wall_ns_) / 1000;

@@ -16,7 +16,7 @@ class Pacer {
   void WaitFor(int64_t time_us);
 
   // Returns the virtual time that is due now, for a run that has reached `reached_us`.  A late run
-  // does not catch up here either.  Needs a rate.
+  // does not catch up here either.  REQUIRES: rate > 0.
   int64_t TimeNow(int64_t reached_us);
 
  private:

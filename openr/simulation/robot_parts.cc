@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/battery.h"
 
@@ -24,6 +25,7 @@ VirtualRobotOptions DevicesWithBattery(const std::string& battery) {
 
 // The order of the steps is the order in which the robot's objects get their numbers.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotParts parts) {
+  ASSERT(parts.make_network != nullptr);
   AssembledRobot robot;
   robot.number = system->AddRobot(model.design, std::move(parts.stick));
   if (parts.body != nullptr) {
