@@ -32,7 +32,7 @@ void OpenClosedDescriptors() {
 
 // Makes writes to standard error succeed always: fmt::print() throws when a stream fails, and a run
 // must not end because no one reads its messages.
-void MakeErrorStreamSure() {
+void KeepErrorStreamGood() {
   cookie_io_functions_t functions = {};
   functions.write = [](void*, const char* text, size_t size) {
     WriteAll(STDERR_FILENO, {text, size});
@@ -68,7 +68,7 @@ void PrepareStandardStreams() {
   OpenClosedDescriptors();
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);  // sent at the limit of ulimit -f
-  MakeErrorStreamSure();
+  KeepErrorStreamGood();
 }
 
 int StandardOutput() { return g_standard_output; }

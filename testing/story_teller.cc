@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "openr/ending/crash_log.h"
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 
 namespace openr::testing {
@@ -59,7 +59,7 @@ struct StoryTeller::Guards {
 
   const openr_host::CrashLog crash_log{{}};
   const openr_host::Watchdog watchdog;
-  const openr_host::LastWords last_words{[](openr_host::Ending*) {
+  const openr_host::EndingAction ending_action{[](openr_host::Ending*) {
     std::fprintf(stderr, "%s\n", WithStory("").c_str());
     std::fflush(nullptr);
   }};

@@ -22,7 +22,7 @@
 #include "openr/commands/common_flags.h"
 #include "openr/commands/distribution_flags.h"
 #include "openr/ending/crash_log.h"
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/simulation/run_stick.h"
 
@@ -90,21 +90,21 @@ void HandleEndSignals(int flags) {
 }
 
 // Discards standard error while it exists.
-class Hush {
+class SilencedErrors {
  public:
-  explicit Hush(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
+  explicit SilencedErrors(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
     const int nowhere = is_on ? open("/dev/null", O_WRONLY | O_CLOEXEC) : -1;
     if (nowhere < 0) return;
     dup2(nowhere, STDERR_FILENO);
     close(nowhere);
   }
-  ~Hush() {
+  ~SilencedErrors() {
     if (before_ < 0) return;
     dup2(before_, STDERR_FILENO);
     close(before_);
   }
-  Hush(const Hush&) = delete;
-  Hush& operator=(const Hush&) = delete;
+  SilencedErrors(const SilencedErrors&) = delete;
+  SilencedErrors& operator=(const SilencedErrors&) = delete;
 
  private:
   const int before_;
@@ -121,10 +121,10 @@ struct Outcome {
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
-    const Hush hush(is_known);
+    const SilencedErrors silenced(is_known);
     worker.emplace(options);
   }
-  const LastWords last_words([&worker](Ending* ending) {
+  const EndingAction ending_action([&worker](Ending* ending) {
     if (ending->object == nullptr) return;
     const CurrentScope scope(ending->object->system, ending->object);
     worker->ReportCrash(ending->finding.text());

@@ -14,7 +14,7 @@
 #include "openr/commands/commands.h"
 #include "openr/commands/common_flags.h"
 #include "openr/ending/crash_log.h"
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/replayer.h"
 #include "openr/inspect/stepper.h"
@@ -74,12 +74,12 @@ int Replay(ReplayFlags flags) {
       std::fwrite(text.data(), 1, text.size(), stderr);
     };
   }
-  const LastAnswer answer(flags.json ? STDOUT_FILENO : -1);
+  const EndingAnswer answer(flags.json ? STDOUT_FILENO : -1);
   const CrashLog crash_log({});
   const Watchdog watchdog(flags.step ? 0 : flags.handler_limit_us);
   if (flags.step) return StepThrough(flags.replay) ? kExitGood : kExitWrong;
   Replayer replayer(flags.replay);
-  const LastWords last_words([&replayer](Ending*) {
+  const EndingAction ending_action([&replayer](Ending*) {
     fmt::print(stderr, "openr: {} {} equal up to here\n", Counted(replayer.count(), "message"),
                replayer.count() == 1 ? "was" : "were");
   });

@@ -25,7 +25,7 @@
 #include "openr/commands/distributed_run.h"
 #include "openr/commands/distribution_flags.h"
 #include "openr/ending/crash_log.h"
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
 #include "openr/inspect/recorder.h"
 #include "openr/run/interrupt.h"
@@ -416,7 +416,7 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
 
 // Runs the simulation.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
-  const LastAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
+  const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
   // The finding names this place if the crash record is on no stick.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
@@ -434,7 +434,7 @@ bool CommandedRun::RunToTheEnd() {
     facts_.wall_time_s = runner.wall_time_s();
     facts_.standing = runner.standing();
   };
-  const LastWords last_words([&](Ending* ending) {
+  const EndingAction ending_action([&](Ending* ending) {
     learn_facts();
     ReportTheEnding(ending, &simulation_, &distribution_, facts_, flags_);
   });

@@ -16,7 +16,7 @@
 #include "cli/output_file.h"
 #include "openr/ending/code_lookup.h"
 #include "openr/ending/crash_stack.h"
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/signal_text.h"
 #include "runtime/core/code_place.h"
 #include "runtime/core/current.h"

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/signal_text.h"
 #include "runtime/core/current.h"
 #include "runtime/core/indivisible.h"

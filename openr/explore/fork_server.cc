@@ -20,8 +20,9 @@
 #include "cli/output_file.h"
 #include "cli/process_copy.h"
 #include "openr/ending/crash_log.h"
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/ending/watchdog.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 namespace {
@@ -48,6 +49,7 @@ bool ReadAll(int descriptor, int wall_s, std::string* text) {
 
 ForkServer::ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits)
     : prepared_(std::move(prepared)), options_(std::move(options)), limits_(limits) {
+  ASSERT(prepared_.system != nullptr && !prepared_.system->booted());
   void* const memory = mmap(nullptr, sizeof(DeviationLog), PROT_READ | PROT_WRITE,
                             MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw std::runtime_error("no memory for the log of deviations");
@@ -71,7 +73,7 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
 
 // Returns the answer of a copy that ended early: what it wrote before its end, which is an answer
 // without hashes or, if that failed too, an error.
-Json ForkServer::AnswerOfTheDead(const Json& plan, const std::string& said, int status) {
+Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
   const Json json = Json::parse(said, nullptr, false);
   if (json.is_object() && json.contains("broken")) return json;
   if (json.is_object() && json.contains("error")) {
@@ -86,7 +88,7 @@ Json ForkServer::AnswerOfTheDead(const Json& plan, const std::string& said, int 
 }
 
 void ForkServer::RunInCopy(const Json& plan, int answer) {
-  const LastAnswer last_answer(answer);
+  const EndingAnswer ending_answer(answer);
   const CrashLog crash_log({});
   const Watchdog watchdog(limits_.handler_us);
   Json result;
@@ -113,7 +115,7 @@ Json ForkServer::Run(const Json& plan) {
     return Broken(plan, kHandlersReturn,
                   fmt::format("the run did not end within {} s of real time", limits_.wall_s));
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return AnswerOfTheDead(plan, said, status);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return AnswerOfEndedCopy(plan, said, status);
   return Json::parse(said);
 }
 

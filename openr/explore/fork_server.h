@@ -31,8 +31,8 @@ class ForkServer {
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:
-  nlohmann::ordered_json AnswerOfTheDead(const nlohmann::ordered_json& plan,
-                                         const std::string& said, int status);
+  nlohmann::ordered_json AnswerOfEndedCopy(const nlohmann::ordered_json& plan,
+                                           const std::string& said, int status);
   nlohmann::ordered_json Broken(const nlohmann::ordered_json& plan, const char* property,
                                 const std::string& text);
   [[noreturn]] void RunInCopy(const nlohmann::ordered_json& plan, int answer);

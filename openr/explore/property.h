@@ -50,7 +50,7 @@ const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
 
-// Returns which of these two the text `record` (last_words.h) is about.
+// Returns which of these two the text `record` (ending.h) is about.
 const char* PropertyOfEnding(std::string_view record);
 
 // The properties to check: names of built-in ones, "default" for the default ones, names of files,

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/explore/exact_schedule.h"
 #include "openr/explore/explore_cost.h"
 #include "openr/simulation/activity.h"
@@ -50,7 +50,7 @@ class PlanRun {
   }
 
   // Returns the answer for a run that an object ended together with the process.
-  Json Died(const Ending& ending) {
+  Json AnswerForEnding(const Ending& ending) {
     std::string_view text = ending.record.text();
     while (text.ends_with('\n')) text.remove_suffix(1);
     broken_ = nullptr;
@@ -204,10 +204,10 @@ class PlanRun {
 Json RunPlan(PreparedRun* prepared, const Json& plan, const RunOptions& options, DeviationLog* log,
              const std::function<void(const Json&)>& on_death) try {
   PlanRun run(prepared, plan, options, log);
-  std::optional<LastWords> last_words;
+  std::optional<EndingAction> ending_action;
   if (on_death)
-    last_words.emplace([&](Ending* ending) {
-      on_death(run.Died(*ending));
+    ending_action.emplace([&](Ending* ending) {
+      on_death(run.AnswerForEnding(*ending));
       ending->answered = true;
     });
   return run.Run();

@@ -38,7 +38,7 @@ struct RunOptions {
 // Throws std::runtime_error when the plan does not fit the prepared run.
 //
 // Uses the prepared run up: it cannot boot again.  `log` hears of deviations as they come.
-// `on_death` gets the answer of a run that ends with the process (last_words.h): "broken" says why,
+// `on_death` gets the answer of a run that ends with the process (ending.h): "broken" says why,
 // hashes are not in it.
 nlohmann::ordered_json RunPlan(
     PreparedRun* prepared, const nlohmann::ordered_json& plan, const RunOptions& options,

@@ -64,7 +64,7 @@ class Search {
     }
     if (!answer.contains("exact") || !answer["exact"]["cut"].get<bool>())
       ++ended_by_[answer.at("ended_by").get<std::string>()];
-    if (!answer.contains("exact")) return TakeDeath();
+    if (!answer.contains("exact")) return CountCrashedRun();
     const Json& exact = answer["exact"];
     ++(exact["cut"].get<bool>() ? cut_ : orders_);
     const Json& nodes = exact["nodes"];
@@ -83,7 +83,7 @@ class Search {
 
   // Handles a run that crashed.  It does not report its questions, so their other answers stay
   // unknown.
-  void TakeDeath() {
+  void CountCrashedRun() {
     ++orders_;
     stopped_ = "at a run that did not come to its end";
   }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "openr/inspect/recorded_network.h"
+#include "runtime/base/assert.h"
 #include "runtime/stick/memory_stick.h"
 
 namespace openr_host {
@@ -19,6 +20,7 @@ void Recorder::Listen(SimulationOptions* options) {
 void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
                      const std::string& stick, bool is_free) {
   System& system = simulation->system();
+  ASSERT(!system.booted() && system.now_us() == 0);
   TraceHeader header;
   header.program = OPENR_VERSION;
   header.stick = stick;
@@ -47,7 +49,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
       writer_->AddStick(location.path.substr(root.size()), location.path);
     });
   }
-  last_words_ = std::make_unique<LastWords>([this](Ending* ending) {
+  ending_action_ = std::make_unique<EndingAction>([this](Ending* ending) {
     writer_->AddEnded(EndOf(*ending));
     writer_->Flush();
   });

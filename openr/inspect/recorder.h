@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 #include "openr/inspect/trace_file.h"
 #include "openr/simulation/simulation.h"
 
@@ -37,7 +37,7 @@ class Recorder {
   const std::string file_;
   const bool payloads_;
   std::unique_ptr<TraceWriter> writer_;
-  std::unique_ptr<LastWords> last_words_;
+  std::unique_ptr<EndingAction> ending_action_;
 };
 
 }  // namespace openr_host

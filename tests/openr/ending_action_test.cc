@@ -1,20 +1,19 @@
 // The end of the process when what is to be said at it fails as well.
-#include "openr/ending/last_words.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "openr/ending/ending.h"
 #include "tests/openr/program_run.h"
 
 namespace openr_host {
 namespace {
 
-// Ends this process as a crash would, with `say` as last words.
-void End(const std::string& file, const std::function<void(Ending*)>& say) {
-  const LastAnswer answer(-1, file);
-  const LastWords words(say);
+// Ends this process as a crash would, with `action` as its EndingAction.
+void End(const std::string& file, const std::function<void(Ending*)>& action) {
+  const EndingAnswer answer(-1, file);
+  const EndingAction ending_action(action);
   Ending ending;
   ending.record.Add("EXCEPTION here\n");
   ending.finding.Add("crash: here");
@@ -30,13 +29,13 @@ void ExpectShortReport(const std::string& text) {
   EXPECT_EQ(report["findings"].at(0)["text"], "crash: here");
 }
 
-TEST(LastWordsTest, TheAnswerIsGivenWhenNobodyGivesIt) {
+TEST(EndingActionTest, TheAnswerIsGivenWhenNoActionGivesIt) {
   const ScratchFolder folder;
   EXPECT_EXIT(End(folder.File("r.json"), [](Ending*) {}), ::testing::ExitedWithCode(1), "");
   ExpectShortReport(folder.Read("r.json"));
 }
 
-TEST(LastWordsTest, TheAnswerIsGivenWhenTheWordsCrashOrAbort) {
+TEST(EndingActionTest, TheAnswerIsGivenWhenTheActionCrashesOrAborts) {
   const ScratchFolder folder;
   const auto crash = [](Ending*) { *reinterpret_cast<volatile int*>(16) = 1; };
   EXPECT_EXIT(End(folder.File("r.json"), crash), ::testing::ExitedWithCode(1), "");
@@ -46,7 +45,7 @@ TEST(LastWordsTest, TheAnswerIsGivenWhenTheWordsCrashOrAbort) {
   ExpectShortReport(folder.Read("a.json"));
 }
 
-TEST(LastWordsTest, WhoHasAnsweredIsNotAnsweredFor) {
+TEST(EndingActionTest, AnAnswerThatAnActionGaveIsNotGivenAgain) {
   const ScratchFolder folder;
   EXPECT_EXIT(End(folder.File("r.json"), [](Ending* ending) { ending->answered = true; }),
               ::testing::ExitedWithCode(1), "");

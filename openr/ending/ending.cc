@@ -1,4 +1,4 @@
-#include "openr/ending/last_words.h"
+#include "openr/ending/ending.h"
 
 #include <pthread.h>
 #include <signal.h>
@@ -10,22 +10,23 @@
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "cli/output_file.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/current.h"
 #include "runtime/core/object.h"
 
 namespace openr_host {
 namespace {
 
-// Time limit for all last words together; they take some milliseconds.
-constexpr unsigned kWordsMaxS = 10;
+// Time limit for all actions together; they take some milliseconds.
+constexpr unsigned kActionsMaxS = 10;
 
-// Signals that show that last words failed (SIGALRM: that they took too long).
+// Signals that show that an action failed (SIGALRM: took too long).
 constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
-LastWords* g_newest = nullptr;
+EndingAction* g_newest = nullptr;
 Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end began
-bool g_is_awaited = false;  // a LastAnswer exists
+bool g_is_awaited = false;  // a EndingAnswer exists
 int g_answer = -1;
 // Prepared here, because nothing is allocated in OnSignalDuringEnding().
 std::optional<PreparedFile> g_answer_file;
@@ -48,7 +49,7 @@ void AnswerInSignal(const Ending& ending) {
   g_answer_file->Close();
 }
 
-// Handles a signal that comes while last words are said: gives the answer, without them, and ends.
+// Handles a signal that comes while actions run: writes the answer without them, and ends.
 void OnSignalDuringEnding(int) {
   const Ending* const ending = std::exchange(g_ending, nullptr);
   if (ending != nullptr) AnswerInSignal(*ending);
@@ -62,23 +63,24 @@ RunEnd EndOf(const Ending& ending) {
   return {ending.kind, object + std::string(ending.finding.text())};
 }
 
-LastWords::LastWords(std::function<void(Ending*)> say)
-    : say_(std::move(say)), outer_(std::exchange(g_newest, this)) {}
+EndingAction::EndingAction(std::function<void(Ending*)> action)
+    : action_(std::move(action)), outer_(std::exchange(g_newest, this)) {}
 
-LastWords::~LastWords() { g_newest = outer_; }
+EndingAction::~EndingAction() { g_newest = outer_; }
 
-void SayLastWords(Ending* ending) {
-  for (LastWords* each = std::exchange(g_newest, nullptr); each != nullptr; each = each->outer_)
-    each->say_(ending);
+void RunEndingActions(Ending* ending) {
+  for (EndingAction* each = std::exchange(g_newest, nullptr); each != nullptr; each = each->outer_)
+    each->action_(ending);
 }
 
-LastAnswer::LastAnswer(int descriptor, const std::string& file) {
+EndingAnswer::EndingAnswer(int descriptor, const std::string& file) {
+  ASSERT(!g_is_awaited);  // one at a time
   g_is_awaited = true;
   g_answer = descriptor;
   if (!file.empty()) g_answer_file.emplace(file);
 }
 
-LastAnswer::~LastAnswer() {
+EndingAnswer::~EndingAnswer() {
   g_is_awaited = false;
   g_answer = -1;
   g_answer_file.reset();
@@ -98,13 +100,13 @@ void BeginEnding(Ending* ending) {
     sigaddset(&signals, signal);
   }
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-  alarm(kWordsMaxS);
+  alarm(kActionsMaxS);
   EndConsoleLine();
 }
 
 void FinishEnding() {
   Ending* const ending = g_ending;
-  SayLastWords(ending);
+  RunEndingActions(ending);
   AnswerInSignal(*ending);
   _exit(kExitWrong);
 }

@@ -20,45 +20,45 @@ struct Ending {
   SignalText record;         // lines for a person to read
   SignalText finding;        // one sentence for the report
   Object* object = nullptr;  // the object that ran; null if none did
-  bool answered = false;     // a LastWords has written the answer; see LastAnswer
+  bool answered = false;     // a EndingAction has written the answer; see EndingAnswer
 };
 
 RunEnd EndOf(const Ending& ending);
 
-// Registers the function `say` while it exists: CrashLog and Watchdog call it, in a signal handler,
-// before they end the process.  `say` may add to the ending's texts.
-class LastWords {
+// Registers the function `action` while it exists: CrashLog and Watchdog call it, in a signal
+// handler, before they end the process.  `action` may add to the ending's texts.
+class EndingAction {
  public:
-  explicit LastWords(std::function<void(Ending* ending)> say);
-  ~LastWords();
-  LastWords(const LastWords&) = delete;
-  LastWords& operator=(const LastWords&) = delete;
+  explicit EndingAction(std::function<void(Ending* ending)> action);
+  ~EndingAction();
+  EndingAction(const EndingAction&) = delete;
+  EndingAction& operator=(const EndingAction&) = delete;
 
  private:
-  const std::function<void(Ending* ending)> say_;
-  LastWords* const outer_;  // registered before this one, and called after it
+  const std::function<void(Ending* ending)> action_;
+  EndingAction* const outer_;  // registered before this one, and called after it
 
-  friend void SayLastWords(Ending* ending);
+  friend void RunEndingActions(Ending* ending);
 };
 
 // Calls all registered functions, the newest first.  A second call does nothing.
-void SayLastWords(Ending* ending);
+void RunEndingActions(Ending* ending);
 
 // While it exists, a run that ends early says on the last line of standard error what ended it.  If
-// an answer in JSON is due and no LastWords has written it, {"error", "ended_by", "findings"} is
+// an answer in JSON is due and no EndingAction has written it, {"error", "ended_by", "findings"} is
 // written.  Only one may exist at a time.
-class LastAnswer {
+class EndingAnswer {
  public:
   // The answer goes to `descriptor` (-1: none) and to `file` ("": none).
-  explicit LastAnswer(int descriptor, const std::string& file = "");
-  ~LastAnswer();
-  LastAnswer(const LastAnswer&) = delete;
-  LastAnswer& operator=(const LastAnswer&) = delete;
+  explicit EndingAnswer(int descriptor, const std::string& file = "");
+  ~EndingAnswer();
+  EndingAnswer(const EndingAnswer&) = delete;
+  EndingAnswer& operator=(const EndingAnswer&) = delete;
 };
 
 // End the process, in two steps of a signal handler.  BeginEnding() writes out what objects have
-// printed so far, and prepares for signals that come while the process ends.  FinishEnding() says
-// all last words, writes the answer, and does not return.
+// printed so far, and prepares for signals that come while the process ends.  FinishEnding() runs
+// the registered actions, writes the answer, and does not return.
 void BeginEnding(Ending* ending);
 [[noreturn]] void FinishEnding();
 
