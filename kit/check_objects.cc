@@ -177,10 +177,11 @@ void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* rema
   if (mover == nullptr) return;
   const std::string file = mover->folder;
   if (!HasWord(code, "SetMotorPower"))
-    remarks->Warning(file,
-                     "commands joints, but no object calls SetMotorPower(opowerON): they stay limp");
+    remarks->Warning(
+        file, "commands joints, but no object calls SetMotorPower(opowerON): they stay limp");
   if (!HasAnyWord(code, {"EnableJointGain", "SetDefaultJointGain"}))
-    remarks->Warning(file, "commands joints, but no object calls EnableJointGain(): they stay limp");
+    remarks->Warning(file,
+                     "commands joints, but no object calls EnableJointGain(): they stay limp");
 }
 
 }  // namespace

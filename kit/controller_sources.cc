@@ -56,6 +56,7 @@ Diagnostic AtWord(const fs::path& list, const std::string& text, const std::stri
 
 void ReadList(const fs::path& folder, ControllerSources* sources) {
   const std::string text = ReadText(sources->list).value_or("");
+  // make itself expands the values, because a list may use its functions and conditions.
   const TempFolder scratch;
   const std::string makefile = scratch.path() + "/print.mk";
   if (!WriteText(makefile, kPrintVariables).empty()) return;
@@ -87,6 +88,7 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
           AtWord(sources->list, text, word, fmt::format("there is no file '{}'", word)));
     }
   }
+  // A list without any word means the empty controller; words of other kinds are a mistake.
   if (has_words && sources->files.empty()) {
     sources->diagnostics.push_back(
         AtWord(sources->list, text, "",

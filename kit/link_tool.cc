@@ -151,12 +151,14 @@ int RunMkbin(const Arguments& arguments) {
     LogFailure({command.ocf, "is not a good .ocf file", command.output});
     return 1;
   }
+  // Checked before linking, because the linker's own message does not say what to do.
   if (HasForeignCode(command)) return 1;
   const std::string image_info = CompileImageInfo(command, *ocf_text);
   if (image_info.empty()) return 1;
   const Arguments link = LinkArguments(command, image_info);
   if (command.is_verbose)
     std::fprintf(stderr, "%s\n", fmt::format("{}", fmt::join(link, " ")).c_str());
+  // The linker's messages are parsed, so they must be in English.
   const ProcessResult result =
       RunProcess(link, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
   std::fputs(WithoutDangerWarnings(result.output).c_str(), stderr);

@@ -142,6 +142,8 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
                              HasWord(TextOf(file), object.class_name);
     if (is_own || is_of_class) add(file);
   }
+  // Follows #include lines.  The name alone decides, without the folder, because the include paths
+  // of the Makefile are not known here.
   while (!todo.empty()) {
     const fs::path file = todo.front();
     todo.pop_front();
@@ -152,6 +154,7 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
         }
       };
       add_all(by_name_.equal_range(name));
+      // The source beside a header: Util.cc for Util.h.
       add_all(by_stem_.equal_range(fs::path(name).stem()));
     }
   }

@@ -143,6 +143,7 @@ std::vector<Diagnostic> CheckObjectConfig(const fs::path& stick) {
     if (!IsRecord(line.text)) continue;
     const std::string path =
         WithoutBlanks(line.text).substr(0, WithoutBlanks(line.text).size() - 1);
+    // PowerMonitor is the object that handles the pause button on the robot's own sticks.
     if (LowerCase(path).ends_with("/powermon.bin")) has_power_monitor = true;
     if (!LowerCase(path).starts_with("/ms/")) {
       diagnostics.push_back(ErrorAt(line, fmt::format("'{}' does not begin with /MS/", path)));

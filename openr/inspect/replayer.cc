@@ -226,6 +226,7 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
+  // Messages are compared as they are delivered, and network input is taken by Poll().
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {

@@ -66,6 +66,7 @@ void RemoteClient::Connect() {
     Throw(fmt::format("no address of '{}' is known ({}); this machine is 127.0.0.1", address_.host,
                       gai_strerror(problem)));
   }
+  // The socket does not block, so that connecting can end after timeout_ms_.
   socket_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const int result = connect(socket_, found->ai_addr, found->ai_addrlen);
   int error = result == 0 ? 0 : errno;
@@ -73,7 +74,7 @@ void RemoteClient::Connect() {
   if (error == EINPROGRESS) error = WaitForConnection();
   if (error == ECONNREFUSED) {
     Throw(
-        "nobody listens there; is 'openr run' running, and is this the port it printed? If it "
+        "no program listens there; is 'openr run' running, and is this the port it printed? If it "
         "has ended, its last line says why");
   }
   if (error == ETIMEDOUT) {
@@ -84,6 +85,7 @@ void RemoteClient::Connect() {
     Throw(fmt::format("cannot be reached: {}; are host and port those of the robot?",
                       std::strerror(error)));
   }
+  // Requests are small and are answered one by one, so Nagle's algorithm would only delay them.
   const int on = 1;
   setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }

@@ -148,6 +148,7 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   glEnable(GL_DEPTH_TEST);
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
+  // First pass: what the sun and the sky see, for the shadows of the second pass.
   DrawDepths(items, sun, depth_program, sun_depth);
   DrawDepths(items, sky, depth_program, sky_depth);
 

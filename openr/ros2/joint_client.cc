@@ -142,6 +142,7 @@ void JointClient::WriteRequests() {
 std::vector<NetworkEvent> JointClient::Poll() {
   std::vector<NetworkEvent> events = PassingNetwork::Poll();
   for (const NetworkEvent& event : events) std::erase(accepts_, event.handle);
+  // The connection is made with the first target, so a run without commands has none.
   if (handle_ == 0 && (wanted_.empty() || !TakePlace(&events))) return events;
   if (taken_ > 0) {
     events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));
@@ -152,6 +153,7 @@ std::vector<NetworkEvent> JointClient::Poll() {
     Forget();
     return events;
   }
+  // After an answer that is not valid, the connection is ended as by a client that gives up.
   if (!is_broken_) WriteRequests();
   if (wants_ > 0 && (is_broken_ || !out_.empty())) {
     events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));

@@ -170,6 +170,7 @@ bool Runner::Run() {
     if (plan_.pump) {
       RunFreely(stop_us, &pacer);
     } else {
+      // The shutdown after the pause button runs at full speed, because the user waits for its end.
       if (paused_us_ < 0) pacer.WaitFor(stop_us);
       system.RunUntil(stop_us);
     }
@@ -177,6 +178,7 @@ bool Runner::Run() {
   }
   if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
+  // Objects of a robot that is off wait for nothing, so only the others can be stalled.
   if (!system.powered_off()) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);

@@ -186,7 +186,8 @@ TEST(ControllerBuildTest, AListThatNamesNoSourceIsAMistake) {
 TEST(ControllerBuildTest, AMainThatNobodyWouldCallIsRefused) {
   const ControllerFolder folder;
   folder.Write("main.cc", "int main(int, char**, char**) { return 0; }\n");
-  EXPECT_THAT(folder.BuildController().err, HasSubstr("main() has arguments, and the robot gives none"));
+  EXPECT_THAT(folder.BuildController().err,
+              HasSubstr("main() has arguments, and the robot gives none"));
   folder.Write("main.cc", "int helper() { return 0; }\n");
   EXPECT_THAT(folder.BuildController().err, HasSubstr("no source has a main()"));
   folder.Write("main.cc", "int main() { return 0; }\n");

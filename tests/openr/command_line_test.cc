@@ -71,7 +71,7 @@ TEST(CommandLineTest, WhoAsksForJsonGetsErrorsAsJson) {
   ExpectJsonRefusal({"run", "--world", "nowhere.json"}, 2, "--world nowhere.json: No such file");
   ExpectJsonRefusal({"mtn", "info", "nowhere.mtn"}, 1, "No such file or directory");
   ExpectJsonRefusal({"mtn", "check", "nowhere.mtn"}, 1, "No such file or directory");
-  ExpectJsonRefusal({"rc", "127.0.0.1:1", "info"}, 1, "127.0.0.1:1: nobody listens there");
+  ExpectJsonRefusal({"rc", "127.0.0.1:1", "info"}, 1, "127.0.0.1:1: no program listens there");
 }
 
 TEST(CommandLineTest, AFolderIsNoWorldAndNoMotion) {
@@ -267,7 +267,8 @@ TEST(CommandLineTest, TwoOutputsInOneFileAreRefused) {
 
 TEST(CommandLineTest, NobodyAtThePortIsExplained) {
   // Port 1 of loopback: no service of that kind runs there.
-  ExpectRefusal({"rc", "127.0.0.1:1", "info"}, 1, "nobody listens there; is 'openr run' running");
+  ExpectRefusal({"rc", "127.0.0.1:1", "info"}, 1,
+                "no program listens there; is 'openr run' running");
 }
 
 TEST(CommandLineTest, APortThatIsNoNumberIsRefused) {
