@@ -1,9 +1,11 @@
 #include "kit/text_files.h"
 
 #include <strings.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 
 #include "cli/output_file.h"
 #include "runtime/base/read_file.h"

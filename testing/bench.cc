@@ -13,7 +13,7 @@
 #include <filesystem>
 
 #include "cli/install_paths.h"
-#include "openr/simulation/robot_parts.h"
+#include "openr/simulation/assemble_robot.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/connect_config.h"
 #include "runtime/config/service_name.h"
@@ -110,7 +110,7 @@ void Bench::OnCopied() {
 }
 
 void Bench::AddDog() {
-  openr_host::RobotParts parts;
+  openr_host::RobotEquipment parts;
   parts.stick = stick_;
   parts.body = openr_host::MakeBody(options_.body, *model_, *world_);
   if (parts.body == nullptr && options_.body != "none") {

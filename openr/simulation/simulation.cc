@@ -11,10 +11,10 @@
 
 #include "cli/input_file.h"
 #include "cli/install_paths.h"
+#include "openr/simulation/assemble_robot.h"
 #include "openr/simulation/cost_file.h"
 #include "openr/simulation/network_setup.h"
 #include "openr/simulation/pacing.h"
-#include "openr/simulation/robot_parts.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/configured_cost.h"
 #include "runtime/gateway/tcp_gateway.h"
@@ -103,7 +103,7 @@ Simulation::~Simulation() = default;
 void Simulation::AddRobot(const SimulationOptions& options, int index) {
   auto stick = std::make_shared<FolderStick>(stick_);
   stick->set_writable(options.writable_stick && options.robots == 1);
-  RobotParts parts;
+  RobotEquipment parts;
   parts.ip_stack.addresses = AddressesOf(options, stick.get(), index);
   parts.stick = std::move(stick);
   parts.body = BodyOf(options.body, model_, world_);
@@ -116,17 +116,12 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
                                   : std::move(network);
   };
   if (index == 0) NoteALowBattery(options.battery);
-  auto network = options.host_network
-                     ? MakeHostNetwork(index == 0 ? options.rc_port : -1, addresses)
-                     : MakeLonelyNetwork();
-  if (options.network_filter) network = options.network_filter(robot, std::move(network));
-  IpStackOptions stack_options;
-  stack_options.addresses = addresses;
-  networks_.push_back(
-      AddIpStack(system_.get(), robot, std::move(network), std::move(stack_options)));
+  const AssembledRobot robot = AssembleRobot(system_.get(), model_, std::move(parts));
+  robots_.push_back(robot.virtual_robot);
+  networks_.push_back(robot.ip_stack);
   const StandIns stand_ins =
-      options.stand_ins ? options.stand_ins(system_.get(), robot) : StandIns();
-  if (!LoadStickAndGateway(system_.get(), robot, stand_ins)) loaded_ = false;
+      options.stand_ins ? options.stand_ins(system_.get(), robot.number) : StandIns();
+  if (!LoadStickAndGateway(system_.get(), robot.number, stand_ins)) loaded_ = false;
 }
 
 // Reports that a nearly empty battery will not end the run, which is a surprise for users.

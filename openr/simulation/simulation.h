@@ -52,7 +52,7 @@ struct SimulationOptions {
   std::function<void(std::string_view)> console;
   // Objects that are not images of the stick; see LoadStick().
   std::function<StandIns(System*, int robot)> stand_ins;
-  // Puts something between a robot's IPStack and its network.
+  // Replaces the network of a robot by one that is put between its IPStack and the given network.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
 

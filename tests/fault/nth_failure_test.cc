@@ -10,6 +10,7 @@
 
 #include "cli/install_paths.h"
 #include "openr/simulation/network_setup.h"
+#include "openr/simulation/assemble_robot.h"
 #include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
@@ -28,7 +29,7 @@ class GraphRun {
   explicit GraphRun(std::shared_ptr<MemoryStick> stick)
       : model_(LoadRobotModel(ModelFile("ers210"))),
         system_({.console = [this](std::string_view text) { console_ += text; }}) {
-    RobotParts parts;
+    RobotEquipment parts;
     parts.stick = std::move(stick);
     parts.body = MakeIdealBody(model_, World());
     parts.make_network = [](int) { return MakeLonelyNetwork(); };

@@ -1,4 +1,4 @@
-#include "openr/simulation/robot_parts.h"
+#include "openr/simulation/assemble_robot.h"
 
 #include <stdexcept>
 #include <utility>
@@ -24,7 +24,7 @@ VirtualRobotOptions DevicesWithBattery(const std::string& battery) {
 }
 
 // The order of the steps is the order in which the robot's objects get their numbers.
-AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotParts parts) {
+AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts) {
   ASSERT(parts.make_network != nullptr);
   AssembledRobot robot;
   robot.number = system->AddRobot(model.design, std::move(parts.stick));

@@ -23,7 +23,7 @@ std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
 // Throws std::runtime_error if it describes none; see ParseBattery().
 VirtualRobotOptions DevicesWithBattery(const std::string& battery);
 
-struct RobotParts {
+struct RobotEquipment {
   std::shared_ptr<MemoryStick> stick;  // null: none
   std::unique_ptr<Body> body;          // null: the robot has no body and no OVirtualRobotComm
   VirtualRobotOptions devices;
@@ -40,6 +40,6 @@ struct AssembledRobot {
 
 // Adds a robot with these parts to `system`.  The objects of its stick are not loaded yet.
 // `model` must outlive the system.
-AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotParts parts);
+AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts);
 
 }  // namespace openr_host
