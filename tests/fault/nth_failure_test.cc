@@ -9,8 +9,8 @@
 #include <string>
 
 #include "cli/install_paths.h"
-#include "openr/simulation/network_setup.h"
 #include "openr/simulation/assemble_robot.h"
+#include "openr/simulation/network_setup.h"
 #include "runtime/core/load_stick.h"
 #include "runtime/core/system.h"
 #include "runtime/ipstack/ip_stack.h"
