@@ -1,6 +1,6 @@
-// ASSERT: our own mistakes, checked in every build.
+// ASSERT checks conditions that only a mistake in our own code can break, in every build.
 //
-// Prints the condition, the values given and where the run stood (virtual time,
+// A failed ASSERT prints the condition, the values given and the state of the run (virtual time,
 // object, message, seed), then aborts.
 #pragma once
 
@@ -13,8 +13,9 @@ namespace openr_host {
 [[noreturn]] void AssertFailed(const char* file, int line, const char* condition,
                                const std::string& details);
 
-// The function that returns where the run stood, as lines of text with their ends; null: no run.
-// It also ends the code of the object under way, because abort() would end only its method.
+// Returns the state of the run as lines of text, each with its newline; null while no run exists.
+// The function also marks the object's code as left: inside of it, abort() would end only the
+// handler and not the process.
 extern std::string (*assert_context)();
 
 }  // namespace openr_host

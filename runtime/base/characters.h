@@ -1,4 +1,4 @@
-// Kinds of characters in text files of the robot: those of ASCII, whatever the locale of the host.
+// Tests for kinds of characters in text files of the robot: ASCII only, whatever the host's locale.
 #pragma once
 
 namespace openr_host {

@@ -1,7 +1,7 @@
 // XXH3 over a stream of plain values, for trace and state hashes.
 //
-// Only values go in, never addresses and never padding: Add() takes arithmetic
-// types and enumerations, AddBytes() takes bytes whose every one is initialised.
+// Only values are hashed, never addresses or padding, because those differ from run to run: Add()
+// takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace openr_host {
 class Hasher {
  public:
   Hasher();
-  // Keeps what is added, too: for a hash that is made in another process.
+  // Also appends all added bytes to `*copy`, so that another process can add them to its hash.
   explicit Hasher(std::string* copy) : Hasher() { copy_ = copy; }
   ~Hasher();
   Hasher(const Hasher&) = delete;
@@ -29,10 +29,10 @@ class Hasher {
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Add(T value) { AddBytes(&value, sizeof value); }
 
-  // Length first, so that ("ab", "c") and ("a", "bc") differ.
+  // Adds the length first, so that ("ab", "c") and ("a", "bc") have different hashes.
   void AddText(std::string_view text);
 
-  // The 64-bit hash of all that was added so far; more may be added afterwards.
+  // Returns the 64-bit hash of all bytes added so far; more may be added afterwards.
   uint64_t Digest() const;
 
  private:
@@ -40,7 +40,7 @@ class Hasher {
   std::string* copy_ = nullptr;
 };
 
-// XXH3 of one block of bytes.
+// Returns the XXH3 hash of one block of bytes.
 uint64_t HashBytes(const void* data, size_t size);
 
 }  // namespace openr_host

@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Returns the bytes of the file `path`; nullopt, with errno set, if it cannot be read to its end.
-// A folder cannot be read (EISDIR).
+// Returns the bytes of the file `path`, or nullopt with errno set if it cannot be read to its end.
+// Reading a folder fails with EISDIR.
 std::optional<std::string> ReadFile(const std::string& path);
 
 // Throws std::runtime_error "PATH: the system's reason" instead.

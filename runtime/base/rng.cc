@@ -38,7 +38,9 @@ double Rng::NextDouble() { return static_cast<double>(Next() >> 11) * 0x1.0p-53;
 
 uint64_t Rng::NextBelow(uint64_t n) {
   ASSERT(n > 0);
-  const uint64_t limit = UINT64_MAX - UINT64_MAX % n;  // a multiple of n, so no value is favoured
+  // Values from the largest multiple of n on are drawn again; otherwise the modulo would favour
+  // small results.
+  const uint64_t limit = UINT64_MAX - UINT64_MAX % n;
   uint64_t value = Next();
   while (value >= limit) value = Next();
   return value % n;

@@ -8,15 +8,16 @@ namespace openr_host {
 
 class Hasher;
 
-// xoshiro256** seeded through splitmix64 from XXH3(seed, name).
+// The generator xoshiro256**; its state is filled by splitmix64, which starts at
+// seed XOR XXH3(name).
 class Rng {
  public:
   Rng(uint64_t seed, std::string_view name);
 
   uint64_t Next();
-  // Uniform in [0, 1).
+  // Returns a uniform value in [0, 1).
   double NextDouble();
-  // Uniform in [0, n).  REQUIRES: n > 0.
+  // Returns a uniform value in [0, n).  REQUIRES: n > 0.
   uint64_t NextBelow(uint64_t n);
 
   void HashState(Hasher* hasher) const;

@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-// Ninja's limit: what takes more than 3 edits is another word.
+// The limit that Ninja uses: a name more than 3 edits away was not meant.
 constexpr int kEditsMax = 3;
 
 char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -22,7 +22,8 @@ bool EqualsIgnoringCase(std::string_view a, std::string_view b) {
 
 int EditDistance(std::string_view a, std::string_view b) {
   const size_t width = b.size() + 1;
-  // Three rows of the usual table: two above, one above, current.
+  // Three rows of the table of distances are enough: the current row, the row above it, and the
+  // row before that, which swaps look at.
   std::vector<int> before(width), above(width), row(width);
   for (size_t j = 0; j < width; ++j) above[j] = static_cast<int>(j);
   for (size_t i = 1; i <= a.size(); ++i) {
@@ -49,7 +50,7 @@ std::optional<std::string> ClosestMatch(std::string_view word,
     const int distance = EditDistance(word, candidate);
     if (distance > limit) continue;
     closest = candidate;
-    limit = distance - 1;  // a later one must be nearer
+    limit = distance - 1;  // a later candidate counts only if it is nearer
   }
   return closest;
 }

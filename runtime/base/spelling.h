@@ -1,4 +1,4 @@
-// "did you mean": the nearest of the names that would have been right.
+// Finds the valid name nearest to a misspelt one, for "did you mean" in messages.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,17 @@ namespace openr_host {
 // True iff the two are equal when the case of ASCII letters is ignored.
 bool EqualsIgnoringCase(std::string_view a, std::string_view b);
 
-// How many insertions, deletions, replacements and swaps of neighbours turn `a` into `b`
+// Returns how many insertions, deletions, replacements and swaps of neighbours turn `a` into `b`
 // (optimal string alignment).  The case of ASCII letters does not count.
 int EditDistance(std::string_view a, std::string_view b);
 
-// The candidate nearest to `word`, the first of equally near ones.  nullopt when none is within
-// a third of the word's length (at least 1, at most 3 edits), or when `word` itself is one.
+// Returns the candidate nearest to `word`, the first of equally near ones.  Returns nullopt if no
+// candidate is near enough, or if `word` is itself a candidate.  Near enough is a third of the
+// length of `word` in edits, but at least 1 and at most 3.
 std::optional<std::string> ClosestMatch(std::string_view word,
                                         const std::vector<std::string>& candidates);
 
-// "; did you mean 'X'?", to be put at the end of a message, or "" when nothing is near.
+// Returns "; did you mean 'X'?" for the end of a message, or "" if ClosestMatch() finds nothing.
 std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace openr_host

@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Ids of other containers' processes, which may share the folder, mean nothing here.
+// Returns how the names of this program's temporary folders begin.  Containers may share the
+// folder of temporary files but have process ids of their own.  Because an id means nothing
+// outside its PID namespace, the prefix contains the number of that namespace.
 std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();
@@ -25,7 +27,8 @@ std::string Prefix() {
   return fmt::format("openr-host-run-{}-", space);
 }
 
-// Removes folders of processes that are gone.
+// Removes the folders of processes that no longer exist: each name has a process id behind
+// `prefix`.
 void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {

@@ -1,15 +1,15 @@
-// A folder for a while, in the host's folder for such things.
+// A temporary folder in the host's folder for temporary files.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// Goes with its owner, in the process that made it.  Folders that a killed process left
-// behind are removed when the next one is made.
+// The destructor removes the folder, but only in the process that made it, not in its forks.
+// Because a killed process leaves its folder behind, the constructor removes such folders.
 class TempFolder {
  public:
-  // Throws std::runtime_error, with the place and the system's reason, when it cannot be made.
+  // Throws std::runtime_error with the place and the system's reason if no folder can be made.
   TempFolder();
   ~TempFolder();
   TempFolder(const TempFolder&) = delete;

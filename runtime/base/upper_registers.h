@@ -10,9 +10,9 @@
 
 namespace openr_host {
 
-// Makes the upper halves zero, which ends the waiting.  Called in front of long stretches of SSE
-// code.  Does nothing on a processor without AVX, nor where the compiler itself uses AVX and cleans
-// up.
+// Sets the upper halves to zero, which ends the waiting.  Called before long stretches of SSE code.
+// Does nothing on a processor without AVX, nor in a build for AVX, where the compiler itself clears
+// the registers.
 #if defined(__x86_64__) && !defined(__AVX__)
 inline void ClearUpperRegisters() {
   if (__builtin_cpu_supports("avx")) asm volatile("vzeroupper");

@@ -4,7 +4,8 @@
 
 namespace openr_host {
 
-// steady_clock calls clock_gettime(), which runtime/hooks replaces only for code of an image.
+// Reads the host's clock although runtime/hooks replaces clock_gettime(), which steady_clock calls:
+// the replacement acts only while code of an image runs.
 int64_t WallClockNs() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }

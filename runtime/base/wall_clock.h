@@ -1,13 +1,13 @@
-// The clock of the host, for pacing, time limits of processes and measurements.  Nothing that a
-// program can see may depend on it.
+// The clock of the host, for pacing, time limits of processes and measurements.  Nothing that an
+// object can see may depend on this clock.
 #pragma once
 
 #include <cstdint>
 
 namespace openr_host {
 
-// Returns the time of the monotonic clock in nanoseconds; its origin is arbitrary.  Code of an
-// image would get the robot's clock; see ApiScope.
+// Returns the time of the monotonic clock in nanoseconds; its origin is arbitrary.  While code of
+// an image runs, the call would return the robot's clock; ApiScope prevents that.
 int64_t WallClockNs();
 
 inline int64_t WallClockMs() { return WallClockNs() / 1'000'000; }
