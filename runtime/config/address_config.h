@@ -1,8 +1,8 @@
-// Addresses that programs have compiled in or in their files, and where they are on this computer.
+// Replaces the IP addresses that programs contain by addresses of today.
 //
 // A program of the period knows its peers as 10.0.1.2 and itself as 10.0.1.100.  A pair says which
-// address of today is meant: on the command line (openr run --ip ROBOT=HOST), or in the file
-// HOSTADDR.CFG beside CONNECT.CFG, a line of two addresses each.  The robot ignores that file.
+// address to use instead.  Pairs come from the command line (openr run --ip ROBOT=HOST) and from
+// the file HOSTADDR.CFG beside CONNECT.CFG, one pair a line.  The robot ignores that file.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace openr_host {
 
 inline constexpr char kAddressFile[] = "HOSTADDR.CFG";
 
-// Order of the host: 10.0.1.2 is 0x0a000102.
+// A pair of IPv4 addresses in the host's byte order: 10.0.1.2 is 0x0a000102.
 struct AddressPair {
-  uint32_t robot = 0;  // as programs call it
-  uint32_t host = 0;   // where it is
+  uint32_t robot = 0;  // the address that programs use
+  uint32_t host = 0;   // the address that the host uses in its place
   bool operator==(const AddressPair&) const = default;
 };
 
@@ -28,21 +28,21 @@ struct AddressConfig {
   std::vector<Diagnostic> diagnostics;
 };
 
-// "10.0.1.2"
+// Returns an address as text, such as "10.0.1.2".
 std::string AddressText(uint32_t ip);
 
-// Takes "10.0.1.2=127.0.0.1"; returns "" or what is wrong with it.
+// Parses a pair such as "10.0.1.2=127.0.0.1"; returns "" or the reason why it is invalid.
 std::string ParseAddressPair(std::string_view text, AddressPair* pair);
 
-// Appends `pair`; returns "" or why it cannot hold beside those that are there.
+// Appends `pair` to `pairs`; returns "" or, if its robot address is in `pairs` already, an error.
 std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pairs);
 
-// Reads the text of a HOSTADDR.CFG, one "ROBOT HOST" per line.  `design`: the model whose sections
-// count ("ERS-210").  A bad line is reported and skipped.
+// Parses the text of a HOSTADDR.CFG, one "ROBOT HOST" per line, for the robot design `design`
+// ("ERS-210").  A bad line is reported and skipped.
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 
-// `first`, and those of `second` whose robot's address is not in it.
+// Returns `first`, followed by the pairs of `second` whose robot address is not in `first`.
 std::vector<AddressPair> MergeAddressPairs(std::vector<AddressPair> first,
                                            const std::vector<AddressPair>& second);
 

@@ -26,7 +26,7 @@ std::optional<ServiceName> ReadName(const RecordLine& line, const Word& word,
   return name;
 }
 
-// True iff the line holds two words.
+// Returns true if the line has exactly two words; otherwise reports an error.
 bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   if (line.words.size() == 2) return true;
   if (line.words.size() == 1) {
@@ -44,7 +44,8 @@ bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   return false;
 }
 
-// True iff data can flow from `subject` to `observer`, the names in the line's two words.
+// Returns true if data can flow from `subject` to `observer`, which are the two words of the line;
+// otherwise reports an error.
 bool FitTogether(const RecordLine& line, const ServiceName& subject, const ServiceName& observer,
                  std::vector<Diagnostic>* diagnostics) {
   if (!subject.is_subject() && observer.is_subject()) {

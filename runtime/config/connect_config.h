@@ -13,8 +13,8 @@ namespace openr_host {
 struct ConnectRecord {
   ServiceName subject;         // direction 'S'
   ServiceName observer;        // direction 'O', same data type as the subject
-  std::string section;         // robot design the line is limited to; "" for every robot
-  FilePosition subject_place;  // for "no such service" with a caret under the right name
+  std::string section;         // the robot design for which the line holds; "" for every robot
+  FilePosition subject_place;  // lets a later message point to the subject's name
   FilePosition observer_place;
 };
 
@@ -26,8 +26,8 @@ struct ConnectConfig {
 // Parses the text of CONNECT.CFG, "subject observer" per line, for one robot design ("ERS-210",
 // or kEveryDesign).  A bad line (a name that is not of four parts, a wrong direction, data types
 // that differ) is reported and skipped, all others hold, as measured on the original library.
-// The same pair twice is connected once, with a warning.  Whether the services exist is for the
-// service directory to say.  `consequence` ends what is said of a bad line.
+// The same pair twice is connected once, with a warning.  The parser does not check whether the
+// services exist; the service directory does.  `consequence` is appended to each error message.
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
                                  std::string_view design,
                                  std::string_view consequence = " (the line is skipped)");

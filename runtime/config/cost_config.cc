@@ -10,12 +10,12 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kCostMaxUs = 10'000'000;  // ours: a handler of 10 s is a slip of the pen
+constexpr int64_t kCostMaxUs = 10'000'000;  // our limit: a longer handler is surely a typing error
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
 constexpr char kForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";
 
-// A whole number of `min`..`max`.
+// Parses a whole number; nullopt if `text` is no number or not within `min`..`max`.
 std::optional<int64_t> NumberOf(std::string_view text, int64_t min, int64_t max) {
   int64_t value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -52,7 +52,9 @@ class Parser {
     }
   }
 
-  // Entries may have blanks in their names: what stands between the object and the numbers.
+  // Parses "OBJECT ENTRY MICROSECONDS [+-JITTER%]".  Because names of entries may contain blanks,
+  // the numbers are taken from the end of the line; all words after the object and before the
+  // numbers are the entry.
   void TakeRule(const RecordLine& line) {
     CostRule rule;
     rule.place = line.At(line.words[0]);
@@ -102,7 +104,9 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text) {
 
 bool MatchesPattern(std::string_view pattern, std::string_view text) {
   size_t p = 0, t = 0;
-  size_t star = std::string_view::npos, resume = 0;  // the last '*', and where its text ends
+  // On a mismatch the last '*' is made to cover one more character, and the match goes on behind.
+  size_t star = std::string_view::npos;  // position of the last '*' in `pattern`
+  size_t resume = 0;                     // end of the text that this '*' covers
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;

@@ -1,4 +1,4 @@
-// A cost file: how long the robot's processor takes for handlers.
+// A cost file says how long the robot's processor takes for each handler.
 //
 //   # OBJECT     ENTRY                                   MICROSECONDS [+-JITTER%]
 //   *            *                                       50
@@ -6,10 +6,10 @@
 //   JointMover   DoStart                                 20000
 //   frame 8021
 //
-// OBJECT and ENTRY are what traces show (Object::EntryName); '*' stands for any text.  The last
-// line that fits a handler holds, so general lines come first; a handler that none fits costs
-// nothing.  `frame` says how long a frame of the robot's devices, nominally 8 ms, lasts by the
-// clock that programs read.  '#' as the first character makes a line a comment.
+// OBJECT and ENTRY are the names that traces show (Object::EntryName); '*' stands for any text.
+// The last line that matches a handler decides, so general lines come first; a handler without a
+// matching line costs nothing.  `frame` says how long a frame of the robot's devices, nominally
+// 8 ms, lasts by the clock that programs read.  A line that begins with '#' is a comment.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct CostRule {
   std::string object;
   std::string entry;
   int64_t cost_us = 0;
-  int jitter_percent = 0;  // 0..100 of cost_us, to both sides
+  int jitter_percent = 0;  // 0..100; the cost varies by up to this share of cost_us, up and down
 };
 
 struct CostConfig {
@@ -39,10 +39,10 @@ struct CostResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-// A bad line is reported and skipped.
+// Parses the text of a cost file.  A bad line is reported and skipped.
 CostResult ParseCostConfig(const std::string& file, std::string_view text);
 
-// Whether `text` is what `pattern` says, '*' in it being any text, also none.
+// Returns whether `text` matches `pattern`, in which '*' stands for any text, also for none.
 bool MatchesPattern(std::string_view pattern, std::string_view text);
 
 }  // namespace openr_host

@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-// odesignkeywordCPUINFO: answered by the system without a file.
+// The keyword odesignkeywordCPUINFO, for which the system has an answer without a file.
 constexpr std::string_view kBuiltInKeyword = "SYS_CPUINFO";
 
 bool CheckWords(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {

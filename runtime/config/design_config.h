@@ -15,7 +15,7 @@ inline constexpr int kDesignKeywordBytesMax = 127;
 struct DesignRecord {
   std::string keyword;  // case counts
   std::string path;     // as written, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; any case
-  std::string section;  // robot design the line is limited to; "" for every robot
+  std::string section;  // the robot design for which the line holds; "" for every robot
   FilePosition keyword_place;
   FilePosition path_place;
 };
@@ -27,7 +27,7 @@ struct DesignConfig {
 
 // Parses the text of DESIGNDB.CFG, "keyword path" per line, for one robot design ("ERS-210", or
 // kEveryDesign).  A bad line is reported and skipped, all others hold.  A keyword given twice keeps
-// its first path, with a warning (no source says which the robot takes).
+// its first path, with a warning (no source says which path the robot takes).
 DesignConfig ParseDesignConfig(const std::string& file, std::string_view text,
                                std::string_view design);
 

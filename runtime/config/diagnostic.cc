@@ -19,7 +19,7 @@ std::string Printable(std::string text) {
   return text;
 }
 
-// As wide as the first `column` - 1 bytes of `text` look on a terminal.
+// Returns blanks and tabs as wide as the first `column` - 1 bytes of `text` are on a terminal.
 std::string Indent(const std::string& text, int column) {
   std::string indent;
   for (int i = 0; i + 1 < column; ++i) {

@@ -1,4 +1,4 @@
-// What a parser says about one line of a text file, and how a person sees it.
+// Messages of parsers about lines of text files, and their form for the user.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace openr_host {
 
 enum class Severity {
   kError,    // the line is skipped, or the file cannot be used
-  kWarning,  // the line holds, but somebody should look at it
-  kNote,     // nothing is wrong; good to know
+  kWarning,  // the line holds, but is probably not what the author wanted
+  kNote,     // nothing is wrong; information only
 };
 
 // A position in a text file.  A record keeps the position it was read from, so that a later
@@ -21,7 +21,7 @@ struct FilePosition {
   std::string text;  // the line, without its end
 };
 
-// The same line, another column.
+// Returns `place` with another column.
 FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {
@@ -38,16 +38,16 @@ Diagnostic WarningAt(const FilePosition& place, std::string message);
 
 bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 
-// "file:line: message", then the offending line, then a caret under `column`; warnings say
-// "file:line: warning: message", notes "note: " in its place.  No newline at the end.  Without a
-// line: "file: message"; without a column: no caret.  Tabs keep the caret in place, UTF-8 sequences
-// count as one character, control bytes are shown as '?'.
+// Returns "file:line: message", then the offending line, then a caret under `column`, without a
+// newline at the end.  A warning is "file:line: warning: message", a note "file:line: note:
+// message".  With line 0 the text is "file: message"; with column 0 there is no caret.  Tabs keep
+// the caret in place, UTF-8 sequences count as one character, control bytes are shown as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
-// The same without "warning: ", for findings, which have a severity of their own.
+// Returns the same without "warning: " or "note: ", for findings, whose own text says the severity.
 std::string RenderWithoutKind(const Diagnostic& diagnostic);
 
-// One after the other, each followed by a newline.
+// Returns all diagnostics as text, each followed by a newline.
 std::string Render(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace openr_host

@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// Installation Guide 3.2.1.
+// The port of the robot's wireless console (Installation Guide 3.2.1).
 constexpr int kConsolePort = 59000;
 
 std::optional<uint16_t> PortOf(const Word& word) {
@@ -50,7 +50,8 @@ class GatewayReader {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
-  // Where OPEN-R calls of remote programs arrive (robot), or where they go to (host).
+  // Reads the record for the OPEN-R calls of remote programs: on the robot's side the port where
+  // they arrive, on the host's side the address to which they go.
   void ReadProxy(const RecordLine& line) {
     const bool is_of_host = line.words[0].text == kProxyRecord;
     if (is_of_host != (side_ == GatewaySide::kHost)) {
@@ -141,6 +142,7 @@ class GatewayReader {
     return false;
   }
 
+  // Returns true if no earlier record has the same service or port; otherwise reports an error.
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);
@@ -191,6 +193,7 @@ std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const Gate
     int line;
   };
   std::vector<Wire> known;
+  // Checks one end of a wire: its service must exist, and no earlier wire may use the service.
   const auto check = [&](const ServiceName& service, const std::string& section,
                          const FilePosition& place) {
     if (!Compose(service).starts_with(kGatewayPrefix)) return;

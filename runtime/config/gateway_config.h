@@ -1,8 +1,9 @@
 // ROBOTGW.CFG and HOSTGW.CFG: the services that TCPGateway carries over the network.
 //
 // Each service has a port and carries exactly one connection; the robot's side listens, the host's
-// side connects.  The two sides pair by port: a robot-side observer (.O) sends what robot subjects
-// notify to a host-side subject (.S), and the other way round.  (core.md, 5.4)
+// side connects.  Services with the same port belong together: an observer (.O) on the robot's side
+// sends all data that robot subjects notify to a subject (.S) on the host's side, and the other
+// way round.  (core.md, 5.4)
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@
 
 namespace openr_host {
 
-inline constexpr char kGatewayImage[] = "TCPGW.BIN";  // as OBJECT.CFG of a robot names it
+inline constexpr char kGatewayImage[] = "TCPGW.BIN";  // the file's name in a robot's OBJECT.CFG
 inline constexpr char kGatewayPrefix[] = "TCPGateway.";
 inline constexpr char kProxyService[] = "TCPGateway.Proxy.AperiosMessage.P";
 inline constexpr char kProxyRecord[] = "!ROBOT_PROXY";
@@ -30,27 +31,28 @@ struct GatewayRecord {
   ServiceName service;
   uint16_t port = 0;
   std::string host;       // address of the robot to connect to; "": this side listens
-  std::string section;    // robot design the line is limited to; "" for every robot
-  bool is_proxy = false;  // no service, but the OPEN-R calls of remote programs
+  std::string section;    // the robot design for which the line holds; "" for every robot
+  bool is_proxy = false;  // true: the record is for OPEN-R calls of remote programs, not a service
   FilePosition place;
 
-  std::string Name() const;  // of its service, as in the file
+  std::string Name() const;  // the first word of the record
 };
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in file order
-  // TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
+  // The record TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  A bad line, a port or
-// service named twice is reported and skipped.
+// Parses "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  A bad line is reported and
+// skipped, and so is a line whose port or service an earlier line has.
 GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
                                  std::string_view design, GatewaySide side);
 
-// What does not fit between the wires and the services of the gateway: a wire to a service it does
-// not have, a second wire of one service.  `file` is the gateway's, for messages.
+// Reports wires (lines of CONNECT.CFG) that do not fit the gateway: a wire to a service that the
+// gateway does not have, a second wire to the same service.  Messages call the gateway's
+// configuration file `file`.
 std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const GatewayConfig& gateway,
                                           const std::string& file);
 

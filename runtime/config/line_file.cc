@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/characters.h"
 #include "runtime/base/spelling.h"
 
@@ -13,10 +14,10 @@ namespace openr_host {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr size_t kQuotedBytesMax = 60;  // of a line too long to be shown
+constexpr size_t kQuotedBytesMax = 60;  // bytes that a message shows of a line that is too long
 
-// The designs that OPENR::GetRobotDesign can answer.  Others are legal (a stick's DESIGN.CFG may
-// name its own), so they only serve to find slips of the pen.
+// The designs that OPENR::GetRobotDesign can answer.  Other designs are legal (a stick's DESIGN.CFG
+// may name its own), so this list serves only to warn about misspelt names.
 const std::vector<std::string> kKnownDesigns = {"ERS-210", "ERS-220", "ERS-7"};
 
 std::string_view Trim(std::string_view text) {
@@ -34,17 +35,17 @@ std::string_view TakeLine(std::string_view* rest) {
   return line;
 }
 
-// Which section the reader is in.
+// Follows section headers and decides which records hold for a robot design.
 class SectionFilter {
  public:
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // True while records hold for the design asked for.
+  // True while records of the current section hold for the design.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }
 
-  // `line` starts with '['.
+  // Begins the section that `line` names.  REQUIRES: `line` starts with '['.
   void Enter(const RecordLine& line);
 
  private:
@@ -52,11 +53,12 @@ class SectionFilter {
 
   const std::string_view design_;
   std::vector<Diagnostic>* const diagnostics_;
-  bool is_open_ = true;  // before the first section: every robot
+  bool is_open_ = true;  // records before the first section hold for every robot
   std::string section_;
 };
 
 void SectionFilter::Enter(const RecordLine& line) {
+  ASSERT(!line.words.empty() && line.words[0].text[0] == '[', "{}", line.place.text);
   const std::string_view text = std::string_view(line.place.text).substr(line.place.column);
   const size_t end = text.find(']');
   const std::string name(Trim(text.substr(0, end)));
@@ -94,7 +96,8 @@ void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& 
   }
 }
 
-// Reports the first byte that is neither text nor blank; comments may hold any (Japanese ones do).
+// Reports the first control byte of a record.  Comments are not checked: they may contain any byte,
+// as comments in Japanese do.
 bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
     const unsigned char byte = static_cast<unsigned char>(place.text[i]);
@@ -164,7 +167,7 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 
 namespace {
 
-// No source says what the robot makes of a comment after a record.
+// Removes a comment after a record, with a warning, because no source says how the robot reads it.
 void DropTrailingComment(RecordLine* line, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 1; i < line->words.size(); ++i) {
     if (line->words[i].text[0] != '#') continue;

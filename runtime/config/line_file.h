@@ -1,10 +1,10 @@
-// Lines and words: what all text files of a Memory Stick have in common.
+// Reads lines and words, the common form of all text files of a Memory Stick.
 //
-// Lines end in LF or CR LF, the last one perhaps in nothing; blanks and tabs separate words and
-// may trail.  '#' as the first character of a line makes it a comment; after a record no source
-// knows one: it is a warning, and not read.  "[ERS-210]" alone on a line opens a section for that
-// robot design; records before the first section are for every robot.  (Programmer's Guide 4.2, and
-// the configuration files of Sony's samples, 16 of which have CR LF.)
+// Lines end in LF or CR LF, the last line may end without; blanks and tabs separate words and may
+// trail.  A line that begins with '#' is a comment.  Because no source knows comments after a
+// record, such a comment is skipped with a warning.  "[ERS-210]" alone on a line opens a section
+// for that robot design; records before the first section are for every robot.  (Programmer's Guide
+// 4.2, and the configuration files of Sony's samples, 16 of which have CR LF.)
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@
 
 namespace openr_host {
 
-// Our own limit.  Two service names of 127 characters are the longest record that makes sense.
+// Our own limit; the longest record that makes sense is two service names of 127 characters.
 inline constexpr int kLineBytesMax = 1024;
 
-// Stands for "the records of every section" where a robot design is asked for.
+// Given in place of a robot design, selects the records of every section.
 inline constexpr std::string_view kEveryDesign = "*";
 
 struct Word {
@@ -26,30 +26,30 @@ struct Word {
   int column = 0;    // from 1
 };
 
-// The words of `text`: what blanks and tabs separate.
+// Returns the words of `text`, which blanks and tabs separate.
 std::vector<Word> SplitWords(std::string_view text);
 
-// The lines of a file, in order, each a Place with column 1.  Lines with NUL bytes or of more than
-// kLineBytesMax bytes are left out and reported (NULs once for the whole file, since a binary has
-// thousands); a UTF-8 byte order mark is dropped with a warning.
+// Returns the lines of a file in order, each as a position with column 1.  Lines with NUL bytes or
+// of more than kLineBytesMax bytes are left out and reported.  NUL bytes are reported once for the
+// whole file, because a binary has thousands.  A UTF-8 byte order mark is dropped with a warning.
 std::vector<FilePosition> SplitLines(const std::string& file, std::string_view text,
                                      std::vector<Diagnostic>* diagnostics);
 
 struct RecordLine {
-  FilePosition place;       // column of the first word
+  FilePosition place;       // position of the first word
   std::vector<Word> words;  // never empty
-  std::string section;      // as written, "" before the first section
+  std::string section;      // its name as written, "" before the first section
 
   FilePosition At(const Word& word) const { return AtColumn(place, word.column); }
 };
 
-// The records of a file with sections that hold for `design` ("ERS-210", or kEveryDesign).
-// Section names are compared without regard to case, with a warning when the case differs.
-// Lines of other designs are not looked at beyond their section header.
+// Returns the records of a file that hold for `design` ("ERS-210", or kEveryDesign).  Section names
+// are compared without regard to case, with a warning if the case differs.  Of sections of other
+// designs only the header is checked.
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);
 
-// True iff there is a robot for which records of both sections hold.
+// Returns true if records of both sections can hold for the same robot.
 bool MayHoldTogether(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

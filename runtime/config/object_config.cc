@@ -9,7 +9,7 @@
 namespace openr_host {
 namespace {
 
-// The record that already names `path`, or nullptr.
+// Returns the earlier record with the same path, or nullptr.
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {
   for (const ObjectRecord& object : objects) {

@@ -11,7 +11,7 @@ namespace openr_host {
 
 struct ObjectRecord {
   std::string path;     // as written, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; any case
-  std::string section;  // robot design the line is limited to; "" for every robot
+  std::string section;  // the robot design for which the line holds; "" for every robot
   FilePosition place;
 };
 
@@ -22,7 +22,7 @@ struct ObjectConfig {
 
 // Parses the text of OBJECT.CFG, one path per line, for one robot design ("ERS-210", or
 // kEveryDesign).  A bad line is reported and skipped, all others hold.  A path that is listed
-// twice (in any case) is loaded once, with a warning.  `file` is only named in messages.
+// twice (in any case) is loaded once, with a warning.  `file` is the name for messages.
 ObjectConfig ParseObjectConfig(const std::string& file, std::string_view text,
                                std::string_view design);
 

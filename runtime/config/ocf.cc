@@ -5,6 +5,7 @@
 #include <charconv>
 #include <limits>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/line_file.h"
 
@@ -15,7 +16,7 @@ constexpr size_t kShortFieldCount = 7;  // after the word "object"
 constexpr size_t kLongFieldCount = 14;
 constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // the robot has 32 bits
 constexpr int kPriorityMax = 255;
-// Sony's samples carried this slip of the pen for 16384 for half a year.
+// A typing error for 16384 that Sony's samples contained for half a year.
 constexpr int64_t kMistypedHeapBytes = 16386;
 
 struct Field {
@@ -23,7 +24,7 @@ struct Field {
   FilePosition place;
 };
 
-// All words of the file, comments left out.
+// Returns all words of the file, without comments.
 std::vector<Field> ReadFields(const std::string& file, std::string_view text,
                               std::vector<Diagnostic>* diagnostics) {
   std::vector<Field> fields;
@@ -36,14 +37,22 @@ std::vector<Field> ReadFields(const std::string& file, std::string_view text,
   return fields;
 }
 
-// Takes fields one by one; remembers whether any was wrong.
+// Takes fields one by one and reports the wrong ones.
 class FieldReader {
  public:
   FieldReader(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics)
       : fields_(fields), diagnostics_(diagnostics) {}
 
-  const Field& Peek() const { return fields_[next_]; }
-  const Field& Take() { return fields_[next_++]; }
+  // REQUIRES: not all fields are taken.
+  const Field& Peek() const {
+    ASSERT(next_ < fields_.size(), "field {} of {}", next_, fields_.size());
+    return fields_[next_];
+  }
+  const Field& Take() {
+    const Field& field = Peek();
+    next_ += 1;
+    return field;
+  }
 
   void Error(const Field& field, std::string message) {
     diagnostics_->push_back(ErrorAt(field.place, std::move(message)));
@@ -52,17 +61,19 @@ class FieldReader {
     diagnostics_->push_back(WarningAt(field.place, std::move(message)));
   }
 
+  bool is_at_end() const { return next_ == fields_.size(); }
+
   std::string TakeName();
   int64_t TakeSize(const char* what);
   int TakePriority();
-  // True for `yes`, false for `no`.
+  // Returns true if the field is `yes`, false if it is `no`; anything else is an error.
   bool TakeChoice(const char* what, const char* yes, const char* no);
   bool TakeCache();
 
  private:
   const std::vector<Field>& fields_;
   std::vector<Diagnostic>* const diagnostics_;
-  size_t next_ = 1;  // past "object"
+  size_t next_ = 1;  // index of the next field; field 0 is the word "object"
 };
 
 std::string FieldReader::TakeName() {
@@ -121,7 +132,7 @@ bool FieldReader::TakeChoice(const char* what, const char* yes, const char* no) 
   return field.text == yes;
 }
 
-// gensnap takes everything that is not "cache" as "nocache".
+// Warns about unknown words, because gensnap, the SDK's tool, silently takes them as "nocache".
 bool FieldReader::TakeCache() {
   const Field& field = Take();
   if (field.text != "cache" && field.text != "nocache") {
@@ -131,6 +142,7 @@ bool FieldReader::TakeCache() {
   return field.text == "cache";
 }
 
+// REQUIRES: `fields` is the word "object" and the fields of the short or of the long form.
 Ocf ReadOcf(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics) {
   const bool is_long = fields.size() == kLongFieldCount + 1;
   FieldReader reader(fields, diagnostics);
@@ -162,6 +174,7 @@ Ocf ReadOcf(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnosti
   if (ocf.is_user_mode && tlb.text == "notlb") {
     reader.Warning(tlb, "'user' mode needs 'tlb' on a robot with memory protection");
   }
+  ASSERT(reader.is_at_end());
   return ocf;
 }
 

@@ -1,4 +1,4 @@
-// .ocf: the one-record description from which the SDK's linker makes an object's image header.
+// Parses an .ocf file, the record from which the SDK's linker makes the image header of an object.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,26 @@ namespace openr_host {
 // oobjectNAME_MAX of <OPENR/OPENR.h>, without the closing NUL.
 inline constexpr int kObjectNameBytesMax = 63;
 
-// Defaults are what the short form stands for, and the values of Sony's samples.
+// The description of an object.  Fields that the short form does not have keep the defaults below,
+// which the short form implies; the other defaults are the values of Sony's samples.
 struct Ocf {
-  std::string name;                 // run-time object name, unique among all objects
-  std::string module;               // the name again in the short form
-  std::string metaspace = "mCOOP";  // these five and install_selector: long form only,
-  std::string pic = "pic";          // kept as written, without meaning for the host
+  std::string name;    // run-time object name, unique among all objects
+  std::string module;  // the name again in the short form
+  // The next five fields and install_selector exist in the long form only.  They are kept as
+  // written and mean nothing to the host.
+  std::string metaspace = "mCOOP";
+  std::string pic = "pic";
   std::string pid = "pid";
   std::string heap_library = "none";
   std::string same_space = "none";
   std::string install_selector = "-1";
   int64_t stack_bytes = 3072;  // fixed size on the robot
   int64_t heap_bytes = 16384;  // step by which the heap grows on the robot
-  int priority = 128;          // 0..255; upper 4 bits class, lower 4 share inside the class
-  bool is_cached = true;       // "cache"
-  bool is_translated = true;   // "tlb"
-  bool is_user_mode = true;    // "user", not "kernel"
-  FilePosition place;          // of the name
+  int priority = 128;         // 0..255; the upper 4 bits are the class, the lower 4 the share in it
+  bool is_cached = true;      // "cache"
+  bool is_translated = true;  // "tlb"
+  bool is_user_mode = true;   // "user", not "kernel"
+  FilePosition place;         // position of the name
 };
 
 struct OcfResult {
@@ -38,8 +41,8 @@ struct OcfResult {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the text of an .ocf file.  '#' starts a comment anywhere and line ends are blanks, so the
-// record may span lines:
+// Parses the text of an .ocf file.  '#' starts a comment anywhere in a line.  The ends of lines
+// count as blanks, so the record may span several lines.  It has one of two forms:
 //   object NAME STACK HEAP PRIORITY CACHE TLB MODE
 //   object NAME MODULE METASPACE PIC PID HEAPLIB STACK HEAP SAMESPACE INSTALLSEL PRIORITY CACHE
 //          TLB MODE

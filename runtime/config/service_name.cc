@@ -25,7 +25,7 @@ std::vector<Part> SplitAtDots(std::string_view text) {
   }
 }
 
-// What is wrong with the parts of `text`; an empty message when nothing is.
+// Returns the first fault of `text`, given its parts; its message is empty if there is no fault.
 ServiceNameFault FindFault(std::string_view text, const std::vector<Part>& parts) {
   if (parts.size() != kPartCount) {
     return {fmt::format("'{}' has {} part{}, a service name has 4: Object.Service.Data.S for a "

@@ -12,29 +12,29 @@ namespace openr_host {
 inline constexpr int kServiceNameBytesMax = 127;
 
 struct ServiceName {
-  std::string object;    // need not be the ObjectName of stub.cfg; used only to match
-  std::string service;   // gives sbj<Service> or obs<Service> in def.h
-  std::string data;      // any text without dot; both ends of a connection must agree
+  std::string object;    // used only to find the service; may differ from ObjectName in stub.cfg
+  std::string service;   // becomes sbj<Service> or obs<Service> in def.h
+  std::string data;      // any text without a dot; equal at both ends of a connection
   char direction = 'S';  // 'S': subject, 'O': observer
 
   bool is_subject() const { return direction == 'S'; }
   bool operator==(const ServiceName&) const = default;
 };
 
-// Why a text is not a service name.
+// The reason why a text is not a service name.
 struct ServiceNameFault {
   std::string message;
   int offset = 0;  // bytes from the start of the text, for a caret
 };
 
-// Case counts.  On failure returns nullopt and fills `fault` unless that is null.
-// Length is not checked, see kServiceNameBytesMax.
+// Parses a service name; case counts.  On failure returns nullopt and fills `fault` unless that is
+// null.  Does not check the length: callers compare it with kServiceNameBytesMax.
 std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFault* fault);
 
-// The inverse: ParseServiceName(Compose(n)) == n.
+// Returns the name as text, the inverse of ParseServiceName().
 std::string Compose(const ServiceName& name);
 
-// Whether both are the same service, but with other data.
+// Returns whether the two names are equal except for their data types.
 bool DifferInDataOnly(const ServiceName& one, const ServiceName& other);
 
 }  // namespace openr_host

@@ -19,7 +19,7 @@ bool StartsWithRoot(std::string_view path) {
   return EqualsIgnoringCase(path.substr(0, kRoot.size()), kRoot);
 }
 
-// Where a path probably should have begun, or "" when there is nothing to guess from.
+// Returns "; did you mean '/MS/OPEN-R/...'?" if only the beginning of the path is missing, else "".
 std::string Suggestion(const std::string& path) {
   for (const std::string_view prefix : {"", "/", "/MS/", "/MS"}) {
     const std::string candidate = std::string(prefix) + path;

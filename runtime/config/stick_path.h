@@ -1,4 +1,4 @@
-// What can be said about a robot path ("/MS/OPEN-R/MW/OBJS/MOVER.BIN") by its looks alone.
+// Checks the form of a robot path ("/MS/OPEN-R/MW/OBJS/MOVER.BIN") without looking at files.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace openr_host {
 
-// True iff `word`, found at `place`, can be the path of a file on the Memory Stick: it begins with
-// /MS/ (any case), uses '/', and has no empty, '.' or '..' part; otherwise reports an error that
-// calls it `what` ("object path").  A part that is not an 8.3 name is only a warning: the host
-// could open it, the robot's FAT file system cannot hold it.
+// Returns true if `word`, found at `place`, can be the path of a file on the Memory Stick: it
+// begins with /MS/ (any case), uses '/', and has no empty, '.' or '..' part.  Otherwise reports an
+// error that calls the path `what` ("object path").  A part that is not an 8.3 name is only a
+// warning: the host can open such a file, but the robot's FAT file system cannot contain it.
 bool CheckStickPath(const Word& word, const FilePosition& place, const char* what,
                     std::vector<Diagnostic>* diagnostics);
 

@@ -12,11 +12,11 @@
 namespace openr_host {
 namespace {
 
-// Subjects or observers: what is declared and what is there.
+// The subjects or the observers of a stub.cfg: their declared number and their Service lines.
 struct Side {
-  const char* noun;        // "subject"
-  const char* count_word;  // the keyword, unless the file uses its other spelling
-  const char* dummy;       // service of an object that has none, behind the object's name
+  const char* noun;        // "subject" or "observer"
+  const char* count_word;  // usual spelling of the keyword that declares the number
+  const char* dummy;       // name, after the object's, of the service for an object that needs none
   std::vector<StubService>* services;
 
   bool has_count = false;
@@ -57,7 +57,7 @@ class StubParser {
                   &result_.config.observers};
   bool has_object_name_ = false;
   bool in_block_comment_ = false;
-  int ignored_service_line_ = 0;  // the last one; 0: none
+  int ignored_service_line_ = 0;  // number of the last Service line that was ignored; 0: none
 };
 
 StubConfigResult StubParser::Parse(const std::string& file, std::string_view text) {
@@ -92,7 +92,8 @@ void StubParser::ReadLine(const FilePosition& place) {
   }
 }
 
-// stub.cfg has no such comments on the robot (Sony's host tool has), so they only earn a warning.
+// Keeps in_block_comment_ up to date.  A stub.cfg for the robot cannot have such comments, although
+// Sony's tool for hosts knows them; so lines in them hold, with a warning.
 void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");
   const size_t close = place.text.rfind("*/");
@@ -174,6 +175,7 @@ void StubParser::CheckWhole(const std::string& file) {
 void StubParser::CheckCount(const std::string& file, const Side& side) {
   const int found = static_cast<int>(side.services->size());
   const std::string& object = result_.config.object_name;
+  // The SDK's stub needs a service on both sides, so an object without one gets a dummy service.
   const std::string dummy =
       found > 0 ? ""
                 : fmt::format(
@@ -202,7 +204,8 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
   }
 }
 
-// The stub declares a function _X for every extra X, beside those for its own entries.
+// Reports an extra with the name of another entry: the stub declares a C function _X for each entry
+// X, and two functions of the same name would not compile.
 void StubParser::CheckExtra(const StubExtra& extra) {
   std::vector<std::string> taken = {"Init",    "Start", "Stop",    "Destroy", "Hook",
                                     "Control", "Ready", "Connect", "Notify"};

@@ -10,15 +10,16 @@
 
 namespace openr_host {
 
-// Selectors 0..63 exist for an object of the robot; the linker's image header holds no more.
+// An object of the robot has selectors 0..63, because the linker's image header holds no more.
 inline constexpr int kSelectorsMax = 64;
 
 struct StubService {
   ServiceName name;
-  // Member functions of the core class; "" where stub.cfg says null.
-  std::string connect_function;  // subject: control event; observer: connect event
-  std::string data_function;     // subject: ready event; observer: notify event
-  FilePosition place;            // of the name
+  // Member functions of the object's class; "" where stub.cfg says null.
+  std::string
+      connect_function;       // handles control events of a subject, connect events of an observer
+  std::string data_function;  // handles ready events of a subject, notify events of an observer
+  FilePosition place;         // position of the name
 };
 
 struct StubExtra {
@@ -34,7 +35,7 @@ struct StubConfig {
   std::vector<StubExtra> extras;
   FilePosition object_name_place;
 
-  // 4 for the life cycle, two per service, one per extra.
+  // Returns 4 for the life cycle, plus two per service and one per extra.
   int NumOfSelectors() const;
 };
 
@@ -45,10 +46,10 @@ struct StubConfigResult {
 
 // Parses the text of a stub.cfg.  A line counts if it starts, after blanks, with ObjectName,
 // NumOfOSubject or NumOfSubject, NumOfOObserver or NumOfObserver, Service or Extra, and a colon;
-// every other line is ignored, which is what makes "//", "#" and prose comments.  So far as in
-// Sony's stubgen2, whose behaviour was observed.  Beyond it: a line that looks like a slip of the
-// pen is ignored with a warning, all mistakes are reported and not only the first, and what would
-// only fail in the compiler (equal constants, impossible names) is an error here.
+// every other line is ignored, so "//", "#" and plain text are comments.  All this is as observed
+// with Sony's stubgen2.  Unlike stubgen2, this parser warns about an ignored line that looks like a
+// typing error, reports all mistakes and not only the first, and reports errors that otherwise the
+// compiler would find in the stub (equal constants, impossible names).
 StubConfigResult ParseStubConfig(const std::string& file, std::string_view text);
 
 }  // namespace openr_host

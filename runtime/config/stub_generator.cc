@@ -5,16 +5,18 @@
 #include <cstddef>
 #include <iterator>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
 constexpr const char* kHooks[] = {"Init", "Start", "Stop", "Destroy"};
 constexpr int kHookCount = static_cast<int>(std::size(kHooks));
 
-// One row of the object's entry table; its place in the list is its selector.
+// One row of the object's entry table; the index of the row is the selector.
 struct EntryPoint {
-  std::string name;        // "Ready0"; the C function is _Ready0
-  std::string definition;  // what defines that function
+  std::string name;        // "Ready0" for the C function _Ready0
+  std::string definition;  // source text that defines the function
 };
 
 void Append(std::string* text, const std::string& line) {
@@ -39,7 +41,7 @@ void AppendServiceNames(const char* array, const char* count,
   for (const StubService& service : services) {
     Append(text, fmt::format("    \"{}\",", Compose(service.name)));
   }
-  text->erase(text->size() - 2, 1);  // no comma behind the last one
+  text->erase(text->size() - 2, 1);  // removes the comma after the last name
   Append(text, "};");
 }
 
@@ -66,7 +68,7 @@ std::string MakeDefHeader(const StubConfig& config, const std::string& source) {
 
 // entry.h
 
-// "{ 4, 5, 6 }": `count` numbers from `first`.
+// Returns a list such as "{ 4, 5, 6 }": `count` numbers from `first` on.
 std::string NumberList(int first, size_t count) {
   std::string list = "{";
   for (size_t i = 0; i < count; ++i) {
@@ -131,7 +133,8 @@ std::string MakeStubHeader(const StubConfig& config, const std::string& source) 
 
 // <ObjectName>Stub.cc
 
-// For instance StubFuncDefine_Ready(0, Resend), or StubFuncDefine_Ready_nofunc(0).
+// Returns for instance StubFuncDefine_Ready(0, Resend), or StubFuncDefine_Ready_nofunc(0) if
+// `function` is "".
 std::string ServiceDefinition(const char* kind, size_t index, const std::string& function) {
   return function.empty() ? fmt::format("StubFuncDefine_{}_nofunc({})\n", kind, index)
                           : fmt::format("StubFuncDefine_{}({}, {})\n", kind, index, function);
@@ -145,7 +148,7 @@ void AppendServiceEntries(const char* kind, const std::vector<StubService>& serv
   }
 }
 
-// All entries of the object, in the order of their selectors.
+// Returns all entries of the object in the order of their selectors.
 std::vector<EntryPoint> ListEntries(const StubConfig& config) {
   std::vector<EntryPoint> entries;
   for (const char* hook : kHooks) {
@@ -163,8 +166,9 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
   return entries;
 }
 
-// A const array has internal linkage unless declared extern first, extern "C" or not; and g++ takes
-// the visibility from the first declaration only.
+// Returns the definition of openr_extra_names.  The generated text first declares the array extern,
+// because a const array would otherwise have internal linkage, even in extern "C"; the macro stands
+// there, because g++ takes the visibility from the first declaration only.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);
@@ -208,6 +212,8 @@ std::string MakeStubSource(const StubConfig& config, const std::string& source) 
 }  // namespace
 
 std::vector<GeneratedFile> GenerateStub(const StubConfig& config, const std::string& source) {
+  ASSERT(!config.object_name.empty());
+  ASSERT(!config.subjects.empty() && !config.observers.empty(), "{}", config.object_name);
   return {{"def.h", MakeDefHeader(config, source)},
           {"entry.h", MakeEntryHeader(config, source)},
           {config.object_name + "Stub.h", MakeStubHeader(config, source)},

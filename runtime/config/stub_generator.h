@@ -1,4 +1,4 @@
-// From a stub.cfg to the four files that make a core class an OPEN-R object.
+// Generates the stub of an object: the four files that make a C++ class an OPEN-R object.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ struct GeneratedFile {
 };
 
 // Returns def.h, entry.h, <ObjectName>Stub.h and <ObjectName>Stub.cc, in this order, with the
-// names, guards, symbols and numbering of Sony's generator: selectors 0..3 for the life cycle,
-// then Control and Ready of each subject, Connect and Notify of each observer (all Controls, all
-// Readys, and so on), then the extras in file order.  C++98, for the SDK's headers and for ours.
-// `source` is named in the files' first comment ("stub.cfg"; no folder, so that output does
-// not depend on where it was made).
+// names, guards, symbols and numbering of Sony's generator: selectors 0..3 for the life cycle, then
+// Control of all subjects, Ready of all subjects, Connect of all observers, Notify of all
+// observers, then the extras in file order.  The files are C++98, for the SDK's headers and for
+// ours.  Their first comment names `source` ("stub.cfg"; without a folder, so that the output does
+// not depend on the place of the file).
 //
-// One symbol is ours: openr_extra_names, the extras' names in selector order, ended by 0.  A host
-// reads it to name them in traces; elsewhere it is 4 bytes of no effect.
+// The symbol openr_extra_names is our addition: the names of the extras in selector order, ended by
+// 0.  A host shows these names in traces; on the robot the symbol has no effect.
 //
 // REQUIRES: `config` was parsed without an error.
 std::vector<GeneratedFile> GenerateStub(const StubConfig& config, const std::string& source);

@@ -13,7 +13,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kCountMax = 10'000;  // far above what 64 selectors allow; keeps sums in an int
+constexpr int kCountMax = 10'000;  // far more than 64 selectors allow; sums still fit into an int
 
 struct KeywordName {
   const char* word;
@@ -47,7 +47,7 @@ struct Piece {
   void TrimEnd() {
     while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
   }
-  // The characters of a C++ name at the start, perhaps none.
+  // Returns the characters of a C++ name with which the text begins; "" if there are none.
   std::string_view NameAtStart() const {
     const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
     return text.substr(0, static_cast<size_t>(end - text.begin()));
@@ -63,7 +63,7 @@ bool StartsWith(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
 
-// Reports errors of one line.
+// Reports errors and warnings about one line.
 class Reporter {
  public:
   Reporter(const FilePosition& place, std::vector<Diagnostic>* diagnostics)
@@ -88,9 +88,11 @@ const KeywordName* FindKeyword(std::string_view word) {
   return nullptr;
 }
 
-// `rest` begins with `word`, which is not a keyword followed by a colon.
+// Warns about an ignored line that was probably meant to hold.  `rest` begins with `word`, which is
+// not a keyword followed by a colon.
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
+    // "Service" and "Extra" are also words of plain English, so a comment may begin with them.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;
@@ -110,7 +112,8 @@ void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter
   reporter->Warning(rest.column, fmt::format("line ignored: no keyword '{}'{}", word, remedy));
 }
 
-// "A.b.C.S" in quotes at the start of `rest`, which is moved behind it.
+// Takes a service name in quotes, such as "A.b.C.S", from the start of `rest`.  Returns nullopt
+// with a warning if there is none.
 std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   const char* const form = "Service : \"Object.Service.Data.S\", Function(), Function()";
   if (!StartsWith(rest->text, "\"")) {
@@ -141,6 +144,7 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
     reporter->Error(column, fmt::format("service name of {} characters, the limit is {}",
                                         text.size(), kServiceNameBytesMax));
   }
+  // The generated def.h has a constant whose name contains the service.
   const bool makes_names = std::all_of(name->service.begin(), name->service.end(), IsNameCharacter);
   if (!makes_names) {
     const char* const prefix = name->is_subject() ? "sbj" : "obs";
@@ -152,7 +156,7 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   return name;
 }
 
-// "; ..." for text that stands where nothing may.
+// Returns the advice that ends a message about unexpected text.
 const char* RemedyForRest(std::string_view rest) {
   const bool is_comment = StartsWith(rest, "//") || StartsWith(rest, "#") || StartsWith(rest, "/*");
   return is_comment ? "; a comment needs a line of its own" : "; remove it";
@@ -163,7 +167,7 @@ struct Fault {
   size_t offset = 0;
 };
 
-// What is wrong with `rest`, which follows the name of function `name` and should be "()".
+// Finds the fault of `rest`, which follows the name of function `name` and should be "()".
 Fault FindBracketFault(std::string_view rest, std::string_view name) {
   if (rest == "()") return {};
   if (rest.empty()) {
@@ -185,7 +189,7 @@ Fault FindBracketFault(std::string_view rest, std::string_view name) {
   return {fmt::format("'{1}' after '{0}'; write {0}(), or null for no function", name, rest)};
 }
 
-// `piece` is what stands between two commas.  Returns "" for null, and after an error.
+// Parses "Name()" or "null" between two commas.  Returns the name; "" for null and after an error.
 std::string ParseFunction(Piece piece, Reporter* reporter) {
   piece.SkipBlanks();
   piece.TrimEnd();
@@ -209,7 +213,7 @@ std::string ParseFunction(Piece piece, Reporter* reporter) {
   return "";
 }
 
-// ", F(), G()" behind the name of a service.
+// Parses ", F(), G()", which follows the name of a service.
 void ParseFunctions(Piece rest, StubService* service, Reporter* reporter) {
   rest.SkipBlanks();
   if (!StartsWith(rest.text, ",")) {

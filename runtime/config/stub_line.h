@@ -1,4 +1,4 @@
-// The grammar of single lines of stub.cfg; stub_config.cc puts them together.
+// Parses single lines of stub.cfg; stub_config.cc parses the whole file.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,31 @@ namespace openr_host {
 
 enum class StubKeyword { kObjectName, kNumOfSubject, kNumOfObserver, kService, kExtra };
 
-// A line that counts.
+// A line with a keyword and a colon; all other lines are ignored.
 struct StubLine {
   StubKeyword keyword = StubKeyword::kService;
-  std::string word;    // the keyword as written: NumOfOSubject and NumOfSubject are the same
-  FilePosition place;  // of what follows the colon and its blanks
-  std::string value;   // what follows, trailing blanks removed
+  std::string word;    // the keyword as written: two spellings mean the same keyword
+  FilePosition place;  // position of `value`
+  std::string value;   // the text after the colon, without blanks at both ends
 };
 
-// nullopt when the line is ignored; warns when it looks as if it should not be.
+// Splits a line at its colon.  Returns nullopt if the line is ignored, with a warning if it looks
+// like a misspelt keyword.
 std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
                                           std::vector<Diagnostic>* diagnostics);
 
-// The C++ name in an ObjectName line; "" after an error.  The rest of the line is ignored.
+// Returns the C++ name in an ObjectName line; "" after an error.  The rest of the line is ignored.
 std::string ParseObjectName(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// The number in a NumOf... line; -1 after an error.  The rest of the line is ignored.
+// Returns the number in a NumOf... line; -1 after an error.  The rest of the line is ignored.
 int ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// A Service line.  nullopt, with a warning, when its name is not one: stubgen2 ignores such a
-// line.  Errors in the rest of the line still give a service, so that counts come out right.
+// Parses a Service line.  A line without a valid service name gives nullopt with a warning, because
+// stubgen2 ignores such lines.  A line with other errors still gives a service, so that the number
+// of services is right and causes no further error.
 std::optional<StubService> ParseService(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// The function of an Extra line; nullopt after an error.  The rest of the line is ignored.
+// Returns the function of an Extra line; nullopt after an error.  The rest of the line is ignored.
 std::optional<StubExtra> ParseExtra(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
 }  // namespace openr_host

@@ -12,10 +12,10 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kHostNameMax = 8;  // Installation Guide 3.2.2, as all limits here
+constexpr size_t kHostNameMax = 8;  // this and the other limits: Installation Guide 3.2.2
 constexpr size_t kEssidMax = 32;
 
-// A number of digits only, without sign; -1 when `text` is none or above `max`.
+// Parses a number without a sign; returns -1 if `text` is no such number or is greater than `max`.
 int ParseSmallNumber(std::string_view text, int max) {
   int value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -23,7 +23,8 @@ int ParseSmallNumber(std::string_view text, int max) {
   return whole && IsDigit(text.front()) && value <= max ? value : -1;
 }
 
-// Each setter stores a good value and returns true.
+// Stores a dotted address.  All functions Set...() return false, and store nothing, if the value is
+// invalid.
 bool SetAddress(std::string_view value, std::string* target) {
   std::string_view rest = value;
   for (int part = 0; part < 4; ++part) {
@@ -80,7 +81,7 @@ bool SetDomain(std::string_view value, std::string* target) {
 
 struct Key {
   const char* name;
-  const char* expected;  // completes "must be ..."
+  const char* expected;  // completes the message "KEY must be ..."
   bool (*set)(std::string_view value, WlanConfig* config);
 };
 

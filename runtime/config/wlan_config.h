@@ -1,4 +1,4 @@
-// WLANCONF.TXT and WLANDFLT.TXT: network settings of the robot.
+// Parses WLANCONF.TXT and WLANDFLT.TXT, the network settings of the robot.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace openr_host {
 
-// Initial values are those of the default file that comes with the robot's system
-// (Installation Guide 3.2.2), so an empty file means the same as WLANDFLT.TXT.
+// The network settings.  Initial values are those of WLANDFLT.TXT, the default file of the robot's
+// system (Installation Guide 3.2.2), so an empty file means the same as that file.
 struct WlanConfig {
   std::string hostname = "AIBO";        // up to 8 letters and digits
-  std::string ether_ip = "10.0.1.100";  // dotted address, as are the next two
+  std::string ether_ip = "10.0.1.100";  // a dotted address, like the next two
   std::string ether_netmask = "255.255.255.0";
   std::string ip_gateway = "10.0.1.1";
   std::string essid = "AIBONET";  // up to 32 characters
   bool wep_enable = true;
-  std::string wep_key = "AIBO2";   // as written
+  std::string wep_key = "AIBO2";   // as written: characters, or 0x and hexadecimal digits
   int ap_mode = 2;                 // 0 ad hoc demo, 1 infrastructure, 2 automatic
   int channel = 3;                 // 1..11, ad hoc only
   std::string dns_server_1;        // "" when not given
@@ -28,14 +28,14 @@ struct WlanConfig {
 
 struct WlanResult {
   WlanConfig config;
-  std::vector<std::string> keys;  // those the file sets, in file order, each once
+  std::vector<std::string> keys;  // the keys that the file sets, in file order, each once
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses KEY=VALUE lines, '#' lines being comments.  Blanks around '=' are refused, because the
-// robot refuses them although its guide shows them.  A bad line is reported and leaves its setting
-// as it was.  A key given twice is reported, the last one holds.  An unknown key is only a
-// warning.  There are no robot sections in this file.
+// Parses KEY=VALUE lines; a line that begins with '#' is a comment.  Blanks around '=' are refused,
+// because the robot refuses them although its guide shows them.  A bad line is reported and does
+// not change its setting.  A key given twice is reported, and its last value holds.  An unknown
+// key is only a warning.  Unlike other files, this one has no sections for robot designs.
 WlanResult ParseWlanConfig(const std::string& file, std::string_view text);
 
 }  // namespace openr_host
