@@ -5,7 +5,8 @@
 namespace openr_host {
 namespace {
 
-// Far above any file of a stick; a small one can claim to hold more than there is memory for.
+// Our limit for the unpacked size, far above any file of a stick: a small file can unpack to more
+// bytes than the host has memory.
 constexpr size_t kBytesMax = 512u << 20;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Files of a stick that are compressed as gzip does it: images and design data.
+// Unpacks files of a stick that are compressed with gzip: images and design data.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ bool IsGzip(const std::string& bytes);
 
 enum class GzipResult { kWhole, kCutOff, kDamaged };
 
-// Appends what `packed` holds to `bytes`, as far as it can be read.
+// Unpacks `packed` and appends the result to `bytes`.  A file that is cut off or damaged gives the
+// bytes before the fault.
 GzipResult Gunzip(const std::string& packed, std::string* bytes);
 
 }  // namespace openr_host

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/base/read_file.h"
 
@@ -31,8 +32,9 @@ std::string UpperCase(std::string_view text) {
   return result;
 }
 
-// The entry of `folder` called `part` in any case; an exact match wins, then the
-// first in the order of bytes.  Empty when there is none; `error` is set when that cannot be told.
+// Returns the entry of `folder` whose name is `part` in any case: an exact match if there is one,
+// else the first in the order of bytes.  Returns "" if there is none.  Sets `error` if the folder
+// may not be read.
 std::string FindEntry(const std::string& folder, const std::string& part, int* error) {
   if (Exists(folder + "/" + part)) return part;
   if (errno == EACCES) *error = EACCES;
@@ -48,7 +50,8 @@ std::string FindEntry(const std::string& folder, const std::string& part, int* e
   return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
 }
 
-// The parts after /MS, those that "." and ".." leave; nullopt for a name that is not below it.
+// Returns the parts of a name after /MS, with "." and ".." resolved; nullopt for a name that is not
+// below /MS.
 std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
   if (name.size() < 3 || strncasecmp(name.data(), "/MS", 3) != 0) return std::nullopt;
   name.remove_prefix(3);
@@ -60,7 +63,7 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
     const std::string_view part = name.substr(0, end);
     name.remove_prefix(end);
     if (part == "..") {
-      if (parts.empty()) return std::nullopt;  // the first folder has no such entry
+      if (parts.empty()) return std::nullopt;  // the root folder has no entry ".."
       parts.pop_back();
     } else if (!part.empty() && part != ".") {
       parts.emplace_back(part);
@@ -69,11 +72,11 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
   return parts;
 }
 
-// Whether `path`, with links followed, lies in `folder`.
+// Returns whether `path`, with symbolic links followed, is in `folder`.
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  if (error) return true;  // a dangling link: opening it says so
+  if (error) return true;  // a dangling link leads nowhere; opening it fails with the right error
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
       std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
@@ -110,6 +113,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   const uint64_t size = file.is_open() ? std::filesystem::file_size(location.path, error) : 0;
   if (!file.is_open() || error) return hasher->AddText(otherwise);
   hasher->Add(size);
+  // Reads piece by piece, because a file may be larger than the memory of the host.
   std::string piece;
   for (uint64_t left = size; left > 0 && file; left -= piece.size()) {
     piece.resize(std::min<uint64_t>(left, kPieceBytes));
@@ -159,8 +163,10 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    const bool is_left_behind = UpperCase(it->path().filename().string()) == kCrashRecord;
-    if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG" && !is_left_behind)
+    // The record of an earlier run's crash is no input of this run.
+    const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
+    if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG" &&
+        !is_crash_record)
       names.push_back(it->path().lexically_relative(root_).string());
   }
   if (names.empty()) return 0;
@@ -174,6 +180,7 @@ uint64_t FolderStick::ContentHash() {
 }
 
 MemoryStick::Location FailingStick::Locate(std::string_view name) {
+  ASSERT(left_ >= 0, "{}", left_);
   if (left_ > 0 && --left_ == 0) {
     failed_name_ = name;
     return {"", false, error_};

@@ -1,7 +1,7 @@
-// The Memory Stick: what objects see under /MS.
+// The Memory Stick, the files that objects see under /MS.
 //
-// Names are absolute, begin with /MS/, use '/', and match in any case, as on the
-// robot's FAT file system.  No name leaves the stick.
+// Names are absolute, begin with /MS/, use '/', and match in any case, as on the robot's FAT file
+// system.  No name leads to a file outside of the stick.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,9 @@ class MemoryStick {
  public:
   virtual ~MemoryStick() = default;
 
-  // Where the file or folder lies on the host.  `error` is 0 or an errno: ENOENT
-  // (also for names outside of /MS), EINVAL (a zero in it), EACCES, EIO.
-  // For a file that does not exist but whose folder does, `path` is where to create
-  // it, `exists` is false and error is 0.
+  // The place of a file or folder on the host.  `error` is 0 or an errno: ENOENT (also for names
+  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  If the file does not exist but
+  // its folder does, `path` is the place to create it, `exists` is false and `error` is 0.
   struct Location {
     std::string path;
     bool exists = false;
@@ -32,39 +31,40 @@ class MemoryStick {
   };
   virtual Location Locate(std::string_view name) = 0;
 
-  // For the boot and for design data; nullopt when the file cannot be read: WhyUnread() tells why.
+  // Returns the bytes of a file, for the boot and for design data.  Returns nullopt if the file
+  // cannot be read; WhyUnread() then returns the reason.
   std::optional<std::string> ReadFile(std::string_view name);
-  // An errno: ENOENT when there is no such file, EACCES when it may not be read.
+  // Returns an errno: ENOENT if there is no such file, EACCES if it may not be read.
   int WhyUnread(std::string_view name);
 
-  // Names (below /MS) and contents of all files but images, which differ from build to
-  // build (what they do is in the trace), and the record of a crash.  0 without files.
+  // Returns the hash of names (below /MS) and contents of all files, or 0 without files.  Images
+  // and debug files are left out because they differ from build to build, and the record of a
+  // crash because an earlier run has written it.
   virtual uint64_t ContentHash() = 0;
 
-  // Called when an object is about to make, write, rename or remove `name`: from then on its
-  // content is part of the state.
+  // Notes that an object is about to make, write, rename or remove `name`.  From then on the
+  // content of the file is part of the state hash.
   void NoteWritten(std::string_view name);
 
-  // `listener` hears of each file or folder before an object changes it for the first time.
+  // Sets the function that is called for each file or folder before an object first changes it.
   using ChangeListener = std::function<void(const Location&)>;
   void OnFirstChange(ChangeListener listener) { listener_ = std::move(listener); }
 
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
 
-  // Names and contents of the files objects have written.
+  // Adds the names and contents of the files that objects have written.
   void HashState(Hasher* hasher);
 
  protected:
-  // Adds the size and the bytes of a file, a piece at a time, since it may be larger than the
-  // memory of the host; `otherwise` when it cannot be read.
+  // Adds the size and the bytes of a file, or the text `otherwise` if the file cannot be read.
   void HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher);
 
  private:
   bool writable_ = true;
   std::set<std::string> written_;
   ChangeListener listener_;
-  std::set<std::string> changed_;  // paths `listener_` has heard of
+  std::set<std::string> changed_;  // host paths for which `listener_` was called
 };
 
 // A folder of the host that holds OPEN-R/.
@@ -79,7 +79,7 @@ class FolderStick : public MemoryStick {
   std::string root_;
 };
 
-// For tests: another stick whose n-th Locate() from now fails with `error`.
+// For tests: a stick whose `nth` Locate() fails with `error`; all others go to `inner`.
 class FailingStick : public MemoryStick {
  public:
   FailingStick(std::shared_ptr<MemoryStick> inner, int nth, int error)
@@ -96,7 +96,7 @@ class FailingStick : public MemoryStick {
   const int error_;
 };
 
-// Whether `name` (one part of a path) fits 8 + 3 characters of those FAT allows.
+// Returns whether `name` (one part of a path) has the form 8.3 and only characters that FAT allows.
 bool IsShortName(std::string_view name);
 
 }  // namespace openr_host
