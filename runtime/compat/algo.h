@@ -1,4 +1,4 @@
-// <algo.h> of old C++: <algorithm> without std::.
+// The header <algo.h> of old C++: the names of <algorithm> without std::.
 #ifndef OPENR_COMPAT_ALGO_H_INCLUDED
 #define OPENR_COMPAT_ALGO_H_INCLUDED
 

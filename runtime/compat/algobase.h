@@ -1,4 +1,4 @@
-// <algobase.h> of old C++: <algorithm> without std::.
+// The header <algobase.h> of old C++: the names of <algorithm> without std::.
 #ifndef OPENR_COMPAT_ALGOBASE_H_INCLUDED
 #define OPENR_COMPAT_ALGOBASE_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <bitset.h> of old C++: <bitset> without std::.
+// The header <bitset.h> of old C++: the names of <bitset> without std::.
 #ifndef OPENR_COMPAT_BITSET_H_INCLUDED
 #define OPENR_COMPAT_BITSET_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <bvector.h> of old C++: <vector> without std::.
+// The header <bvector.h> of old C++: the names of <vector> without std::.
 #ifndef OPENR_COMPAT_BVECTOR_H_INCLUDED
 #define OPENR_COMPAT_BVECTOR_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <complex.h> of old C++: <complex> without std::.
+// The header <complex.h> of old C++: the names of <complex> without std::.
 #ifndef OPENR_COMPAT_COMPLEX_H_INCLUDED
 #define OPENR_COMPAT_COMPLEX_H_INCLUDED
 

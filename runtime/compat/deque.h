@@ -1,4 +1,4 @@
-// <deque.h> of old C++: <deque> without std::.
+// The header <deque.h> of old C++: the names of <deque> without std::.
 #ifndef OPENR_COMPAT_DEQUE_H_INCLUDED
 #define OPENR_COMPAT_DEQUE_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <exception.h> of old C++: <exception> without std::.
+// The header <exception.h> of old C++: the names of <exception> without std::.
 #ifndef OPENR_COMPAT_EXCEPTION_H_INCLUDED
 #define OPENR_COMPAT_EXCEPTION_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <fstream.h> of old C++: <fstream> without std::.
+// The header <fstream.h> of old C++: the names of <fstream> without std::.
 #ifndef OPENR_COMPAT_FSTREAM_H_INCLUDED
 #define OPENR_COMPAT_FSTREAM_H_INCLUDED
 

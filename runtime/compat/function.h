@@ -1,4 +1,4 @@
-// <function.h> of old C++: <functional> without std::.
+// The header <function.h> of old C++: the names of <functional> without std::.
 #ifndef OPENR_COMPAT_FUNCTION_H_INCLUDED
 #define OPENR_COMPAT_FUNCTION_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <hash_set.h> of old C++: a container from before the standard.
+// The header <hash_set.h> of old C++: a container from before the standard, without its namespace.
 #ifndef OPENR_COMPAT_HASH_SET_H_INCLUDED
 #define OPENR_COMPAT_HASH_SET_H_INCLUDED
 

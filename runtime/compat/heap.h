@@ -1,4 +1,4 @@
-// <heap.h> of old C++: <algorithm> without std::.
+// The header <heap.h> of old C++: the names of <algorithm> without std::.
 #ifndef OPENR_COMPAT_HEAP_H_INCLUDED
 #define OPENR_COMPAT_HEAP_H_INCLUDED
 

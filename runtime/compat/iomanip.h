@@ -1,4 +1,4 @@
-// <iomanip.h> of old C++: <iomanip> without std::.
+// The header <iomanip.h> of old C++: the names of <iomanip> without std::.
 #ifndef OPENR_COMPAT_IOMANIP_H_INCLUDED
 #define OPENR_COMPAT_IOMANIP_H_INCLUDED
 

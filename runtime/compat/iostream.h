@@ -1,4 +1,4 @@
-// <iostream.h> of old C++: <iostream> without std::.
+// The header <iostream.h> of old C++: the names of <iostream> without std::.
 #ifndef OPENR_COMPAT_IOSTREAM_H_INCLUDED
 #define OPENR_COMPAT_IOSTREAM_H_INCLUDED
 

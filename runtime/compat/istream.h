@@ -1,4 +1,4 @@
-// <istream.h> of old C++: <istream> without std::.
+// The header <istream.h> of old C++: the names of <istream> without std::.
 #ifndef OPENR_COMPAT_ISTREAM_H_INCLUDED
 #define OPENR_COMPAT_ISTREAM_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <iterator.h> of old C++: <iterator> without std::.
+// The header <iterator.h> of old C++: the names of <iterator> without std::.
 #ifndef OPENR_COMPAT_ITERATOR_H_INCLUDED
 #define OPENR_COMPAT_ITERATOR_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <list.h> of old C++: <list> without std::.
+// The header <list.h> of old C++: the names of <list> without std::.
 #ifndef OPENR_COMPAT_LIST_H_INCLUDED
 #define OPENR_COMPAT_LIST_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <map.h> of old C++: <map> without std::.
+// The header <map.h> of old C++: the names of <map> without std::.
 #ifndef OPENR_COMPAT_MAP_H_INCLUDED
 #define OPENR_COMPAT_MAP_H_INCLUDED
 

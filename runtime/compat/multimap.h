@@ -1,4 +1,4 @@
-// <multimap.h> of old C++: <map> without std::.
+// The header <multimap.h> of old C++: the names of <map> without std::.
 #ifndef OPENR_COMPAT_MULTIMAP_H_INCLUDED
 #define OPENR_COMPAT_MULTIMAP_H_INCLUDED
 

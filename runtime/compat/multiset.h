@@ -1,4 +1,4 @@
-// <multiset.h> of old C++: <set> without std::.
+// The header <multiset.h> of old C++: the names of <set> without std::.
 #ifndef OPENR_COMPAT_MULTISET_H_INCLUDED
 #define OPENR_COMPAT_MULTISET_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <new.h> of old C++: <new> without std::.
+// The header <new.h> of old C++: the names of <new> without std::.
 #ifndef OPENR_COMPAT_NEW_H_INCLUDED
 #define OPENR_COMPAT_NEW_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <numeric.h> of old C++: <numeric> without std::.
+// The header <numeric.h> of old C++: the names of <numeric> without std::.
 #ifndef OPENR_COMPAT_NUMERIC_H_INCLUDED
 #define OPENR_COMPAT_NUMERIC_H_INCLUDED
 

@@ -1,8 +1,8 @@
-// What headers of the SDK's C and C++ library brought along without being asked.
+// Includes the headers that programs for the robot use without including them.
 //
-// The wrappers include this before a source that does not compile without: there,
-// <string> led to strlen() and <iostream> to exit(), and nobody noticed a missing
-// #include.
+// In the SDK's library <string> also declared strlen(), and <iostream> exit(), so a missing
+// #include went unnoticed.  The compiler wrappers of the host kit include this header before a
+// source that does not compile otherwise.
 #ifndef OPENR_COMPAT_OPENR_PRELUDE_H_INCLUDED
 #define OPENR_COMPAT_OPENR_PRELUDE_H_INCLUDED
 
@@ -27,8 +27,9 @@
 #include <utility>
 #include <vector>
 
-// The operators a <? b and a >? b of g++ 3.3, minimum and maximum, which `openr build` turns into
-// a <openr_old::minimum> b; with an "=" behind them they also assign.
+// The operators a <? b (minimum) and a >? b (maximum) of g++ 3.3, and their assigning forms a <?= b
+// and a >?= b.  `openr build` replaces them, for instance by a <openr_old::minimum> b, which the
+// operators < and > below evaluate.
 namespace openr_old {
 
 enum Minimum { minimum };

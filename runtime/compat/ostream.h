@@ -1,4 +1,4 @@
-// <ostream.h> of old C++: <ostream> without std::.
+// The header <ostream.h> of old C++: the names of <ostream> without std::.
 #ifndef OPENR_COMPAT_OSTREAM_H_INCLUDED
 #define OPENR_COMPAT_OSTREAM_H_INCLUDED
 

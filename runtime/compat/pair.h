@@ -1,4 +1,4 @@
-// <pair.h> of old C++: <utility> without std::.
+// The header <pair.h> of old C++: the names of <utility> without std::.
 #ifndef OPENR_COMPAT_PAIR_H_INCLUDED
 #define OPENR_COMPAT_PAIR_H_INCLUDED
 

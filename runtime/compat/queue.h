@@ -1,4 +1,4 @@
-// <queue.h> of old C++: <queue> without std::.
+// The header <queue.h> of old C++: the names of <queue> without std::.
 #ifndef OPENR_COMPAT_QUEUE_H_INCLUDED
 #define OPENR_COMPAT_QUEUE_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <rope.h> of old C++: a container from before the standard.
+// The header <rope.h> of old C++: a container from before the standard, without its namespace.
 #ifndef OPENR_COMPAT_ROPE_H_INCLUDED
 #define OPENR_COMPAT_ROPE_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <set.h> of old C++: <set> without std::.
+// The header <set.h> of old C++: the names of <set> without std::.
 #ifndef OPENR_COMPAT_SET_H_INCLUDED
 #define OPENR_COMPAT_SET_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <slist.h> of old C++: a container from before the standard.
+// The header <slist.h> of old C++: a container from before the standard, without its namespace.
 #ifndef OPENR_COMPAT_SLIST_H_INCLUDED
 #define OPENR_COMPAT_SLIST_H_INCLUDED
 

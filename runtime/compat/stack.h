@@ -1,4 +1,4 @@
-// <stack.h> of old C++: <stack> without std::.
+// The header <stack.h> of old C++: the names of <stack> without std::.
 #ifndef OPENR_COMPAT_STACK_H_INCLUDED
 #define OPENR_COMPAT_STACK_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <stream.h> of old C++.
+// The header <stream.h> of old C++, another name of <iostream.h>.
 #ifndef OPENR_COMPAT_STREAM_H_INCLUDED
 #define OPENR_COMPAT_STREAM_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// <streambuf.h> of old C++: <streambuf> without std::.
+// The header <streambuf.h> of old C++: the names of <streambuf> without std::.
 #ifndef OPENR_COMPAT_STREAMBUF_H_INCLUDED
 #define OPENR_COMPAT_STREAMBUF_H_INCLUDED
 

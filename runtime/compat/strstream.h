@@ -1,4 +1,4 @@
-// <strstream.h> of old C++: <strstream> without std::.
+// The header <strstream.h> of old C++: the names of <strstream> without std::.
 #ifndef OPENR_COMPAT_STRSTREAM_H_INCLUDED
 #define OPENR_COMPAT_STRSTREAM_H_INCLUDED
 

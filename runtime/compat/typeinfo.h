@@ -1,4 +1,4 @@
-// <typeinfo.h> of old C++: <typeinfo> without std::.
+// The header <typeinfo.h> of old C++: the names of <typeinfo> without std::.
 #ifndef OPENR_COMPAT_TYPEINFO_H_INCLUDED
 #define OPENR_COMPAT_TYPEINFO_H_INCLUDED
 

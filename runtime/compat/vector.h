@@ -1,4 +1,4 @@
-// <vector.h> of old C++: <vector> without std::.
+// The header <vector.h> of old C++: the names of <vector> without std::.
 #ifndef OPENR_COMPAT_VECTOR_H_INCLUDED
 #define OPENR_COMPAT_VECTOR_H_INCLUDED
 

@@ -88,8 +88,8 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 
 namespace {
 
-// Asks the subject at `entry` to add or remove this observer.  A subject of the same object is
-// called directly: a message would wait until this handler ends.
+// Asks the subject at `entry` to add or remove this observer.  If the subject is in the same
+// object, its entry is called directly, because a message would wait until this handler ends.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
@@ -120,6 +120,7 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
+  // The findings of this observer name the service, which is known only from now on.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -170,7 +171,7 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
-  // See ObserverState::Asserted.
+  // Readies are counted anew from each notification on, from whichever subject it comes.
   state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

@@ -174,7 +174,7 @@ namespace {
 // Returns how many more data fit into the subject's buffer for one observer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
-  // The robot's ring buffer keeps one entry empty.
+  // Like the robot's ring buffer, the buffer holds one entry less than its size.
   const size_t room = std::max<size_t>(state.buffer_size, 1) - 1;
   return used >= room ? 0 : room - used;
 }
@@ -260,6 +260,7 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
 OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
+  // A ready gives back the regions of earlier notifications; the subject releases them here.
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
   if (link == nullptr) return oNOT_FOUND;
