@@ -18,7 +18,8 @@ void GatewayChannel::HashState(Hasher* hasher) const {
 void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
-  if (!connection_.is_up()) {  // it was on its way when the connection ended
+  // The subject may have sent the data before it received the deassert of Down().
+  if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
     return;
   }
@@ -33,7 +34,7 @@ void OutgoingChannel::Notify(const ONotifyEvent& event) {
 
 void OutgoingChannel::SendHeld() {
   if (!peer_is_ready_ || held_.empty() || connection_.is_sending()) return;
-  peer_is_ready_ = false;
+  peer_is_ready_ = false;  // each ready of the peer is good for one set
   const std::string bytes = std::exchange(held_, "");
   connection_.Send(bytes);
   observer_->AssertReady();
@@ -59,7 +60,7 @@ void OutgoingChannel::Received(std::string_view bytes) {
   SendHeld();
 }
 
-// Nobody listens now: a subject that waits for ready must not be called for data that get lost.
+// Deasserts ready to the local subject, because without a connection its data would be lost.
 void OutgoingChannel::Down() {
   stream_ = {};
   peer_is_ready_ = false;
@@ -101,6 +102,7 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
+    // A peer that ignores ready is only warned of, because the local subject can keep the data.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

@@ -1,8 +1,8 @@
-// One service of the gateway: what is notified on one side is notified on the other.
+// One service of the gateway: carries the notifications of a subject to an observer of the peer.
 //
-// Ready goes against the data, as measured: with the connection up, the gateway asserts ready to
-// the local subject, holds one set of data until the peer is ready, then asserts again; what the
-// local observer asserts goes to the peer.
+// Ready goes in the other direction, as measured.  On the side of the subject, the gateway asserts
+// ready to it when the connection is made, holds one set of data until the peer is ready, sends the
+// set and asserts again.  On the side of the observer, its readies are sent to the peer.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -26,10 +26,10 @@ class GatewayChannel : public GatewayConnection::Owner {
 
  protected:
   GatewayConnection connection_;
-  GatewayStream stream_;  // what came in
+  GatewayStream stream_;  // received bytes that are not decoded yet
 };
 
-// An observer here: data of a local subject go out.
+// Observes a local subject and sends its data to the peer.
 class OutgoingChannel : public GatewayChannel {
  public:
   OutgoingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -50,10 +50,10 @@ class OutgoingChannel : public GatewayChannel {
   TcpGateway* const gateway_;
   OObserver* observer_ = nullptr;
   bool peer_is_ready_ = false;
-  std::string held_;  // one set, as it goes out; "": none
+  std::string held_;  // one encoded set that waits for the peer's ready; "": none
 };
 
-// A subject here: data of the peer go to a local observer.
+// Receives data of the peer and notifies a local observer of them, as its subject.
 class IncomingChannel : public GatewayChannel {
  public:
   IncomingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -69,12 +69,14 @@ class IncomingChannel : public GatewayChannel {
   void HashState(Hasher* hasher) const override;
 
  private:
+  // Sends a ready word to the peer, now or when the one before has been sent.
   void Tell(uint32_t word);
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
-  uint32_t waiting_word_ = 0;  // to be sent; 0: none.  Ready is a flag: the last one counts
-  bool asked_ = false;         // the peer was told that we are ready, and has not sent since
+  // The ready word to send next; 0: none.  One place is enough, because only the last ready counts.
+  uint32_t waiting_word_ = 0;
+  bool asked_ = false;  // we sent "ready" and the peer has not sent data since
 };
 
 }  // namespace openr_host

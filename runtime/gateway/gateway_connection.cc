@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
 #include "runtime/gateway/tcp_gateway.h"
@@ -19,7 +20,8 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// The address of a robot of that time, where today's is a run on this computer.
+// Returns advice for a HOSTGW.CFG of the period: its address of a robot may belong to no computer
+// of today, while the robot is a run on this one.  Returns "" if the advice does not apply.
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";
@@ -79,7 +81,7 @@ void GatewayConnection::Open() {
   }
 }
 
-// A host that drops what is sent to it gives no answer for minutes.
+// Warns early, because a connect to an address that drops packets fails only after minutes.
 void GatewayConnection::LookForAnswer() {
   const std::string hint = HintFor(IPAddress(record_.host.c_str()));
   if (had_answer_ || hint.empty()) return;
@@ -97,6 +99,7 @@ void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
     Warn(fmt::format("cannot listen, error {}", static_cast<int>(answer.error)));
     return;
   }
+  // The endpoint that listened has become the connection, so another one has to listen.
   const antModuleRef client = listener_;
   Listen();
   if (is_up_) {
@@ -133,10 +136,12 @@ void GatewayConnection::TakeConnection(const antModuleRef& endpoint) {
 }
 
 void GatewayConnection::Receive() {
+  ASSERT(is_up_ && receive_bytes_ != nullptr, "service {}", index_);
   Post(TCPEndpointReceiveMsg(endpoint_, receive_bytes_, 1, kReceiveBytes));
 }
 
 void GatewayConnection::Send(std::string_view bytes) {
+  ASSERT(is_up_, "service {}", index_);
   out_ += bytes;
   if (!is_sending_) SendNext();
 }
@@ -158,8 +163,9 @@ void GatewayConnection::Refuse(const std::string& why) {
   Lose();
 }
 
-// Ends our side too; the next client, or the next try, begins anew.
+// Closes our end of the connection.  The next client, or the next try, begins a new connection.
 void GatewayConnection::Lose() {
+  ASSERT(is_up_, "service {}", index_);
   Close(endpoint_);
   endpoint_ = antModuleRef();
   is_up_ = is_sending_ = false;
@@ -179,7 +185,7 @@ void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
     default:
       break;
   }
-  if (!is_up_ || answer.dstModule != endpoint_) return;  // of a connection that is over
+  if (!is_up_ || answer.dstModule != endpoint_) return;  // from a connection that has ended
   if (static_cast<const TCPEndpointBaseMsg&>(answer).error != TCP_SUCCESS) return Lose();
   if (answer.dstOperation == TCPEndpoint_Operation_Send) return SendNext();
   const auto& receive = static_cast<const TCPEndpointReceiveMsg&>(answer);

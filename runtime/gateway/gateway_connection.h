@@ -1,8 +1,8 @@
 // The network end of one service of the gateway: one connection at a time.
 //
-// The robot's side listens on the service's port, the host's side connects and tries again every
-// second.  It speaks to IPStack like any object (TCPEndpointMsg.h), so what comes from outside
-// enters where it does for all.  A second client is told so by the end of its connection.
+// The robot's side listens on the service's port; the host's side connects and tries again every
+// second.  Both use IPStack like any object (TCPEndpointMsg.h), so input from outside enters at the
+// same place as for all objects.  The connection of a second client is closed at once.
 #pragma once
 
 #include <TCPEndpointMsg.h>
@@ -25,28 +25,31 @@ class GatewayConnection {
     virtual ~Owner() = default;
     virtual void Up() = 0;
     virtual void Received(std::string_view bytes) = 0;
-    virtual void Sent() = 0;  // everything that was given to Send()
+    virtual void Sent() = 0;  // all bytes given to Send() have been sent
     virtual void Down() = 0;
   };
 
   static constexpr int64_t kRetryUs = 1'000'000;
-  // After so long without an answer from an address of another time, a warning names that of today.
+  // After this time without an answer, a warning names the address of a robot on this computer.
   static constexpr int64_t kHintUs = 5'000'000;
 
-  // Number `index` of the gateway.  `owner` hears in handlers of the gateway.
+  // `index` is the number of the service within the gateway.  Functions of `owner` are called in
+  // handlers of the gateway.
   GatewayConnection(TcpGateway* gateway, int index, const GatewayRecord& record, Owner* owner);
 
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Listens, or connects.  REQUIRES: a handler of the gateway, like all below.
+  // Listens or connects.  REQUIRES: a handler of the gateway runs.  The same holds for all
+  // functions below.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
-  // Ends the connection because of what the peer did, with a finding.
+  // Ends the connection because the peer broke the protocol, and adds a finding.
+  // REQUIRES: is_up()
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
-  // kHintUs after the first try.
+  // Warns if the peer has not answered; called kHintUs after the first try to connect.
   void LookForAnswer();
 
   void HashState(Hasher* hasher) const;
@@ -71,13 +74,14 @@ class GatewayConnection {
   const int index_;
   const GatewayRecord record_;
   Owner* const owner_;
-  byte* receive_bytes_ = nullptr;  // a shared buffer; what is sent follows what is received
-  antModuleRef listener_;          // waits for the next client
-  antModuleRef endpoint_;          // of the connection, or of the one that is being made
+  byte* receive_bytes_ =
+      nullptr;             // the shared buffer: first the received bytes, then those to send
+  antModuleRef listener_;  // the endpoint that waits for the next client
+  antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made
   bool is_up_ = false;
-  bool had_answer_ = false;  // of a connect, good or bad
+  bool had_answer_ = false;  // a connect has succeeded or failed
   bool is_sending_ = false;
-  std::string out_;  // not yet given to the stack
+  std::string out_;  // bytes to send that are not yet given to the stack
 };
 
 }  // namespace openr_host

@@ -1,7 +1,9 @@
-// The bytes between two gateways, as measured (measured.md, "TCPGateway wire format").
+// Encodes and decodes the bytes between two gateways, as measured (measured.md, "TCPGateway wire
+// format").
 //
-// All words have 32 bits, little-endian.  With the data: byte count of the rest, number of items,
-// then each item's size and bytes.  Against the data: one word a time, ready or not.
+// All words have 32 bits, little-endian.  From subject to observer goes a set of data: the number
+// of bytes that follow, the number of items, then the size and bytes of each item.  From observer
+// to subject goes a single word: assert or deassert.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +14,28 @@
 
 namespace openr_host {
 
-// What one notification carries.
+// The data of one notification, one string for each item.
 using GatewaySet = std::vector<std::string>;
 
 inline constexpr uint32_t kGatewayAssert = 3;
-inline constexpr uint32_t kGatewayDeassert = 4;  // by its header; not tried
+inline constexpr uint32_t kGatewayDeassert = 4;  // from the SDK's header, not measured
 
-// Ours, to bound what a peer can make us keep: the largest image of a robot fits twice.
+// Our own limit, which bounds the memory that a peer can make us use.  Two of the largest camera
+// images of a robot fit.
 inline constexpr uint32_t kGatewaySetBytesMax = 1 << 20;
 
 std::string EncodeWord(uint32_t word);
 std::string EncodeSet(const GatewaySet& set);
 
-// What came in of a stream and was not taken yet.
+// The bytes of a stream that were received and not decoded yet.
 class GatewayStream {
  public:
   enum class Result { kNeedsMore, kTaken, kBroken };
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // The next word, or the next whole set.  kBroken: the stream cannot be read on, error() says
-  // why.  Nothing that is announced is believed before it is bounded.
+  // Takes the next word, or the next whole set.  kBroken: the rest of the stream cannot be decoded;
+  // error() returns the reason.  Announced sizes are checked against limits before they are used.
   Result NextWord(uint32_t* word);
   Result NextSet(GatewaySet* set);
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/gateway/tcp_gateway.h"
 
@@ -29,6 +30,7 @@ void ProxyClient::Take(const void* payload, size_t size) {
   SendNext();
 }
 
+// One timer is enough, because the first request is the oldest.
 void ProxyClient::WatchTime() {
   if (watches_ || requests_.empty()) return;
   watches_ = true;
@@ -45,7 +47,7 @@ void ProxyClient::Expire() {
                   "there (port and address of !ROBOT_PROXY in HOSTGW.CFG, "
                   "TCPGateway.Proxy.AperiosMessage.P in the robot's ROBOTGW.CFG)",
                   kPatienceUs / 1'000'000));
-  // A late answer would be taken for that of the next call.
+  // The connection is closed, because a late answer would be taken for the answer to the next call.
   if (connection_.is_up()) return connection_.Refuse("has no answer to a call");
   AnswerAll(sTIMEOUT);
 }
@@ -65,6 +67,7 @@ void ProxyClient::Down() {
 void ProxyClient::SendNext() {
   if (waits_ || requests_.empty() || !connection_.is_up()) return;
   waits_ = true;
+  // The robot's number of the object must be found by name before the first call to the object.
   const Request& request = requests_.front();
   ProxyFrame frame;
   if (const auto known = oids_.find(request.object); known == oids_.end()) {
@@ -98,6 +101,7 @@ void ProxyClient::Received(std::string_view bytes) {
 }
 
 void ProxyClient::TakeAnswer(const ProxyFrame& frame) {
+  ASSERT(waits_ && !requests_.empty());
   const std::string object = requests_.front().object;
   const bool is_found = oids_.contains(object);
   if (frame.command != (is_found ? ProxyCommand::kCallReply : ProxyCommand::kFindReply))
@@ -115,6 +119,7 @@ void ProxyClient::TakeAnswer(const ProxyFrame& frame) {
 }
 
 void ProxyClient::Answer(int32_t error, const std::string& bytes) {
+  ASSERT(!requests_.empty());
   const Request request = std::move(requests_.front());
   requests_.pop_front();
   std::string reply =

@@ -1,8 +1,9 @@
 // Sends OPEN-R calls of objects that run on a PC (a stick with !ROBOT_PROXY in HOSTGW.CFG) to the
 // robot.
 //
-// A call is a message to the gateway; its sender, and only it, waits for the answer.  Calls go out
-// one after the other, because the wire has no numbers for them.
+// A call is a message to the gateway; only its sender waits for the answer, other objects run on.
+// The client sends a call only after the answer to the call before, because answers on the wire
+// have no number that names their call.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +17,27 @@
 
 namespace openr_host {
 
-// A call, as a message to the gateway; `size` bytes follow.
+// The head of a message to the gateway that asks for a call; the message of the call follows.
 struct ProxyRequest {
-  char object[16];      // name of the system object
-  uint32_t selector;    // its entry
-  uint32_t reply_size;  // bytes wanted
-  uint32_t size;
+  char object[16];      // name of the system object to call
+  uint32_t selector;    // entry of that object
+  uint32_t reply_size;  // number of bytes that the caller takes as reply
+  uint32_t size;        // number of bytes that follow this head
 };
 
 class ProxyClient : public GatewayChannel {
  public:
-  // How long the robot has to answer, as with the original's SelectProxyPort() (core.md, 5.4).
+  // The time limit for an answer of the robot; SelectProxyPort() of the original has the same
+  // (core.md, 5.4).
   static constexpr int64_t kPatienceUs = 10'000'000;
 
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)
       : GatewayChannel(gateway, index, record), gateway_(gateway) {}
 
-  // Takes the request being handled.  Its answer is a word, an sError, and the bytes of the reply.
+  // Queues the ProxyRequest that the running handler received.  The answer to it is a word with an
+  // sError, then the bytes of the reply.
   void Take(const void* payload, size_t size);
-  // Gives up when the first request has waited too long.
+  // Fails all requests if the first one has waited for kPatienceUs.
   void Expire();
 
   void Up() override;
@@ -56,16 +59,16 @@ class ProxyClient : public GatewayChannel {
   void WatchTime();
   void SendNext();
   void TakeAnswer(const ProxyFrame& frame);
-  // Answers the first request.
+  // Answers the first request and removes it.  REQUIRES: there is a request.
   void Answer(int32_t error, const std::string& bytes = "");
   void AnswerAll(int32_t error);
 
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
-  std::map<std::string, uint32_t> oids_;  // of the robot, as long as the connection lasts
-  bool waits_ = false;                    // the first request has gone out
-  bool gave_up_ = false;                  // the robot did not answer; calls fail until it is there
-  bool watches_ = false;                  // a message to Expire() is on its way
+  std::map<std::string, uint32_t> oids_;  // the robot's objects; valid while the connection lasts
+  bool waits_ = false;                    // the first request was sent and is not answered
+  bool gave_up_ = false;                  // a call had no answer; calls fail until a new connection
+  bool watches_ = false;                  // a message that calls Expire() is posted
 };
 
 }  // namespace openr_host

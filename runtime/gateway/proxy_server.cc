@@ -14,8 +14,7 @@
 namespace openr_host {
 namespace {
 
-// The system objects that can be called.  The OIDs that a program gets for them are below those of
-// objects.
+// The system objects that can be called.  A program gets the OID kFirstSystemOid + index for each.
 constexpr const char* kNames[] = {kVirtualRobot, kPowerManager, kDesignedRobot};
 constexpr uint32_t kFirstSystemOid = 0x80000001;
 

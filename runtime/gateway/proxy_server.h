@@ -1,8 +1,8 @@
-// The robot's side of OPEN-R calls from a program on a PC: the service
+// Answers OPEN-R calls from a program on a PC: the robot's side, which is the service
 // TCPGateway.Proxy.AperiosMessage.P of ROBOTGW.CFG.
 //
-// A program finds a system object by its name and calls it; the answer is that of the robot
-// (system_messages.h).  Objects of the stick cannot be called: their messages hold addresses.
+// A program finds a system object by its name and calls it; this robot answers (system_messages.h).
+// Objects of the stick cannot be called, because their messages contain addresses of memory.
 #pragma once
 
 #include "runtime/gateway/gateway_channel.h"
@@ -21,7 +21,7 @@ class ProxyServer : public GatewayChannel {
   void Down() override { stream_ = {}; }
 
  private:
-  // The frame that answers; its command is kUndefined when it is none that is answered.
+  // Returns the answer to a frame; its command is kUndefined if `frame` is no call but an answer.
   ProxyFrame AnswerTo(const ProxyFrame& frame);
   ProxyFrame AnswerCall(const ProxyFrame& frame);
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr size_t kGainsBytes = 6 * sizeof(word);
 
-// Objects of other processes ask their questions where nobody can wait for the network.
+// Returns whether `object` can wait for the network.  Only a handler that runs on a fiber of this
+// process can; an object in another process cannot, because the master would have to wait for it.
 bool CanWait(const Object* object) {
   return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||
@@ -163,7 +164,7 @@ OStatus ProxyServices::NewSyncKey(OVRSyncKey* key) {
 OStatus ProxyServices::CancelSyncKey(OVRSyncKey key) {
   return Control(ControlRequest::kCancelSyncKey, EncodeWord(key));
 }
-// No message is sent for it: a key is divided where it is (binary.md, 4.1).
+// Divides the key without a message to the robot, as the original does (binary.md, 4.1).
 OStatus ProxyServices::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) {
   return local_->DivideSyncKey(key, key1, key2);
 }
@@ -203,7 +204,7 @@ OStatus ProxyServices::GetVolumeSwitch(OVolumeSwitch* volume) {
   return LocalInstead("GetVolumeSwitch").GetVolumeSwitch(volume);
 }
 
-// The end of this run is its own.
+// Shuts down this run, not the robot that is called.
 OStatus ProxyServices::Shutdown(const OBootCondition& condition) {
   return local_->Shutdown(condition);
 }

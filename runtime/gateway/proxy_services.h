@@ -1,8 +1,8 @@
-// The OPENR:: functions of a program on a PC: those about the robot's devices are carried to the
-// robot that !ROBOT_PROXY of HOSTGW.CFG names.
+// Carries the OPENR:: functions about the robot's devices from a program on a PC to the robot that
+// !ROBOT_PROXY of HOSTGW.CFG names.
 //
-// Calls whose messages no source gives are not carried: a warning says so where a program uses them
-// (docs/network.md has the list).
+// A function is not carried if no source describes its message; a program that calls it gets a
+// warning (docs/network.md has the list).
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ class System;
 
 class ProxyServices : public RobotServices {
  public:
-  // Calls go to entry `selector` of the object `gateway` (proxy_client.h); `local` answers what is
-  // of this computer.
+  // Calls go to entry `selector` of the object `gateway` (proxy_client.h); `local` answers all
+  // functions that are not carried.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
 
@@ -56,16 +56,17 @@ class ProxyServices : public RobotServices {
   void HashState(Hasher* hasher) const override { local_->HashState(hasher); }
 
  private:
-  // Sends `message` to a system object of the robot and waits.  False, after a finding where nobody
-  // else gives one, when there is no answer of `reply_size` bytes.
+  // Sends `message` to a system object of the robot and waits for a reply of `reply_size` bytes.
+  // Returns false without a reply; a finding then says why.
   bool Ask(const char* object, uint32_t selector, const std::string& message, size_t reply_size,
            std::string* reply);
-  // A request of OVirtualRobot's control; `result` may be null.
+  // Sends a control request to OVirtualRobot; `result` may be null.
   OStatus Control(ControlRequest request, const std::string& param, std::string* result = nullptr);
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
   OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);
   OStatus NotCarried(const char* function);
-  // The functions whose messages nobody knows.
+  // Warns that `function` is not carried because its message is unknown, and returns the local
+  // services.
   RobotServices& LocalInstead(const char* function);
 
   System* const system_;

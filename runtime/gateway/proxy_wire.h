@@ -1,14 +1,15 @@
-// The bytes of OPEN-R calls between a program on a PC and the robot.
+// Encodes and decodes OPEN-R calls between a program on a PC and the robot.
 //
-// Words and order are those of the reference (core.md, 5.4, "Proxy wire header"): byte count of the
-// rest, number of items, which is 1, size of the item, command, and what the command takes.
+// The words and their order are those of the reference (core.md, 5.4, "Proxy wire header"): number
+// of bytes that follow, number of items, which is 1, size of the item, command, arguments of the
+// command:
 //
 //   FIND        name, 64 bytes                              FIND_REPLY   error, OID
 //   SEND        OID, selector, size; the bytes              SEND_REPLY   error
 //   CALL        OID, selector, size, reply size; the bytes  CALL_REPLY   error, size; the bytes
 //
-// Inferred, because nobody tried the original: the item begins with its command, and the answers
-// carry their words in this order.
+// Two facts are inferred, because the original was not measured: the item begins with its command,
+// and the words of the answers have this order.
 #pragma once
 
 #include <cstdint>
@@ -24,11 +25,11 @@ enum class ProxyCommand : uint32_t {
   kSendReply = 4,
   kCall = 5,
   kCallReply = 6,
-  kSendWithBox = 7,  // what it and kReply take is not known
+  kSendWithBox = 7,  // the arguments of kSendWithBox and kReply are not known
   kReply = 8,
 };
 
-// More bytes than any message of a system object has (binary.md, 4).
+// Our limit, larger than any message of a system object (binary.md, 4).
 inline constexpr uint32_t kProxyBytesMax = 256;
 
 struct ProxyFrame {
@@ -43,7 +44,8 @@ struct ProxyFrame {
 
 std::string EncodeProxyFrame(const ProxyFrame& frame);
 
-// `item`: as GatewayStream::NextSet() found it.  Returns "" or what is wrong with it.
+// Decodes an item that GatewayStream::NextSet() returned.  Returns "" or the reason why it is
+// invalid.
 std::string DecodeProxyFrame(const std::string& item, ProxyFrame* frame);
 
 }  // namespace openr_host

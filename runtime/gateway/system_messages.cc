@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/gateway/gateway_stream.h"
 
@@ -31,11 +32,13 @@ std::string Open(RobotServices* services, const std::string& message) {
   return EncodeWord(kOpenReplyType) + EncodeWord(static_cast<uint32_t>(status)) + EncodeWord(id);
 }
 
-// Does what the request says; `result` is what comes back besides the status.
+// Carries out the request.  Returns the status and puts the other results into `result`.  Sets
+// `is_known` to false if no such request is known.
 OStatus Control(RobotServices* services, ControlRequest request, const std::string& param,
                 std::string* result, bool* is_known) {
   const OPrimitiveID id = WordIn(param, 0);
   word gains[6] = {};
+  ASSERT(param.size() >= 4 + sizeof gains, "{} bytes", param.size());
   std::memcpy(gains, param.data() + 4, sizeof gains);
   const auto gains_back = [&](OStatus status) {
     *result = EncodeWord(id) + BytesOf(gains);
@@ -115,6 +118,7 @@ std::string ControlMessage(ControlRequest request, const std::string& param) {
   std::string message = EncodeWord(kControlType) + EncodeWord(0) +
                         EncodeWord(static_cast<uint32_t>(request)) + std::string(12, '\0') +
                         EncodeWord(static_cast<uint32_t>(param.size())) + EncodeWord(0) + param;
+  ASSERT(message.size() <= kControlBytes, "a parameter of {} bytes", param.size());
   message.resize(kControlBytes, '\0');
   return message;
 }

@@ -1,11 +1,11 @@
-// Messages to the robot's system objects: what the OPENR:: functions become when they leave the
-// object (binary.md, 4).  Words of 32 bits, little-endian; the first is a type.
+// Messages to the robot's system objects, which the OPENR:: functions send (binary.md, 4).  All
+// words have 32 bits, little-endian; the first word is a type.
 //
-// Known by their layout, and so carried: the primitives, gains, joint and sensor values and sync
-// keys of OVirtualRobot, the design of ODesignedRobot, and of OPowerManager SetMotorPower (its type
-// word and the place of its argument are inferred from its size) and GetPowerStatus (inferred from
-// OPowerStatusMessage, which has its size).  Of OPowerManager's other messages only the sizes are
-// known: they are not carried.
+// Messages are carried if their layout is known: those of OVirtualRobot about primitives, gains,
+// joint and sensor values and sync keys, the robot design of ODesignedRobot, and two messages of
+// OPowerManager.  SetMotorPower has a type word and a place of the argument that are inferred from
+// its size; GetPowerStatus is inferred from OPowerStatusMessage, which has the same size.  Other
+// messages of OPowerManager are not carried, because only their sizes are known.
 #pragma once
 
 #include <cstddef>
@@ -46,24 +46,25 @@ enum class ControlRequest : uint32_t {
 inline constexpr size_t kLocatorBytes = 128;
 inline constexpr size_t kOpenReplyBytes = 12;    // type, status, primitive
 inline constexpr size_t kStatusReplyBytes = 8;   // type, status
-inline constexpr size_t kControlBytes = 224;     // request and reply
-inline constexpr size_t kControlParamAt = 32;    // parameter, and result
+inline constexpr size_t kControlBytes = 224;     // size of a control request and of its reply
+inline constexpr size_t kControlParamAt = 32;    // offset of the parameter, or of the result
 inline constexpr size_t kPowerStatusBytes = 24;  // type, OPowerStatus
 inline constexpr size_t kRobotDesignBytes = 40;  // type, name[32], status
-inline constexpr uint32_t kStatusType = 2;       // of a reply that is only a status
+inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only a status
 inline constexpr uint32_t kOpenType = 1024;
-inline constexpr uint32_t kOpenReplyType = 1025;  // and of a close request
+inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close request
 inline constexpr uint32_t kControlType = 1027;
-inline constexpr uint32_t kPowerType = 1024;  // plus the selector: ours, nobody reads it here
+inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, never read here
 
-// The word at `offset`; 0 beyond the end.
+// Returns the word at `offset`; 0 beyond the end.
 uint32_t WordIn(const std::string& bytes, size_t offset);
 
-// A request of kControlSelector.  `param`: its parameter.
+// Returns the message for a request of kControlSelector.  REQUIRES: `param`, the parameter, fits
+// into kControlBytes - kControlParamAt bytes.
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
-// The answer of the object `name` to a message.  "" when there is no such object or entry here, or
-// when the message is too short; `*why` says which.
+// Returns the answer of the object `name` to a message.  Returns "" with the reason in `*why` if
+// the object or entry is not carried, or if the message is too short.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

@@ -37,7 +37,7 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
   });
-  // Of each: what it waits for from the network, its data or its ready.
+  // A channel waits for a few answers of the network, its data and its readies; 8 is ample.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
 
@@ -75,7 +75,7 @@ void TcpGateway::AddProxies(const GatewayConfig& config) {
   expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
 }
 
-// Objects call in their DoInit already, so that connection is made before.
+// Connects to the robot that is called already here, because objects call it in their DoInit.
 OStatus TcpGateway::DoInit(const OSystemEvent&) {
   stack_ = antStackRef(IpStack::kName);
   if (proxy_client_ != nullptr && stack_.IsValid()) proxy_client_->connection().Open();
@@ -120,7 +120,7 @@ void TcpGateway::HashState(Hasher* hasher) const {
 
 namespace {
 
-// What the stick says of the gateway.
+// Reads the gateway's configuration from a stick and adds the gateway to the System.
 class GatewayLoader {
  public:
   GatewayLoader(System* system, int robot)
@@ -129,7 +129,8 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    if (!config_.proxy) config_.proxy = std::move(other.proxy);  // a robot answers calls itself
+    // With both records the robot's counts: a robot answers calls itself and calls no other.
+    if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
               std::back_inserter(config_.diagnostics));
@@ -149,12 +150,13 @@ class GatewayLoader {
       Warn(fmt::format("{} names no service; nothing is carried", kRobotGatewayFile));
   }
 
-  // After the stick has been read.
+  // Checks that lines of CONNECT.CFG fit the gateway.  Called after the stick has been read.
   void CheckWires() {
     const auto text = Text("CONNECT.CFG");
     if (!text && !CallsARobot()) return;
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
+    // A stick for PCs does not name the gateway in OBJECT.CFG, so its use is enough to add it.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)
@@ -182,7 +184,7 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // On a PC the gateway is there without being named.
+  // Returns whether this is a program on a PC that calls a robot; its gateway need not be named.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {
@@ -203,7 +205,7 @@ class GatewayLoader {
   System* const system_;
   const int robot_;
   const bool has_robot_file_;
-  GatewayConfig config_;  // of both files
+  GatewayConfig config_;  // the records of both files
   const Object* host_ = nullptr;
 };
 

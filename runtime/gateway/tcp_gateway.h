@@ -1,9 +1,9 @@
 // TCPGateway: the system object that carries subjects and observers over TCP.
 //
-// On a robot it is the image TCPGW.BIN, which OBJECT.CFG names; here it is part of the runtime.
-// Its services are those of ROBOTGW.CFG, each with a port to listen on, and of HOSTGW.CFG, each
-// with an address to connect to.  The wire is that of the original, as measured.  OPEN-R calls of a
-// program on a PC go through it as well, as far as the sources know them (proxy_wire.h).
+// On a robot the gateway is the image TCPGW.BIN, which OBJECT.CFG names; here it is part of the
+// runtime.  Its services come from ROBOTGW.CFG, each with a port to listen on, and from HOSTGW.CFG,
+// each with an address to connect to.  The bytes on the wire are those measured of the original.
+// The gateway also carries OPEN-R calls of a program on a PC if their form is known (proxy_wire.h).
 #pragma once
 
 #include <antStackRef.h>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/config/gateway_config.h"
 #include "runtime/core/code_object.h"
 #include "runtime/core/load_stick.h"
@@ -34,14 +35,21 @@ class TcpGateway : public CodeObject {
   OStatus DoStart(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
 
-  // The entry that takes OPEN-R calls of objects to the robot (proxy_client.h).
-  Selector call_entry() const { return call_; }
+  // Returns the entry that carries OPEN-R calls to the robot (proxy_client.h).
+  // REQUIRES: the configuration has !ROBOT_PROXY.
+  Selector call_entry() const {
+    ASSERT(proxy_client_ != nullptr);
+    return call_;
+  }
 
   // ---- for channels
 
   const antStackRef& stack() const { return stack_; }
-  // The answer comes to the channel whose number is the message's continuation.
+  // Sends a message to IPStack.  The answer goes to the channel whose number is the continuation of
+  // the message.
   void PostToStack(antEnvMsg* message, int size);
+  // The next three functions post a message that calls a function after `delay_us`: OpenLater()
+  // calls GatewayConnection::Open().
   void OpenLater(int channel, int64_t delay_us);
   // Calls GatewayConnection::LookForAnswer().
   void LookLater(int channel, int64_t delay_us);
