@@ -1,7 +1,9 @@
-// Reading from the console: gets(), getchar(), scanf(), fgets(stdin), std::cin and read(0).
+// Functions that read from the console: gets(), getchar(), scanf(), fgets(stdin), std::cin,
+// read(0).
 //
-// An object that does it gets a standard input of its own, whose reads wait for a line and put
-// only this object to sleep.  std::cin ends up in getc(), ungetc() and fread() as well.
+// Each object that calls one of them gets a standard input of its own.  A read waits for a line and
+// stops only this object; all others run on.  std::cin needs no function here, because it calls
+// getc(), ungetc() and fread().
 #include <stdarg.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -32,7 +34,7 @@ ssize_t ReadConsole(char* buffer, size_t size) {
   return static_cast<ssize_t>(t_current.system->calls().ReadLine(buffer, size));
 }
 
-// The standard input of the current object.
+// Returns the standard input of the current object.
 FILE* Terminal() {
   const ApiScope scope;
   FILE*& terminal = t_current.object->files.terminal;
@@ -44,7 +46,7 @@ FILE* Terminal() {
   return terminal;
 }
 
-// `file`, unless an object means its console.
+// Returns `file`, or the object's own standard input if an object passes stdin.
 FILE* Resolve(FILE* file) { return file == stdin && InObject() ? Terminal() : file; }
 
 }  // namespace
@@ -81,7 +83,7 @@ char* fgets(char* line, int size, FILE* file) {
   return next(line, size, Resolve(file));
 }
 
-// Without a size, as ever; the newline is dropped.
+// Reads a line without its newline.  Like every gets(), it does not know the size of the buffer.
 char* gets(char* line) {
   char* end = line;
   int c = getc(stdin);
@@ -97,8 +99,9 @@ size_t fread(void* data, size_t size, size_t count, FILE* file) {
   return next(data, size, count, Resolve(file));
 }
 
-// glibc has the functions of this family twice, with the meaning of C99 and with an older one,
-// and <stdio.h> gives the plain names to whichever the language level wants.
+// Defines the scanf() functions with a prefix of their names.  glibc has each of them twice: one
+// follows C99, the other an older standard.  <stdio.h> maps the plain name to one of the two by the
+// language level of the caller, so both are defined here.
 #define OPENR_SCANF_FAMILY(tag, prefix)                                                          \
   int tag##vfscanf(FILE* file, const char* format, va_list arguments) __asm__(prefix "vfscanf"); \
   int tag##vscanf(const char* format, va_list arguments) __asm__(prefix "vscanf");               \
@@ -160,7 +163,7 @@ ssize_t read(int descriptor, void* data, size_t size) {
   return next(descriptor, data, size);
 }
 
-// 0, 1 and 2 are the console, nothing else is.
+// For objects the descriptors 0, 1 and 2 are the console, and no other descriptor is.
 int isatty(int descriptor) noexcept {
   static const auto next = OPENR_NEXT(isatty);
   if (!InObject()) return next(descriptor);

@@ -1,8 +1,7 @@
-// File calls of objects: paths lead to the Memory Stick, everything else is as on
-// the robot or is refused.
+// File functions for objects: paths lead to the Memory Stick; all else is as on the robot or fails.
 //
-// These definitions are found before the C library's by every caller in the
-// process (std::ifstream included); they act only while code of an image runs.
+// Every caller in the process reaches these definitions before those of the C library, also
+// std::ifstream.  They change something only while code of an image runs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>
@@ -32,19 +31,20 @@ using openr_host::t_current;
 
 namespace {
 
-// Whether every part of `path` is a name the robot's file system can hold.
+// Returns whether every part of `path` is a name that the robot's file system can hold.
 bool HasShortNames(std::string_view path) {
   for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
-    const bool is_dots = part == "." || part == "..";  // entries of every folder but the first
+    const bool is_dots = part == "." || part == "..";  // every folder but the root has them
     if (!part.empty() && !is_dots && !openr_host::IsShortName(part)) return false;
     path.remove_prefix(part.size());
   }
   return true;
 }
 
-// False, with errno set, when the robot's file system would refuse the name.
+// Adds a finding if a part of `path` is not an 8.3 name.  Returns false, with errno set, if the
+// call has to fail because of that; without --strict it goes on.
 bool CheckNames(const std::string& path) {
   if (HasShortNames(path)) return true;
   openr_host::System* const system = t_current.system;
@@ -73,8 +73,8 @@ StickUse UseOf(const char* mode) {
                                              : StickUse::kRead;
 }
 
-// A file that is open can be opened again only if all read it (Programmer's Guide, appendix A).
-// False, with errno set, when it cannot.
+// Returns whether the current object may open the file; if not, sets errno.  A file that is open
+// can be opened again only if all of its users read it (Programmer's Guide, appendix A).
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;
@@ -125,12 +125,13 @@ FILE* OpenFile(const char* path, const char* mode) {
   return Remember(next(host.c_str(), mode), host, writes);
 }
 
-// The mode argument of open(), present only when a file may be made.
+// Returns the mode argument of open(), which callers pass only with flags that may create a file.
 mode_t ModeOf(int flags, va_list arguments) {
   return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
 }
 
-// Descriptors are common to all objects: one may close what another has opened.
+// Removes a descriptor from the object that has opened it; returns false if no object has.  All
+// objects are searched, because descriptors are common to them and any of them may close one.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
     if (object != nullptr && object->files.descriptors.erase(descriptor) == 1) return true;
@@ -138,7 +139,7 @@ bool ForgetDescriptor(int descriptor) {
   return false;
 }
 
-// Calls with one path: `next` gets the host's.
+// Calls `next`, a function of the C library, with the host's path in place of the object's.
 template <typename Function, typename... Rest>
 int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   if (!InObject()) return next(path, rest...);
@@ -146,7 +147,8 @@ int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   return host.empty() ? -1 : next(host.c_str(), rest...);
 }
 
-// All the robot's file system tells (Programmer's Guide, appendix A).
+// Reduces `status` to what the robot's file system reports: kind and size (Programmer's Guide,
+// appendix A).
 template <typename Status>
 void AsOnRobot(Status* status) {
   const mode_t kind = S_ISDIR(status->st_mode) ? S_IFDIR : S_IFREG;
@@ -244,7 +246,7 @@ int close(int descriptor) {
   const ApiScope scope;
   if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // the console stays
   if (ForgetDescriptor(descriptor)) return next(descriptor);
-  errno = EBADF;  // one of the host's
+  errno = EBADF;  // a descriptor of the host, which an object must not close
   return -1;
 }
 

@@ -1,5 +1,5 @@
-// opendir() and its kin, for objects: what a FAT file system of the robot shows of a folder
-// of the stick (Programmer's Guide, appendix A).
+// opendir(), readdir(), closedir() and rewinddir() for objects: they show a folder of the stick as
+// the robot's FAT file system would (Programmer's Guide, appendix A).
 #include <dirent.h>
 #include <fmt/format.h>
 
@@ -22,9 +22,10 @@ using openr_host::t_current;
 
 namespace {
 
-constexpr size_t kEntriesMax = 682;
+constexpr size_t kEntriesMax = 682;  // entries that readdir() of the robot returns
 
-// What an object's DIR is.  It lies on the object's heap, as everything the object makes.
+// The memory behind the DIR* of an object.  It is on the object's heap, because it belongs to the
+// object's state.
 struct Folder {
   size_t count;
   size_t next;
@@ -40,7 +41,8 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// The entries in the order of their names; the host's own order is anybody's guess.
+// Returns the entries sorted by name, because the order in which the host lists them may differ
+// from run to run.  `name` is the object's path, for messages.
 std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) {
   static const auto next_open = OPENR_NEXT(opendir);
   static const auto next_read = OPENR_NEXT(readdir);
@@ -85,8 +87,8 @@ DIR* opendir(const char* path) {
   std::vector<Folder::Name> names;
   {
     const ApiScope scope;
-    DIR* const probe = next(host.c_str());  // says why not
-    if (probe == nullptr) return nullptr;
+    DIR* const probe = next(host.c_str());
+    if (probe == nullptr) return nullptr;  // with the errno of the host
     closedir(probe);
     names = ReadFolder(host, path);
     if (names.size() > kEntriesMax) {
@@ -97,6 +99,7 @@ DIR* opendir(const char* path) {
       names.resize(kEntriesMax);
     }
   }
+  // Outside of ApiScope, so that malloc() takes the memory from the object's heap.
   auto* const folder = static_cast<Folder*>(malloc(sizeof(Folder)));
   if (folder != nullptr) {
     folder->count = names.size();

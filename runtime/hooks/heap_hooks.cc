@@ -1,9 +1,8 @@
-// malloc() and its kin: code of an image allocates from its object's heap, all
-// else from the C library.  free() knows by the address.
+// malloc(), free() and their family: code of an image allocates from the heap of its object, all
+// other code from the C library.  free() recognises by the address which heap a block is from.
 //
-// This library is found before the C library, so these definitions are the ones
-// every caller in the process gets.  Sanitizers bring their own; then objects share
-// the host's heap.
+// Every caller in the process reaches these definitions before those of the C library.  Sanitizers
+// have definitions of their own; with a sanitizer, objects share the host's heap.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(OPENR_NO_HEAP_HOOKS)
 
 #include <fmt/format.h>
@@ -35,9 +34,9 @@ namespace {
 
 Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.get() : nullptr; }
 
-// Where an object would go on with a null pointer, the reader learns why.
+// Adds a finding that explains why an object gets a null pointer.
 void ReportNoMemory(size_t size) {
-  const openr_host::ApiScope scope;  // what follows is the host's
+  const openr_host::ApiScope scope;  // the report itself needs memory, which the host's heap has
   const openr_host::Current& current = t_current;
   const openr_host::MemoryBudget& memory = current.system->robot(current.object->robot).memory;
   const size_t held = current.object->arena->bytes_in_use();
@@ -99,7 +98,7 @@ void* calloc(size_t count, size_t size) {
     errno = ENOMEM;
     return nullptr;
   }
-  return FromArena(arena, bytes);  // whose blocks are zero
+  return FromArena(arena, bytes);  // not cleared here, because blocks of an Arena are zero
 }
 
 void* realloc(void* block, size_t size) {
@@ -111,6 +110,7 @@ void* realloc(void* block, size_t size) {
     free(block);
     return nullptr;
   }
+  // A block moves even from one heap to the other: it goes to the heap of the code that asks.
   const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
   if (from_arena && size <= old_size && size > old_size / 2) return block;
   void* const moved = malloc(size);

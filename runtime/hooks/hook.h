@@ -1,7 +1,8 @@
-// What the functions of the C library that this library defines have in common.
+// The common base of hooks, functions of the C library that this folder defines once more.
 //
-// They are found before those of the C library by every caller in the process.  They act only while
-// code of an image runs, and call the C library's own version otherwise.  docs/hooks.md lists them.
+// Every caller in the process reaches a hook before the function of the C library.  A hook acts
+// only while code of an image runs, and calls the C library's function otherwise.  docs/hooks.md
+// lists the hooks.
 #pragma once
 
 #include <dlfcn.h>
@@ -11,10 +12,10 @@
 
 namespace openr_host {
 
-// Whether code of an image makes the call, and not the runtime on its behalf.
+// Returns whether code of an image runs, and not the runtime on behalf of an object.
 inline bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
-// The C library's own version of a function that this library defines as well.
+// Returns the C library's function `name`, for which this folder has a hook.
 template <typename Function>
 Function* NextSymbol(const char* name) {
   const LibraryScope scope;
@@ -23,6 +24,6 @@ Function* NextSymbol(const char* name) {
 
 }  // namespace openr_host
 
-// The same, with the type that its declaration has.
+// Returns the C library's function `name` with the type of its declaration.
 #define OPENR_NEXT(name) \
   (static_cast<decltype(&name)>(openr_host::NextSymbol<decltype(name)>(#name)))

@@ -1,9 +1,9 @@
 // Wraps printf(), sscanf() and the like, so that the C library's stack use is not counted as the
 // object's.
 //
-// These are the deepest functions that objects call all the time: up to 2 KiB of stack on this
-// host, where an object may have 3 KiB in its .ocf file.
-#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer has versions of its own
+// Of the functions that objects call often, these need the most stack: up to 2 KiB on this host,
+// while the .ocf file of an object may allow 3 KiB in all.
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer defines these functions itself
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -14,8 +14,8 @@
 using openr_host::LibraryScope;
 using openr_host::NextSymbol;
 
-// <stdio.h> defines some of these as inline functions, which clang does not let anybody replace; so
-// each has a name of our own here.
+// Declares a function under a name of our own that becomes the name `plain` in the object file.
+// <stdio.h> defines some of these functions inline, and clang accepts no second definition of them.
 #define OPENR_LIBRARY_FUNCTION(name, plain, ...) \
   extern "C" int OpenrV##name(__VA_ARGS__, va_list arguments) __asm__(#plain)
 

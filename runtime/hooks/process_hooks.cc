@@ -1,8 +1,8 @@
-// exit(), abort(), clocks and rand() of objects.
+// exit(), abort(), clocks and rand() for objects.
 //
-// exit() and abort() end the method that runs, not the process (Programmer's Guide,
-// appendix A).  The robot has no working clock but GetSystemTime(); what asks for
-// one anyway gets virtual time.  Only code of an image is treated so.
+// exit() and abort() end the handler that runs, not the process (Programmer's Guide, appendix A).
+// The robot has no working clock but GetSystemTime(); a program that reads another clock gets
+// virtual time.  All this holds for code of images only.
 #include <fmt/format.h>
 #include <sys/time.h>
 #include <time.h>
@@ -23,12 +23,13 @@ namespace {
 
 bool InHandler() { return InObject() && t_current.object->handler.running != nullptr; }
 
-// Seconds from 1970 to 2000, where the robot's calendar begins.
+// The beginning of the robot's calendar, 2000, in seconds since 1970.
 constexpr int64_t kRobotEpochS = 946'684'800;
 
 int64_t VirtualUs() { return t_current.system->now_us(); }
 
-// rand() of one object: the generator every object starts with alike.
+// Returns the next random number of the current object.  Every object has a generator of its own,
+// and all of them start with the same state.
 int ObjectRandom() {
   uint32_t& state = t_current.object->random_state;
   state = state * 1103515245u + 12345u;
@@ -67,7 +68,7 @@ void abort() noexcept {
   __builtin_unreachable();
 }
 
-// assert() of an object.
+// Called by assert() when its condition does not hold.
 void __assert_fail(const char* condition, const char* file, unsigned line,
                    const char* function) noexcept {
   static const auto next =
@@ -84,8 +85,9 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
   __builtin_unreachable();
 }
 
-// The C library's list of destructors outlives every object: not from its heap.  atexit(),
-// which comes here without an argument, does nothing on the robot.
+// Registers destructors.  The C library's list of destructors exists longer than any object, so its
+// memory must not come from the heap of an object (ApiScope).  atexit(), which calls this function
+// with a null `argument`, does nothing on the robot.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
   if (argument == nullptr && InObject()) return 0;

@@ -1,6 +1,6 @@
-// Calls of the C library that do not work on the robot (Programmer's Guide, appendix A): they
-// fail, and an object that makes one learns why.  Several would reach the host's own files and
-// processes.
+// Functions of the C library that do not exist on the robot (Programmer's Guide, appendix A).  For
+// objects they fail with a finding, also because several of them would reach files and processes of
+// the host.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -22,7 +22,7 @@ namespace {
 
 using openr_host::t_current;
 
-// Whether code of an object makes the call; says so.
+// Returns whether code of an object makes the call; adds a finding if so.
 bool Refuses(const char* name) {
   if (!openr_host::InObject()) return false;
   const openr_host::ApiScope scope;
@@ -37,7 +37,7 @@ bool Refuses(const char* name) {
 
 }  // namespace
 
-// Defines `name`, which answers `failure` to objects.
+// Defines the function `name`, which returns `failure` to objects.
 #define OPENR_REFUSE(type, name, failure, parameters, arguments) \
   extern "C" type name parameters {                              \
     static const auto next = OPENR_NEXT(name);                   \
@@ -79,13 +79,13 @@ OPENR_REFUSE(int, truncate, -1, (const char* path, off_t size) noexcept, (path, 
 OPENR_REFUSE(int, chmod, -1, (const char* path, mode_t mode) noexcept, (path, mode))
 OPENR_REFUSE(int, dup, -1, (int descriptor) noexcept, (descriptor))
 OPENR_REFUSE(int, dup2, -1, (int from, int to) noexcept, (from, to))
-#if !defined(__SANITIZE_ADDRESS__)  // the sanitizers look with one whether memory is there
+#if !defined(__SANITIZE_ADDRESS__)  // sanitizers use pipe() to test whether memory is readable
 OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 #endif
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
-// Its third argument, whatever it is, passes as a pointer does.
+// Passes on the third argument as a pointer, because on this ABI all types of it are passed alike.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;

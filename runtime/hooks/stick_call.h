@@ -1,4 +1,4 @@
-// What the file calls of objects share: from a robot's path to the host's.
+// Converts paths of the robot to paths of the host, for the file functions of objects.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 namespace openr_host {
 
 enum class StickUse {
-  kRead,    // an existing file or folder
-  kChange,  // an existing one is changed
-  kCreate,  // may be made, and is changed
+  kRead,    // reads an existing file or folder
+  kChange,  // changes an existing file or folder
+  kCreate,  // changes a file or folder, and creates it if it does not exist
 };
 
-// Where `path`, of the current object's stick, lies on the host.  Empty, with errno set and
-// perhaps a finding, when the object may not have it.
+// Returns the host's path for `path` on the stick of the current object.  Returns "" with errno
+// set, and in some cases with a finding, if the object may not use the file in this way.
 std::string HostPath(const char* path, StickUse use);
 
 }  // namespace openr_host
