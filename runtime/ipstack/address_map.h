@@ -15,7 +15,7 @@ class AddressMap {
  public:
   explicit AddressMap(std::vector<AddressPair> pairs) : pairs_(std::move(pairs)) {}
 
-  // Whether the configuration has an entry for a program's address.
+  // Returns whether the configuration has an entry for a program's address.
   bool Has(uint32_t robot) const;
 
   // Returns the host's address for a program's `address`; the same address if there is no entry.

@@ -26,7 +26,8 @@ std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
   return static_cast<std::conditional_t<std::is_const_v<M>, const T, T>&>(m);
 }
 
-// Both call visit(message cast to its type, its name).
+// Finds the type of a TCP message and calls visit(message cast to this type, its name).  The other
+// Visit functions do the same for other messages.
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {
@@ -157,7 +158,7 @@ void Visit(M& m, V&& visit) {
   }
 }
 
-// ---- Counts of received data
+// ---- Clear() sets the counts of received data to 0
 
 void Clear(antEnvMsg*) {}
 void Clear(TCPEndpointReceiveMsg* m) { m->sizeMin = m->sizeMax = 0; }
@@ -165,7 +166,7 @@ void Clear(UDPEndpointReceiveMsg* m) { m->size = 0; }
 void Clear(DNSEndpointGetHostByNameMsg* m) { m->n_address = m->n_alias = 0; }
 void Clear(DNSEndpointGetHostByAddrMsg* m) { m->n_address = m->n_alias = 0; }
 
-// ---- Fields that are hashed in addition to the common ones
+// ---- AddFields() hashes the fields that only some types of messages have
 
 void Add(Hasher* h, const IPAddress& address) { h->Add(address.Address()); }
 template <size_t N>
@@ -196,8 +197,8 @@ void AddParameter(Hasher* h, const T& m) {
   if (m.paramType == antEnv_InitParam_String) Add(h, m.value.str);
 }
 
-// Close, queue and mode messages, whose operation and error are all they say, and unknown messages,
-// whose fields have no known meaning.
+// Adds nothing: queue and mode messages have no fields besides operation and error, and the fields
+// of unknown messages have no known meaning.
 void AddFields(Hasher*, const antEnvMsg&) {}
 
 void AddFields(Hasher* h, const TCPEndpointListenMsg& m) { AddFourAddresses(h, m); }
@@ -349,7 +350,7 @@ uint64_t AntMessageHash(const antEnvMsg& message, const void* data, size_t size)
   });
   hasher.AddText({static_cast<const char*>(data), size});
   const uint64_t digest = hasher.Digest();
-  return digest == 0 ? 1 : digest;
+  return digest == 0 ? 1 : digest;  // 0 stands for "no hash" in a Message
 }
 
 }  // namespace openr_host

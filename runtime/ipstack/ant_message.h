@@ -1,8 +1,8 @@
-// Properties of every message to the network stack: its size, its name, and what of it is hashed.
+// Properties of messages to the network stack: size, name, and the fields that are hashed.
 //
-// The protocol follows from the endpoint's reference: it contains the protocol number where the
-// robot has a pointer (MakeModuleRef).  So the type of a message is known without a table, and no
-// message contains an address of the host.
+// The reference of an endpoint contains the number of its protocol, where the robot has a pointer
+// (MakeModuleRef).  So the type of a message is known without a table, and no message contains an
+// address of the host.
 #pragma once
 
 #include <antEnvMsg.h>

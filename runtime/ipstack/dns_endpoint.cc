@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
@@ -89,7 +90,7 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Alias 0 is the official name, so there is one alias more than the host has.
+// Returns an alias by index.  Alias 0 is the official name, so there is one more than HostInfo has.
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
   const size_t count = host_.addresses.empty() ? 0 : 1 + host_.aliases.size();
@@ -137,9 +138,10 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the query.  A failed answer keeps the name that was asked for: programs of NTP take it
-// for an address then.
+// Answers the query.  A failed answer keeps the name of the question, because NTP programs then
+// take this name for an address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
+  ASSERT(query_.has_value());
   // Both questions have the same fields, but are different types.
   const auto fill = [&](auto& message) {
     message.n_address = static_cast<int32>(host_.addresses.size());

@@ -19,9 +19,9 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // Addresses kept of one answer, and the same number of aliases.
+  // Limit for the addresses kept of one answer, and for its aliases.
   static constexpr size_t kAddressesMax = 16;
-  // Virtual time; after it the answer is DNS_TRY_AGAIN.
+  // The time limit for an answer, in virtual time; the error after it is DNS_TRY_AGAIN.
   static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;
@@ -45,7 +45,7 @@ class DnsEndpoint : public Endpoint {
   std::string FullName(const std::string& name) const;
 
   std::string domain_;    // default domain; "": none
-  NetHandle socket_ = 0;  // of the question that is being answered
+  NetHandle socket_ = 0;  // handle for the question that is being answered
   int64_t asked_us_ = 0;
   std::optional<Operation> query_;  // GetHostByName or GetHostByAddr
   std::optional<NetworkEvent> answer_;

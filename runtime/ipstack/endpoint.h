@@ -20,8 +20,9 @@ class EventSink {
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
-// An endpoint.  Start() stores operations and Take() stores events; AnswerReady() answers what can
-// be answered.  So the order of answers is defined: by endpoint, then open, send, receive, close.
+// An endpoint.  Start() stores operations, Take() stores events, and AnswerReady() answers the
+// operations that can be answered.  So the order of answers does not depend on the order of events:
+// it is by endpoint, then open, send, receive, close.
 class Endpoint : public EventSink {
  public:
   Endpoint(IpStack* stack, int32_t protocol, ObjectId owner, int32_t pool_bytes)
@@ -32,7 +33,7 @@ class Endpoint : public EventSink {
 
   virtual void AnswerReady() = 0;
 
-  // Whether an operation waits for the network, so that the stack has to poll.
+  // Returns whether an operation waits for the network, so that the stack has to poll.
   virtual bool WaitsForNetwork() const = 0;
 
   // Called at the beginning of each poll.
@@ -45,12 +46,12 @@ class Endpoint : public EventSink {
 
   int32_t protocol() const { return protocol_; }
   ObjectId owner() const { return owner_; }
-  bool dead() const { return dead_; }  // its Close has been answered
+  bool dead() const { return dead_; }  // Close has been answered; the endpoint can be deleted
 
  protected:
   IpStack* const stack_;
   const int32_t protocol_;  // EndpointType_...
-  const ObjectId owner_;    // object that created it
+  const ObjectId owner_;    // the object that created the endpoint
   // Limit of the bytes that are sent and not yet accepted by the network; > 0.
   const int32_t pool_bytes_;
   bool dead_ = false;

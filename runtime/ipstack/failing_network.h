@@ -9,9 +9,9 @@
 
 namespace openr_host {
 
-// Counts Listen, Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve and
-// ResolveAddress, from 1.  The `nth` does not reach the network inside; the next Poll()
-// reports it as failed with `error`.
+// Counts the commands Listen, Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve
+// and ResolveAddress, from 1.  Command number `nth` is not passed to the wrapped network; the next
+// Poll() reports that it has failed with `error`.
 class FailingNetwork : public Network {
  public:
   FailingNetwork(std::unique_ptr<Network> inner, int nth, NetError error)
@@ -37,13 +37,13 @@ class FailingNetwork : public Network {
   }
 
  private:
-  // Whether this command is the one to fail.
+  // Counts a command; returns whether it is the one that has to fail.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  NetHandle failed_ = 0;  // to be reported by Poll()
+  NetHandle failed_ = 0;  // handle of the failed command until Poll() reports it; 0: none
 };
 
 }  // namespace openr_host

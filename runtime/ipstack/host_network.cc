@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/ipstack/host_resolver.h"
 
 namespace openr_host {
@@ -77,6 +78,7 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
+  // The robot does not listen on this port, and a program of the host with that port is no peer.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -131,6 +133,8 @@ void HostNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
+// Gives the host as many of the waiting bytes as it accepts, and ends the stream after the last
+// one.
 void HostNetwork::Push(NetHandle handle, Connection* connection) {
   std::string& out = connection->out;
   size_t done = 0;
@@ -158,7 +162,9 @@ void HostNetwork::Fail(NetHandle handle, Connection* connection, int error) {
 
 void HostNetwork::Receive(NetHandle handle, size_t size_max) {
   const auto found = connections_.find(handle);
-  if (found != connections_.end()) found->second.want = size_max;
+  if (found == connections_.end()) return;
+  ASSERT(found->second.want == 0, "handle {}: the last request has no answer", handle);
+  found->second.want = size_max;
 }
 
 void HostNetwork::Close(NetHandle handle) {
@@ -232,7 +238,7 @@ void HostNetwork::AcceptAll(Listener* listener) {
     NetAddress remote;
     Fd fd = AcceptFrom(listener->fd, &remote);
     if (!fd.valid()) {
-      // The client has closed it already; the next one may be there.
+      // The client has closed its connection before we accepted it; another client may wait.
       if (errno == ECONNABORTED) continue;
       if (!MustWait(errno)) {
         events_.push_back(NoteEvent(fmt::format("a connection waits: {}", std::strerror(errno))));

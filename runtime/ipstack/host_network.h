@@ -1,12 +1,13 @@
 // The robot's network over sockets of the host.
 //
-// A server port of the robot is bound to 127.0.0.1 unless the options name another address, under
-// its own number if that is free (host_ports.h).  For programs of the robot, the robot's own
-// address reaches only ports on which the robot listens.  127.0.0.1 also means the robot where the
-// robot listens, and otherwise this computer.  Programs of this computer appear to objects under
-// 127.0.0.1, so answers and the data connections of FTP find them.  Other addresses that are
-// compiled into programs are translated both ways, as the options say; if an address of the robot
-// is among them, it says where server ports are bound.
+// Server ports: a port of the robot is bound to 127.0.0.1, or to the address in the options.  It
+// keeps its number if that is free on the host (host_ports.h).
+//
+// Addresses in programs of the robot: the robot's own address reaches only ports on which the robot
+// listens.  127.0.0.1 means the robot for these ports, and this computer for all others.  Programs
+// of this computer have the address 127.0.0.1 for objects, so answers and the data connections of
+// FTP reach them.  Other addresses are translated in both directions as the options say; an entry
+// for the robot's own address selects the address at which server ports are bound.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +25,13 @@
 namespace openr_host {
 
 struct HostNetworkOptions {
-  uint32_t bind_ip = 0x7f000001;  // of the host, for server ports; 0: every interface
+  uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0: every interface
   // Robot's port -> host's port that it must get; 0: any free port.  Other ports keep their number
   // if it is free.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
-  // Addresses in programs and the host's addresses that they stand for.  Programs of a host appear
-  // under its first entry (address_map.h).
+  // Addresses in programs and the host's addresses in their place.  An address of the host in
+  // several pairs is translated back by the first of them (address_map.h).
   std::vector<AddressPair> addresses;
   // Names that are answered without the host's resolver, which may be slow.
   std::map<std::string, HostInfo> names;
@@ -39,7 +40,7 @@ struct HostNetworkOptions {
 class HostNetwork : public Network {
  public:
   static constexpr int kBacklog = 8;              // connections held until they are accepted
-  static constexpr size_t kReadBytesMax = 65536;  // read from one connection at one poll
+  static constexpr size_t kReadBytesMax = 65536;  // limit for one connection in one Poll()
 
   explicit HostNetwork(HostNetworkOptions options = {});
 
@@ -88,11 +89,11 @@ class HostNetwork : public Network {
   void Discard(NetHandle handle, Connection* connection);
   void Fail(NetHandle handle, Connection* connection, int error);
 
-  // Whether the address is one of the robot's: its own, loopback, or one that it has bound to.
+  // Returns whether the address is one of the robot's: its own, loopback, or one of a bound socket.
   bool IsRobot(uint32_t ip) const;
   // Returns and forgets the host's address that At() set for the next server socket.
   uint32_t BindIp(NetHandle handle);
-  // Reports that the host has no such address.
+  // Adds a note for the user if `error` means that the host has no such address.
   void NoteBindError(uint32_t ip, int error);
 
   const HostNetworkOptions options_;

@@ -23,18 +23,18 @@ class HostPorts {
   HostPorts(NetProtocol protocol, std::map<uint16_t, uint16_t> wished)
       : protocol_(protocol), wished_(std::move(wished)) {}
 
-  // Binds the robot's `port`.  It calls take(host port), which returns 0 or an errno, first for the
-  // port of an earlier call, the wished port or its own number, then for the next numbers, and
-  // finally for 0.  A port wished for by number is tried alone.  After success `bound` returns the
-  // host's port.  Returns the last errno; `note` becomes a text for the user if the expected port
-  // was taken.
+  // Binds the robot's `port` and returns 0 or an errno.  Bind() calls take(host port), which also
+  // returns 0 or an errno, until it succeeds: first with the port of an earlier call, the wished
+  // port or the port's own number, then with the next numbers, finally with 0.  If a certain number
+  // is wished, Bind() tries no other.  After success `bound` must return the host's port.  `note`
+  // becomes a text for the user if the expected port was in use.
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 
-  // 0: not bound yet.
+  // Returns the host's port for the robot's `port`; 0: not bound yet.
   uint16_t HostPort(uint16_t port) const;
 
-  // 0: not a port of this table.
+  // Returns the robot's port that has the host's port `host_port`; 0: none.
   uint16_t RobotPort(uint16_t host_port) const;
 
  private:

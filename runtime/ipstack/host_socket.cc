@@ -86,7 +86,8 @@ int BindSocket(const Fd& fd, NetAddress local) {
 }
 
 int ListenOn(const Fd& fd, NetAddress local, int backlog) {
-  // Connections of the last run may still be in state TIME_WAIT.
+  // Without this option the port could not be bound while connections of the last run are in state
+  // TIME_WAIT.
   SetOption(fd.get(), SOL_SOCKET, SO_REUSEADDR);
   if (const int error = BindSocket(fd, local)) return error;
   return listen(fd.get(), backlog) == 0 ? 0 : errno;

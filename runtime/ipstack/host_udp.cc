@@ -60,7 +60,7 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       any = true;
       events->push_back(std::move(event));
     }
-    if (any) socket.want = 0;
+    if (any) socket.want = 0;  // the request is answered, also with fewer datagrams than it allows
   }
 }
 

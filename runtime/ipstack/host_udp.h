@@ -33,7 +33,7 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    size_t want = 0;  // datagrams to be received
+    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: none is pending
   };
 
   HostPorts ports_;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/dispatcher.h"
@@ -62,7 +63,7 @@ IpStack::IpStack(std::unique_ptr<Network> network, IpStackOptions options)
   network_->Attach(address_);
 
   const auto take = [this](void* payload) { TakeMessage(payload); };
-  first_entry_ = AddExtra("Initialize", take);  // in the order of Entry_antEnv_...
+  first_entry_ = AddExtra("Initialize", take);  // EntryFor() needs the order of Entry_antEnv_...
   AddExtra("HartBeat", take);
   AddExtra("External", take);
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
@@ -131,6 +132,7 @@ void IpStack::TakeMessage(void* payload) {
                     request.size, request.selector));
     return;
   }
+  ASSERT(request.size <= sizeof operation.bytes, "{} bytes", request.size);
   operation.size = request.size;
   operation.sender = request.sender;
   operation.request_hash = request.payload_hash;
@@ -151,7 +153,7 @@ void IpStack::HandleStackMessage(Operation* operation) {
     switch (message.dstOperation) {
       case antEnv_Operation_InitGetParam:
         return Answer(operation, parameters_.Get(&operation->As<antEnvInitGetParamMsg>()));
-      case antEnv_Operation_InitSetParam:  // only system objects may
+      case antEnv_Operation_InitSetParam:  // allowed to system objects only
         return Answer(operation, sender != nullptr && sender->is_system
                                      ? parameters_.Set(operation->As<antEnvInitSetParamMsg>())
                                      : ANT_FAIL);
@@ -217,6 +219,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const int32_t protocol = ProtocolOf(ref);
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
+    // Indexes are given out in order, so an unknown one up to the last belonged to a closed
+    // endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
@@ -264,6 +268,7 @@ void IpStack::EraseDead() {
   std::erase_if(endpoints_, [](const auto& entry) { return entry.second->dead(); });
 }
 
+// Posts the Poll message for the next frame if an endpoint waits for the network.
 void IpStack::KeepPolling() {
   if (poll_posted_) return;
   bool needed = false;

@@ -1,4 +1,4 @@
-// IPStack: the object that gives programs TCP, UDP and DNS.
+// IPStack, the object through which programs use TCP, UDP and DNS.
 //
 // Its name is "IPStack".  Programs send it the messages of TCPEndpointMsg.h and similar headers
 // with Call() and Send() of antEnvMsg.  These functions post to entries of the stack of their own
@@ -34,7 +34,7 @@ struct IpStackOptions {
   // The state of the network card that the functions of ERA201D1.h report.
   enum class Card { kPresent, kNoCard, kNoDriver };
 
-  std::string address;  // of the robot, dotted; "": ETHER_IP of its WLANCONF.TXT
+  std::string address;  // the robot's dotted address; "": ETHER_IP of its WLANCONF.TXT
   Card card = Card::kPresent;
   // Further addresses, to which programs may bind as to the robot's own (address_config.h).
   std::vector<AddressPair> addresses = {};
@@ -46,7 +46,7 @@ class IpStack : public CodeObject {
 
   // The robot's limits are not known.  These limits keep a faulty program from using up the host's
   // memory.
-  static constexpr size_t kEndpointsMax = 256;  // alive at the same time
+  static constexpr size_t kEndpointsMax = 256;  // endpoints that exist at the same time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
   // The pool of an endpoint created with poolSize 0; the meaning of 0 is not documented.
   static constexpr int32_t kPoolBytesDefault = 1 << 20;
@@ -82,7 +82,8 @@ class IpStack : public CodeObject {
   TcpPorts& tcp_ports() { return tcp_ports_; }
   uint32_t address() const { return address_; }
 
-  // Whether a program may use `ip` as its own address: any, loopback, the robot's or a further one.
+  // Returns whether a program may use `ip` as its own address: any, loopback, the robot's or a
+  // further one (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
   // Returns `ip` if it is a further address; 0, the robot's own one, if not.
@@ -142,7 +143,8 @@ class IpStack : public CodeObject {
   bool poll_posted_ = false;
 };
 
-// Adds the object; called before System::Boot().  The System owns the stack, which owns `network`.
+// Adds the object IPStack to a robot; must be called before System::Boot().  The System owns the
+// stack, which owns `network`.
 IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
                     IpStackOptions options = {});
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 
 LoopbackNetwork::LoopbackNetwork(std::shared_ptr<LoopbackHub> hub) : hub_(std::move(hub)) {}
@@ -110,7 +112,9 @@ void LoopbackNetwork::Push(NetHandle handle, Connection* connection) {
 
 void LoopbackNetwork::Receive(NetHandle handle, size_t size_max) {
   const auto found = connections_.find(handle);
-  if (found != connections_.end()) found->second.want = size_max;
+  if (found == connections_.end()) return;
+  ASSERT(found->second.want == 0, "handle {}: the last request has no answer", handle);
+  found->second.want = size_max;
 }
 
 void LoopbackNetwork::Close(NetHandle handle) {
@@ -165,7 +169,8 @@ void LoopbackNetwork::Drop(NetHandle handle, bool reset) {
   if (const auto found = connections_.find(handle); found != connections_.end()) {
     Connection& connection = found->second;
     if (reset) connection.link->reset = true;
-    // Like a host's kernel, which goes on sending after a close.
+    // The bytes that are not sent yet still reach the peer, because a host's kernel also goes on
+    // sending after a close.
     connection.peer().bytes += connection.out;
     connection.peer().ended = true;
     connection.in().gone = true;

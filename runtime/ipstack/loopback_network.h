@@ -1,8 +1,8 @@
-// Networks inside the process: no host sockets, so every run is the same.
+// Networks inside the process: without sockets of the host, so every run is the same.
 //
 //   auto hub = std::make_shared<LoopbackHub>();
 //   AddIpStack(&system, 0, std::make_unique<LoopbackNetwork>(hub));
-//   LoopbackNetwork client(hub);       // a test as the robot's peer
+//   LoopbackNetwork client(hub);       // the test is a peer of the robot
 //   client.Attach(0x0a000102);
 #pragma once
 
@@ -19,10 +19,10 @@ namespace openr_host {
 
 class LoopbackNetwork;
 
-// The wire between LoopbackNetworks, with a table of names.
+// The connection between all LoopbackNetworks of a test, and their table of names.
 class LoopbackHub {
  public:
-  // Name, without final dot -> the answer to a question for it.
+  // Answers to questions for a name; the name has no final dot.
   std::map<std::string, HostInfo> names;
 
  private:
@@ -30,8 +30,8 @@ class LoopbackHub {
   std::map<uint32_t, LoopbackNetwork*> hosts_;  // by address
 };
 
-// A host on the wire.  Sent data arrive at once; the receiver sees them at its next Poll().  A peer
-// that does not read stops its sender after kWindowBytes.
+// A host at a hub.  Sent data arrive at once, and the receiver gets them from its next Poll().  If
+// a peer does not read, its sender stops after kWindowBytes.
 class LoopbackNetwork : public Network {
  public:
   static constexpr size_t kWindowBytes = 65536;
@@ -39,13 +39,13 @@ class LoopbackNetwork : public Network {
   // Datagrams held until they are received; further ones are lost.
   static constexpr size_t kDatagrams = 32;
 
-  // Without a hub the host is alone on a wire of its own.
+  // Without a hub the host has a hub of its own and no peers.
   explicit LoopbackNetwork(std::shared_ptr<LoopbackHub> hub = std::make_shared<LoopbackHub>());
   ~LoopbackNetwork() override;
 
   // If two hosts have the same address, others reach the one attached last.
   void Attach(uint32_t ip) override;
-  void At(NetHandle, uint32_t) override {}  // a robot has one address on the wire
+  void At(NetHandle, uint32_t) override {}  // a robot has only one address at a hub
   void Listen(NetHandle listener, uint16_t port) override;
   void Accept(NetHandle listener, NetHandle handle) override;
   void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) override;
@@ -67,8 +67,8 @@ class LoopbackNetwork : public Network {
   // One direction of a connection.
   struct Pipe {
     std::string bytes;
-    bool ended = false;  // the writer has ended
-    bool gone = false;   // the reader has gone
+    bool ended = false;  // the writer has ended the stream
+    bool gone = false;   // the reader has dropped the connection
   };
   struct Link {
     Pipe to[2];
@@ -76,14 +76,14 @@ class LoopbackNetwork : public Network {
   };
   struct Connection {
     std::shared_ptr<Link> link;
-    int side = 0;     // reads link->to[side]
-    std::string out;  // not yet in the pipe
+    int side = 0;     // this end reads link->to[side]
+    std::string out;  // bytes to send that are not in the pipe yet
     size_t want = 0;  // size of the pending Receive()
     bool closing = false;
     Pipe& in() const { return link->to[side]; }
     Pipe& peer() const { return link->to[1 - side]; }
   };
-  struct Pending {  // connected and not yet accepted
+  struct Pending {  // a connection that is not yet accepted
     std::shared_ptr<Link> link;
     NetAddress remote;
   };
@@ -98,7 +98,7 @@ class LoopbackNetwork : public Network {
   };
   struct Udp {
     uint16_t port = 0;
-    size_t want = 0;  // datagrams to be received
+    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: none is pending
     std::deque<Datagram> waiting;
   };
 

@@ -2,12 +2,12 @@
 //
 // The stack gives commands, which return nothing and never wait.  All input from outside is
 // returned by Poll(), which IpStack calls at one place only, at frame boundaries.  So a run can be
-// replayed exactly: record what Poll() returns with the virtual time, and replay it with a Network
-// that ignores commands and returns the record.
+// replayed exactly: a recording contains all results of Poll() with their virtual time, and a
+// Network for the replay ignores commands and returns the recorded results.
 //
 // Handles are small integers that the stack chooses, from 1 up, each used once, so they are the
-// same in every run.  Ports and addresses are those of the robot; a Network with other ones outside
-// translates them.
+// same in every run.  Ports and addresses are those of the robot; a Network that uses other ones on
+// the host translates them.
 #pragma once
 
 #include <cstddef>
@@ -85,9 +85,9 @@ class Network {
 
   // Accepts connections to `port` from now on, and holds a few until Accept().
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
-  // The next connection to `listener` becomes `handle`; several calls are served in their order.
+  // Gives `handle` to the next connection to `listener`; several calls are served in their order.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
-  // `local_port` is a wish only.
+  // Connects to `remote`.  A Network may use another local port than `local_port`.
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
   // Copies the bytes and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
@@ -99,7 +99,7 @@ class Network {
 
   // ---- UDP
 
-  // `any_port`: the stack has chosen the port, so no peer expects this number.
+  // Binds `port`.  `any_port`: the stack has chosen the port, so no peer expects this number.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes.  A datagram that cannot be sent is lost; a kNote may report it.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
@@ -109,7 +109,8 @@ class Network {
 
   // ---- Names
 
-  // `name` is complete and has no final dot.
+  // Ask for the addresses of a name or for the name of an address; kResolved answers.  `name` is
+  // complete and has no final dot.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 

@@ -11,8 +11,8 @@
 namespace openr_host {
 
 struct Operation {
-  alignas(16) unsigned char bytes[Message::kPayloadMax] = {};  // the struct, then zeros
-  uint32_t size = 0;                                           // of the struct
+  alignas(16) unsigned char bytes[Message::kPayloadMax] = {};  // the message struct, then zeros
+  uint32_t size = 0;                                           // size of the message struct
   ObjectId sender = kNoObject;
   uint64_t request_hash = 0;  // AntMessageHash() of the request, including its data
   ReplyTicket ticket;         // of a Call(); empty for a Send()
@@ -20,7 +20,7 @@ struct Operation {
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }
 
-  // REQUIRES: T is the type that the operation code stands for.
+  // Returns the message as its own type T.  REQUIRES: the operation code stands for T.
   template <typename T>
   T& As() {
     static_assert(sizeof(T) <= sizeof bytes);

@@ -1,7 +1,7 @@
 // The parameters of the stack, which antEnvInitGetParamMsg reads by key.
 //
-// The keys are those of WLANCONF.TXT.  Only ETHER_IP, as text, is documented.  That the other keys
-// can be read too, and flags and numbers as Int32, is our choice.
+// The keys are those of WLANCONF.TXT.  Only ETHER_IP, as text, is documented.  It is our choice
+// that programs can read the other keys too, flags and numbers as Int32.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -25,10 +25,11 @@ class Parameters {
   // the values of Sony's file hold.  `address` replaces ETHER_IP unless it is empty.
   Parameters(MemoryStick* stick, const std::string& address);
 
-  // Returns ANT_REGISTRY_NO_KEY for an unknown key.  Text is cut to ANTENV_VALUE_LENGTH_MAX.
+  // Puts the value for the key of `message` into it.  Returns ANT_REGISTRY_NO_KEY for an unknown
+  // key.  Text is cut to ANTENV_VALUE_LENGTH_MAX.
   antError Get(antEnvInitGetParamMsg* message) const;
 
-  // Returns ANT_REGISTRY_WRONG_TYPE for an unknown type.
+  // Sets the value for a key.  Returns ANT_REGISTRY_WRONG_TYPE for an unknown type.
   antError Set(const antEnvInitSetParamMsg& message);
 
   const WlanConfig& wlan() const { return wlan_; }

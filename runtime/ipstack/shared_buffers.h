@@ -19,14 +19,15 @@ class SharedBuffers {
   explicit SharedBuffers(RegionTable* regions) : regions_(regions) {}
 
   static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to pages
-  // Limit of one buffer and of all together.  The robot's limits are not known; this is more than
-  // its memory.
+  // The limit for all buffers together.  The robot's limit is not known; ours is more than all its
+  // memory.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;
 
-  // Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the limit.
+  // Makes a buffer.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the limit.
   antError Create(uint32_t bytes, ObjectId owner, antSharedBuffer* buffer);
 
-  // Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the buffer is mapped.
+  // Deletes a buffer.  Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the buffer
+  // is mapped.
   antError Destroy(const antSharedBuffer& buffer);
 
   // Maps or unmaps a buffer; a second call changes nothing.  `base` becomes the address of the
@@ -38,7 +39,7 @@ class SharedBuffers {
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 
-  // Whether `size` > 0 bytes from `begin` are inside one mapped buffer.
+  // Returns whether `size` > 0 bytes from `begin` on are inside one mapped buffer.
   bool Contains(const void* begin, int64_t size) const;
 
   // Deletes all buffers of an object that has ended.

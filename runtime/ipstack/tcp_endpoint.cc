@@ -70,6 +70,7 @@ void TcpEndpoint::Refuse(Operation operation, TCPEndpointError error) {
 
 void TcpEndpoint::Finish(std::optional<Operation>* operation, TCPEndpointError error,
                          const void* data, size_t size) {
+  ASSERT(operation->has_value());
   stack_->Answer(&**operation, error, data, size);
   operation->reset();
 }
@@ -81,7 +82,8 @@ void TcpEndpoint::Bind(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-// Checks what Bind, Listen and Connect require; answers and returns true if it is not met.
+// Checks the conditions of Bind, Listen and Connect.  If one is not met, answers with an error and
+// returns true.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
   if (opening_) {
@@ -136,7 +138,8 @@ void TcpEndpoint::Connect(const Operation& operation) {
   state_ = State::kConnecting;
 }
 
-// Checks what Send and Receive require; `busy`: an operation of the same kind is pending.
+// Checks the conditions of Send and Receive.  If one is not met, answers with an error and returns
+// true.  `busy`: an operation of the same kind is pending.
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {
@@ -204,6 +207,7 @@ void TcpEndpoint::WarnOfSmallSends(const Operation& operation, int size) {
   const int64_t now_us = stack_->system().now_us();
   const bool goes_on = small_row_ > 0 && now_us - last_send_us_ < kRobotAcknowledgeUs;
   small_row_ = size > kRobotSmallBytes ? 0 : goes_on ? small_row_ + 1 : 1;
+  ASSERT(small_row_ >= 0, "{}", small_row_);
   last_send_us_ = now_us;
   if (small_row_ != kRobotRow) return;
   stack_->Warn(operation,
@@ -290,6 +294,7 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
+  // The program waits for another peer, so this connection is broken and the next one awaited.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);
@@ -314,7 +319,7 @@ void TcpEndpoint::Fail(NetError error) {
   state_ = State::kFailed;
 }
 
-// Ends the Listen's claim to its port.
+// Ends the wait for a connection to the port, and closes a port that the stack has chosen.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
   if (own_port_) stack_->tcp_ports().Close(local_port_);

@@ -15,25 +15,26 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // Virtual time that Close waits: for the peer to end its side after all has been sent, and
-  // without progress while something is left to be sent.
+  // Close waits for this virtual time until the peer ends its side, after all bytes are sent.
   static constexpr int64_t kPeerEndUs = 1'000'000;
+  // While bytes are left to be sent, Close waits for this virtual time without progress.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
-  // Bytes that are read from the network beyond what a Receive asks for, so that a header and the
-  // body after it do not need a frame each.
+  // The bytes read from the network at a time, even if a Receive asks for fewer: otherwise the
+  // header of a message and its body would take a frame each.
   static constexpr size_t kReadAheadBytes = 16384;
 
-  // The robot sends more than the first and at most the second number of bytes in two pieces, the
-  // later one up to 200 ms after the other (network.md, 4.3).  More than the third number is slow
-  // (BBS 254).
+  // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
+  // second up to 200 ms after the first (network.md, 4.3).  More than kRobotSendBytes is slow (BBS
+  // 254).
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
-  // Limits for small sends in a row, each soon after the last, with nothing received in between.
-  // On the robot Nagle's algorithm holds the next one back until the peer acknowledges, which the
-  // peer may delay by this time.  A send of more than half of what goes at once does not count as
-  // small (chosen), because joining it with the next one gains nothing.
+  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the one
+  // before, with nothing received in between.  On the robot Nagle's algorithm holds the next small
+  // send back until the peer acknowledges, and the peer may delay that by kRobotAcknowledgeUs.  It
+  // is our choice that a send of more than kRobotSmallBytes is not small: it would not fit with
+  // another one into what the robot sends at once.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -74,19 +75,19 @@ class TcpEndpoint : public Endpoint {
 
   State state_ = State::kNew;
   NetHandle socket_ = 0;
-  uint32_t local_ip_ = 0;  // as the program gave it; 0: none
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0: none
   uint16_t local_port_ = 0;
   bool own_port_ = false;  // the stack has chosen local_port_ for a Listen
   NetAddress remote_;
   NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any
-  TCPEndpointError error_ = TCP_SUCCESS;  // why the connection is broken
+  TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
-  std::string in_;          // received and not yet delivered
+  std::string in_;          // bytes received and not yet delivered
   bool asked_ = false;      // a Network::Receive() has not been answered
   bool ended_ = false;      // the peer has ended the stream
   bool closed_ = false;     // both sides have ended
-  int64_t unsent_ = 0;      // bytes given to the network that it has not accepted
-  uint64_t sent_hash_ = 0;  // of all sent bytes
+  int64_t unsent_ = 0;      // number of bytes given to the network that it has not accepted yet
+  uint64_t sent_hash_ = 0;  // hash of all sent bytes
   int small_row_ = 0;       // small sends since the object last received something
   int64_t last_send_us_ = 0;
   int64_t closing_since_us_ = 0;  // time of Close, or of the last progress after it

@@ -1,4 +1,4 @@
-// When and how the operations of a TCP endpoint are answered.
+// The part of TcpEndpoint that answers operations.
 #include <algorithm>
 #include <cstring>
 
@@ -38,7 +38,7 @@ void TcpEndpoint::FinishSend() {
   const auto& message = send_->As<TCPEndpointSendMsg>();
   if (state_ == State::kFailed) return Finish(&send_, error_);
   if (unsent_ + message.size > pool_bytes_) return;
-  // The buffer was destroyed meanwhile.
+  // The program may have destroyed or unmapped the buffer since the request.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, TCP_BUFFER_INVALID);
   }
@@ -56,6 +56,7 @@ void TcpEndpoint::FinishReceive() {
   auto& message = receive_->As<TCPEndpointReceiveMsg>();
   const auto min = static_cast<size_t>(message.sizeMin);
   const auto max = static_cast<size_t>(message.sizeMax);
+  // After the end of the stream fewer bytes than sizeMin are delivered too, because no more come.
   const bool enough = in_.size() >= min || (ended_ && !in_.empty());
   if (!enough && state_ != State::kFailed && !ended_) {
     if (!asked_) {
@@ -65,7 +66,7 @@ void TcpEndpoint::FinishReceive() {
     return;
   }
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  // The buffer was destroyed meanwhile.
+  // The program may have destroyed or unmapped the buffer since the request.
   if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {
     return Finish(&receive_, TCP_BUFFER_INVALID);
   }

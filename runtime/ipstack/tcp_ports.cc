@@ -17,7 +17,7 @@ bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink*
   if (known != ports_.end() && known->second->failed) Close(number);  // opens the port again
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
-    if (ports_.size() > kPortsMax) {
+    if (ports_.size() > kPortsMax) {  // the new entry is counted already
       ports_.erase(number);
       return false;
     }

@@ -21,12 +21,12 @@ class TcpPorts {
 
   static constexpr size_t kPortsMax = 64;  // limits the sockets of the host
 
-  // The next connection to `port` becomes `socket`, whose events go to `endpoint`.  `ip` is the
+  // Lets `endpoint` wait for a connection to `port`, whose handle becomes `socket`.  `ip` is the
   // address at which the port is opened if it is not open yet; 0: the robot's own.  Returns false
   // if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
-  // Removes `endpoint` from those that listen, whether it got a connection or not.
+  // Removes `endpoint` from the endpoints that wait, whether it got a connection or not.
   void Forget(uint16_t port, const EventSink* endpoint);
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }
@@ -37,7 +37,7 @@ class TcpPorts {
 
  private:
   struct Port : EventSink {
-    void Take(const NetworkEvent& event) override;  // kFailed, for all endpoints that listen
+    void Take(const NetworkEvent& event) override;  // passes kFailed to all waiting endpoints
 
     NetHandle listener = 0;
     bool failed = false;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/ipstack/ant_message.h"
 #include "runtime/ipstack/ip_stack.h"
@@ -65,6 +66,7 @@ void UdpEndpoint::Refuse(Operation operation, UDPEndpointError error) {
 
 void UdpEndpoint::Finish(std::optional<Operation>* operation, UDPEndpointError error,
                          const void* data, size_t size) {
+  ASSERT(operation->has_value());
   stack_->Answer(&**operation, error, data, size);
   operation->reset();
 }
@@ -105,11 +107,12 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Broadcasts failed on the robot as well (BBS 402).
+  // A broadcast has no destination here, because broadcasts failed on the robot too (BBS 402).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
-// Checks what Send and Receive require; answers and returns true if it is not met.
+// Checks the conditions of Send and Receive.  If one is not met, answers with an error and returns
+// true.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;
@@ -191,7 +194,7 @@ void UdpEndpoint::FinishSend() {
   const auto& message = send_->As<UDPEndpointSendMsg>();
   if (error_ != UDP_SUCCESS) return Finish(&send_, error_);
   if (sent_in_frame_ + message.size > pool_bytes_) return;
-  // The buffer was destroyed meanwhile.
+  // The program may have destroyed or unmapped the buffer since the request.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, UDP_BUFFER_INVALID);
   }
@@ -220,7 +223,8 @@ void UdpEndpoint::FinishReceive() {
     asked_ = true;
     return;
   }
-  if (!stack_->buffers().Contains(message.buffer, room)) {  // the buffer was destroyed meanwhile
+  // The program may have destroyed or unmapped the buffer since the request.
+  if (!stack_->buffers().Contains(message.buffer, room)) {
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }
   const NetworkEvent datagram = std::move(waiting_.front());

@@ -15,9 +15,10 @@ class UdpEndpoint : public Endpoint {
  public:
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  static constexpr int kRobotDatagramMax = 18'500;  // field-notes.md, 11.7
-  static constexpr int kDatagramMax = 65507;        // bytes that fit into an IPv4 packet
-  static constexpr size_t kReadAhead = 16;          // datagrams read from the network at a time
+  static constexpr int kRobotDatagramMax =
+      18'500;                                 // the robot crashes above it (field-notes.md, 11.7)
+  static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
+  static constexpr size_t kReadAhead = 16;    // datagrams read from the network at a time
 
   void Start(const Operation& operation) override;
   void Take(const NetworkEvent& event) override;
@@ -47,13 +48,13 @@ class UdpEndpoint : public Endpoint {
               const void* data = nullptr, size_t size = 0);
 
   NetHandle socket_ = 0;   // 0: not bound
-  uint32_t local_ip_ = 0;  // as the program gave it
+  uint32_t local_ip_ = 0;  // the address that the program gave; 0: any
   uint16_t port_ = 0;
   NetAddress peer_;                       // set by Connect; ip 0: none
-  UDPEndpointError error_ = UDP_SUCCESS;  // the socket cannot be used any more
+  UDPEndpointError error_ = UDP_SUCCESS;  // the error since which the socket cannot be used
   bool asked_ = false;                    // a Network::ReceiveFrom() has not been answered
   std::deque<NetworkEvent> waiting_;      // datagrams received and not yet delivered
-  int64_t sent_in_frame_ = 0;             // bytes; the pool is empty again at the next frame
+  int64_t sent_in_frame_ = 0;             // bytes sent in this frame, which the pool limits
 
   std::optional<Operation> send_;
   std::optional<Operation> receive_;
