@@ -1,5 +1,5 @@
-// The questions to the wireless card (ERA201D1.h).  The host has none: settings are those
-// of WLANCONF.TXT, the rest are constants of an undisturbed connection.
+// Functions that read the state of the wireless card (ERA201D1.h).  Because the host has no such
+// card, they return the settings of WLANCONF.TXT and constants for an undisturbed connection.
 #include <ERA201D1.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// 802.11b defaults: no request to send, no fragments below the longest frame.
+// Defaults of 802.11b, above the longest frame: no frame needs a request to send or is split.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Fills all of `msg` but its status with zeros; then `fill`, when there is a card.
+// Clears `msg`, calls `fill` if the robot has a card, and sets and returns the status.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;
@@ -49,7 +49,8 @@ extern "C" {
 
 EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
   return Ask(msg, [msg](const IpStack& stack) {
-    // Locally administered, so nobody's; the last octets tell robots apart.
+    // 0x02 marks a locally administered address, which no real card has.  The last octets differ
+    // between robots.
     const int robot = stack.host().robot + 1;
     const byte octets[6] = {0x02,
                             0x00,
@@ -62,7 +63,7 @@ EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
 }
 
 EtherStatus ERA201D1_GetEtherStatistics(EtherDriverGetStatisticsMsg* msg) {
-  return Ask(msg, [](const IpStack&) {});  // no errors
+  return Ask(msg, [](const IpStack&) {});  // all counts of errors stay 0
 }
 
 EtherStatus ERA201D1_GetWLANSettings(EtherDriverGetWLANSettingsMsg* msg) {

@@ -1,4 +1,4 @@
-// Sending, waiting for and answering messages to the network stack.
+// The functions of antEnvMsg, which send messages to the network stack, wait and answer.
 #include <antEnvMsg.h>
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@ using namespace openr_host;
 
 namespace {
 
-// The stack that `target` names; null, with the error field set, when there is none or
-// nobody is there to ask.
+// Returns the stack that `target` names; null if the robot has none or no object runs.  Sets the
+// error field of `message` to "failed", which holds until an answer arrives.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
-  SetAntError(message, ANT_FAIL);  // 1 is "failed" in every protocol
+  SetAntError(message, ANT_FAIL);  // the value 1, which means "failed" in every protocol
   IpStack* const stack = IpStack::OfCurrent();
   return stack != nullptr && target.get_oid() == OidOf(stack->host().id) ? stack : nullptr;
 }
@@ -29,6 +29,7 @@ Message* NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
+  // Data outside of a mapped buffer are not hashed: the program may not own that memory.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
@@ -86,8 +87,8 @@ antError antEnvMsg::Call(antStackRef target, int size) {
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
-// IPStack itself answers through IpStack::Answer(), often in a later handler; this is for an
-// object that plays a stack and answers in the handler of the request.
+// Answers the request of the running handler.  For objects that stand in for a network stack;
+// IPStack itself uses IpStack::Answer(), often in a later handler.
 antError antEnvMsg::Reply() {
   const ApiScope scope;
   if (t_current.object == nullptr) return ANT_FAIL;

@@ -1,4 +1,4 @@
-// The parts of the network messages that need no stack: references and message contents.
+// The functions of network messages that need no stack: references and constructors.
 #include <DNSEndpointMsg.h>
 #include <OPENR/OSyslog.h>
 #include <antEnvMsg.h>
@@ -9,7 +9,7 @@
 
 namespace {
 
-// Cuts what is too long, fills the rest with zeros, always ends in NUL.
+// Copies a text, which is cut if it is too long, and fills the rest of `to` with at least one NUL.
 template <size_t N>
 void CopyText(char (&to)[N], const char* from) {
   std::memset(to, 0, N);

@@ -1,7 +1,7 @@
 #include <MCOOP.h>
 #include <antStackRef.h>
 
-// Find() leaves oid_ invalid when there is no object of that name.
+// If no object has that name, Find() leaves oid_ invalid.
 antStackRef::antStackRef(const char* name) {
   dispatcher_ = nullptr;
   Find(name, &oid_);

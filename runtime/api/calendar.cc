@@ -1,5 +1,7 @@
 #include "runtime/api/calendar.h"
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -13,9 +15,10 @@ int64_t FloorDiv(int64_t dividend, int64_t divisor) {
 
 bool IsLeap(int64_t year) { return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0); }
 
-// Days from 2000-01-01 to January 1 of `year`: 365 each, and one for every leap year before.
+// Returns the days from 2000-01-01 to January 1 of `year`: 365 for each year between, and one more
+// for each leap year.
 int64_t DaysToYear(int64_t year) {
-  const int64_t last = year - 1;  // the last whole year that counts
+  const int64_t last = year - 1;  // the last year that has passed
   const int64_t leap_years = FloorDiv(last, 4) - FloorDiv(last, 100) + FloorDiv(last, 400);
   constexpr int64_t kLeapYearsBefore2000 = 1999 / 4 - 1999 / 100 + 1999 / 400;
   return (year - 2000) * 365 + leap_years - kLeapYearsBefore2000;
@@ -24,6 +27,7 @@ int64_t DaysToYear(int64_t year) {
 }  // namespace
 
 int DaysInMonth(int64_t year, int month) {
+  ASSERT(month >= 1 && month <= 12, "month {}", month);
   constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
   return month == 2 && IsLeap(year) ? 29 : kDays[month - 1];
 }
@@ -38,7 +42,7 @@ int64_t DaysToMonth(int64_t year, int64_t month) {
 
 CivilDate DateOfDay(int64_t days) {
   CivilDate date;
-  // A first guess that is never too late; at most two steps are left.
+  // The first guess counts 366 days a year, so it is never too late; at most two years are missing.
   date.year = 2000 + FloorDiv(days, kDaysIn400Years) * 400;
   date.year += (days - DaysToYear(date.year)) / 366;
   while (days >= DaysToYear(date.year + 1)) ++date.year;

@@ -6,22 +6,22 @@
 namespace openr_host {
 
 struct CivilDate {
-  int64_t year = 2000;  // full
+  int64_t year = 2000;  // with all its digits
   int month = 1;        // 1..12
   int day = 1;          // 1..31
 };
 
-// Days from 2000-01-01 to the first of a month; `month` may be any number and carries
-// over into the year.
+// Returns the days from 2000-01-01 to the first of a month.  `month` may be any number: 13 is
+// January of the next year.
 int64_t DaysToMonth(int64_t year, int64_t month);
 
-// REQUIRES: 1 <= month <= 12.
+// Returns the number of days of a month.  REQUIRES: 1 <= month <= 12.
 int DaysInMonth(int64_t year, int month);
 
-// The date that lies `days` after (or before) 2000-01-01.
+// Returns the date `days` after 2000-01-01; before it if `days` is negative.
 CivilDate DateOfDay(int64_t days);
 
-// 0 is Sunday; 2000-01-01 was a Saturday.
+// Returns the day of the week, 0 for Sunday, of the day `days` after 2000-01-01, a Saturday.
 int WeekdayOfDay(int64_t days);
 
 }  // namespace openr_host

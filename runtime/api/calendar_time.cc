@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kDayNames[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
 constexpr const char* kMonthNames[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                        "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // four digits
+constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // texts have four digits for the year
 
 int64_t DayOf(const OCalendarTime& t) {
   return openr_host::DaysToMonth(int64_t{otimeSTART_YEAR} + t.year_, t.month_) + t.day_ - 1;
@@ -22,7 +22,8 @@ int64_t DayOf(const OCalendarTime& t) {
 
 bool InRange(int value, int least, int most) { return value >= least && value <= most; }
 
-// dow_ may be anything, so the name comes from the date.
+// Returns the name of the weekday.  Because programs may set dow_ to any value, the weekday is
+// computed from the date.
 const char* DayName(const OCalendarTime& t) {
   return kDayNames[openr_host::WeekdayOfDay(DayOf(t))];
 }
@@ -101,7 +102,7 @@ void OCalendarTime::Sprint(char* text) const {
 
 void OCalendarTime::RFC2822(char* text) const {
   if (!ProperDate()) return Write(text, "improper date");
-  // -0000 says that the zone is unknown (RFC 2822, 3.3).
+  // The zone "-0000" means that the zone is unknown (RFC 2822, 3.3).
   const std::string zone =
       timeDif_ == otimeTIME_DIF_UNDEF
           ? "-0000"

@@ -1,4 +1,4 @@
-// Colour detection tables.
+// The functions of OCdtInfo, the tables of colour detection.
 #include <OPENR/ODataFormats.h>
 
 void OCdtInfo::Init(OPrimitiveID id, OCdtChannel chan) {

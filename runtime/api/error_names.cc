@@ -1,4 +1,4 @@
-// Texts of the network stack's and the wireless card's results and addresses.
+// Names of the errors of the network stack and of the wireless card, and texts of addresses.
 #include <DNSEndpointErr.h>
 #include <EtherTypes.h>
 #include <IPEndpointMsg.h>
@@ -12,7 +12,7 @@
 
 namespace {
 
-// By value, from 0.
+// The index of each name, here and in the arrays below, is the value of its constant.
 constexpr const char* kAntErrors[] = {
     "ANT_SUCCESS",
     "ANT_FAIL",

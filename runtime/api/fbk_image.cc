@@ -4,11 +4,10 @@
 
 namespace {
 
-// Place of a band in the rows of an image, and how many bands the image has.  `index` is
-// -1 for a band that an image of this type does not have.
+// The place of a band in an image, in which each row of each band follows that of the band before.
 struct BandPlace {
-  int index;
-  int bands;
+  int index;  // place of the band among the bands; -1: an image of this type has no such band
+  int bands;  // number of bands of the image
 };
 
 BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
@@ -20,7 +19,7 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
       return band <= ofbkimageBAND_Cb ? BandPlace{static_cast<int>(band), 3} : kNone;
     case odataFBK_YCrCb_HPF:
       if (band <= ofbkimageBAND_Cb) return {static_cast<int>(band), 6};
-      // LH, HL, HH follow in the rows; in the numbers CDT lies between.
+      // In the image LH, HL and HH follow Cb at once; in the enumeration CDT is between them.
       if (band >= ofbkimageBAND_Y_LH && band <= ofbkimageBAND_Y_HH) {
         return {static_cast<int>(band) - 1, 6};
       }
@@ -30,8 +29,8 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
   }
 }
 
-// The tag, in place of the first pixels of the layer's last row: field counter, then the
-// frequencies of channels 4..7 and 0..3.
+// The tag, which replaces the first pixels of the image's last row: the field counter, the
+// frequencies of colour detection channels 4..7, then those of channels 0..3.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;
@@ -47,7 +46,8 @@ OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band)
   height_ = static_cast<int>(info->height);
   skip_ = width_ * (place.bands - 1);
   pointer_ = data + place.index * width_;
-  // Y, or the only band, is the first of its row group, so every band finds the same tag.
+  // The tag is in the last row of the first band, which is Y or the only band, so it is the same
+  // for every band.
   if (width_ >= kTagSize && height_ > 0) tag_ = data + (width_ + skip_) * (height_ - 1);
 }
 

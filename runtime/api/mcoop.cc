@@ -1,4 +1,4 @@
-// The Aperios calls of MCOOP.h that send, wait and answer.
+// The Aperios functions of MCOOP.h that send messages, wait and answer.
 #include <MCOOP.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace openr_host;
 
 namespace {
 
-constexpr uint64_t kTimeCallsMax = 1'000'000;  // in one handler, before it is reported
+constexpr uint64_t kTimeCallsMax = 1'000'000;  // calls in one handler that cause a finding
 
 Message* NewBytes(const OID& oid, Selector selector, const void* msg, size_t size) {
   Message* const message = t_current.system->NewMessage(ObjectIdOf(oid), selector);
@@ -22,7 +22,7 @@ Message* NewBytes(const OID& oid, Selector selector, const void* msg, size_t siz
   return message;
 }
 
-// Whether the current object may wait for, or drop, the reply that `rbox` names.
+// Returns sSUCCESS if the current object may wait for, or drop, the reply that `rbox` names.
 sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
@@ -80,7 +80,8 @@ sError Unregister(const char* name) {
   return t_current.system->calls().UnregisterName(name);
 }
 
-// No source says whose names these are; here those of the caller's extra entries.
+// Finds an extra entry of the calling object by name.  That is our choice, because no source says
+// which names the robot searches.
 sError FindSelector(const char* name, Selector* selector) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;
@@ -139,7 +140,7 @@ sError Reply(void* msg, size_t size) {
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
 }
 
-// The request being handled goes on to another object, which answers in our place.
+// Passes the request of the running handler on to another object, which answers it instead.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
@@ -183,5 +184,5 @@ sError Wait(longword nanosec) {
 
 }  // extern "C"
 
-// The entry run at load; constructors have run before it on the host.
+// The entry that the robot runs to construct global objects; on the host the loader has done that.
 extern "C" void Prologue(InitInfo*) {}

@@ -1,4 +1,4 @@
-// The Aperios calls of MCOOP.h that ask for messages to come, and for limits.
+// The Aperios functions of MCOOP.h for later messages (events) and for limits.
 #include <MCOOP.h>
 
 #include "runtime/api/mcoop_limits.h"
@@ -9,7 +9,8 @@ using namespace openr_host;
 
 namespace {
 
-// sSUCCESS when the current object may ask for another message of `size` bytes to `oid`.
+// Returns sSUCCESS if the current object may request one more later message, of `size` bytes to
+// `oid`.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;
@@ -60,7 +61,7 @@ sError CancelEvent(EventID event) {
   return t_current.system->calls().CancelEvent(event.value) ? sSUCCESS : sINVALIDEVENTID;
 }
 
-// Only the length of the queue can be changed.
+// Changes a limit; only the length of the message queue can be changed.
 sError SetResourceValue(sResource resource, slongword value) {
   if (t_current.object == nullptr) return sFAIL;
   if (resource < rMAXMESSAGESIZE || resource > rMAXENTRIES) return sINVALIDRESOURCE;

@@ -1,4 +1,4 @@
-// The Aperios calls of MCOOP.h for memory.
+// The Aperios functions of MCOOP.h for memory.
 #include <MCOOP.h>
 #include <fmt/format.h>
 
@@ -14,9 +14,10 @@ using namespace openr_host;
 
 namespace {
 
-constexpr size_t kPageBytes = 4096;  // memory-protected configuration
+constexpr size_t kPageBytes = 4096;  // page size of a robot with memory protection
 
-// Gives a region of the caller a size that is not smaller, or not larger.
+// Changes the size of a region that the current object owns.  `grows`: the new size must not be
+// smaller, else it must not be larger.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();
@@ -35,7 +36,7 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  // From the object's own heap, whose addresses are planned.
+  // The memory is from the object's heap, because its addresses are the same in every run.
   Arena* const arena = t_current.object->arena.get();
   *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
   if (*base == nullptr) return sNOMEMORY;
@@ -113,7 +114,7 @@ sError GetPageSize(size_t* size) {
   return sSUCCESS;
 }
 
-// Of the robot, as far as objects' heaps are concerned.
+// Returns the memory of the robot that the heaps of its objects do not use.
 sError GetFreeMemorySize(size_t* size) {
   if (t_current.object == nullptr || size == nullptr) return sINVALIDARG;
   const size_t used = t_current.system->robot(t_current.object->robot).memory.used_bytes;

@@ -1,4 +1,4 @@
-// OObject: what every core class inherits.
+// OObject, the base of the C++ class of every object.
 #include <OPENR/OObject.h>
 
 #include <cstring>

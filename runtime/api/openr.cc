@@ -1,5 +1,5 @@
-// The functions of namespace OPENR that the system answers itself; everything about
-// devices goes to the robot's RobotServices.  The memory of vectors is in vectors.cc.
+// The functions of namespace OPENR.  Those about devices call the RobotServices of the robot; the
+// others are implemented here, and those for the memory of vectors in vectors.cc.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ using namespace openr_host;
 
 namespace {
 
-constexpr longword kCpuClockHz = 192'000'000;  // R4300-class CPU of the ERS-210
+constexpr longword kCpuClockHz = 192'000'000;  // the ERS-210 has a CPU of the R4300 class
 
 Robot& CurrentRobot() { return t_current.system->robot(t_current.object->robot); }
 RobotServices& Services() { return *CurrentRobot().services; }
@@ -183,7 +183,7 @@ OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, 
   if (found == robot.design_data.end() || robot.stick == nullptr) return oNOT_FOUND;
   auto content = robot.stick->ReadFile(found->second);
   if (!content) return oNOT_FOUND;
-  if (IsGzip(*content)) {  // the robot delivers it decompressed
+  if (IsGzip(*content)) {  // the robot decompresses such files too
     std::string packed = std::move(*content);
     content->clear();
     if (Gunzip(packed, &*content) != GzipResult::kWhole) return oFAIL;

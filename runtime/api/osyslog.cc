@@ -1,4 +1,4 @@
-// Console output of objects, with the robot's meaning of printf formats.
+// The console output of objects, osyslog() and osysprint(), with the robot's printf formats.
 #include <OPENR/OSyslog.h>
 
 #include <cstdarg>
@@ -13,8 +13,8 @@ using namespace openr_host;
 
 namespace {
 
-// Drops a single 'l' before an integer conversion: on the robot long is 32 bits,
-// and so are the values that old sources print with it.
+// Removes a single 'l' before an integer conversion.  On the robot long has 32 bits, so programs
+// print 32-bit values with "%ld", for which this host would read 64 bits.
 std::string HostFormat(const char* format) {
   std::string result;
   for (const char* p = format; *p != '\0';) {
@@ -40,7 +40,7 @@ std::string Format(const char* format, va_list arguments) {
   return text;
 }
 
-// "state: standing" is how an object says what it is doing.
+// Stores the text after "state: " in a message of level info as the state that the object reports.
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;

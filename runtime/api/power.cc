@@ -1,4 +1,4 @@
-// OPowerStatus and OBootCondition.
+// The functions of OPowerStatus and OBootCondition.
 #include <OPENR/OPower.h>
 #include <OPENR/OSyslog.h>
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ void AppendNames(longword bits, const NamedBit (&names)[N], std::vector<std::str
   }
 }
 
-// 0.1 kelvin to degrees Celsius.
+// Converts units of 0.1 kelvin to degrees Celsius.
 double Celsius(word temperature) { return (int{temperature} - 2731.5) / 10; }
 
 std::string Zone(sbyte time_dif) {

@@ -1,4 +1,4 @@
-// OPowerStatus in words, for its Print functions.
+// Describes an OPowerStatus as text, for its Print functions.
 #pragma once
 
 #include <OPENR/OPower.h>
@@ -8,10 +8,11 @@
 
 namespace openr_host {
 
-// "robot 0x00000042, battery 0x0080, 84 %, 25.1 C, 1800 mAh, 7400 mV, -320 mA, UTC+9, volume 2"
+// Returns one line such as
+// "robot 0x00000042, battery 0x0080, 84 %, 25.1 C, 1800 mAh, 7400 mV, -320 mA, UTC+9, volume 2".
 std::string PowerSummary(const OPowerStatus& status);
 
-// One line per bit that is set, by its constant's name, then one per quantity.
+// Returns a line with the constant's name for each bit that is set, then a line for each quantity.
 std::vector<std::string> PowerDetails(const OPowerStatus& status);
 
 }  // namespace openr_host

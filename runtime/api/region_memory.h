@@ -1,14 +1,17 @@
-// Shared memory that an SDK function makes for the object that calls it.
+// Makes shared memory in functions of the SDK, for the object that calls them.
 #pragma once
 
 #include <MemoryRegion.h>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/system.h"
 
 namespace openr_host {
 
-// Null, and `*id` 0, when there is no memory.  No piece can be larger than the robot's.
+// Makes a region for the current object and returns its address.  Returns null and sets `*id` to 0
+// if there is no memory, or if `bytes` is more than the robot has.
 inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
+  ASSERT(t_current.object != nullptr && id != nullptr);
   *id = RegionTable::kNoRegion;
   if (bytes > kRobotMemoryBytes) return nullptr;
   *id = t_current.system->calls().NewRegion(bytes, t_current.object->id);

@@ -17,17 +17,19 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// No ApiScope around a switch: whether code of the image runs is the same on both sides.
+// The functions that switch stacks have no ApiScope, because code of the image runs before and
+// after the switch.
 struct OpenrSecondStack {
-  // At the addresses of its object's place, like the stack of handlers, and as clean.
+  // Like the stack of handlers, this stack is at the planned addresses of its object and is
+  // cleared.
   openr_host::HandlerStack stack{Address()};
-  openr_host::Fiber fiber;     // calls the body on that stack
-  openr_host::MainFiber home;  // the method that went there, on whichever stack
+  openr_host::Fiber fiber;     // calls the body on `stack`
+  openr_host::MainFiber home;  // the handler that switched to `stack`
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
-  std::optional<ArithmeticWatch> watch;  // of this stack, which is no part of a handler's
-  unsigned fp_flags = 0;                 // raised there since it was entered last
-  bool has_left = false;
+  std::optional<ArithmeticWatch> watch;  // for `stack`; the watch of handlers does not cover it
+  unsigned fp_flags = 0;                 // floating-point flags raised since the last switch to it
+  bool has_left = false;                 // the body waits to be continued
 
   static char* Address() {
     const auto& place = t_current.object->place;
@@ -43,15 +45,16 @@ struct OpenrSecondStack {
     __builtin_unreachable();  // an ended body is not continued
   }
 
-  // A switch of stacks keeps the flags of either side to itself.
+  // Switches to the handler.  Because a switch saves and restores floating-point flags for each
+  // stack, those raised here are stored for GoThere().
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     home.SwitchFrom(&fiber);
   }
 
-  // Runs what is there until it goes home.  It counts as stack of the object: on the robot there is
-  // only one.
+  // Switches to `stack` until the body goes home.  The bytes that it uses count as stack of the
+  // object, because on the robot there is only one stack.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -1,8 +1,9 @@
 /*
- * What the kit's own parts of an image may ask of the host and of no robot: a second stack, and to
- * say something in the report of the run.  Objects know nothing of it (kit/controller).
+ * Functions of the host that robots do not have: a second stack, and findings in the report of the
+ * run.  The part of an image that the kit adds calls them (kit/controller); sources of objects do
+ * not know them.
  *
- * A stack belongs to one object and is used in its methods only.
+ * A stack belongs to one object and is used in its handlers only.
  */
 #ifndef RUNTIME_API_SECOND_STACK_H_INCLUDED
 #define RUNTIME_API_SECOND_STACK_H_INCLUDED
@@ -16,19 +17,19 @@ struct OpenrSecondStack;
 struct OpenrSecondStack* openr_second_stack_new(void);
 void openr_second_stack_delete(struct OpenrSecondStack* stack);
 
-/* Calls body(argument) there, on an empty stack; returns when it has ended or left. */
+/* Empties the stack and calls body(argument) on it; returns when body has ended or left. */
 void openr_second_stack_run(struct OpenrSecondStack* stack, void (*body)(void*), void* argument);
 
-/* Called by body; returns when it is continued. */
+/* Goes back to the handler; called by body.  Returns when body is continued. */
 void openr_second_stack_leave(struct OpenrSecondStack* stack);
 
-/* Goes on where body left; returns as openr_second_stack_run() does.  REQUIRES: body has left. */
+/* Continues body where it left; returns when body has ended or left.  REQUIRES: body has left. */
 void openr_second_stack_continue(struct OpenrSecondStack* stack);
 
-/* A warning about the running object. */
+/* Adds a warning about the running object. */
 void openr_finding(const char* text);
 
-/* The same, and which of the `count` known names is near to `name`, if one is. */
+/* Adds the same warning with "did you mean" if one of the `count` known names is near to `name`. */
 void openr_finding_of_name(const char* text, const char* name, const char* const* known, int count);
 
 #ifdef __cplusplus

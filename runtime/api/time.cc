@@ -1,4 +1,4 @@
-// OTime and SystemTime.
+// The functions of OTime and SystemTime.
 #include <OPENR/OTime.h>
 #include <SystemTime.h>
 

@@ -1,5 +1,5 @@
-// The memory of vectors: made once and filled again and again (Level 2 Reference Guide,
-// section 5; robot.md, 7.2).
+// The functions that make and delete vectors.  A program should make its vectors once and fill them
+// again and again (Level 2 Reference Guide, section 5; robot.md, 7.2).
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 
@@ -13,9 +13,11 @@ using namespace openr_host;
 
 namespace {
 
-// A robot stopped when it had 0x1cb regions, made one per command (field-notes.md, 3.4).
+// The number of regions at which a robot stopped, whose program had made a vector for every command
+// (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
-constexpr int kRegionsOfObject = 64;  // chosen; samples have two per service
+// Our limit for a warning; samples need two regions per service.
+constexpr int kRegionsOfObject = 64;
 
 int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) {
   int count = 0;
@@ -25,7 +27,7 @@ int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) 
   return count;
 }
 
-// Vectors made for every command instead of once.
+// Warns if a program seems to make a vector for every command instead of once.
 void WatchForLeak() {
   System& system = *t_current.system;
   const Object& self = *t_current.object;
@@ -48,7 +50,8 @@ void WatchForLeak() {
   system.Shutdown(self.robot, {EndKind::kStrict, self.name + " had too much shared memory"});
 }
 
-// A vector of `bytes` with a header for `count` elements; `*base` is null without memory.
+// Makes a vector of `bytes` bytes with a header for `count` elements.  Without memory `*base`
+// becomes null.
 template <typename Vector>
 OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, MemoryRegionID* id,
                   Vector** base) {
@@ -67,7 +70,7 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
   return oSUCCESS;
 }
 
-// `unknown` when `id` names no vector of that type.
+// Deletes a vector; returns `unknown` if `id` is no vector of that type.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
@@ -75,7 +78,8 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
-// What `count` elements of `each` bytes need, or more than any robot has.
+// Returns the size of `count` elements of `each` bytes.  If that is more than a robot's memory,
+// returns the size of that memory, which with a header no region can have.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }
