@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "runtime/base/assert.h"
 #include "runtime/ipstack/host_resolver.h"
 
 namespace openr_host {
@@ -162,9 +161,7 @@ void HostNetwork::Fail(NetHandle handle, Connection* connection, int error) {
 
 void HostNetwork::Receive(NetHandle handle, size_t size_max) {
   const auto found = connections_.find(handle);
-  if (found == connections_.end()) return;
-  ASSERT(found->second.want == 0, "handle {}: the last request has no answer", handle);
-  found->second.want = size_max;
+  if (found != connections_.end()) found->second.want = size_max;
 }
 
 void HostNetwork::Close(NetHandle handle) {

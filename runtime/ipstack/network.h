@@ -91,8 +91,8 @@ class Network {
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
   // Copies the bytes and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
-  // Requests the bytes that are there, at most `size_max`; one event answers.  REQUIRES: the
-  // previous request was answered.
+  // Requests the bytes that are there, at most `size_max`; one event answers.  Replaces a request
+  // that has no answer yet.
   virtual void Receive(NetHandle handle, size_t size_max) = 0;
   // Ends the stream after the bytes already sent; input is discarded from now on.
   virtual void Close(NetHandle handle) = 0;
@@ -103,8 +103,8 @@ class Network {
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
   // Copies the bytes.  A datagram that cannot be sent is lost; a kNote may report it.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
-  // Requests the datagrams that are there, at most `count_max`; they come with one Poll().
-  // REQUIRES: the previous request was answered.
+  // Requests the datagrams that are there, at most `count_max`; one Poll() returns them.  Replaces
+  // a request that has no answer yet.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
   // ---- Names
