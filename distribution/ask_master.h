@@ -6,7 +6,7 @@
 
 namespace openr_host {
 
-// Waits for the result and for the output parameters, whose arguments are pointers.
+// Calls the function, waits, and returns the result.  Arguments for output parameters are pointers.
 template <auto kFunction, typename... Arguments>
 auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;
@@ -15,7 +15,7 @@ auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   return Function::Decode(result, arguments...);
 }
 
-// Does not wait; the result is lost.
+// Calls the function without waiting for it, so there is no result.
 template <auto kFunction, typename... Arguments>
 void TellMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

@@ -13,14 +13,15 @@
 #include <string_view>
 
 #include "distribution/dds_check.h"
+#include "runtime/base/assert.h"
 
 namespace openr_host {
 namespace {
 
-// Samples sent in one packet, and received in one call.  With more, the receiver would be idle
-// while the sender still produces them.
+// Limit of samples that are sent in one packet and received in one call.  With a larger one, the
+// receiver would be idle while the sender still produces samples.
 constexpr int kSamplesPerPacketMax = 4;
-// See KeepFreedMemory().
+// The thresholds of malloc() that KeepFreedMemory() sets.
 constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
@@ -49,8 +50,9 @@ class SignalsBlocked {
   sigset_t before_;
 };
 
-// Keeps freed memory in the process.  Images come as large samples; the memory of one is for the
-// next.  If it went back to the kernel, each sample would pay for pages filled with zeros.
+// Keeps freed memory in the process.  Camera images are large samples, and each one can reuse the
+// memory of the one before.  If that memory went back to the kernel, the kernel would have to fill
+// new pages with zeros for each sample.
 void KeepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, kTrimThresholdBytes);
   mallopt(M_MMAP_THRESHOLD, kMmapThresholdBytes);
@@ -66,7 +68,7 @@ void Log(void*, const dds_log_data_t* data) {
   fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
 }
 
-// The lease in seconds.
+// Returns the lease in seconds.
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
 // Makes the configuration of Cyclone DDS from the options.
@@ -157,7 +159,7 @@ ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
   const dds_entity_t publisher = dds_create_publisher(participant, qos, nullptr);
   const dds_entity_t subscriber = dds_create_subscriber(participant, qos, nullptr);
   owned_.insert(owned_.end(), {publisher, subscriber});
-  dds_write_set_batch(true);  // of writers that are created from now on; WriteBatched() needs it
+  dds_write_set_batch(true);  // holds for writers created from now on; WriteBatched() needs it
   writer_ = dds_create_writer(publisher, is_master ? to_worker : to_master, qos, nullptr);
   dds_write_set_batch(false);
   reader_ = dds_create_reader(subscriber, is_master ? to_master : to_worker, qos, nullptr);
@@ -194,6 +196,7 @@ void ChannelBase::WaitForAcks(int timeout_ms) { dds_wait_for_acks(writer_, DDS_M
 void ChannelBase::WriteBatched(const void* sample) {
   Check(dds_write(writer_, sample), "write");
   if (++batched_count_ == kSamplesPerPacketMax) FlushBatch();
+  ASSERT(batched_count_ >= 0 && batched_count_ < kSamplesPerPacketMax, "{}", batched_count_);
 }
 
 void ChannelBase::Write(const void* sample) {
@@ -215,7 +218,8 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
       received_.pop_front();
       return sample;
     }
-    // This end is about to wait, so nothing it has kept may wait any longer.
+    // Before this end waits it sends the samples that it has kept, because the other end may wait
+    // for them.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
@@ -245,6 +249,7 @@ void ChannelBase::ReceiveMore() {
 }
 
 void ChannelBase::Return(void* sample) {
+  ASSERT(sample != nullptr);
   dds_sample_free(sample, type_, DDS_FREE_CONTENTS);
   std::memset(sample, 0, type_->m_size);
   free_samples_.push_back(sample);

@@ -37,10 +37,10 @@ constexpr int kLease_s = 10;
 struct BusOptions {
   std::string run;                    // name of the run, the first part of every partition name
   int domain = 0;                     // DDS domain
-  std::string address = "127.0.0.1";  // of this host's network interface
+  std::string address = "127.0.0.1";  // address of this host's network interface
   std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
-  int participants_max = 120;         // on one host
+  int participants_max = 120;         // limit of processes on one host
   // The lease of this process (see above); 0: kLease_s.
   int lease_s = 0;
   bool has_large_history = false;  // writes do not block while a reader is stopped
@@ -66,13 +66,13 @@ class Bus {
   void AnnounceLiveliness(int lease_s);
 
   const std::string run_;
-  const int number_;  // of the DDS domain
+  const int number_;  // number of the DDS domain
   dds_entity_t domain_ = 0;
   dds_entity_t participant_ = 0;
   dds_entity_t waitset_ = 0;  // wakes when any Channel of this bus has a sample
 };
 
-// The side of a Channel that this process is.
+// The end of a Channel that this process uses.
 enum class ChannelEnd { kMaster, kWorker };
 
 // The types and names of the two topics of a Channel.
@@ -102,21 +102,21 @@ class ChannelBase {
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
 
-  // Whether the other end has its reader and its writer.
+  // Returns whether the other end has its reader and its writer.
   bool IsConnected() const;
 
-  // Waits until the other end has received all that was sent, at most `timeout_ms`.  What it has
-  // not received is lost when the channel is destroyed.
+  // Waits until the other end has received all samples, at most `timeout_ms`.  Samples that it has
+  // not received are lost when the channel is destroyed.
   void WaitForAcks(int timeout_ms);
 
   // Sends the samples that SendBatched() has kept.
   void FlushBatch();
 
-  // Whether the next sample is here already, so that Receive() does not ask DDS.
+  // Returns whether the next sample is here already, so that Receive() does not ask DDS.
   bool has_received() const { return !received_.empty(); }
 
  protected:
-  // Sends the sample now, with all that WriteBatched() has kept.
+  // Sends the sample now, together with the samples that WriteBatched() has kept.
   void Write(const void* sample);
   void WriteBatched(const void* sample);
   // Returns the next sample, which the caller gives back to Return(); null when none came within
@@ -153,8 +153,7 @@ class Channel : public ChannelBase {
     BulkBytesOf(sample) < kBulkBytes ? WriteBatched(&sample) : Write(&sample);
   }
 
-  // A sample received from the other end.  Its memory goes back to the channel when this is
-  // destroyed.
+  // A sample received from the other end.  The destructor gives its memory back to the channel.
   class ReceivedSample {
    public:
     ReceivedSample(Channel* channel, In* sample) : channel_(channel), sample_(sample) {}

@@ -76,8 +76,8 @@ class NumberReader {
   size_t next_ = 0;
 };
 
-// A parameter of type T: Put() and TakeResult() are for the caller; the constructor, argument()
-// and PutResult() for the one who is called.
+// Converts a parameter of type T.  The calling process uses Put() and TakeResult(); the called
+// process uses the constructor, argument() and PutResult().
 template <typename T>
 struct Parameter {
   static_assert(kIsNumber<T>, "the codec does not know this type of parameter");
@@ -165,7 +165,8 @@ struct Parameter<const RunEnd&> : InputParameter {
   RunEnd value;
 };
 
-// The owner of the letter is the caller, whom the other end knows.
+// Sends a letter without its owner, because the owner is the calling object, which the other end
+// knows.
 template <>
 struct Parameter<const TimeEvents::Letter&> : InputParameter {
   static void Put(const TimeEvents::Letter& value, CallArguments* to) {
@@ -236,7 +237,7 @@ struct Parameter<T*> {
     }
   }
   Parameter(const CallArguments&, NumberReader*) {
-    // The whole struct is sent, so its gaps must not hold what the memory held before.
+    // The whole struct is sent, so its padding is cleared too: it must not contain old memory.
     std::memset(static_cast<void*>(&value), 0, sizeof value);
   }
   T* argument() { return &value; }
@@ -278,7 +279,7 @@ struct Signature<Result_ (Class_::*)(Parameters...)> {
   static CallResult Call(Result (Class::*function)(Parameters...), Class* target,
                          const CallArguments& arguments) {
     NumberReader numbers(arguments.numbers);
-    // Braces: parameters are read from left to right.
+    // With braces the parameters are constructed from left to right, in the order of the numbers.
     std::tuple<Parameter<Parameters>...> parameters{Parameter<Parameters>(arguments, &numbers)...};
     CallResult result;
     std::apply(

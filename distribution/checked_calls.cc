@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "runtime/api/mcoop_limits.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/api.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/system.h"
@@ -18,7 +19,7 @@ namespace {
 // Longer times are refused; a RelativeTime cannot hold them anyway.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
-constexpr uint64_t kResultMax = 1024;  // bytes; no request of ControlPrimitive() returns more
+constexpr uint64_t kResultMax = 1024;  // in bytes; no request of ControlPrimitive() returns more
 
 bool IsTime(int64_t time_us) { return time_us >= 0 && time_us <= kTimeMaxUs; }
 
@@ -76,12 +77,14 @@ bool CheckedCalls::UnpinRegion(uint32_t region) {
   const auto pins = pins_.find(region);
   // Each unpin must have its pin, or a worker could free regions of other objects.
   if (pins == pins_.end()) refuse_("a region given back twice");
+  ASSERT(pins->second > 0, "{} pins of region {:#x}", pins->second, region);
   if (--pins->second == 0) pins_.erase(pins);
   return LocalCalls::UnpinRegion(region);
 }
 
 void CheckedCalls::ReleasePins() {
   for (const auto& [region, count] : pins_) {
+    ASSERT(count > 0, "{} pins of region {:#x}", count, region);
     for (int i = 0; i < count; ++i) LocalCalls::UnpinRegion(region);
   }
   pins_.clear();
@@ -92,7 +95,8 @@ bool CheckedCalls::HasRegion(uint32_t region) const {
   return is_own_(regions.OwnerOf(region)) || is_own_(regions.MakerOf(region));
 }
 
-// Makes the same mapping in the master, whose IPStack looks at it when the object sends.
+// Makes the same mapping in the master, because the master's IPStack accepts only data in a mapped
+// buffer when the object sends.
 void CheckedCalls::NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) {
   IpStack* const stack = IpStack::OfCurrent();
   if (stack == nullptr) return;
@@ -130,7 +134,7 @@ void CheckedCalls::AddFindingAbout(ObjectId about, Severity severity, std::strin
 OStatus CheckedCalls::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request,
                                        const std::string& parameter, uint64_t result_size,
                                        std::string* result) {
-  std::string parameter_copy = parameter;  // because the function takes memory it may write
+  std::string parameter_copy = parameter;  // because the function may write into the memory it gets
   result->assign(std::min(result_size, kResultMax), '\0');
   return system_->robot(t_current.object->robot)
       .services->ControlPrimitive(id, request, parameter.empty() ? nullptr : parameter_copy.data(),

@@ -17,9 +17,9 @@ namespace openr_host {
 
 class CheckedCalls : public LocalCalls {
  public:
-  // Whether an object is one of the worker's.
+  // Returns whether an object is one of the worker's.
   using IsOwn = std::function<bool(ObjectId)>;
-  // Throws ProcessLost: the worker has done "what".
+  // Throws ProcessLost with a message that the worker has sent `what`.
   using Refuse = std::function<void(const std::string& what)>;
 
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)
@@ -39,7 +39,7 @@ class CheckedCalls : public LocalCalls {
   void Shutdown(int robot, const RunEnd& why) override;
   void PowerOff(int robot, const RunEnd& why) override;
 
-  // AddFinding() with an id; kNoObject: about the system.
+  // Adds a finding about an object; kNoObject: about the system.
   void AddFindingAbout(ObjectId about, Severity severity, std::string_view text);
 
   // Functions of the robot whose arguments are memory.
@@ -48,8 +48,8 @@ class CheckedCalls : public LocalCalls {
   // Copies the bytes to `region` for RobotServices::SetCdtVectorData().
   OStatus SetColourTable(uint32_t region, const std::string& bytes);
 
-  // Whether an object of the worker owns the region or has made it.  An object may make a region
-  // and give it to another one.
+  // Returns whether an object of the worker owns the region or has made it.  An object may make a
+  // region and give it to another one.
   bool HasRegion(uint32_t region) const;
 
   // Releases what the objects of a lost worker have pinned.
@@ -60,7 +60,7 @@ class CheckedCalls : public LocalCalls {
 
   const IsOwn is_own_;
   const Refuse refuse_;
-  std::map<uint32_t, int> pins_;  // references that the worker's objects have, by region
+  std::map<uint32_t, int> pins_;  // number of pins of the worker's objects, by region; each > 0
 };
 
 }  // namespace openr_host

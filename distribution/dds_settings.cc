@@ -45,7 +45,7 @@ class SettingsFile {
   }
 
   bool is_read() const { return is_read_; }
-  // Whether there are settings outside <Domain>: files of older versions have them, for all
+  // Returns whether there are settings outside <Domain>: files of older versions have them, for all
   // domains.
   bool has_others() const { return has_others_; }
   const std::vector<DomainElement>& domains() const { return domains_; }

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -36,6 +38,7 @@ void Latency::Add(int64_t ns) {
 }
 
 double Latency::PercentileUs(double p) const {
+  ASSERT(p >= 0 && p <= 1, "{}", p);
   const auto wanted = static_cast<uint64_t>(std::ceil(p * static_cast<double>(count_)));
   uint64_t seen = 0;
   for (size_t i = 0; i < buckets_.size(); ++i) {
@@ -50,6 +53,8 @@ double Latency::MeanUs() const {
 }
 
 Latency Latency::Since(const Latency& before) const {
+  ASSERT(before.count_ <= count_ && before.buckets_.size() <= buckets_.size(), "{} of {}",
+         before.count_, count_);
   Latency since = *this;
   since.count_ -= before.count_;
   since.sum_ns_ -= before.sum_ns_;

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
+
+#include "runtime/base/read_file.h"
 
 namespace openr_host {
 namespace {
@@ -17,12 +19,10 @@ struct ProcessStat {
   std::string start_time;
 };
 
-// Reads /proc/PID/stat.  The name of the program stands in parentheses and may itself contain
-// spaces and parentheses, so fields are counted from the last ')'.
+// Reads /proc/PID/stat.  Fields are counted from the last ')', because the name of the program is
+// in parentheses and may itself contain spaces and parentheses.
 ProcessStat ProcessStatOf(int64_t pid) {
-  std::ifstream file(fmt::format("/proc/{}/stat", pid));
-  std::string line;
-  std::getline(file, line);
+  const std::string line = ReadFile(fmt::format("/proc/{}/stat", pid)).value_or("");
   const size_t name_end = line.rfind(')');
   if (name_end == std::string::npos) return {};
   std::istringstream rest(line.substr(name_end + 1));
@@ -33,14 +33,14 @@ ProcessStat ProcessStatOf(int64_t pid) {
   return status;
 }
 
-// EPERM counts as existing: the process belongs to another user.
+// Returns whether a process has this id.  With the error EPERM it exists and is another user's.
 bool Exists(int64_t pid) { return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH; }
 
 }  // namespace
 
 std::string MachineId() {
-  std::string boot;
-  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+  std::string boot = ReadFile("/proc/sys/kernel/random/boot_id").value_or("");
+  boot.resize(std::min(boot.size(), boot.find('\n')));
   std::error_code error;
   const auto space = std::filesystem::read_symlink("/proc/self/ns/pid", error);
   return boot.empty() || error ? "" : boot + " " + space.string();

@@ -1,4 +1,4 @@
-// Tells whether a process that is not a child of this one still runs, if it is on the same machine.
+// Tests whether a process of the same machine still runs that is not a child of this process.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 namespace openr_host {
 
 // Returns an id that is equal for processes that see the same process ids: it names one boot of one
-// kernel and one PID namespace.  A host name does not tell that, containers can share it.  Returns
-// "" if the id cannot be read.
+// kernel and one PID namespace.  A host name is not enough, because containers can share it.
+// Returns "" if the id cannot be read.
 std::string MachineId();
 
 // The check of one process.  A default-constructed check reports that the process lives.
@@ -19,12 +19,12 @@ class LivenessCheck {
   // HasEnded() is always false, because its process ids mean nothing here.
   LivenessCheck(const std::string& machine, int64_t pid);
 
-  // Whether the process was killed or has ended.  A new process with the same process id is told
-  // apart by its start time.
+  // Returns whether the process was killed or has ended.  A new process with the same id is
+  // recognised by its start time.
   bool HasEnded() const;
 
  private:
-  int64_t pid_ = 0;         // 0: unknown
+  int64_t pid_ = 0;         // 0: the process cannot be checked
   std::string start_time_;  // in clock ticks since boot; "": hidden from this process
 };
 

@@ -9,6 +9,7 @@
 #include <new>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
@@ -19,7 +20,7 @@
 namespace openr_host {
 namespace {
 
-// Whether object `id` is the network stack.
+// Returns whether object `id` is the network stack.
 bool IsStack(const System& system, ObjectId id) {
   const Object* const object = system.object(id);
   return object != nullptr && object->name == IpStack::kName;
@@ -46,7 +47,8 @@ openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
 
 void Marshaller::DropImported(RCRegion* region) {
   system_->regions().DropCopy(region->MemID());
-  imported_.erase(region);
+  const size_t erased = imported_.erase(region);
+  ASSERT(erased == 1, "region {:#x} is not imported", region->MemID());
   region->RemoveReference();
 }
 
@@ -84,13 +86,17 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
   out->subject = ObjectIdOf(notify.subjectID.GetOID());
   out->selector = notify.subjectID.GetSelector();
   out->notifications = static_cast<uint32_t>(notify.numOfNotify);
+  ASSERT(notify.numOfData >= 0 && notify.numOfData <= static_cast<int>(MAX_NUM_DATA), "{} data",
+         notify.numOfData);
   std::vector<openr_wire_NotifiedRegion> parts;
   for (int i = 0; i < notify.numOfData; ++i) {
     const auto& data = notify.data[i];
     openr_wire_NotifiedRegion part{};
     part.token = ++last_token_;
-    exported_[part.token] = {data.srcRCR,   data.size,      out->subject,
-                             out->selector, message.target, message.selector};
+    const ExportedRegion exported = {data.srcRCR,   data.size,      out->subject,
+                                     out->selector, message.target, message.selector};
+    const bool is_new = exported_.emplace(part.token, exported).second;
+    ASSERT(is_new, "token {}", part.token);
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
@@ -348,7 +354,7 @@ std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   std::memcpy(out->payload, in.message._buffer, in.message._length);
   out->size = in.message._length;
   auto* const ant = reinterpret_cast<antEnvMsg*>(out->payload);
-  // Not refused here: the network stack itself reports a message that is too short.
+  // A message that is too short is not refused here, because the network stack reports it.
   if (out->size < AntMessageSize(*ant)) return "";
   const AntBuffer buffer = BufferOf(ant);
   if (buffer.pointer == nullptr) return "";

@@ -49,11 +49,11 @@ class Marshaller {
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
-  // Whether data of this region were received and not given back.  If so, the memory here is newer
-  // than that of the peer.
+  // Returns whether data of this region were received and not given back.  If so, the memory here
+  // is newer than that of the peer.
   bool HasImported(uint32_t region) const;
 
-  // Whether this region was sent to the peer, which may still use it.
+  // Returns whether this region was sent to the peer, which may still use it.
   bool HasExported(uint32_t region) const;
 
   // A region that was sent to the peer and has not been given back.
@@ -99,21 +99,22 @@ class Marshaller {
   System* const system_;
   const bool makes_copies_;
   struct ImportedRegion {
-    uint64_t token;  // of the peer; 0: the peer is lost
-    // The bytes as received, as long as the sample is valid; afterwards their hash.  See
-    // IsChanged().
+    uint64_t token;  // the peer's token for the region; 0: the peer is lost
+    // While the sample is valid, `bytes` are the received bytes; afterwards `hash` is their hash.
+    // IsChanged() compares with them.
     const uint8_t* bytes;
     uint64_t hash;
   };
 
-  // Whether the observer has written into the region.
+  // Returns whether the observer has written into the region.
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, ExportedRegion> exported_;  // by token of this process
   // Regions removed by TakeExportedBy() that the peer may still give back, by token.
   std::map<uint64_t, uint32_t> withdrawn_;
-  // Never iterated where the order matters, because the order of pointers differs from run to run.
+  // The map is never iterated where the order matters, because the order of pointers differs from
+  // run to run.
   std::map<RCRegion*, ImportedRegion> imported_;
   std::map<uint64_t, uint32_t> dropped_;   // region by token, see TakeDroppedTokens()
   std::vector<RCRegion*> sample_regions_;  // imported regions whose ImportedRegion::bytes is set

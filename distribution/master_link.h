@@ -1,4 +1,4 @@
-// The way of a worker's handlers to the master.
+// The interface by which code in a worker reaches the master.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class MasterLink {
  public:
   virtual ~MasterLink() = default;
 
-  // See SystemCalls::Post().
+  // Posts a message like SystemCalls::Post().
   virtual int32_t Post(Message* message, int64_t delay_us) = 0;
 
   // Makes the master call a function of WorkerCallList.  Tell() does not wait and has no result;
@@ -23,10 +23,11 @@ class MasterLink {
   virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 
-  // The current object is about to wait for the reply to `box`; timeout_us < 0: for ever.
+  // Notes that the current object is about to wait for the reply to `box`; timeout_us < 0: for
+  // ever.
   virtual void Waits(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
-  // The current object is about to wait for a line of the console, of at most `size` bytes, which
-  // comes as the reply to `box`.
+  // Notes that the current object is about to wait for a line of the console, of at most `size`
+  // bytes, which arrives as the reply to `box`.
   virtual void WaitsForLine(uint64_t box, size_t size) = 0;
 };
 

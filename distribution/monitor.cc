@@ -15,7 +15,7 @@ namespace openr_host {
 namespace {
 
 constexpr auto kInterval = std::chrono::seconds(1);
-constexpr double kIntervalMin_s = 1e-3;  // the shortest time that rates are computed over
+constexpr double kIntervalMin_s = 1e-3;  // rates are computed over at least this time
 
 // Keeps the rates of the last status for the final one, because the time between the two can be too
 // short for a rate.
@@ -45,7 +45,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     return std::chrono::duration<double>(time).count();
   };
   const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
-  // A restarted object counts from 0 again; then the whole count is new.
+  // A restarted object counts from 0 again, so a count below the old one is new as a whole.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
     return static_cast<double>(count < old ? count : count - old) / passed_s;

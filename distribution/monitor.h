@@ -1,7 +1,7 @@
 // Publishes the status of a run about once a second of the wall clock, for openr top and other
 // listeners.
 //
-// It only reads the run: publishing, or somebody listening, changes nothing in it.
+// The monitor only reads: neither publishing nor a listener changes the run.
 #pragma once
 
 #include <chrono>
@@ -22,13 +22,13 @@ class System;
 
 class Monitor {
  public:
-  // `workers` are those of the run; null: all objects are in this process.
+  // `workers` are the workers of the run; null: all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
-  // Publishes the status if a second has passed.  Not from a handler.
+  // Publishes the status if a second has passed.  Must not be called from a handler.
   void PublishIfDue();
 
-  // Publishes the last status: the run has ended.
+  // Publishes the last status, which says that the run has ended.
   void End();
 
  private:
@@ -46,7 +46,7 @@ class Monitor {
   Clock::time_point published_ = begin_;
   int64_t virtual_us_ = 0;
   uint64_t messages_ = 0;
-  RunStatus last_status_;  // the last one published
+  RunStatus last_status_;  // the status published last
   std::map<ObjectId, uint64_t> messages_of_;
   std::map<ObjectId, Latency> latency_of_;
 };

@@ -16,7 +16,7 @@ namespace {
 constexpr char kClaimTopic[] = "openr_run";  // no sample is ever sent on it
 // Nanoseconds since 1970 with leading zeros, so that comparing claims as text compares times.
 constexpr size_t kSinceDigits = 20;
-constexpr size_t kClaimsMax = 64;  // other runs of the name that are looked at
+constexpr size_t kClaimsMax = 64;  // limit of claims of other runs that are compared
 
 // Returns a claim "since pid on host".  While both of two runs wait for workers, they compare the
 // same two texts, so even with different clocks they agree which one gives way.
@@ -26,7 +26,8 @@ std::string NewClaim() {
   return fmt::format("{:0{}} pid {} on {}", since, kSinceDigits, getpid(), HostName());
 }
 
-// The partition of the run's name.  Claims of this participant are ignored.
+// Returns the quality of service for claims: the partition has the run's name, and claims of this
+// participant are ignored.
 dds_qos_t* ClaimQos(const Bus& bus) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
@@ -63,8 +64,8 @@ NameClaim::NameClaim(Bus* bus) : bus_(bus), own_(NewClaim()) {
   Announce(own_);
 }
 
-// Creates a writer with the claim as its user data.  DDS announces the user data of each writer, so
-// no sample need be sent.  Earlier claims of this run stay announced.
+// Announces a claim: creates a writer with the claim as its user data, which DDS sends to all
+// participants, so no sample is needed.  Earlier claims of this run stay announced.
 void NameClaim::Announce(const std::string& claim) {
   dds_qos_t* const qos = ClaimQos(*bus_);
   dds_qset_userdata(qos, claim.data(), claim.size());

@@ -7,16 +7,18 @@
 #include <cctype>
 
 #include "distribution/latency.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSessionClaimMs = 5'000;  // after it the session goes to another requester
-// Longer ids of requesters are ignored, since they come from the network.
+// A requester that has not joined after this time loses its session to another requester.
+constexpr int64_t kSessionClaimMs = 5'000;
+// Requests with longer ids are ignored, because ids come from the network.
 constexpr size_t kRequesterIdMax = 256;
 constexpr int64_t kLivenessIntervalMs = 100;  // between two liveness checks
-// Abandoned workers that are remembered; beyond it the oldest is dropped.
+// Limit of abandoned workers that are remembered; the oldest one is forgotten first.
 constexpr size_t kAbandonedMax = 4;
 
 }  // namespace
@@ -37,7 +39,7 @@ std::string NewSessionName() {
 }
 
 std::string MakerOf(const std::string& session) {
-  // Searched from the end, because host names may contain '-'.
+  // The '-' are searched from the end, because host names may contain '-' too.
   const size_t count = session.rfind('-');
   const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
   if (count == std::string::npos || pid == std::string::npos) return session;
@@ -57,15 +59,19 @@ void ProcessSlot::OpenSession(const std::string& session) {
   // The report names the lost process until the next one has sent its Hello.
   previous_ = last_identity();
   identity_ = {};
+  ASSERT(!has_joined_ && channel_ == nullptr, "process '{}'", process_);
   channel_ = std::make_unique<MasterChannel>(bus_, process_ + "/" + session, ChannelEnd::kMaster);
 }
 
 void ProcessSlot::Abandon() {
+  ASSERT(!has_joined_ || channel_ != nullptr, "process '{}' has joined without a channel",
+         process_);
   // Workers that the master has started need no notice: they end with the master, or it kills them.
   if (has_joined_ && join_channel_ != nullptr && !channel_->IsConnected() &&
       !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
     abandoned_.push_back({std::move(channel_)});
+    ASSERT(abandoned_.size() <= kAbandonedMax, "{}", abandoned_.size());
   }
   channel_.reset();
   has_joined_ = false;
@@ -92,7 +98,7 @@ void ProcessSlot::NotifyAbandoned() {
   }
 }
 
-// Asks the kernel only every kLivenessIntervalMs: a fast run calls this in each frame.
+// Asks the kernel only every kLivenessIntervalMs, because a fast run calls this function often.
 bool ProcessSlot::HasEnded() const {
   if (!has_joined_ || WallClockMs() < next_check_ms_) return false;
   next_check_ms_ = WallClockMs() + kLivenessIntervalMs;
@@ -151,7 +157,7 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = to_master->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
-  // A process that the master has started is watched as its child, which tells more.
+  // A process that the master has started needs no check: the master learns more from its child.
   if (join_channel_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)

@@ -18,8 +18,8 @@
 
 namespace openr_host {
 
-// The worker has ended or cannot be reached, or it has sent something invalid.  what() is a message
-// for the user.
+// Thrown if the worker has ended, cannot be reached or has sent something invalid.  what() is a
+// message for the user.
 struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -29,19 +29,19 @@ constexpr ChannelTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_
 using MasterJoinChannel = Channel<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
 using WorkerJoinChannel = Channel<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
-// Stands in JoinAnswer::session while another process has the slot.
+// The value of JoinAnswer::session while another process has the slot.
 constexpr const char* kTakenSession = "taken";
 
 // Returns a name such as "host-1234-5", unique in the run.
 std::string NewSessionName();
 std::string HostName();
-// Returns "pid 1234 on host" for the session "host-1234-5": the process that has made the name.
+// Returns the process that has made a session name: "pid 1234 on host" for "host-1234-5".
 std::string MakerOf(const std::string& session);
 
 // The slot of one worker.  At any time at most one process has joined.
 class ProcessSlot {
  public:
-  struct Identity {  // as the worker reports itself in its Hello
+  struct Identity {  // the host and process id that the worker reports in its Hello
     std::string host;
     int64_t pid = 0;
   };
@@ -58,7 +58,7 @@ class ProcessSlot {
   bool AwaitJoin(int timeout_ms);
   bool has_joined() const { return has_joined_; }
 
-  // Whether the joined process has ended, as far as this machine can tell (LivenessCheck).
+  // Returns whether the joined process has ended, as far as this machine can tell (LivenessCheck).
   bool HasEnded() const;
 
   // Answers join requests of further processes: the slot is taken, or the run accepts no more
@@ -87,15 +87,15 @@ class ProcessSlot {
   const std::string process_;
   std::unique_ptr<MasterJoinChannel> join_channel_;
   std::unique_ptr<MasterChannel> channel_;
-  // An abandoned external worker that may not have noticed it.
+  // An abandoned external worker that may not know that it was abandoned.
   struct Abandoned {
     std::unique_ptr<MasterChannel> channel;
     bool is_notified = false;
   };
   std::vector<Abandoned> abandoned_;
-  std::string requester_id_;  // of the process that was given the session
+  std::string requester_id_;  // JoinRequest::id of the process that was given the session
   std::string session_;
-  int64_t session_opened_ms_ = 0;  // when the external worker was given its session
+  int64_t session_opened_ms_ = 0;  // time when the external worker was given its session
   bool is_closed_ = false;
   bool has_joined_ = false;
   Identity identity_;

@@ -19,7 +19,7 @@ namespace {
 // Longer delays and timeouts are refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// The targets of calls: of SystemCalls and CheckedCalls, and of the robot of the current object.
+// Returns the object on which a function is called, selected by the class of the function.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -31,7 +31,8 @@ struct CallTargets {
   }
 };
 
-// Whether the function has a meaning without a calling object: while objects are loaded.
+// Returns whether the function may be called without a calling object, as happens while objects are
+// loaded.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
       WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
@@ -46,7 +47,7 @@ bool MayLackCaller(uint32_t function) {
 
 }  // namespace
 
-// Handles a sample that does not end a handler.  Returns false if it is none of these.
+// Handles samples that a worker sends in the middle of a handler.  Returns false for all others.
 bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
   switch (to_master.body._d) {
     case openr_wire_TO_MASTER_CONSOLE:
@@ -108,15 +109,15 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
   }
 }
 
-// Whether `message` answers the request that the handler of `self` is serving, or forwards that
-// request to another object.
+// Returns whether `message` answers the request that the handler of `self` is serving, or forwards
+// that request to another object.
 bool RemoteProcess::Answers(const Message& message, const Object* self) {
   const Message* const request = self == nullptr ? nullptr : self->handler.running;
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Whether the worker may send bytes of `region`: it is one of its own, or was sent to it.
+// Returns whether the worker may send bytes of `region`: it is one of its own, or was sent to it.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
@@ -188,7 +189,7 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   return error;
 }
 
-// Calls a function for the current object, which may be none while objects are loaded.
+// Calls a function for the current object.  While objects are loaded there may be no such object.
 CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
   return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);

@@ -1,4 +1,4 @@
-// What happens to the regions, messages and connections of a lost worker.
+// The part of RemoteProcess that handles regions, messages and connections of a lost worker.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace openr_host {
 
-// Returns the exported regions to their subjects.  They come with a deassert in the name of the
-// observer, which will not be ready any more.
+// Gives the exported regions back to their subjects, in a deassert in the name of each observer,
+// because the observers will not be ready any more.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
   // Keyed by observer and subject.
@@ -47,8 +47,8 @@ size_t RemoteProcess::CountUndelivered() const {
 }
 
 void RemoteProcess::ReleaseAll() {
-  // Set first: what follows posts messages to the stand-ins, which must not send them to the
-  // worker.
+  // is_lost_ is set first, because the calls below post messages to the stand-ins, which must not
+  // send them to the worker.
   is_lost_ = true;
   ReturnExported();
   marshaller_->PeerIsLost();
@@ -69,7 +69,7 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Stand-ins that still wait for the old process see by the number that it is gone.
+  // Stand-ins that still wait for the old process compare this number and see that it has ended.
   ++session_;
   is_lost_ = false;
   loss_.clear();

@@ -44,7 +44,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
   return true;
 }
 
-// Runs the handler in the worker; false if the worker was lost.
+// Runs the handler in the worker; returns false if the worker was lost.
 bool RemoteObject::Run() {
   try {
     return process_->RunHandler(this, *handler.running);
@@ -81,8 +81,9 @@ void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(regio
 
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
-// Whether a handler of the object runs in its worker, which may take any time in a free run.
-// DoStop and DoDestroy do not count: the end of a run has its time limit, whatever a worker does.
+// Returns whether a handler of the object runs in its worker, which may take any time in a free
+// run.  DoStop and DoDestroy do not count: the end of a run has its time limit, whatever a worker
+// does.
 bool RemoteObject::IsAtWorkElsewhere() const {
   return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
          handler.running->selector != oentryDESTROY;
@@ -95,8 +96,8 @@ void RemoteObject::HandleUndelivered(const Message& message) {
   SendEmptyReply(message);
 }
 
-// Sends an empty reply in place of the lost worker, so that nobody waits for ever.  The object
-// manager gets the status oSUCCESS.
+// Sends an empty reply in place of the lost worker, so that no object waits for ever.  The object
+// manager, which sends DoInit to DoDestroy, gets the status oSUCCESS.
 void RemoteObject::SendEmptyReply(const Message& request) {
   if (request.reply_box == 0) return;
   const CurrentScope scope(system, this);

@@ -1,4 +1,4 @@
-// The stand-in: the master's object for one whose code runs in a worker.
+// The stand-in, the master's object in place of an object whose code runs in a worker.
 #pragma once
 
 #include <OPENR/ObjcommTypes.h>
@@ -21,8 +21,8 @@ class RemoteProcess;
 
 class RemoteObject : public Object {
  public:
-  // The kind of a loss: the worker has gone, a handler has crashed, or the worker was lost after
-  // the run when only its state was wanted.
+  // The kind of a loss: the worker has ended or cannot be reached, a handler has crashed, or the
+  // worker was lost after the run, when the master asked only for the state of its objects.
   enum class Loss { kGone, kCrashed, kAtEnd };
   // Called when a handler finds that its worker is lost.
   using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
@@ -32,7 +32,7 @@ class RemoteObject : public Object {
 
   RemoteProcess* process() const { return process_; }
   void set_selectors(std::set<uint32_t> selectors) { selectors_ = std::move(selectors); }
-  // Copies what the worker has reported of the object that it has loaded.
+  // Copies the properties that the worker reports after it has loaded the object.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
   // Messages that were delivered while the worker was lost, or when it was.

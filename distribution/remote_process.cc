@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "distribution/remote_object.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
@@ -16,15 +17,17 @@
 namespace openr_host {
 namespace {
 
-constexpr int kWorkerPollMs = 10;  // between health checks while the master waits for the worker
-// Until the user is told to start an external worker; one that runs already joins faster.
+// The interval of health checks while the master waits for the worker.
+constexpr int kWorkerPollMs = 10;
+// After this time the user is told to start an external worker; a worker that runs joins faster.
 constexpr int64_t kJoinNoticeMs = 300;
-constexpr int kGoodbyeWaitMs = 50;        // for samples sent before the worker's end to arrive
-constexpr int64_t kShortTimeoutMs = 500;  // for an answer while the run is brought down
-constexpr int kEndFlushMs = 1'000;        // for the worker to receive the end of the run
-constexpr int64_t kSilenceMs = 2'000;     // until the user is told that the worker is silent
-// The first box by which a stand-in waits for a handler of a free run.  Boxes of objects count from
-// 1, so the two never meet.
+// Time for samples to arrive that the worker sent before its end.
+constexpr int kGoodbyeWaitMs = 50;
+constexpr int64_t kShortTimeoutMs = 500;  // limit for an answer while the run is brought down
+constexpr int kEndFlushMs = 1'000;        // time for the worker to receive the end of the run
+constexpr int64_t kSilenceMs = 2'000;     // after it the user is told that the worker is silent
+// Stand-ins in a free run wait for their handlers with boxes from this number on.  Boxes of objects
+// count from 1 and never get so large, so both kinds stay different.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
@@ -65,8 +68,9 @@ void RemoteProcess::FlushBatch() {
   if (slot_.channel() != nullptr) slot_.channel()->FlushBatch();
 }
 
-// Whether the next message to be delivered also goes to a worker.  If so, the present sample may
-// wait for it and share its packet; else it must go now, since nothing follows soon.
+// Returns whether the next message to be delivered also goes to a worker.  If so, the present
+// sample may wait and share a packet with it; else the sample must go now, because no other follows
+// soon.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -304,7 +308,8 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   object->boxes.open.insert(box);
   // The silence of an idle worker does not count, so the time starts anew.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
-  running_[object->id] = box;
+  const bool is_new = running_.emplace(object->id, box).second;
+  ASSERT(is_new, "{} runs a handler already", object->name);
   bool timed_out = false;
   Message* const wake = system_->requests().Await(box, -1, wait_reason_, &timed_out);
   system_->queue().Release(wake);
@@ -344,7 +349,7 @@ bool RemoteProcess::HandleReceived() {
   return true;
 }
 
-// Tells the user of a worker that has work and sends nothing.
+// Tells the user if the worker has work but has sent nothing for kSilenceMs.
 void RemoteProcess::ReportSilence() {
   if (running_.empty() || is_silent_ || WallClockMs() - last_heard_ms_ < kSilenceMs) return;
   is_silent_ = true;
@@ -360,7 +365,7 @@ void RemoteProcess::CheckHealth() {
     const std::string problem = FindProblem();
     if (problem.empty()) return;
     if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
-      return HandleFreeSample(*last);  // perhaps its goodbye
+      return HandleFreeSample(*last);  // it may be the worker's goodbye, with a better reason
     throw ProcessLost(problem);
   });
 }
@@ -461,7 +466,7 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 
 void RemoteProcess::End(const std::string& why) {
   marshaller_.reset();  // before the System, because imported regions belong to the System's table
-  if (!slot_.has_joined()) return;  // no worker, or one that is just being restarted
+  if (!slot_.has_joined()) return;  // there is no worker, or a restarted one has not joined yet
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;
   to_worker.body._u.ended = {false, arena.Text(why)};

@@ -1,7 +1,7 @@
 // The master's side of one worker process.
 //
-// The worker runs one handler at a time, until the handler returns or waits.  What the handler did
-// comes back as a list of effects; the master applies them in the same order, in the name of the
+// The worker runs one handler at a time, until the handler returns or waits.  It sends the effects
+// of the handler back as a list, and the master applies them in this order, in the name of the
 // object's stand-in (RemoteObject).  So numbers, order and trace are those of a run in one process.
 #pragma once
 
@@ -30,13 +30,13 @@ class Object;
 class RemoteObject;
 class System;
 
-// The worker was brought down by the handler of one of its objects.
+// Thrown if the handler of one of its objects has brought the worker down.
 struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
-// The worker has refused the run before it took part.  Another process of the same name may take
-// part.
+// Thrown if the worker has refused the run before it took part.  Another process of the same name
+// may take part.
 struct ProcessRefused : ProcessLost {
   using ProcessLost::ProcessLost;
 };
@@ -64,7 +64,7 @@ class RemoteProcess {
   // Returns the bytes of heap used on a robot, without those of this worker's objects.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
-  // Sends what holds for the whole run.
+  // Sends the settings of the run.
   void Welcome(System* system, const openr_wire_Welcome& welcome);
 
   // Sends new entries of the master's tables, and waits until the worker has loaded its objects
@@ -88,7 +88,7 @@ class RemoteProcess {
   // HandleReceived() applies effects when they arrive.
   void RunFree() { is_free_ = true; }
 
-  // Whether, in a free run, a handler of the object runs in the worker and does not wait.
+  // Returns whether, in a free run, a handler of the object runs in the worker and does not wait.
   bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
   // Returns the number of messages that are lost with the worker in a free run.  Not counted are
@@ -98,8 +98,8 @@ class RemoteProcess {
   // Sends the samples that were kept to share a packet.
   void FlushBatch();
 
-  // Handles the samples that have arrived; true if there were any.  Not from a handler.  A loss is
-  // kept in loss(), not thrown.
+  // Handles the samples that have arrived; returns true if there were any.  Must not be called from
+  // a handler.  A loss is kept in loss(), not thrown.
   bool HandleReceived();
   // Checks that the worker still exists.  A loss is kept in loss(), not thrown.
   void CheckHealth();
@@ -128,7 +128,8 @@ class RemoteProcess {
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
   const std::string& loss() const { return loss_; }
-  // Whether a handler brought the worker down, and of which object if that is known.
+  // has_crashed(): a handler brought the worker down.  crashed_object() is the handler's object, or
+  // kNoObject if that is not known.
   bool has_crashed() const { return crashed_; }
   ObjectId crashed_object() const { return crashed_object_; }
 
@@ -197,15 +198,15 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string wait_reason_;  // what a waiting stand-in is said to wait for
+  const std::string wait_reason_;  // a text for the user: what a waiting stand-in waits for
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
-  std::unique_ptr<CheckedCalls> calls_;  // made with system_
+  std::unique_ptr<CheckedCalls> calls_;  // null until Welcome(), like marshaller_
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
-  uint64_t session_ = 0;                // of this slot; counts the restarts
-  // Last counter of dropped messages that the worker reported.
+  uint64_t session_ = 0;                // number of restarts of the worker so far
+  // The last counts of dropped messages that the worker reported, by object.
   std::map<ObjectId, uint64_t> dropped_;
   std::map<int, uint64_t> heap_by_robot_;  // bytes used by the worker's objects, by robot
   bool is_lost_ = false;
@@ -216,10 +217,10 @@ class RemoteProcess {
   uint64_t wake_box_count_ = 0;  // number of such boxes so far
   std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;
-  // When the worker last sent something, or was given work after a pause.
+  // The time when the worker last sent a sample, or was given work after a pause.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
-  bool is_silent_ = false;  // the user has been told
+  bool is_silent_ = false;  // the user has been told that the worker is silent
   std::string loss_;        // see loss()
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;

@@ -21,13 +21,13 @@
 namespace openr_host {
 namespace {
 
-constexpr int kMasterPollMs = 100;      // between checks that the master still exists
-constexpr int kGoodbyeFlushMs = 1'000;  // for the master to receive the goodbye
-// For the master to receive a crash, which it cannot learn otherwise.
+constexpr int kMasterPollMs = 100;      // interval of checks that the master still exists
+constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive the goodbye
+// Time for the master to receive the report of a crash, which no other sample can replace.
 constexpr int kCrashFlushMs = 3'000;
-// Effects of other handlers may wait for a handler faster than this.
+// A handler that takes less time is fast, so effects of other handlers may wait for it.
 constexpr int64_t kFastHandlerNs = 50'000;
-constexpr int kJoinRetryMs = 1'000;  // between join requests
+constexpr int kJoinRetryMs = 1'000;  // interval of join requests
 
 constexpr char kAbandonedText[] = "the run could not reach it and goes on without";
 
@@ -36,8 +36,8 @@ constexpr char kAbandonedText[] = "the run could not reach it and goes on withou
 Worker::Worker(WorkerOptions options) : options_(std::move(options)), bus_(options_.bus) {}
 
 Worker::~Worker() {
-  // Set first: destructors of the objects' code still post messages and call the SDK, which must
-  // not reach the channel.
+  // is_shutting_down_ is set first, because destructors of the objects' code still post messages
+  // and call the SDK, which must not reach the channel.
   is_shutting_down_ = true;
   marshaller_.reset();
   system_.reset();  // destructors of images may still call the marshaller's functions
@@ -71,7 +71,8 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       continue;
     }
     if (!answer || sample->body._d == openr_wire_TO_WORKER_ANSWER) return sample;
-    if (sample->body._d == openr_wire_TO_WORKER_END) {  // in the middle of a handler
+    // A handler waits for the answer and cannot go on without it, so the process ends at once.
+    if (sample->body._d == openr_wire_TO_WORKER_END) {
       const openr_wire_End& end = sample->body._u.ended;
       ReportRunEnded(end);
       _exit(end.run_goes_on ? 1 : 0);
@@ -109,7 +110,7 @@ std::string Worker::RequestSession() {
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
     if (!WaitFor(join_channel)) return NoRunFound();
-    // Repeated, because a run that is ending may have received the last one.
+    // The request is repeated, because a run that is ending may have received the last one.
     join_channel.Send(request);
     const auto answer = join_channel.Receive(kJoinRetryMs);
     if (!answer || StringOf(answer->id) != id) continue;
@@ -349,7 +350,7 @@ void Worker::SendStopped(Object* object) {
   MoveEffectsTo(&to_master);
   // In a free run this sample may share a packet with that of the next handler.
   Send(to_master, is_free_);
-  // DDS has copied the bytes, so the regions may go.
+  // DDS has copied the bytes, so the memory of the regions may be released.
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
@@ -361,7 +362,8 @@ void Worker::ReportCrash(std::string_view text) {
   to_master.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                arena.Text(text)};
   Send(to_master);
-  channel_->WaitForAcks(kCrashFlushMs);  // nobody can send it again when this process has ended
+  // Waits, because a lost packet cannot be sent again after the end of this process.
+  channel_->WaitForAcks(kCrashFlushMs);
 }
 
 void Worker::SendState(ObjectId id) {

@@ -1,9 +1,9 @@
-// A worker process: it runs the handlers of some objects for a master in another process.
+// A worker process runs the handlers of some objects for a master in another process.
 //
-// Its System has the objects of the whole run in its tables, under the same ids, but code only for
-// its own.  It does one thing at a time: the master delivers a message, the handler runs, and all
-// its effects go back in one sample.  If a handler needs an answer of the master, the worker waits
-// for that before the handler goes on.
+// The System of a worker has all objects of the run in its tables, with the same ids, but code only
+// for its own objects.  A worker does one thing at a time: the master delivers a message, the
+// handler runs, and all its effects go back in one sample.  If a handler needs an answer of the
+// master, the worker waits for the answer before the handler goes on.
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,12 @@ namespace openr_host {
 
 struct WorkerOptions {
   BusOptions bus;
-  std::string process;                 // its name in the placement
-  std::string session;                 // given by the run; "": to be requested
-  std::string stick;                   // instead of the master's path; "": that path
-  int64_t master_wait_ms = 60'000;     // to find the master
-  bool waits_for_predecessor = false;  // wait while another process has the slot
-  std::function<bool()> is_ended;      // whether the user ends this process; may be null
+  std::string process;                 // name of this process in the placement
+  std::string session;                 // the session that the run gave; "": the worker requests one
+  std::string stick;                   // folder of the stick here; "": the path that the master has
+  int64_t master_wait_ms = 60'000;     // time limit for finding the master
+  bool waits_for_predecessor = false;  // true: wait while another process has the slot
+  std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
   // Returns a folder to use if the run's stick is not on this host and the folder has the same
   // files; "": none.  May be null.
@@ -45,14 +45,14 @@ class Worker : public MasterLink {
   explicit Worker(WorkerOptions options);
   ~Worker() override;
 
-  // Runs until the master ends it.  Returns "" or what went wrong.
+  // Runs until the master ends this worker.  Returns "" or an error.
   std::string Run();
 
-  // Whether Run() would fail again: another wire version, another stick, or no slot.
+  // Returns whether another Run() would fail too: wrong wire version, wrong stick, or no slot.
   bool is_refused() const { return is_refused_; }
 
-  // Tells the master that the present handler ends this process.  Called by a signal handler on top
-  // of the object's code, but not inside a section that is Indivisible.
+  // Tells the master that the present handler ends this process.  A signal handler calls this
+  // function in the middle of the object's code, but never inside of an Indivisible section.
   void ReportCrash(std::string_view text);
 
   // ---- MasterLink
@@ -65,7 +65,7 @@ class Worker : public MasterLink {
  private:
   using ReceivedSample = WorkerChannel::ReceivedSample;
 
-  // What a handler that has not returned waits for.
+  // The reply or the line for which a handler waits that has not returned.
   struct Wait {
     openr_wire_StopKind kind = openr_wire_STOP_DONE;
     uint64_t box = 0;
@@ -104,13 +104,13 @@ class Worker : public MasterLink {
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void ExitWithError(const std::string& why);
-  // Moves what handlers did since the last sample to `to_master`.
+  // Moves the effects of handlers since the last sample to `to_master`.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
   // Returns the next sample.  If `answer`, waits for an answer and keeps other samples for later.
   // Empty if the master is lost or the user ends this process.
   ReceivedSample Next(bool answer);
   CallResult WaitForAnswer();
-  // See worker_link.cc.
+  // ---- Functions in worker_link.cc
   bool MayBeRefused(const Message& message);
   bool CancelPendingPin(uint64_t region);
   void TrackSharedBuffers(const Object& object, const Message& message);
@@ -126,14 +126,14 @@ class Worker : public MasterLink {
   std::string session_;
   bool is_refused_ = false;
   std::string stick_;                       // folder of the stick
-  bool has_called_begins_ = false;          // see WorkerOptions
+  bool has_called_begins_ = false;          // WorkerOptions::begins was called
   std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
   std::map<int, uint64_t> heap_elsewhere_;  // heap bytes used in other processes, by robot
-  bool is_free_ = false;                    // free-running
+  bool is_free_ = false;                    // the run is free-running
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
-  bool is_shutting_down_ = false;    // handlers run no more; objects are being unloaded
-  // Entries that exist, as answered by the master.
+  bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
+  // Entries of objects about which the master has answered that they exist.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
   // The effects of the present handler.

@@ -10,6 +10,7 @@
 
 #include "distribution/call_codec.h"
 #include "distribution/checked_calls.h"
+#include "runtime/base/assert.h"
 #include "runtime/core/robot_services.h"
 #include "runtime/core/system_calls.h"
 
@@ -26,10 +27,11 @@ struct CallList {
     return is_found ? number : throw "the function is not in the list";
   }
 
-  // Calls function `number`.  `target_of` returns the target of a class that is asked for by a null
-  // pointer to it.  REQUIRES: number < kSize.
+  // Calls function `number`.  `target_of` gets a null pointer to the class of the function and
+  // returns the object on which the function is called.  REQUIRES: number < kSize.
   template <typename TargetOf>
   static CallResult Call(uint32_t number, TargetOf&& target_of, const CallArguments& arguments) {
+    ASSERT(number < kSize, "function {}", number);
     CallResult result;
     uint32_t index = 0;
     ((index++ == number ? (result = CallOne<kFunctions>(target_of, arguments), true) : false) ||

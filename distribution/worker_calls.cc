@@ -24,7 +24,8 @@ void WorkerCalls::CloseBox(uint64_t box) {
   TellMaster<&SystemCalls::CloseBox>(master_, box);
 }
 
-// The boxes of objects elsewhere are not known here; the master looks when the reply is posted.
+// Returns true for every box, because boxes of objects in other processes are not known here; the
+// master checks the box when the reply is posted.
 bool WorkerCalls::AcceptsReply(ObjectId, uint64_t) const { return true; }
 
 Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) {
@@ -89,7 +90,7 @@ void WorkerCalls::NameEntry(uint32_t selector, std::string_view name) {
   TellMaster<&SystemCalls::NameEntry>(master_, selector, name);
 }
 
-// Ids are the master's; the memory is here.
+// Makes a region: the master assigns its id, this process has its memory.
 uint32_t WorkerCalls::NewRegion(size_t size, ObjectId owner) {
   const uint32_t region = AskMaster<&SystemCalls::NewRegion>(master_, size, owner);
   const bool has_memory = system_->regions().AdoptOwn(region, size, owner) != nullptr;
@@ -150,13 +151,15 @@ void WorkerCalls::Shutdown(int robot, const RunEnd& why) {
   TellMaster<&SystemCalls::Shutdown>(master_, robot, why);
 }
 
-// The objects here are off at once; the master does the same when it hears of it.
+// Switches the robot off: the objects in this process at once, all others when the master receives
+// the note.
 void WorkerCalls::PowerOff(int robot, const RunEnd& why) {
   TellMaster<&SystemCalls::PowerOff>(master_, robot, why);
   LocalCalls::PowerOff(robot, why);
 }
 
-// The master answers before the file changes, so a hash of its stick never sees half of a change.
+// Waits for the master's answer before the object changes the file, so that the master never hashes
+// a file that is half changed.
 bool WorkerCalls::NoteFileWritten(std::string_view path) {
   return LocalCalls::NoteFileWritten(path) &&
          AskMaster<&SystemCalls::NoteFileWritten>(master_, path);

@@ -1,5 +1,5 @@
-// Calls of handlers in a worker: what they do goes to the master, which has the clock, the queue
-// and the tables of the run.
+// The SystemCalls of a worker: calls of handlers are sent to the master, which has the clock, the
+// queue and the tables of the run.
 #pragma once
 
 #include "distribution/master_link.h"
@@ -9,7 +9,7 @@ namespace openr_host {
 
 class WorkerCalls : public LocalCalls {
  public:
-  // Both must outlive the calls.
+  // `system` and `master` must outlive this object.
   WorkerCalls(System* system, MasterLink* master) : LocalCalls(system), master_(master) {}
 
   int32_t Post(Message* message, int64_t delay_us) override;

@@ -9,6 +9,7 @@
 #include "distribution/join_advice.h"
 #include "distribution/latency.h"
 #include "distribution/remote_object.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/spelling.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/ipstack/ip_stack.h"
@@ -17,10 +18,10 @@
 namespace openr_host {
 namespace {
 
-// Between health checks of the workers in a free run.
+// The interval of health checks of the workers in a free run.
 constexpr int64_t kHealthIntervalNs = 10'000'000;
-constexpr int64_t kExitWaitMs = 5'000;  // for a worker to end after it was told
-// The same after a second Ctrl-C: the user does not want to wait.
+constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
+// The same time after a second Ctrl-C, when the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
 // A large history is used in free runs only: there no write may block on a stopped worker.  In
@@ -49,8 +50,8 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
   }
 }
 
-// Returns what is wrong with a worker, or "".  As long as an external worker has not joined, it
-// could as well join an earlier run of the same name, so that is an error.
+// Returns a worker's problem, or "".  As long as an external worker has not joined, an earlier run
+// of the same name is a problem too, because the worker could join that run.
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
@@ -94,7 +95,8 @@ StandIns WorkerGroup::StandInsFor(System* system, int robot) {
       member->process->Add(object.get());
       placed_.push_back(name);
       system_->Adopt(std::move(object));
-      // Loaded at once, so that objects of all processes are loaded in the order of OBJECT.CFG.
+      // The object is loaded at once, so that objects of all processes are loaded in the order of
+      // OBJECT.CFG.
       LoadNewObjects(member);
     };
   }
@@ -102,6 +104,7 @@ StandIns WorkerGroup::StandInsFor(System* system, int robot) {
 }
 
 std::string WorkerGroup::UnknownObjects() const {
+  ASSERT(system_ != nullptr);
   std::vector<std::string> known, of_the_robot;
   for (const auto& object : system_->objects()) {
     std::vector<std::string>* const names = object->is_system ? &of_the_robot : &known;
@@ -122,7 +125,8 @@ std::string WorkerGroup::UnknownObjects() const {
 }
 
 std::string WorkerGroup::Connect() {
-  // No two free runs are alike, so a hash says nothing.
+  ASSERT(system_ != nullptr && !system_->booted());
+  // A free run has no trace hash, because no two free runs are equal.
   if (options_.is_free) system_->trace().set_hashing(false);
   for (auto& [name, member] : members_) {
     LoadNewObjects(&member);
@@ -167,13 +171,15 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
   }
   member->robots = static_cast<size_t>(system_->robot_count());
+  ASSERT(member->known <= system_->objects().size(), "{}", member->known);
   for (; member->known < system_->objects().size(); ++member->known) {
     const Object& object = *system_->objects()[member->known];
     objects.push_back({object.id, object.robot, arena->Text(object.name), arena->Text(object.path),
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
-  // Sent for all robots each time, since heap use of the other processes changes all the time.
+  // Heap use is sent for all robots each time, because that of other processes changes all the
+  // time.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -234,7 +240,8 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
-  // Called before anything else changes, so that a recording has the loss at this instant.
+  // The listener is called before anything changes, so that a recording has the loss at this
+  // instant.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
   // After a second Ctrl-C workers may end at any time; that is no loss to report.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
@@ -265,7 +272,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
     process.set_lost();
     return StopRun({EndKind::kLostProcess, text});
   }
-  if (member->crashed)  // else `why` names it already
+  if (member->crashed)  // for other losses `why` names the process already
     text += fmt::format("; process '{}' (pid {}) is gone", process.name(), process.identity().pid);
   const bool waits = !options_.is_free && MayRestart(*member);
   text += waits ? "; the run waits for it to come back" : "; the others go on";
@@ -290,7 +297,8 @@ bool WorkerGroup::HandleReceived() {
 }
 
 void WorkerGroup::Pump(int64_t timeout_us) {
-  // This process is about to wait, so no sample it has kept may wait any longer.
+  // Before this process waits it sends the samples that it has kept, because workers may wait for
+  // them.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);

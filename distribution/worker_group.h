@@ -1,5 +1,4 @@
-// All worker processes of a distributed run, as the master sees them: it starts, watches, restarts
-// and ends them.
+// All workers of a distributed run, in the master: starts, watches, restarts and ends them.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +24,15 @@ struct WorkerGroupOptions {
   Placement placement;
   // Command line that starts a worker on this host; the name of the process is appended.
   std::vector<std::string> command;
-  // Command line that precedes it, for a debugger or Valgrind.
+  // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
   std::string stick;                                 // folder of the master's stick
   bool is_free = false;                              // free-running, see RemoteProcess::RunFree()
-  int64_t wait_ms = 60'000;                          // for a worker to join
-  int restarts = 0;                                  // for each worker
+  int64_t wait_ms = 60'000;                          // time limit for a worker to join
+  int restarts = 0;                                  // limit of restarts of each worker
   std::function<void(const std::string& line)> say;  // prints a line for the user
-  // How often the user asked the run to end.  After the first time no lost worker is waited for;
-  // after the second the run ends at once.  Null: never.
+  // Returns how often the user has asked the run to end.  After the first time the run waits for no
+  // lost worker; after the second it ends at once.  Null: never.
   std::function<int()> interrupts;
 };
 
@@ -50,7 +49,7 @@ class WorkerGroup {
   // Makes stand-ins for the objects that are placed in workers, for LoadStick().
   StandIns StandInsFor(System* system, int robot);
 
-  // Returns what is wrong with the object names of the placement, or "".  REQUIRES: all robots are
+  // Returns an error about the object names of the placement, or "".  REQUIRES: all robots are
   // loaded.
   std::string UnknownObjects() const;
 
@@ -64,10 +63,10 @@ class WorkerGroup {
     std::string host;
     int64_t pid = 0;
     std::vector<std::string> objects;
-    std::string lost;       // the reason of the loss, "" while it runs; host and pid are kept
-    int losses = 0;         // how often it was lost
-    int returns = 0;        // how often it was restarted
-    uint64_t handlers = 0;  // handlers run; the times include the way there and back
+    std::string lost;       // the reason of the loss, "" while the worker runs
+    int losses = 0;         // how often the worker was lost
+    int returns = 0;        // how often the worker was restarted
+    uint64_t handlers = 0;  // number of handlers run; their times include sending both ways
     double median_us = 0;
     double p99_us = 0;
     double max_us = 0;
@@ -87,11 +86,12 @@ class WorkerGroup {
     loss_listener_ = std::move(listener);
   }
 
-  // Checks the workers that have nothing to do, and advances restarts.  Not from a handler.
+  // Checks the workers that have nothing to do, and advances restarts.  Must not be called from a
+  // handler.
   void CheckWorkers();
 
-  // In a free run: waits at most `timeout_us` for samples of the workers and handles them.  Not
-  // from a handler.
+  // In a free run, waits at most `timeout_us` for samples of the workers and handles them.  Must
+  // not be called from a handler.
   void Pump(int64_t timeout_us);
 
   // Shortens the time after which a worker that does not answer is given up; for a run that is
@@ -109,7 +109,7 @@ class WorkerGroup {
   enum class Stage {
     kRunning,       // not lost
     kNotRestarted,  // lost, and not to be restarted
-    kCleaningUp,    // its objects are cleaned up; what remains of the process ends
+    kCleaningUp,    // its objects are cleaned up, and the old process ends if it still exists
     kJoining,       // the new process has been started and has not joined yet
     kLoading,       // the new process loads its images
     kReplacing,     // its new stand-ins are about to replace the old ones
@@ -129,8 +129,8 @@ class WorkerGroup {
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
-    bool attempt_failed = false;  // the last attempt to restart it
-    int64_t since_ms = 0;         // when `stage` began
+    bool attempt_failed = false;  // the last attempt to restart the worker has failed
+    int64_t since_ms = 0;         // time when `stage` began
     bool is_reported = false;     // the user has been told that the stage takes long
     int restarts_left = 0;
     int losses = 0;
@@ -148,14 +148,14 @@ class WorkerGroup {
   void LoadNewObjects(Member* member);
   void SendNextLoad(Member* member);
   void WaitForAnotherWorker(Member* member, const std::string& why);
-  // The user has asked the run to end, once or twice.
+  // Return whether the user has asked the run to end: once (IsEnding) or twice (IsInterrupted).
   bool IsEnding() const { return options_.interrupts && options_.interrupts() >= 1; }
-  bool HandleReceived();
   bool IsInterrupted() const { return options_.interrupts && options_.interrupts() >= 2; }
+  bool HandleReceived();
   void HandleLoss(const RemoteObject* about, RemoteObject::Loss loss, const std::string& why);
   void StopRun(const RunEnd& why);
 
-  // The restart of a lost worker: worker_group_restart.cc.
+  // ---- The restart of a lost worker, in worker_group_restart.cc
   bool MayRestart(const Member& member) const;
   void CleanUp(Member* member);
   void EnterStage(Member* member, Stage stage);
@@ -175,7 +175,7 @@ class WorkerGroup {
   std::unique_ptr<NameClaim> claim_;  // null without external workers
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  int64_t next_check_ns_ = 0;  // of the next health check in a free run
+  int64_t next_check_ns_ = 0;  // time of the next health check in a free run
   std::string problem_;        // the first problem before Boot()
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;

@@ -1,4 +1,4 @@
-// The restart of a lost worker: a new process, whose objects begin anew.
+// The restart of a lost worker: a new process takes its slot, and its objects begin anew.
 //
 // Each call of AdvanceRestart() does one step.  In lockstep the run waits for all restarts at the
 // next frame, so a restart takes no virtual time and happens at the same instant in every run.
@@ -9,26 +9,37 @@
 
 #include "distribution/latency.h"
 #include "distribution/worker_group.h"
+#include "runtime/base/assert.h"
 #include "runtime/base/wall_clock.h"
 
 namespace openr_host {
 namespace {
 
-constexpr int64_t kCrashRecordMs = 5'000;   // for a crashed process to write its crash record
-constexpr int64_t kRetryPauseMs = 1'000;    // after a failed attempt
-constexpr int64_t kReturnNoticeMs = 2'000;  // after it the user is told
-// Between two steps of the restarts in lockstep.
+constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
+constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed attempt
+constexpr int64_t kReturnNoticeMs = 2'000;  // after it the user is told that a restart takes long
+// The pause between two steps of the restarts in lockstep.
 constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
 
-// Whether the worker may be restarted.  An external worker may join again at any time in a free
-// run.  In lockstep that needs --restart, since the run would have to wait for it.
+// Returns whether the worker may be restarted.  An external worker may join again at any time in a
+// free run.  In lockstep that needs --restart, since the run would have to wait for it.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
+  // Each stage has one predecessor.  Only kCleaningUp may follow any stage, because an attempt can
+  // fail in each of them.
+  const Stage before = member->stage;
+  ASSERT(stage == Stage::kCleaningUp || (stage == Stage::kRunning && before == Stage::kReplacing) ||
+             (stage == Stage::kNotRestarted && before == Stage::kCleaningUp) ||
+             (stage == Stage::kJoining && before == Stage::kCleaningUp) ||
+             (stage == Stage::kLoading && before == Stage::kJoining) ||
+             (stage == Stage::kReplacing && before == Stage::kLoading),
+         "process '{}': stage {} after {}", member->name, static_cast<int>(stage),
+         static_cast<int>(before));
   member->stage = stage;
   member->since_ms = WallClockMs();
   member->is_reported = false;
@@ -126,6 +137,7 @@ void WorkerGroup::Restart(Member* member) {
     return;
   }
   if (member->restarts_left > 0) --member->restarts_left;
+  ASSERT(member->restarts_left >= 0, "process '{}'", member->name);
   if (!member->is_external) Start(member);
   member->attempt_failed = false;
   EnterStage(member, Stage::kJoining);
@@ -196,7 +208,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
 }
 
-// Whether a restart is in a stage that needs another step.
+// Returns whether a restart is in a stage that needs another step.
 bool WorkerGroup::IsRestarting(const Member& member) const {
   return member.stage == Stage::kJoining || member.stage == Stage::kLoading ||
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);

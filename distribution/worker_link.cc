@@ -22,8 +22,8 @@ constexpr uint32_t kUnpinRegion = WorkerCallList::NumberOf<&SystemCalls::UnpinRe
 
 }  // namespace
 
-// Sends a sample, or ends the process.  It must not throw: an exception would pass through the code
-// of the object that runs, which might catch it or be blamed for it.
+// Sends a sample, or ends the process if that fails.  An exception must not leave this function: it
+// would pass through the code of the running object, which might catch it or be blamed for it.
 void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   try {
     batched ? channel_->SendBatched(to_master) : channel_->Send(to_master);
@@ -51,8 +51,8 @@ void Worker::KeepUntilSent(uint32_t region) {
   pinned_.push_back(region);
 }
 
-// Removes the bytes of `part` if the sample has them already.  A region goes only once with a
-// sample, however many observers it is for; the master copies the bytes at the first notification.
+// Removes the bytes of `part` if the sample has them already.  Each region is sent only once in a
+// sample, even for several observers: the master copies its bytes with the first notification.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
@@ -78,8 +78,8 @@ openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us
   return posted;
 }
 
-// Whether the master may refuse the message: a reply, whose box may be closed; any message with
-// --strict, which limits queues; and a message to an entry that does not exist.
+// Returns whether the master may refuse the message: a reply, whose box may be closed; any message
+// with --strict, which limits queues; and a message to an entry that does not exist.
 bool Worker::MayBeRefused(const Message& message) {
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
@@ -124,8 +124,9 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   return error;
 }
 
-// Removes the pin of `region` if it has not been sent yet, together with which the unpin need not
-// be sent.  Most observers take a region and give it back in one handler.
+// Removes the pin of `region` from the effects if it has not been sent yet; then the unpin need not
+// be sent either.  That is the usual case, because most observers take a region and give it back in
+// one handler.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
@@ -142,6 +143,7 @@ void Worker::Tell(uint32_t function, const CallArguments& arguments) {
   const Indivisible indivisible;
   ASSERT(arguments.bytes.empty(), "a call without an answer has no bytes on the wire");
   if (is_shutting_down_) return;
+  ASSERT(function != kUnpinRegion || !arguments.numbers.empty());
   if (function == kUnpinRegion && CancelPendingPin(arguments.numbers.front())) return;
   openr_wire_Effect effect{};
   effect._d = openr_wire_EFFECT_NOTE;
@@ -177,11 +179,13 @@ CallResult Worker::WaitForAnswer() {
 }
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
-  // Only noted here.  SendStopped() reports it when the dispatcher has left the handler.
+  ASSERT(t_current.object != nullptr);
+  // The wait is only noted here; SendStopped() reports it when the dispatcher has left the handler.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 
 void Worker::WaitsForLine(uint64_t box, size_t size) {
+  ASSERT(t_current.object != nullptr);
   waits_[t_current.object->id] = {openr_wire_STOP_READS, box, -1, size, ""};
 }
 

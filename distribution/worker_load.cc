@@ -1,4 +1,4 @@
-// How a worker loads its part of the run: robots, stick, objects, and the heap they use.
+// The part of Worker that loads robots, stick and objects, and counts the heap that objects use.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ bool IsFolder(const std::string& path) {
   return std::filesystem::is_directory(path, error);
 }
 
-// Stands for an object of another process.
+// Represents an object of another process in the tables of this one.
 class AbsentObject : public Object {
  public:
   AbsentObject(System* system, ObjectId id, int robot, Marshaller* marshaller)
@@ -95,11 +95,11 @@ void Worker::CheckRobot(int robot) const {
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const auto next = static_cast<ObjectId>(system_->objects().size());
-  if (entry.id < next) return;  // the object manager, which every System has
+  if (entry.id < next) return;  // the object manager, which every System has from the beginning
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
-  // The network is the master's; the stack here has none of its own and only knows the shared
-  // buffers.
+  // The master's stack uses the network.  The stack here serves only the shared buffers, so it gets
+  // a LoopbackNetwork without peers.
   if (entry.is_stack) {
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;
@@ -112,7 +112,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
       loaded->push_back(Describe(*object));
       return;
     }
-    // The master reports the error, with the reason that was found here.
+    // The master reports the error, so the reason found here is sent to it.
     openr_wire_LoadedObject bad{};
     bad.id = entry.id;
     bad.name = arena_.Text(StringOf(entry.name));

@@ -10,8 +10,8 @@
 
 namespace openr_host {
 
-// A writer that is reliable, so that reliable and best-effort readers both match it, with the
-// newest `depth` samples.  Writing never waits: a slow reader loses samples.
+// A writer that keeps the newest `depth` samples.  It is reliable, so that reliable and best-effort
+// readers both match it.  Writing never waits: a slow reader loses samples.
 class Ros2Writer {
  public:
   // `name` is the ROS 2 name without the leading slash: "aibo/joint_states".  Throws
@@ -30,7 +30,7 @@ class Ros2Writer {
   dds_entity_t writer_ = 0;
 };
 
-// A reader that is reliable, with the newest `depth` samples of all writers together.
+// A reliable reader that keeps the newest `depth` samples of all writers together.
 class Ros2Reader {
  public:
   Ros2Reader(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth);
@@ -38,7 +38,7 @@ class Ros2Reader {
   Ros2Reader(const Ros2Reader&) = delete;
   Ros2Reader& operator=(const Ros2Reader&) = delete;
 
-  // Whether there is a writer that does not match: one that is best-effort.
+  // Returns whether a writer of this topic is best-effort, which this reader cannot receive from.
   bool HasMisfit() const;
 
   // Returns the next sample, which the caller gives back to Return(); null when there is none.

@@ -7,6 +7,7 @@
 
 #include "geometry_msgs.h"
 #include "rosgraph_msgs.h"
+#include "runtime/base/assert.h"
 #include "sensor_msgs.h"
 #include "std_msgs.h"
 
@@ -106,6 +107,8 @@ Ros2Image::Ros2Image(Bus* bus, const std::string& topic, std::string frame_id)
       frame_id_(std::move(frame_id)) {}
 
 void Ros2Image::Publish(int64_t time_us, int width, int height, const std::vector<uint8_t>& rgb) {
+  ASSERT(width >= 0 && height >= 0 && rgb.size() == size_t{3} * width * height,
+         "{} bytes for {} x {} pixels", rgb.size(), width, height);
   static const std::string encoding = "rgb8";
   sensor_msgs_msg_dds__Image_ sample{};
   sample.header_ = HeaderOf(time_us, frame_id_.c_str());

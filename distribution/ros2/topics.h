@@ -1,4 +1,4 @@
-// What a robot publishes on ROS 2 topics and what it receives, as plain data.
+// Publishes the state of a robot on ROS 2 topics and receives its commands, as plain data.
 //
 // Times are virtual, in microseconds since the boot.  Angles are in radians, all else in SI units;
 // x is forward, y left, z up.  Topics are named without the leading slash: "aibo/imu".  The message
@@ -26,7 +26,7 @@ class Ros2Clock {
   Ros2Writer writer_;
 };
 
-// Publishes sensor_msgs/JointState without efforts, which are not known.
+// Publishes sensor_msgs/JointState; efforts are left out, because they are not known.
 class Ros2JointStates {
  public:
   Ros2JointStates(Bus* bus, const std::string& topic, std::vector<std::string> joints);
@@ -94,9 +94,9 @@ struct Ros2JointCommand {
 // Receives sensor_msgs/JointState.
 class Ros2JointCommands {
  public:
-  static constexpr int kWaitingMax = 32;     // messages; the oldest are lost
-  static constexpr size_t kJointsMax = 256;  // of a message; the rest is ignored
-  static constexpr size_t kNameMax = 256;    // characters; the rest is ignored
+  static constexpr int kWaitingMax = 32;     // messages that may wait; the oldest are lost first
+  static constexpr size_t kJointsMax = 256;  // joints in a message; further ones are ignored
+  static constexpr size_t kNameMax = 256;    // characters of a name; the rest is cut off
 
   Ros2JointCommands(Bus* bus, const std::string& topic);
   bool HasMisfit() const { return reader_.HasMisfit(); }
