@@ -1,6 +1,6 @@
-// A last-in first-out stack whose room is taken once.
+// A last-in first-out stack that allocates its memory once.
 //
-// Inside the SDK's libraries; of its interface only the name is known to us.
+// The SDK's libraries use such a class; only its name is known, so the functions are our choice.
 #ifndef OPENR_ARRAYSTACK_H_INCLUDED
 #define OPENR_ARRAYSTACK_H_INCLUDED
 
@@ -13,19 +13,19 @@ class ArrayStack {
   explicit ArrayStack(int maxSize) : element_(new T[maxSize]), max_size_(maxSize), size_(0) {}
   ~ArrayStack() { delete[] element_; }
 
-  // otlOVERFLOW when full.
+  // Returns otlOVERFLOW if the stack is full.
   OTLStatus Push(const T& value) {
     if (size_ == max_size_) return otlOVERFLOW;
     element_[size_++] = value;
     return otlSUCCESS;
   }
-  // otlUNDERFLOW when empty.
+  // Returns otlUNDERFLOW if the stack is empty.
   OTLStatus Pop() {
     if (size_ == 0) return otlUNDERFLOW;
     size_--;
     return otlSUCCESS;
   }
-  // REQUIRES: GetSize() > 0.
+  // Returns the element pushed last.  REQUIRES: GetSize() > 0.
   T& Top() { return element_[size_ - 1]; }
 
   void Clear() { size_ = 0; }

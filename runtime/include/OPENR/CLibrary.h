@@ -1,7 +1,7 @@
-// The C library as old sources expect to find it.
+// Includes the headers of the C library that old sources use without including them.
 //
-// On the robot any OPEN-R header brings these along, and programs call fopen, sprintf,
-// atoi, malloc, sin or M_PI without including anything for them.
+// On the robot every OPEN-R header includes these headers, so programs use fopen, sprintf, atoi,
+// malloc, sin or M_PI without an #include.
 #ifndef OPENR_CLIBRARY_H_INCLUDED
 #define OPENR_CLIBRARY_H_INCLUDED
 
@@ -13,10 +13,10 @@
 #include <string.h>
 #include <strings.h>
 
-// Removed from C++14, present in every C library we meet.  It reads one console line.
+// Reads one line of the console.  C++14 removed the function, but C libraries still have it.
 extern "C" char* gets(char* line);
 
-// newlib's names for comparing text without regard to case.
+// The names of newlib, the robot's C library, for comparing text without regard to case.
 inline int stricmp(const char* left, const char* right) { return strcasecmp(left, right); }
 inline int strnicmp(const char* left, const char* right, size_t size) {
   return strncasecmp(left, right, size);

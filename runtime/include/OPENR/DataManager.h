@@ -1,4 +1,4 @@
-// An observer's note of a region that it received.
+// An observer's record of a region that it received.
 #ifndef OPENR_DATAMANAGER_H_INCLUDED
 #define OPENR_DATAMANAGER_H_INCLUDED
 
@@ -7,8 +7,8 @@
 
 struct DataInfo {
   OServiceEntry subject;  // the sender
-  RCRegion* myRCRegion;   // the observer's own
-  RCRegion* srcRCRegion;  // the subject's, which goes back with the next ready
+  RCRegion* myRCRegion;   // the observer's own object for the region
+  RCRegion* srcRCRegion;  // the subject's object, given back with the next ready
 };
 
 #endif  // OPENR_DATAMANAGER_H_INCLUDED

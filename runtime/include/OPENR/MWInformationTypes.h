@@ -7,7 +7,7 @@
 typedef longword MWIID;
 const MWIID mwiidINVALID = 0xffffffff;
 
-// Parts that can be put on or taken off, and what they carry; the values are not known.
+// Types for parts that can be attached to the robot, and for their sensors; values are not known.
 typedef byte AttachedParts;
 typedef byte AttachedPosition;
 typedef byte SensorType;

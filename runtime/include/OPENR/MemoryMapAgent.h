@@ -1,5 +1,5 @@
-// The part of the library that maps the regions of other objects.  It does its work within
-// OObserver; a program can name it and nothing more.
+// The class of the SDK's library that maps regions of other objects for OObserver.  Here it is
+// empty, because programs only name it.
 #ifndef OPENR_MEMORYMAPAGENT_H_INCLUDED
 #define OPENR_MEMORYMAPAGENT_H_INCLUDED
 

@@ -13,10 +13,10 @@ const int ocldtdowTHURSDAY = 4;
 const int ocldtdowFRIDAY = 5;
 const int ocldtdowSATURDAY = 6;
 
-const int ocldtSTART_DAY_OF_THE_WEEK = ocldtdowSATURDAY;  // of 2000-01-01
+const int ocldtSTART_DAY_OF_THE_WEEK = ocldtdowSATURDAY;  // weekday of 2000-01-01
 
-// Works for a full year (2004) and for a year counted from 2000 (4) alike, because the
-// calendar repeats every 400 years.
+// Returns whether a year is a leap year.  `year` may be a full year (2004) or counted from 2000
+// (4), because the calendar repeats every 400 years.
 inline bool LeapYear(int year) { return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0); }
 
 // The fields are plain data: writing one does not change the others.
@@ -35,18 +35,18 @@ class OCalendarTime {
   OCalendarTime(time_t clock, sbyte timeDif);
   OCalendarTime(const OTime& time);
 
-  // Fills every field.  A time difference outside its range counts as undefined; the answer is
-  // then oINVALID_ARG.
+  // Set every field.  A time difference outside its range becomes undefined, and the status is
+  // oINVALID_ARG.
   OStatus SetTime(time_t clock, sbyte timeDif);
   OStatus SetTime(const OTime& time);
 
-  // The moment the fields stand for; dow_ plays no part.  Fields beyond their range carry
-  // over: the 31st of April is the 1st of May.  oINVALID_ARG, and still that moment, unless
-  // ProperDate().
+  // Return the moment that the fields describe, without dow_.  Fields beyond their range carry
+  // over: the 31st of April is the 1st of May.  Unless ProperDate() holds, the status is
+  // oINVALID_ARG, with the moment set all the same.
   OStatus GetTime(time_t* clock, sbyte* timeDif) const;
   OStatus GetTime(OTime* time) const;
 
-  // Order of the moments.
+  // Compare the moments.
   bool operator<(const OCalendarTime& other) const { return Clock() < other.Clock(); }
   bool operator<=(const OCalendarTime& other) const { return Clock() <= other.Clock(); }
   bool operator>(const OCalendarTime& other) const { return Clock() > other.Clock(); }
@@ -54,18 +54,20 @@ class OCalendarTime {
   bool operator==(const OCalendarTime& other) const { return Clock() == other.Clock(); }
   bool operator!=(const OCalendarTime& other) const { return Clock() != other.Clock(); }
 
-  // True iff the fields name an existing day and time of the years 2000 to 9999 and the
-  // time difference is in its range.  dow_ is not looked at.
+  // Returns whether the fields are an existing day and time of the years 2000 to 9999 and the time
+  // difference is in its range.  dow_ is ignored.
   bool ProperDate() const;
 
-  // Sets dow_ from year, month and day; oINVALID_ARG, and no change, unless ProperDate().
+  // Sets dow_ from year, month and day.  Unless ProperDate() holds, returns oINVALID_ARG without a
+  // change.
   OStatus CorrectDayOfTheWeek();
 
-  // `text` needs room for 32 characters.  Unless ProperDate(), "improper date".
+  // Write the moment into `text`, which needs room for 32 characters; "improper date" unless
+  // ProperDate() holds.
   void Sprint(char* text) const;   // "2004/02/29 Sun 13:05:07 UTC+9"
   void RFC2822(char* text) const;  // "Sun, 29 Feb 2004 13:05:07 +0900"
 
-  // What Sprint() writes, as a line on the console.
+  // Prints the text of Sprint() as a line on the console.
   void Print() const;
 
  private:

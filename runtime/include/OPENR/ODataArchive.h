@@ -1,14 +1,14 @@
-// Archives of motions and sounds (.ODA files), as they lie in memory or on the stick.
+// The format of archives of motions and sounds (.ODA files), in memory and on the stick.
 //
-// Numbers are little endian.  A file is a header, a directory of numEntries entries, then
-// the members without gaps.  The SDK's functions for reading archives are not known to us;
-// programs that only include this header compile.
+// Numbers are little-endian.  A file is a header, a directory of numEntries entries, then the
+// members without gaps.  The SDK's functions for reading archives are not known, so only programs
+// that do not call them compile.
 #ifndef OPENR_ODATAARCHIVE_H_INCLUDED
 #define OPENR_ODATAARCHIVE_H_INCLUDED
 
 #include <Types.h>
 
-// An archive that is open, and how many may be.
+// The id of an open archive, and the limit of open archives.
 typedef longword ODataArchiveID;
 const ODataArchiveID odaID_UNDEF = 0xffffffff;
 const size_t odaMAX_SIZE = 32;
@@ -27,7 +27,7 @@ const ODataArchiveMagic odamagicSTT = 0x545453;
 
 namespace ODataArchive {
 
-// 64 bytes.
+// The header of an archive, 64 bytes.
 struct Header {
   char magic[4];      // "ODAR"
   word majorVersion;  // 0
@@ -37,12 +37,12 @@ struct Header {
   byte padding[48];    // zero
 };
 
-// 144 bytes.
+// An entry of the directory, 144 bytes.
 struct Entry {
   char type[4];     // "OMTN", "WAVE", "MIDI", "OSND", "LED", "SYN"; short ones end in zero
   char name[128];   // zero padded
-  longword offset;  // of the member, from the start of the file
-  longword size;    // of the member, bytes
+  longword offset;  // start of the member, in bytes from the start of the file
+  longword size;    // bytes of the member
   longword padding;
 };
 

@@ -1,9 +1,9 @@
-// The data vectors that travel between a program and the robot's devices.
+// The data vectors that programs and the robot's devices exchange.
 //
-// A vector is one block of shared memory: an ODataVectorInfo, then an array of info
-// blocks, then the data, which the info blocks point to by their offset from the start.
-// The layouts are byte for byte the robot's on every host: a size_t of the robot is a
-// longword here, and the one pointer is an OPhysAddr.
+// A vector is one block of shared memory: an ODataVectorInfo, then an array of info blocks, then
+// the data.  Info blocks refer to data by their offset from the start of the vector.  On every host
+// the layout is that of the robot, byte for byte: a size_t of the robot is a longword here, and its
+// only pointer is an OPhysAddr.
 #ifndef OPENR_ODATAFORMATS_H_INCLUDED
 #define OPENR_ODATAFORMATS_H_INCLUDED
 

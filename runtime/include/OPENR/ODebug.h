@@ -1,5 +1,5 @@
-// Print statements that vanish unless OPENR_DEBUG is defined.  Arguments go in double
-// parentheses: DPRINTF(("%d\n", n));
+// Macros for print statements that are compiled only if OPENR_DEBUG is defined.  Arguments are in
+// double parentheses: DPRINTF(("%d\n", n));
 #ifndef OPENR_ODEBUG_H_INCLUDED
 #define OPENR_ODEBUG_H_INCLUDED
 
@@ -9,7 +9,7 @@
 #undef OPENR_DEBUG
 #endif
 
-// Always prints.
+// Prints also without OPENR_DEBUG.
 #define PRINTF(x) (printf x)
 
 #ifdef OPENR_DEBUG

@@ -1,4 +1,4 @@
-// A double-ended queue of at most MaxSize elements, without memory of its own.
+// A double-ended queue of at most MaxSize elements, which allocates no memory.
 #ifndef OPENR_ODEQUE_H_INCLUDED
 #define OPENR_ODEQUE_H_INCLUDED
 
@@ -10,7 +10,7 @@ class ODeque {
  public:
   ODeque() : element_(), start_(0), size_(0), none_() {}
 
-  // otlOVERFLOW when full.
+  // Return otlOVERFLOW if the queue is full.
   OTLStatus PushBack(const T& value) {
     if (size_ == MaxSize) return otlOVERFLOW;
     element_[Place(size_)] = value;
@@ -25,7 +25,7 @@ class ODeque {
     return otlSUCCESS;
   }
 
-  // otlUNDERFLOW when empty.
+  // Return otlUNDERFLOW if the queue is empty.
   OTLStatus PopFront() {
     if (size_ == 0) return otlUNDERFLOW;
     start_ = Place(1);
@@ -38,7 +38,8 @@ class ODeque {
     return otlSUCCESS;
   }
 
-  // A default T when empty; writing to that one has no effect.
+  // Return the first and the last element; if the queue is empty, a default T that is not part of
+  // the queue.
   T& Front() { return size_ == 0 ? None() : element_[start_]; }
   T& Back() { return size_ == 0 ? None() : element_[Place(size_ - 1)]; }
 
@@ -47,7 +48,7 @@ class ODeque {
   int GetMaxSize() const { return MaxSize; }
 
  private:
-  // Index of the element that is `distance` behind the first.
+  // Returns the index of the element that is `distance` behind the first.
   int Place(int distance) const { return (start_ + distance) % MaxSize; }
   T& None() { return none_ = T(); }
 

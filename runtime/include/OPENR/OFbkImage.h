@@ -4,8 +4,8 @@
 
 #include <OPENR/ODataFormats.h>
 
-// Luminance, the two colour differences (128 is neutral), the colour detection result,
-// and the three bands that double the luminance resolution.
+// The bands: luminance, the two colour differences (128 is neutral), the result of colour
+// detection, and three bands that double the resolution of the luminance.
 typedef longword OFbkImageBand;
 const OFbkImageBand ofbkimageBAND_Y = 0;
 const OFbkImageBand ofbkimageBAND_Y_LL = ofbkimageBAND_Y;
@@ -16,20 +16,20 @@ const OFbkImageBand ofbkimageBAND_Y_LH = 4;
 const OFbkImageBand ofbkimageBAND_Y_HL = 5;
 const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 
-// A view: it copies nothing and is valid as long as the image data are.
+// A view of one band.  It copies nothing and is valid as long as the image data.
 //
 // The bands of one image are interleaved row by row, in the order Y, Cr, Cb and, for
-// odataFBK_YCrCb_HPF, LH, HL, HH (that order is inferred; programs go by Skip()).  The
-// colour detection image has one band and no skip.
+// odataFBK_YCrCb_HPF, LH, HL, HH.  The order of the last three is inferred; programs need only
+// Skip().  The colour detection image has one band and no skip.
 //
-// The last row of the Y band, and of the colour detection image, begins with 16 bytes of tag
-// in place of pixels: the field counter in bytes 0 and 1, low byte first, and the colour
-// frequencies of channels 4..7 in bytes 4..7 and of channels 0..3 in bytes 8..11.
+// The last row of the Y band, and of the colour detection image, begins with a tag of 16 bytes in
+// place of pixels: the field counter in bytes 0 and 1, low byte first, the colour frequencies of
+// channels 4..7 in bytes 4..7, and those of channels 0..3 in bytes 8..11.
 class OFbkImage {
  public:
   OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
 
-  // False when the image has no such band.  Then the other answers are 0.
+  // Returns false if the image has no such band; then all other functions return 0.
   bool IsValid() const { return pointer_ != 0; }
 
   byte* Pointer() const { return pointer_; }  // first pixel of the top row
@@ -37,12 +37,12 @@ class OFbkImage {
   int Height() const { return height_; }
   int Skip() const { return skip_; }  // bytes from the end of a row to the next row
 
-  // REQUIRES: 0 <= x < Width(), 0 <= y < Height(); the origin is the top left corner.
+  // Returns a pixel; (0, 0) is the top left corner.  REQUIRES: 0 <= x < Width(), 0 <= y < Height().
   byte Pixel(int x, int y) const;
 
-  // From the tag of the layer, so the same in all its bands: its first four bytes, low byte first;
-  // the camera's count of fields, which is the low half of these; and the number of detected pixels
-  // of one channel divided by 16.
+  // Return values of the tag, which are the same for all bands of an image.  GetTagInfo(): the
+  // first four bytes, low byte first.  FieldCounter(): the camera's count of fields, the low half
+  // of these bytes.  ColorFrequency(): the number of detected pixels of one channel, divided by 16.
   longword GetTagInfo() const;
   word FieldCounter() const;
   byte ColorFrequency(OCdtChannel channel) const;
@@ -52,7 +52,7 @@ class OFbkImage {
   int width_;
   int height_;
   int skip_;
-  const byte* tag_;  // its first byte; NULL when the layer is too narrow for one
+  const byte* tag_;  // first byte of the tag; NULL if the image is too narrow for a tag
 };
 
 #endif  // OPENR_OFBKIMAGE_H_INCLUDED

@@ -1,10 +1,10 @@
-// A doubly linked list of at most MaxSize elements, without memory of its own.
+// A doubly linked list of at most MaxSize elements, which allocates no memory.
 #ifndef OPENR_OLIST_H_INCLUDED
 #define OPENR_OLIST_H_INCLUDED
 
 #include <OPENR/OTLStatus.h>
 
-// "No element", where an index is expected.
+// The index that means "no element".
 const int olistNULL = -1;
 
 // Links are indices into an array, so a list can be copied like any value.  T needs a
@@ -12,8 +12,8 @@ const int olistNULL = -1;
 template <class T, int MaxSize>
 class OList {
  public:
-  // Stands for an element, or for the place behind the last.  Stays valid until its own
-  // element is removed.
+  // Refers to an element, or to the place behind the last one.  Stays valid until its element is
+  // removed.
   class Iterator {
    public:
     Iterator() : list_(0), node_(olistNULL) {}
@@ -22,10 +22,11 @@ class OList {
     bool operator==(const Iterator& other) const { return node_ == other.node_; }
     bool operator!=(const Iterator& other) const { return node_ != other.node_; }
 
-    // A default T for the place behind the last.
+    // Returns the element; a default T for the place behind the last one.
     T& operator*() const { return list_->At(node_); }
 
-    // Behind the last comes the first, and the other way round.
+    // Move to the next or previous element.  The list is a ring: after the place behind the last
+    // element comes the first.
     Iterator& operator++() {
       node_ = list_->node_[node_].next;
       return *this;
@@ -53,25 +54,26 @@ class OList {
 
   OList() : none_() { Clear(); }
 
-  // otlOVERFLOW when full.
+  // Return otlOVERFLOW if the list is full.
   OTLStatus PushFront(const T& value) { return InsertBefore(node_[END].next, value); }
   OTLStatus PushBack(const T& value) { return InsertBefore(END, value); }
 
-  // otlUNDERFLOW when empty.
+  // Return otlUNDERFLOW if the list is empty.
   OTLStatus PopFront() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].next); }
   OTLStatus PopBack() { return size_ == 0 ? otlUNDERFLOW : Remove(node_[END].prev); }
 
-  // A default T when empty; writing to that one has no effect.
+  // Return the first and the last element; if the list is empty, a default T that is not part of
+  // the list.
   T& Front() { return At(node_[END].next); }
   T& Back() { return At(node_[END].prev); }
 
   Iterator Begin() { return Iterator(this, node_[END].next); }
   Iterator End() { return Iterator(this, END); }
 
-  // Before the element at `where`; otlOVERFLOW when full.
+  // Inserts before the element at `where`; returns otlOVERFLOW if the list is full.
   OTLStatus Insert(Iterator where, const T& value) { return InsertBefore(where.node_, value); }
 
-  // otlFAIL for an iterator that stands for no element.
+  // Removes an element; returns otlFAIL for an iterator that refers to none.
   OTLStatus Erase(Iterator where) {
     return where.node_ < 0 || where.node_ >= END ? otlFAIL : Remove(where.node_);
   }
@@ -123,7 +125,7 @@ class OList {
   }
 
   Node node_[MaxSize + 1];
-  int free_;  // first unused node; they are chained by `next`
+  int free_;  // index of the first unused node; `next` links the unused nodes
   int size_;
   T none_;
 };

@@ -1,5 +1,5 @@
-// A place in a shared memory region.  Old interface; RCRegion does the same with a
-// reference count.
+// A place in a shared memory region.  This is an old interface; RCRegion has the same fields and a
+// count of references.
 #ifndef OPENR_OMEMORYLOCATOR_H_INCLUDED
 #define OPENR_OMEMORYLOCATOR_H_INCLUDED
 
@@ -24,13 +24,13 @@ struct OMemoryLocator {
   bool operator==(const OMemoryLocator& other) const {
     return mid == other.mid && offset == other.offset;
   }
-  // By region, then by offset.
+  // Compares by region, then by offset.
   bool operator<(const OMemoryLocator& other) const {
     return mid != other.mid ? mid < other.mid : offset < other.offset;
   }
 };
 
-// "(mid:3,offset:192)"
+// Writes a text such as "(mid:3,offset:192)".
 ostream& operator<<(ostream& out, const OMemoryLocator& locator);
 
 #endif  // OPENR_OMEMORYLOCATOR_H_INCLUDED

@@ -1,4 +1,4 @@
-// OObject: base of every core class.
+// OObject, the base of the C++ class of every object.
 #ifndef OPENR_OOBJECT_H_INCLUDED
 #define OPENR_OOBJECT_H_INCLUDED
 
@@ -11,12 +11,12 @@
 
 class OObject {
  public:
-  OObject();  // takes the OID the system gave to the object being loaded
+  OObject();  // sets myOID_ to the OID of the object that is being loaded
   virtual ~OObject();
 
-  // Called by the stub for selectors 0 to 3; each calls its DoXxx and reports
-  // the status to the object manager.  They are compiled into the image, so that DoXxx is called
-  // on the image's stack.
+  // Called by the stub for selectors 0 to 3.  Each calls its DoXxx function and reports the status
+  // to the object manager.  The functions are inline, so that they are part of the image and DoXxx
+  // runs on the stack of the object.
   void Init(const OSystemEvent& event) { ReplyStatus(DoInit(event)); }
   void Start(const OSystemEvent& event) { ReplyStatus(DoStart(event)); }
   void Stop(const OSystemEvent& event) { ReplyStatus(DoStop(event)); }
@@ -28,7 +28,7 @@ class OObject {
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
  protected:
-  // Makes `name` known to the service manager.  oALREADY_EXIST when it is.
+  // Registers `name` with the service manager; returns oALREADY_EXIST if it is registered already.
   OStatus RegisterServiceEntry(const OServiceEntry& entry, const char* name);
 
   OID myOID_;

@@ -1,4 +1,4 @@
-// OObserver: the receiving end of connections.
+// OObserver, the receiving end of connections.
 #ifndef OPENR_OOBSERVER_H_INCLUDED
 #define OPENR_OOBSERVER_H_INCLUDED
 
@@ -19,19 +19,19 @@ class OObserver {
   OObserver();
   ~OObserver();
 
-  // In DoInit: the entry that receives NOTIFY messages; it becomes the ID.
+  // Sets the entry that receives NOTIFY messages; it becomes the id.  Called in DoInit.
   OStatus SetNotifyEntry(const OServiceEntry& entry);
   const ObserverID& GetID() const;
   const ObserverID& GetObserverID() const { return GetID(); }
 
-  // In DoInit: how each subject buffers for this observer.  Of skip + 1
-  // notifications one is kept; nothing is sent before `least` are collected;
-  // at most `most` wait for a ready, the newest win.  Defaults 0, 1, 1.
+  // Set how each subject buffers for this observer; called in DoInit.  Of skip + 1 notifications
+  // one is kept.  Nothing is sent before `least` of them are collected.  At most `most` wait for a
+  // ready; older ones are dropped.  The defaults are 0, 1, 1.
   void SetSkip(size_t skip);
   void SetBufCtrlParam(size_t skip, size_t least, size_t most);
 
-  // To all connected subjects, or to one.  Every region received from the
-  // subject that has no reference of the user's own goes back with it.
+  // Send a ready (assert) or its withdrawal (deassert) to all connected subjects, or to one.  It
+  // gives back every region received from the subject to which the program holds no reference.
   OStatus AssertReady();
   OStatus AssertReady(const SubjectID& id);
   OStatus AssertReady(const OSubjectInfo& info) { return AssertReady(info.GetSubjectID()); }
@@ -42,7 +42,8 @@ class OObserver {
   SubjectConstIterator begin() const;
   SubjectConstIterator end() const;
   int NumberOfSubjects() const;
-  SubjectID FindSender(RCRegion* region) const;  // invalid if not received here
+  SubjectID FindSender(
+      RCRegion* region) const;  // invalid if this observer does not hold the region
 
   // Called by the stub.
   OStatus ConnectHandler(const OConnectMessage& msg, OStatus status = oSUCCESS);
@@ -58,7 +59,7 @@ class OObserver {
   OObserver(const OObserver&);
   OObserver& operator=(const OObserver&);
 
-  openr_host::ObserverState* state_;  // belongs to the runtime
+  openr_host::ObserverState* state_;  // owned by the runtime
 };
 
 #endif  // OPENR_OOBSERVER_H_INCLUDED

@@ -1,4 +1,4 @@
-// What a subject knows of one of its observers.
+// Identifies one of the observers of a subject.
 #ifndef OPENR_OOBSERVERINFO_H_INCLUDED
 #define OPENR_OOBSERVERINFO_H_INCLUDED
 

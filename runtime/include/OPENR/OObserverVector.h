@@ -1,4 +1,4 @@
-// Old name of OObserver.
+// The old name of OObserver.
 #ifndef OPENR_OOBSERVERVECTOR_H_INCLUDED
 #define OPENR_OOBSERVERVECTOR_H_INCLUDED
 

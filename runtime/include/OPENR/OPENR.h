@@ -1,4 +1,4 @@
-// Names, limits and identifiers that all of OPEN-R shares.
+// Names, limits and ids that all parts of OPEN-R share.
 #ifndef OPENR_OPENR_H_INCLUDED
 #define OPENR_OPENR_H_INCLUDED
 
@@ -11,17 +11,17 @@
 
 // ---- entries of an object
 
-// Selectors that every object has.  The stub numbers its own entries from oentryBASE:
-// control of each subject, ready of each subject, connect of each observer, notify of
-// each observer, extras.
+// The selectors that every object has.  The stub numbers all other entries from oentryBASE on:
+// control of each subject, ready of each subject, connect of each observer, notify of each
+// observer, extras.
 const Selector oentryINIT = 0;
 const Selector oentrySTART = 1;
 const Selector oentrySTOP = 2;
 const Selector oentryDESTROY = 3;
 const Selector oentryBASE = 4;
 
-// One entry of one object: where a message goes.  It also serves as the identity of a
-// subject (object and ready selector) and of an observer (object and notify selector).
+// An entry of an object, the target of messages.  It is also the id of a subject (object and ready
+// selector) and of an observer (object and notify selector).
 struct OServiceEntry {
   OID oid;
   Selector selector;
@@ -36,7 +36,7 @@ struct OServiceEntry {
   OID GetOID() const { return oid; }
   Selector GetSelector() const { return selector; }
 
-  // True iff both the object and the selector are set.
+  // Returns whether both the object and the selector are set.
   bool IsValid() const { return oid.IsValid() && selector != UNDEF; }
   void MakeInvalid() {
     oid.MakeInvalid();
@@ -49,7 +49,7 @@ struct OServiceEntry {
   friend bool operator!=(const OServiceEntry& left, const OServiceEntry& right) {
     return !(left == right);
   }
-  // By object, then by selector.
+  // Compares by object, then by selector.
   friend bool operator<(const OServiceEntry& left, const OServiceEntry& right) {
     if (left.oid != right.oid) return left.oid < right.oid;
     return left.selector < right.selector;
@@ -62,7 +62,7 @@ const OConnectCmd oconnectcmdCONNECT = 0;
 const OConnectCmd oconnectcmdDISCONNECT = 1;
 const OConnectCmd oconnectcmdDISCONNECTALL = 2;
 
-// ---- why DoInit, DoStart, DoStop and DoDestroy are called
+// ---- reasons of calls of DoInit, DoStart, DoStop and DoDestroy
 
 typedef longword OReason;
 const OReason oreasonUNDEF = 0xffffffff;
@@ -76,8 +76,8 @@ const OMemoryStickStatus omemorystickNOT_EXIST = 0;
 const OMemoryStickStatus omemorystickWRITE_PROTECTED = 1;
 const OMemoryStickStatus omemorystickWRITABLE = 2;
 
-// Parameter of oreasonBOOT and of oreasonSHUTDOWN; which goes with which is inferred
-// from their names.
+// The parameters of oreasonBOOT and of oreasonSHUTDOWN.  That they belong together is inferred from
+// their names.
 struct OBootParam {
   OMemoryStickStatus memoryStickStatus;
 
@@ -91,17 +91,17 @@ struct OShutdownParam {
   OShutdownParam(bool enough) : batteryEnough(enough) {}
 };
 
-// Kinds of abrupt end for OPENR::Fatal(); each has its own tune, PAUSE_SW none.
+// Kinds of sudden end for OPENR::Fatal().  The robot plays a tune for each kind but PAUSE_SW.
 typedef longword OFatal;
 const OFatal ofatalUNDEF = 0xffffffff;
 const OFatal ofatalMEMORY_STICK = 0;
 const OFatal ofatalPAUSE_SW = 1;
 const OFatal ofatalORB = 2;
 
-// ---- longest texts, in characters without the closing NUL
+// ---- limits of texts, in characters without the closing NUL
 
 const size_t oserviceNAME_MAX = 127;  // "Object.Name.DataType.S"
-const size_t oobjectNAME_MAX = 63;    // name of the .ocf file
+const size_t oobjectNAME_MAX = 63;    // object name in the .ocf file
 const size_t ovrNAME_MAX = 31;
 const size_t ovrPATH_MAX = 127;
 const size_t orobotdesignNAME_MAX = 31;     // "ERS-210"
@@ -132,10 +132,10 @@ typedef longword OAsyncReqID;
 const OAsyncReqID oasyncReqID_UNDEF = 0xffffffff;
 const size_t oasyncReqID_MAX_SIZE = 32;
 
-// Joins the start of several vectors; OPENR::NewSyncKey().
+// Lets several vectors start together; see OPENR::NewSyncKey().
 typedef longword OVRSyncKey;
 const OVRSyncKey ovrsynckeyUNDEF = 0xffffffff;
-const size_t ovrsynckeyMAX_NUM_KEY = 8;  // keys alive at one time
+const size_t ovrsynckeyMAX_NUM_KEY = 8;  // keys that exist at one time
 const size_t ovrsynckeyMAX_SIZE = 8;
 const size_t ovrsynckeyMAX_NUM_DIVISION = 16;  // parts of one key
 
@@ -144,12 +144,12 @@ const OVRRequest ovrreqUNDEF = 0xffffffff;
 const size_t ovrctrlPARAM_MAX_SIZE = 192;  // bytes
 const size_t ovrctrlDEVICE_MAX = 32;
 
-// What OPENR::ControlPrimitive() is asked for; values in OPrimitiveControl.h.
+// A request of OPENR::ControlPrimitive(); the values are in OPrimitiveControl.h.
 typedef longword OPrimitiveRequest;
 const OPrimitiveRequest oprmreqUNDEF = 0xffffffff;
 const size_t oprmctrlPARAM_MAX_SIZE = 176;  // bytes
 
-// Position of the volume switch, from silent (0) to loud.
+// A position of the volume switch, from silent (0) to loud (3).
 typedef byte OVolumeSwitch;
 const OVolumeSwitch ovolumeSW0 = 0;
 const OVolumeSwitch ovolumeSW1 = 1;
@@ -161,7 +161,7 @@ const OVolumeSwitch ovolumeSW3 = 3;
 typedef longword ODesignDataID;
 const ODesignDataID odesigndataID_UNDEF = 0xffffffff;
 
-// This keyword needs no line in DESIGNDB.CFG and yields an OCPUInfo.
+// A keyword that needs no line in DESIGNDB.CFG; the system's answer is an OCPUInfo.
 #define odesignkeywordCPUINFO "SYS_CPUINFO"
 
 struct OCPUInfo {

@@ -1,9 +1,9 @@
 // The functions of the robot: primitives, vectors, gains, power, files, time.
 //
-// All are synchronous and return a status; they may be called from DoInit on, not from
-// constructors.  Pointers are where results go.  What a function answers besides oSUCCESS
-// is listed behind its declaration.  Four more functions of the SDK, which make and delete
-// sensor and image vectors, are marked there as not for use and left out here.
+// All functions are synchronous and return a status.  Programs may call them from DoInit on, but
+// not in constructors.  Results are written through pointers.  A comment after a declaration lists
+// the errors that the function returns.  Four functions of the SDK, which make and delete sensor
+// and image vectors, are left out, because the SDK says that programs must not use them.
 #ifndef OPENR_OPENRAPI_H_INCLUDED
 #define OPENR_OPENRAPI_H_INCLUDED
 
@@ -19,27 +19,27 @@ namespace OPENR {
 
 // ---- primitives
 
-// The same primitive has the same id in every object.  On failure *id is
-// oprimitiveID_UNDEF.
+// Opens a primitive.  Every object gets the same id for it.  On failure *id is oprimitiveID_UNDEF.
 OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
 // oNOT_FOUND (not on this robot), oOPEN_FAILURE, oINVALID_ARG (NULL), oFAIL
 
 OStatus ClosePrimitive(OPrimitiveID id);
 // oINVALID_PRIMITIVE_ID
 
-// Requests are in OPrimitiveControl.h; what a request does not use is 0.
+// Sends a request of OPrimitiveControl.h; arguments that it does not use are 0.
 OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t paramSize,
                          void* result, size_t resultSize);
 // oINVALID_PRIMITIVE_ID, oINVALID_ARG
 
-// Present values, whether or not gains and motor power are on.
+// Return the present value, also while gains or motor power are off.
 OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
 // oINVALID_PRIMITIVE_ID
 
 // ---- vectors in shared memory
 
-// `*baseAddr` points to a vector with room for that many elements and numData 0.
+// Make a vector with room for the given number of elements; its numData is 0.  `*baseAddr` becomes
+// its address.
 OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
                              OCommandVectorData** baseAddr);
 OStatus NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,
@@ -52,19 +52,19 @@ OStatus DeleteSoundVectorData(MemoryRegionID memID);
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
 // oINVALID_ARG (sound only), oFAIL
 
-// Loads the colour tables into the camera.
+// Loads the colour detection tables into the camera.
 OStatus SetCdtVectorData(MemoryRegionID memID);
 // oINVALID_ARG (channel), oINVALID_PRIMITIVE_ID, oINVALID_DATA_TYPE, oFAIL
 
 // ---- joint gains
 //
-// `id` may be oprimitiveID_UNDEF in all but the two Get functions: every opened joint.
-// Order of the numbers: gains P, I, D, then shifts P, I, D.
+// In all functions but the two Get functions, `id` may be oprimitiveID_UNDEF, which means every
+// opened joint.  The order of the six numbers is: gains P, I, D, then shifts P, I, D.
 
 OStatus EnableJointGain(OPrimitiveID id);
 // oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
 
-// Zeroes the gains; the joint goes limp.
+// Sets the gains to zero, so that the joint moves freely.
 OStatus DisableJointGain(OPrimitiveID id);
 // oINVALID_PRIMITIVE_ID, oFAIL
 
@@ -72,11 +72,11 @@ OStatus SetJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word i
 // oINVALID_PRIMITIVE_ID, oGAIN_DISABLED (not enabled: nothing is set),
 // oALERT_JOINT_UNCONTROLLABLE, oFAIL
 
-// All six are 0 unless the answer is oSUCCESS.
+// Returns the gains; on failure all six are 0.
 OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
 // as SetJointGain
 
-// A set of gains remembered for the joint, and applied by SetDefaultJointGain().
+// Stores a set of gains for the joint, which SetDefaultJointGain() applies.
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
                                  word ds);
 // oINVALID_PRIMITIVE_ID
@@ -88,12 +88,13 @@ OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word*
 
 // ---- starting several vectors together
 
-// At most ovrsynckeyMAX_NUM_KEY alive; on failure *key is ovrsynckeyUNDEF.
+// Makes a key; at most ovrsynckeyMAX_NUM_KEY exist at a time.  On failure *key is ovrsynckeyUNDEF.
 OStatus NewSyncKey(OVRSyncKey* key);
 // oNO_SYNC_KEY
 OStatus CancelSyncKey(OVRSyncKey key);
 // oINVALID_SYNC_KEY
-// Each part goes into the syncKey of one vector; output begins when all parts are there.
+// Divides a key into two parts.  The program puts each part into the syncKey of one vector; output
+// begins when the vectors with all parts have arrived.
 OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 // oFAIL
 
@@ -102,26 +103,27 @@ OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 OStatus SetMotorPower(OPower power);
 // oFAIL
 
-// Stores what may boot the robot again and begins the shutdown.  Returns before any object
-// is stopped.
+// Stores the conditions under which the robot boots again and begins the shutdown.  Returns before
+// any object is stopped.
 OStatus Shutdown(const OBootCondition& bootCondition);
 OStatus GetBootCondition(OBootCondition* bootCondition);  // only `bitmap` is valid
 OStatus GetPowerStatus(OPowerStatus* powerStatus);
 // oFAIL, oNOT_FOUND
 
-// An OPowerStatusMessage goes to `entry` at every change that `notifyStatus` selects
-// (power_constants.h), until Unobserve is called with the same entry.
+// Sends an OPowerStatusMessage to `entry` at every change that `notifyStatus` selects
+// (power_constants.h), until UnobservePowerStatus() is called with the same entry.
 OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry);
 // oFAIL, oNOT_FOUND
 OStatus UnobservePowerStatus(const OServiceEntry& entry);
 // oFAIL, oNOT_FOUND, oINVALID_ARG
 
-// Power off at once: no DoStop, no DoDestroy.
+// Switches the power off at once, without DoStop and DoDestroy.
 OStatus Fatal(OFatal fatal);
 
 // ---- the robot and its files
 
-// A copy of the file that DESIGNDB.CFG names under `keyword`, gunzipped, in shared memory.
+// Copies the file that DESIGNDB.CFG names for `keyword` into shared memory, decompressed if it is a
+// gzip file.
 OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, size_t* size);
 // oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
 #if OPENR_WIDE_SIZE
@@ -136,7 +138,8 @@ inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(con
 OStatus DeleteDesignData(ODesignDataID id);
 // oINVALID_ARG, oFAIL
 
-// Writes "ERS-210" or the like; room for orobotdesignNAME_MAX + 1 characters.
+// Writes a name such as "ERS-210" into `robotDesign`, which needs room for orobotdesignNAME_MAX + 1
+// characters.
 OStatus GetRobotDesign(char* robotDesign);
 OStatus GetMemoryStickStatus(OMemoryStickStatus* status);
 // oFAIL

@@ -1,4 +1,4 @@
-// What DoInit, DoStart, DoStop and DoDestroy are told.
+// The argument of DoInit, DoStart, DoStop and DoDestroy.
 #ifndef OPENR_OPENREVENT_H_INCLUDED
 #define OPENR_OPENREVENT_H_INCLUDED
 
@@ -6,13 +6,13 @@
 
 class OSystemEvent {
  public:
-  // The block `param` stays the caller's and has to live as long as the event.
+  // The caller owns the block `param`, which must exist as long as the event.
   OSystemEvent(OReason reason, void* param, size_t paramSize)
       : reason_(reason), param_(param), paramSize_(paramSize) {}
 
   OReason Reason() const { return reason_; }
 
-  // An OBootParam or an OShutdownParam, ParamSize() bytes; valid during the call only.
+  // Returns an OBootParam or an OShutdownParam of ParamSize() bytes; valid during the call only.
   const void* Param() const { return param_; }
   size_t ParamSize() const { return paramSize_; }
 

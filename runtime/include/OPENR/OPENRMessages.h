@@ -1,8 +1,8 @@
 // Messages between the system and an object.
 //
-// An application sees one of them, OPowerStatusMessage; its stub sees OReasonMessage.  The others
-// are the traffic of the OPENR:: functions, which the host answers without messages; they are
-// here for sources that name them.  Sizes are the robot's on a 32-bit target.
+// An application receives only OPowerStatusMessage, and its stub OReasonMessage.  On the robot the
+// OPENR:: functions send the others; the host needs no messages for them.  They are declared
+// because sources name them.  Sizes are those of a 32-bit target, as on the robot.
 #ifndef OPENR_OPENRMESSAGES_H_INCLUDED
 #define OPENR_OPENRMESSAGES_H_INCLUDED
 
@@ -15,8 +15,8 @@
 #include <OPENR/OVRData.h>
 #include <string.h>
 
-// Dispatch is by selector; the type only says what the bytes are.  The numbers of the
-// inter-object messages (ObjcommMessages.h) overlap with these.
+// The type of a message.  It only describes the bytes: the selector decides which function receives
+// the message.  Messages between objects (ObjcommMessages.h) partly have the same numbers.
 typedef longword OMessageType;
 const OMessageType OMessageSystemBase = 0;
 const OMessageType OMessageRoboticBase = 1024;
@@ -58,18 +58,18 @@ const OMessageType omsgBOOT_CONDITION = OMessageRoboticBase + 14;
 const OMessageType omsgBMN_MODE = OMessageRoboticBase + 15;
 const OMessageType omsgBMN_SPECIAL_MODE = OMessageRoboticBase + 16;
 
-// ---- messages that objects meet
+// ---- messages that objects receive or send
 
-// To the entries Init, Start, Stop and Destroy; 140 bytes.
+// Sent to the entries Init, Start, Stop and Destroy; 140 bytes.
 struct OReasonMessage {
   OMessageType msgType;  // omsgREASON
   OReason reason;
-  longword paramSize;  // bytes used of `param`
+  longword paramSize;  // number of bytes of `param` in use
   byte param[oreasonPARAM_MAX_SIZE];
 
   OReasonMessage(OReason why = oreasonUNDEF) { Set(why, 0, 0); }
 
-  // Copies `size` bytes; of a larger block, what there is room for.
+  // Copies `size` bytes of `block`, at most oreasonPARAM_MAX_SIZE.
   OReasonMessage(OReason why, const void* block, size_t size) { Set(why, block, size); }
 
  private:
@@ -82,7 +82,7 @@ struct OReasonMessage {
   }
 };
 
-// An answer that is nothing but a status; 8 bytes.
+// An answer that contains only a status; 8 bytes.
 struct OStatusMessage {
   OMessageType msgType;  // omsgOSTATUS
   OStatus status;
@@ -90,7 +90,7 @@ struct OStatusMessage {
   OStatusMessage(OStatus result = oSUCCESS) : msgType(omsgOSTATUS), status(result) {}
 };
 
-// To the entry given to OPENR::ObservePowerStatus(); 24 bytes.
+// Sent to the entry that was given to OPENR::ObservePowerStatus(); 24 bytes.
 struct OPowerStatusMessage {
   OMessageType msgType;  // omsgPOWER_STATUS
   OPowerStatus powerStatus;
@@ -107,17 +107,18 @@ struct OPowerStatusMessage {
                     static_cast<byte>(volume)) {}
 };
 
-// To the system logger; 256 bytes on the robot.
+// Sent to the system logger; 256 bytes on the robot.
 struct OSyslogMessage {
   OMessageType msgType;  // omsgSYSLOG
-  OID oid;               // the speaker
+  OID oid;               // the object that logs
   OSyslogPriority priority;
   char log[osyslogMAX_SIZE + 1];
 
   OSyslogMessage() : msgType(omsgSYSLOG), priority(osyslogINFO) { memset(log, 0, sizeof log); }
 };
 
-// Service manager to observer: connect to the subject whose Control entry is `entry`.
+// Sent by the service manager to an observer: connect to the subject whose Control entry is
+// `entry`.
 struct OConnectMessage {
   OMessageType msgType;  // omsgCONNECT
   OConnectCmd command;
@@ -233,7 +234,7 @@ struct OVRControlMessage {
   OVRRequest request;
   OServiceEntry entry;
   OAsyncReqID asyncReqID;
-  unsigned int paramSize;  // bytes used of `param`
+  unsigned int paramSize;  // number of bytes of `param` in use
   longword padding;
   byte param[ovrctrlPARAM_MAX_SIZE];
 };

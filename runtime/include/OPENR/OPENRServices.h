@@ -1,6 +1,7 @@
-// Names of the services through which the robot's hardware is reached.
+// Names of the services of the robot's hardware.
 //
-// They are meant for CONNECT.CFG; a program that only uses its own services needs none.
+// The names are written in CONNECT.CFG; a program that uses only its own services does not need
+// them.
 #ifndef OPENR_OPENRSERVICES_H_INCLUDED
 #define OPENR_OPENRSERVICES_H_INCLUDED
 

@@ -1,4 +1,4 @@
-// Two values.
+// A pair of values of any two types.
 #ifndef OPENR_OPAIR_H_INCLUDED
 #define OPENR_OPAIR_H_INCLUDED
 

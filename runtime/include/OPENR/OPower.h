@@ -1,4 +1,4 @@
-// Motor power, battery, and what may wake the robot.
+// Types for motor power, battery status and the conditions for booting.
 #ifndef OPENR_OPOWER_H_INCLUDED
 #define OPENR_OPOWER_H_INCLUDED
 
@@ -7,22 +7,22 @@
 #include <OPENR/power_constants.h>
 #include <time.h>
 
-// Argument of OPENR::SetMotorPower().
+// The argument of OPENR::SetMotorPower().
 typedef bool OPower;
 const OPower opowerOFF = false;
 const OPower opowerON = true;
 
-// A snapshot of power and battery, 20 bytes.  As the first argument of
-// OPENR::ObservePowerStatus() it is a filter instead; power_constants.h says how.
+// The status of power and battery at one moment, 20 bytes.  As the first argument of
+// OPENR::ObservePowerStatus() it is a filter instead, as power_constants.h describes.
 class OPowerStatus {
  public:
   longword robotStatus;       // orsb... bits
   word batteryStatus;         // obsb... bits; the low four are an obsec... code
   word remainingCapacity;     // %, 0..100
-  word temperature;           // of the battery, 0.1 K
+  word temperature;           // temperature of the battery, 0.1 K
   word fullyChargedCapacity;  // mAh
   word voltage;               // mV
-  sword current;              // mA; that negative means discharging is inferred
+  sword current;              // mA; negative while discharging (inferred)
   sbyte timeDif;              // hours from UTC
   byte volume;                // 0..3
 
@@ -30,17 +30,19 @@ class OPowerStatus {
   OPowerStatus(longword robotStat, word batteryStat, word remaining, word temp, word fullyCharged,
                word volt, sword cur, sbyte timeDifference, byte vol);
 
-  // The six fields that can be observed; the other three keep their values.
+  // Sets the six fields that can be observed; the other three keep their values.
   void Set(longword rs, word bs, word rc, word tmp, sbyte td, byte vol);
 
-  // On the console: one line, or one line per bit that is set and per quantity.
+  // Print on the console: Print() one line, PrintDetail() a line for each bit that is set and for
+  // each quantity.
   void Print() const;
   void PrintDetail() const;
 };
 
-// What may boot the robot after OPENR::Shutdown(), or what did boot it.
+// The conditions under which the robot boots after OPENR::Shutdown(), or those that have booted it.
 //
-// 16 bytes on the robot, more where time_t has 64 bits: it is passed by reference only.
+// It has 16 bytes on the robot and more where time_t has 64 bits.  That does no harm, because it is
+// passed by reference only.
 class OBootCondition {
  public:
   word bitmap;            // obcb... bits

@@ -1,6 +1,7 @@
 // Requests of OPENR::ControlPrimitive() with their parameters and results.
 //
-// The names of the camera's settings and of the struct for MIDI tuning are in no source we have.
+// No source gives the names of the camera's settings and of the struct for MIDI tuning; they are
+// our choice.
 #ifndef OPENR_OPRIMITIVECONTROL_H_INCLUDED
 #define OPENR_OPRIMITIVECONTROL_H_INCLUDED
 
@@ -29,19 +30,19 @@ const OPrimitiveRequest oprmreqSPEAKER_GET_SOUND_TYPE = 132;  // result: Speaker
 const OPrimitiveRequest oprmreqSPEAKER_SET_VOLUME_MIDI = 133;
 const OPrimitiveRequest oprmreqSPEAKER_MASTER_TUNING_MIDI = 134;  // MasterTuningMIDI
 
-// Volume in two's complement of 16 bits, 0x100 per dB.
+// A volume, in two's complement of 16 bits with 0x100 for each dB.
 typedef longword OSpeakerVolume;
 const OSpeakerVolume ospkvolinfdB = 0x8000;  // silent
 const OSpeakerVolume ospkvol25dB = 0xe700;   // -25 dB
 const OSpeakerVolume ospkvol18dB = 0xee00;
-const OSpeakerVolume ospkvol10dB = 0xf600;  // the loudest the circuit is made for
+const OSpeakerVolume ospkvol10dB = 0xf600;  // the largest volume for which the circuit is made
 
 struct OPrimitiveControl_SpeakerVolume {
   OSpeakerVolume volume;
   OPrimitiveControl_SpeakerVolume(OSpeakerVolume v) : volume(v) {}
 };
 
-// The ERS-210 has two of them; the others are refused.
+// The formats of sound.  The ERS-210 accepts only those with a comment.
 typedef longword OSpeakerSoundType;
 const OSpeakerSoundType ospksndMONO8K8B = 0;  // 8 kHz, 8 bits: the default
 const OSpeakerSoundType ospksndMONO11K8B = 1;
@@ -117,7 +118,7 @@ typedef longword OBtSwitchEvent;
 const OBtSwitchEvent obtswitcheventUNDEF = 0;
 const OBtSwitchEvent obtswitcheventVALUE_CHANGED = 1;
 
-// An OPrimitiveControl_BtSwitchEvent goes to `entry` whenever `event` happens.
+// Requests that an OPrimitiveControl_BtSwitchEvent is sent to `entry` whenever `event` happens.
 struct OPrimitiveControl_BtSwitchWatcherInfo {
   OBtSwitchEvent event;
   OServiceEntry entry;
@@ -136,7 +137,7 @@ const OPrimitiveRequest oprmreqLED2_SET_COMMAND = 768;     // LEDCommandValue2
 const OPrimitiveRequest oprmreqLED3_SET_COMMAND = 1024;    // LEDCommandValue3
 const OPrimitiveRequest oprmreqJOINT4_SET_COMMAND = 1152;  // JointCommandValue4
 
-// Each holds what one frame of a command vector or of a sensor vector holds.
+// Each struct contains the data of one frame of a command vector or of a sensor vector.
 struct OPrimitiveControl_JointCommandValue2 {
   OJointCommandValue2 command;
   OPrimitiveControl_JointCommandValue2(slongword value) {
@@ -147,7 +148,7 @@ struct OPrimitiveControl_JointCommandValue2 {
 
 struct OPrimitiveControl_JointValue {
   OJointValue jval;
-  OPrimitiveControl_JointValue() {}  // leaves every field as it is
+  OPrimitiveControl_JointValue() {}  // initialises no field
   OPrimitiveControl_JointValue(slongword val, word sig, sword pwm, slongword refVal, word refSig)
       : jval(val, sig, pwm, refVal, refSig) {}
 };
@@ -180,7 +181,7 @@ struct OPrimitiveControl_JointCommandValue4 {
   }
 };
 
-// Requests from here on are the device makers' own.
+// Requests from this number on are defined by the makers of devices.
 const OPrimitiveRequest oprmreqPRIVATE_BASE = 1048576;
 
 #endif  // OPENR_OPRIMITIVECONTROL_H_INCLUDED

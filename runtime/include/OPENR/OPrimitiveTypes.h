@@ -1,8 +1,8 @@
 // Kinds of primitives and of sensors.
 //
-// The word behind the dash of a locator ("PRM:/r1/c1-Joint2:j1") is the matching _NAME.
-// Joint2, Joint3, Joint4, Sensor, LED2, LED3, Speaker, Mic and FbkImageSensor stand in
-// locators of the Model Information guides; the other words, the two names for 0 and the
+// The word after the dash of a locator ("PRM:/r1/c1-Joint2:j1") is the _NAME of the primitive's
+// kind.  The words Joint2, Joint3, Joint4, Sensor, LED2, LED3, Speaker, Mic and FbkImageSensor are
+// from locators in the Model Information guides.  The other words, the two names for 0 and the
 // prefix osensor are inferred.
 #ifndef OPENR_OPRIMITIVETYPES_H_INCLUDED
 #define OPENR_OPRIMITIVETYPES_H_INCLUDED
@@ -52,7 +52,7 @@ const OSensorType osensorACCELEROMETER = 2;
 const OSensorType osensorGYROMETER = 3;
 const OSensorType osensorTACTILE_SENSOR = 4;
 const OSensorType osensorTHERMOMETER = 5;
-const OSensorType osensorPSD = 6;  // distance
+const OSensorType osensorPSD = 6;  // distance sensor
 const OSensorType osensorROTARY_SENSOR = 7;
 const OSensorType osensorBT_SWITCH = 8;
 const OSensorType osensorRAW_SENSOR = 9;

@@ -11,7 +11,7 @@ class OQueue {
   OTLStatus PushBack(const T& value) { return deque_.PushBack(value); }  // otlOVERFLOW if full
   OTLStatus PopFront() { return deque_.PopFront(); }                     // otlUNDERFLOW if empty
 
-  // The oldest element; a default T when empty.
+  // Returns the oldest element; a default T if the queue is empty.
   T& Front() { return deque_.Front(); }
 
   void Clear() { deque_.Clear(); }

@@ -1,8 +1,7 @@
-// OShmPtr<T>: a smart pointer to an array of T in an RCRegion.
+// OShmPtr<T>, a smart pointer to an array of T in an RCRegion.
 //
-// Reading is free; writing through a Proxy while somebody else refers to the
-// region first makes a copy of it.  No constructor or destructor of T runs, so
-// T must be plain data.
+// Reading copies nothing.  Writing through a Proxy first copies the region if there are other
+// references to it.  T must be plain data, because no constructor or destructor of T runs.
 #ifndef OPENR_OSHMPTR_H_INCLUDED
 #define OPENR_OSHMPTR_H_INCLUDED
 
@@ -24,7 +23,7 @@ class OShmPtrBase {
     return *this;
   }
 
-  // Lets go of the region.
+  // Releases the reference to the region.
   void Deallocate() {
     if (region_ != 0) region_->RemoveReference();
     region_ = 0;
@@ -38,12 +37,13 @@ class OShmPtrBase {
   unsigned Offset() const { return region_ == 0 ? 0 : region_->Offset(); }
 
  protected:
-  // Takes over the single reference of a region just made.
+  // Takes over the only reference to a new region.
   void Own(RCRegion* region) {
     Deallocate();
     region_ = region;
   }
-  // Makes this the only reference, copying when it is not.
+  // Makes sure that this is the only reference to the region: copies the region if there are
+  // others.
   void Unshare() {
     if (region_ == 0 || region_->NumberOfReference() <= 1) return;
     RCRegion* copy = new RCRegion(region_->Size());
@@ -62,7 +62,7 @@ class OShmPtrBase {
 template <class T>
 class OShmPtr : public OShmPtrBase {
  public:
-  // One element that is copied on the first write to a shared region.
+  // Refers to one element; writing through it copies the region if there are other references.
   class Proxy {
    public:
     Proxy(OShmPtr<T>* owner, int index) : owner_(owner), index_(index) {}
@@ -105,7 +105,7 @@ class OShmPtr : public OShmPtrBase {
   int NumOfElement() const { return static_cast<int>(OShmPtrBase::Size() / sizeof(T)); }
   int Size() const { return NumOfElement(); }
 
-  // Writes `size` bytes from the start, after making the region ours alone.
+  // Writes `size` bytes from the start on; copies the region first if there are other references.
   void Copy(const void* source, size_t size) {
     Unshare();
     ::memcpy(Base(), source, size);

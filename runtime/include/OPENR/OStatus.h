@@ -1,7 +1,7 @@
-// What an OPEN-R function answers.  oSUCCESS is 0; everything else names a failure.
+// The status that OPEN-R functions return.  oSUCCESS is 0; every other value is a failure.
 //
-// An object's DoInit, DoStart, DoStop and DoDestroy return one of these as well: any
-// value but oSUCCESS tells the object manager that the step failed.
+// DoInit, DoStart, DoStop and DoDestroy of an object return a status too: any value but oSUCCESS
+// tells the object manager that the step has failed.
 #ifndef OPENR_OSTATUS_H_INCLUDED
 #define OPENR_OSTATUS_H_INCLUDED
 
@@ -49,7 +49,7 @@ const OStatus oNO_ROBOT_DESIGN = OStatusCommonBase + 31;
 const OStatus oCHECK_SUM_ERROR = OStatusCommonBase + 32;
 const OStatus oBUSY = OStatusCommonBase + 33;
 
-// Used inside the system; an application does not meet them.
+// Status values used inside of the system; applications never get them.
 const OStatus oOBJECTMANAGER_START_INVOKED = OStatusSystemInternalBase + 0;
 const OStatus oOBJECTMANAGER_STOP_INVOKED = OStatusSystemInternalBase + 1;
 const OStatus oOBJECTMANAGER_DESTROY_INVOKED = OStatusSystemInternalBase + 2;
@@ -71,7 +71,7 @@ const OStatus oDEVICE_CONNECTED = OStatusSystemInternalBase + 17;
 const OStatus oDEVICE_DISCONNECTED = OStatusSystemInternalBase + 18;
 const OStatus oAGRUS_DIAG_NG = OStatusSystemInternalBase + 19;
 
-// Answers of particular OPENR:: functions.
+// Status values of particular OPENR:: functions.
 const OStatus oINVALID_PRIMITIVE_ID = OStatusAPISpecificBase + 0;
 const OStatus oINVALID_DATA_VECTOR_ID = OStatusAPISpecificBase + 1;
 const OStatus oINVALID_DATA_TYPE = OStatusAPISpecificBase + 2;

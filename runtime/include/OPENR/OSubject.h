@@ -1,10 +1,9 @@
-// OSubject: the sending end of connections.
+// OSubject, the sending end of connections.
 //
-// Ready is a flag per connection.  NotifyObservers() sends all data set since
-// the last call to every ready observer as one event and clears its flag; for
-// an observer that is not ready the newest `max` notifications wait (1 unless
-// the observer asked for more) and go out with its next ready, before the
-// user's Ready function runs.  (measured.md, section 1)
+// Each connection has a ready flag.  NotifyObservers() sends all data that were set since the last
+// call, as one event, to every observer that is ready, and clears its flag.  For an observer that
+// is not ready, the newest notifications wait: 1, or more if the observer has asked for that.  They
+// are sent with its next ready, before the program's Ready function runs.  (measured.md, section 1)
 #ifndef OPENR_OSUBJECT_H_INCLUDED
 #define OPENR_OSUBJECT_H_INCLUDED
 
@@ -25,20 +24,21 @@ class OSubject {
   OSubject();
   ~OSubject();
 
-  // In DoInit: the entry that receives READY messages; it becomes the ID.
+  // Sets the entry that receives READY messages; it becomes the id.  Called in DoInit.
   OStatus SetReadyEntry(const OServiceEntry& entry);
   const SubjectID& GetID() const;
 
-  // In DoInit: entries kept per observer (14 by default) and SetData() calls
-  // per unit of transmission (1).  Refused once a connection exists.
+  // Set the number of entries kept for each observer (14 by default) and the number of SetData()
+  // calls that are sent as one unit (1).  Called in DoInit; SetNotifyUnitSize() fails once a
+  // connection exists.
   OStatus SetBufferSize(size_t size);
   size_t GetBufferSize() const;
   OStatus SetNotifyUnitSize(size_t size);
   size_t GetNotifyUnitSize() const;
 
-  // Appends data for every observer (or one).  The first form copies; the
-  // others share, adding one reference per observer.  The 14th datum since
-  // the last notify drops the oldest and returns oFATAL (28).
+  // Append data for every observer, or for one.  Forms with `buf` copy the data; the others share
+  // them and add one reference for each observer.  The 14th datum since the last notification drops
+  // the oldest one, and the status is oFATAL (28).
   OStatus SetData(const void* buf, size_t size);
   OStatus SetData(RCRegion* region);
   OStatus SetData(const OShmPtrBase& ptr);
@@ -49,8 +49,8 @@ class OSubject {
   OStatus SetData(const ObserverID& id, RCRegion* region);
   OStatus SetData(const ObserverID& id, const OShmPtrBase& ptr);
 
-  // Old forms for memory that the program itself made: share it from its start, or from the
-  // locator's offset to the end of the region.  oINVALID_ARG when there is no such memory.
+  // Old forms for memory that the program itself made.  They share the memory from its start, or
+  // from the locator's offset to the end of the region; oINVALID_ARG if there is no such memory.
   OStatus SetData(MemoryRegionID region, size_t size);
   OStatus SetData(const OMemoryLocator& locator);
   OStatus SetData(const ObserverID& id, MemoryRegionID region, u_int size);
@@ -60,7 +60,8 @@ class OSubject {
   OStatus NotifyObserver(const OObserverInfo& info);
   OStatus NotifyObserver(const ObserverID& id);
 
-  // Entries still free (the least over all observers); 0 for an unknown id.
+  // Return the number of free entries, without an argument the least of all observers; 0 for an
+  // unknown id.
   size_t RemainBuffer() const;
   size_t RemainBuffer(const OObserverInfo& info) const;
   size_t RemainBuffer(const ObserverID& id) const;
@@ -82,15 +83,15 @@ class OSubject {
   ObserverConstIterator end() const;
   ObserverConstIterator FindObserver(const ObserverID& id) const;  // end() if absent
 
-  // How many observers are ready; IsAllReady: the same, but 0 while any
-  // observer has not said whether it is.
+  // Return the number of ready observers.  IsAllReady() returns 0 while any observer is in the
+  // state "unknown or already sent" of ReadyStatus().
   int IsAllReady() const;
   int IsAnyReady() const;
   int IsReady() const { return IsAnyReady(); }
   int IsReady(const ObserverID& id) const;
   int IsReady(const OObserverInfo& info) const { return IsReady(info.GetObserverID()); }
 
-  // > 0 ready, 0 unknown or already sent, < 0 deasserted; 0 for an unknown id.
+  // Returns > 0: ready; 0: unknown or already sent, also for an unknown id; < 0: deasserted.
   int ReadyStatus(const ObserverID& id) const;
   int ReadyStatus(const OObserverInfo& info) const { return ReadyStatus(info.GetObserverID()); }
 
@@ -98,7 +99,7 @@ class OSubject {
   OSubject(const OSubject&);
   OSubject& operator=(const OSubject&);
 
-  openr_host::SubjectState* state_;  // belongs to the runtime
+  openr_host::SubjectState* state_;  // owned by the runtime
 };
 
 #endif  // OPENR_OSUBJECT_H_INCLUDED

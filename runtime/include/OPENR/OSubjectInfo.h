@@ -1,4 +1,4 @@
-// What an observer knows of one of its subjects.
+// Identifies one of the subjects of an observer.
 #ifndef OPENR_OSUBJECTINFO_H_INCLUDED
 #define OPENR_OSUBJECTINFO_H_INCLUDED
 

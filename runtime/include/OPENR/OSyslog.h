@@ -1,8 +1,8 @@
 // Console output of objects.
 //
-// The macros take a doubled parenthesis, OSYSPRINT(("n = %d\n", n)), and are
-// expressions.  The format is printf's, except that l means 32 bits, as on the
-// robot: %ld prints a slongword.  Text is cut at osyslogMAX_SIZE bytes including the final NUL.
+// The macros need double parentheses, OSYSPRINT(("n = %d\n", n)), and are expressions.  The format
+// is that of printf, except that l means 32 bits, as on the robot: %ld prints a slongword.  Text is
+// cut to osyslogMAX_SIZE bytes, including the final NUL.
 #ifndef OPENR_OSYSLOG_H_INCLUDED
 #define OPENR_OSYSLOG_H_INCLUDED
 
@@ -19,9 +19,9 @@ const OSyslogPriority osyslogDEBUG_NO_NEWLINE = 0xfffffffe;
 
 const size_t osyslogMAX_SIZE = 243;
 
-// "[oid:80000043,prio:1] text\n"
+// Prints a line such as "[oid:80000043,prio:1] text\n".
 OStatus osyslog(OSyslogPriority priority, const char* format, ...);
-// The text alone.
+// Prints the text alone.
 OStatus osysprint(const char* format, ...);
 
 #define OSYSPRINT(x) (osysprint x)

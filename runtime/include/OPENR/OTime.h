@@ -1,4 +1,4 @@
-// A moment of the robot's clock, with the time zone it is to be shown in.
+// A moment of the robot's clock, with the time zone in which it is shown.
 #ifndef OPENR_OTIME_H_INCLUDED
 #define OPENR_OTIME_H_INCLUDED
 
@@ -6,19 +6,19 @@
 #include <Types.h>
 #include <time.h>
 
-const sbyte otimeTIME_DIF_UNDEF = 0x7f;  // zone unknown: local time is shown as UTC
+const sbyte otimeTIME_DIF_UNDEF = 0x7f;  // the zone is unknown, so local time is UTC
 const int otimeSTART_YEAR = 2000;
 
-// Clock: seconds since 2000-01-01 00:00:00 UTC.  Time difference: hours that local time
-// is ahead of UTC, -12..12 or otimeTIME_DIF_UNDEF.  Local time: clock + 3600 * difference
-// (inferred).
+// The clock is in seconds since 2000-01-01 00:00:00 UTC.  The time difference is the number of
+// hours by which local time is ahead of UTC, -12..12 or otimeTIME_DIF_UNDEF.  Local time is clock +
+// 3600 * difference (inferred).
 class OTime {
  public:
   OTime();  // clock 0, difference undefined
-  // A difference outside the range counts as undefined.
+  // Makes a difference outside the range undefined.
   OTime(time_t clock, sbyte timeDif);
 
-  // oINVALID_ARG for a time difference outside the range; then nothing changes.
+  // Returns oINVALID_ARG, and changes nothing, for a time difference outside the range.
   OStatus Set(time_t clock, sbyte timeDif);
   OStatus SetClock(time_t clock);
   OStatus SetLocalTime(time_t localTime);  // keeps the time difference
@@ -28,7 +28,7 @@ class OTime {
   time_t GetLocalTime() const;
   sbyte GetTimeDif() const { return timeDif_; }
 
-  // Order of the moments; the time difference plays no part.
+  // Compare the moments; the time difference is ignored.
   bool operator<(const OTime& other) const { return clock_ < other.clock_; }
   bool operator<=(const OTime& other) const { return clock_ <= other.clock_; }
   bool operator>(const OTime& other) const { return clock_ > other.clock_; }

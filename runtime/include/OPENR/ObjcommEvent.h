@@ -1,7 +1,7 @@
-// The events a core class receives: Connect, Control, Ready and Notify.
+// The events that the class of an object receives: Connect, Control, Ready and Notify.
 //
-// They are made by the stub for one call; copies may be kept, the data they
-// point to not (see ONotifyEvent).
+// The stub makes an event for one call.  Programs may keep copies of it, but not of the data to
+// which it points (see ONotifyEvent).
 #ifndef OPENR_OBJCOMMEVENT_H_INCLUDED
 #define OPENR_OBJCOMMEVENT_H_INCLUDED
 
@@ -10,7 +10,7 @@
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
 
-// An observer asks to be added to (or removed from) subject SbjIndex().
+// An observer asks to be added to, or removed from, subject SbjIndex().
 class OControlEvent {
  public:
   OControlEvent(int index, char* subName, ObjcommCommand command)
@@ -56,7 +56,7 @@ class OConnectEvent {
   OConnectCmd command_;
 };
 
-// One observer of subject SbjIndex() said that it is ready, or not.
+// One observer of subject SbjIndex() has asserted or deasserted ready.
 class OReadyEvent {
  public:
   OReadyEvent(int index, ObserverID id, ObjcommCommand command)
@@ -73,9 +73,8 @@ class OReadyEvent {
   ObjcommCommand command_;
 };
 
-// Data from one subject.  Data(i) and RCData(i) stay valid until ready is
-// asserted or deasserted to that subject, or longer for a region to which
-// AddReference() was called.
+// Data from one subject.  Data(i) and RCData(i) stay valid until the observer asserts or deasserts
+// ready to that subject, and longer for a region whose AddReference() was called.
 class ONotifyEvent {
  public:
   ONotifyEvent() : index_(-1), numOfData_(0), numOfNotify_(0) {}
@@ -85,7 +84,8 @@ class ONotifyEvent {
   int NumOfData() const { return numOfData_; }
   int NumOfNotify() const { return numOfNotify_; }
 
-  // 0 <= i < NumOfData().  Data() returns the addresses of all elements.
+  // Return the data with index i, 0 <= i < NumOfData(); Data() without an index returns an array of
+  // the addresses of all data.
   const void* Data(int i) const { return rcr_[i]->Base(); }
   const void** Data() const {
     for (int i = 0; i < numOfData_; ++i) data_[i] = rcr_[i]->Base();

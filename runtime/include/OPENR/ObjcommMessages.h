@@ -1,7 +1,7 @@
 // The messages that subjects, observers and the service manager exchange.
 //
-// Sizes are the robot's on a 32-bit target; pointers make them larger on a
-// 64-bit host, where they never leave the process.
+// On a 32-bit target the sizes are those of the robot.  On a 64-bit host pointers make the messages
+// larger, which does no harm, because they never leave the process.
 #ifndef OPENR_OBJCOMMMESSAGES_H_INCLUDED
 #define OPENR_OBJCOMMMESSAGES_H_INCLUDED
 
@@ -22,7 +22,8 @@ const OMessageType omsgNOTIFY_L10 = 260;
 const OMessageType omsgREADY_V22 = 261;
 const OMessageType omsgNOTIFY_V22 = 262;
 
-// Observer to subject, with the buffer the subject shall keep for it.
+// Sent by an observer to a subject to connect; d_skip, d_min and d_max describe the buffer that the
+// subject keeps for the observer.
 struct OControlMessage {
   OMessageType msgType;
   ObjcommCommand command;
@@ -66,26 +67,26 @@ struct OControlReplyMessage {
       : msgType(omsgCONTROL_REPLY_V21), status(result), subjectID(id), memID(region) {}
 };
 
-// Observer to subject: ready or not, and the regions it gives back.
+// Sent by an observer to a subject: assert or deassert, and the regions that are given back.
 struct OReadyMessage {
   OMessageType msgType;
   ObjcommCommand command;
   ObserverID observerID;
   int numOfData;
-  RCRegion* rcRegion[MAX_NUM_DATA];  // of the subject
+  RCRegion* rcRegion[MAX_NUM_DATA];  // the subject's objects for the regions
 
   OReadyMessage() : msgType(omsgREADY_V22), command(objcommCMD_UNDEF), numOfData(0) {}
 };
 
-// A region on its way to an observer.
+// A region that is being sent to an observer.
 struct TransferedData {
-  RCRegion* srcRCR;  // of the subject
+  RCRegion* srcRCR;  // the subject's object for the region
   MemoryRegionID memID;
   unsigned int offset;  // bytes
   size_t size;          // bytes
 };
 
-// Subject to observer.
+// Sent by a subject to an observer: a notification.
 struct ONotifyMessage {
   OMessageType msgType;
   SubjectID subjectID;
@@ -98,7 +99,7 @@ struct ONotifyMessage {
   int NumberOfData() const { return numOfData; }
   int NumberOfNotify() const { return numOfNotify; }
 
-  // Bytes in use.
+  // Returns the number of bytes in use.
   size_t GetSizeOfMessage() const {
     return sizeof *this - (MAX_NUM_DATA - numOfData) * sizeof(TransferedData);
   }
@@ -109,8 +110,8 @@ struct ONotifyMessage {
     numOfNotify = 0;
   }
 
-  // Appends a region, without taking a reference; oOVERFLOW, and no change, when all
-  // MAX_NUM_DATA places are taken.
+  // Appends a region without taking a reference.  Returns oOVERFLOW, without a change, if the
+  // message has MAX_NUM_DATA regions already.
   OStatus Write(RCRegion* region) {
     if (numOfData == MAX_NUM_DATA) return oOVERFLOW;
     TransferedData& place = data[numOfData++];
@@ -122,17 +123,18 @@ struct ONotifyMessage {
   }
 };
 
-// ---- version 1, which spoke of memory instead of regions; nothing on the host sends them
+// ---- messages of version 1, which contain data or addresses instead of regions; not sent on the
+// host
 
 struct ONotifyMessageV10 {
   OMessageType msgType;
   SubjectID subjectID;
   int numOfData;
-  unsigned int dataSize;  // bytes used of `data`
-  char data[236];         // chunks, one after the other
+  unsigned int dataSize;  // number of bytes of `data` in use
+  char data[236];         // a sequence of chunks
 };
 
-// A piece of data in `data`: itself, or the place where it lies.
+// The two kinds of chunk: OChunkMSG contains the data, OChunkSHM their place in shared memory.
 struct OChunkMSG {
   ObjcommDataType type;  // objcommDATA_TYPE_MSG
   unsigned int size;     // bytes

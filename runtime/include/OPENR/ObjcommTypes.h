@@ -1,20 +1,20 @@
 // Types shared by subjects, observers and their messages.
 //
-// Values and names: SDK reference, section 2.1 (docs/openr).
+// Values and names are from the SDK reference, section 2.1 (docs/openr).
 #ifndef OPENR_OBJCOMMTYPES_H_INCLUDED
 #define OPENR_OBJCOMMTYPES_H_INCLUDED
 
 #include <OPENR/OPENR.h>
 #include <OPENR/StandardNames.h>
 
-// Most data elements one notification can carry.
+// The limit of data in one notification.
 #define MAX_NUM_DATA 13
 
-// The largest number of memory regions that a ready message of version 1 can give back.
+// The limit of regions that a ready message of version 1 can give back.
 const int objcommMAX_NUM_UNLOCK = 29;
 
-// A subject is known by its object and its Ready selector, an observer by its
-// object and its Notify selector; both are the same C++ type.
+// The id of a subject is its object and Ready selector, that of an observer its object and Notify
+// selector.  Both are the same C++ type.
 typedef OServiceEntry SubjectID;
 typedef OServiceEntry ObserverID;
 
@@ -58,7 +58,7 @@ typedef unsigned int ObjcommVersion;
 const ObjcommVersion objcommVERSION10 = 1;
 const ObjcommVersion objcommVERSION20 = 2;
 const ObjcommVersion objcommVERSION21 = 3;
-const ObjcommVersion objcommVERSION22 = 4;  // what this library speaks
+const ObjcommVersion objcommVERSION22 = 4;  // the version of this library
 const ObjcommVersion objcommVERSION_UNDEF = 0xffffffff;
 
 #endif  // OPENR_OBJCOMMTYPES_H_INCLUDED

@@ -1,4 +1,4 @@
-// Old name of OObserverInfo.h.
+// The old name of OObserverInfo.h.
 #ifndef OPENR_OBSERVERINFO_H_INCLUDED
 #define OPENR_OBSERVERINFO_H_INCLUDED
 

@@ -1,11 +1,11 @@
-// RCRegion: a piece of shared memory with a reference count.
+// RCRegion, a piece of shared memory with a count of references.
 //
-// Always made with new and given back with RemoveReference(); the instance
-// destroys itself when the count reaches 0.  Subject and observer each have an
-// RCRegion of their own for the same memory, each with its own count.
+// A program makes an RCRegion with new and releases it with RemoveReference(); it deletes itself
+// when its count reaches 0.  Subject and observer each have an RCRegion of their own for the same
+// memory, each with a count of its own.
 //
-// In the subject's object: 1 = only the owner refers, the memory may be
-// written; more = still on its way to that many observers.
+// In the object of the subject, count 1 means that only the owner has a reference, so the memory
+// may be written.  A larger count means that observers still use the memory.
 #ifndef OPENR_RCREGION_H_INCLUDED
 #define OPENR_RCREGION_H_INCLUDED
 
@@ -24,20 +24,20 @@ class RCRegion {
  public:
   enum RegionType {
     SELF_ALLOCATED,  // made by RCRegion(size), which owns the memory
-    REFERENCE_V20,   // refers to memory made by somebody else
+    REFERENCE_V20,   // refers to memory that another RCRegion or the program has made
     REFERENCE_V10,
     UNDEF
   };
 
-  // Empty, count 0: AddReference() before use.
+  // Makes an empty region with count 0; call AddReference() before use.
   RCRegion();
 
-  // Fresh zero-filled memory of `size` bytes, count 1.  Base() is 0 when
-  // there is no memory.
+  // Makes `size` bytes of memory, filled with zeros, with count 1.  Base() is 0 if there is no
+  // memory.
   explicit RCRegion(size_t size);
 
-  // Refers to existing memory without owning it, count 1.  With baseAddr 0
-  // the address is looked up by id.
+  // Refers to existing memory without owning it, with count 1.  If baseAddr is 0, the address is
+  // looked up by id.
   RCRegion(MemoryRegionID id, offset_t offset, void* baseAddr = 0, size_t size = 0);
 
   void AddReference();
@@ -67,7 +67,7 @@ class RCRegion {
   MemoryRegionID id_;
   offset_t offset_;
   RegionType type_;
-  RCRegion* source_;  // the subject's region this one stands for; 0 when it is not a received one
+  RCRegion* source_;  // for a received region, the subject's RCRegion; else 0
 };
 
 typedef RCRegion RCRegionBase;

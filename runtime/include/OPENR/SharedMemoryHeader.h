@@ -1,14 +1,14 @@
-// A block at the start of shared memory that says where it lies.
+// A block at the start of shared memory that describes its place.
 #ifndef OPENR_SHAREDMEMORYHEADER_H_INCLUDED
 #define OPENR_SHAREDMEMORYHEADER_H_INCLUDED
 
 #include <Types.h>
 
-// 16 bytes on the robot, where ODataVectorInfo begins with the same four fields.
+// The block has 16 bytes on the robot, where ODataVectorInfo begins with the same four fields.
 struct SharedMemoryHeader {
   MemoryRegionID memID;
   void* physAddr;
-  unsigned int offset;     // in the region, bytes
+  unsigned int offset;     // bytes from the start of the region
   unsigned int totalSize;  // bytes
 };
 typedef SharedMemoryHeader ShmHdr;

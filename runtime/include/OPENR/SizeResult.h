@@ -1,8 +1,8 @@
-// Results of type size_t that a program takes in an unsigned int.
+// Lets programs pass an unsigned int* for a result of type size_t.
 //
-// On the robot both are one type, so a program may hand either to a size_t*.  Where size_t is
-// wider, the functions concerned have a second form for unsigned int*, which uses these.  It is a
-// template, so that a literal 0 finds the first form.
+// On the robot both types are the same, so programs pass either for a size_t*.  Where size_t is
+// wider, functions with such a result have a second form for unsigned int*, which uses the classes
+// below.  The second form is a template, so that a literal 0 selects the first form.
 #ifndef OPENR_SIZERESULT_H_INCLUDED
 #define OPENR_SIZERESULT_H_INCLUDED
 
@@ -13,7 +13,7 @@
 
 namespace openr_host {
 
-// Has a Type for Number = unsigned int only.
+// Has the member Type only if Number is unsigned int.
 template <class Number, class Result>
 struct IfUnsigned {};
 template <class Result>
@@ -21,7 +21,7 @@ struct IfUnsigned<unsigned int, Result> {
   typedef Result Type;
 };
 
-// A size_t for the duration of a call; its value goes to `number` afterwards.
+// A size_t for the time of a call; the destructor copies its value to `number`.
 class SizeResult {
  public:
   explicit SizeResult(unsigned int* number) : number_(number), size_(number == 0 ? 0 : *number) {}

@@ -1,8 +1,8 @@
-// The names of the C++ library that old sources use without std::.
+// Declares the names of the C++ library that old sources use without std::.
 //
-// On the robot the headers of inter-object communication bring them into the global namespace,
-// and programs that include one of these rely on it.  `map` and `less` come with MemoryMapAgent.h
-// only: a program that does not include OObserver.h may have its own.
+// On the robot the headers for subjects and observers put these names into the global namespace,
+// and programs that include such a header rely on that.  Only MemoryMapAgent.h declares `map` and
+// `less`, so a program that does not include OObserver.h may define these names itself.
 #ifndef OPENR_STANDARDNAMES_H_INCLUDED
 #define OPENR_STANDARDNAMES_H_INCLUDED
 

@@ -1,6 +1,6 @@
-// Macros for core classes.  They use these names of the class that expands
-// them: subject[], observer[], myOID_, RegisterServiceEntry(); and the tables of
-// the generated entry.h.  Each is a plain block, written MACRO; in a function.
+// Macros for the class of an object.  They use these members of the class: subject[], observer[],
+// myOID_, RegisterServiceEntry(); and the tables of the generated entry.h.  Each macro is a block,
+// written as "MACRO;" in a function.
 #ifndef OPENR_CORE_MACRO_H_INCLUDED
 #define OPENR_CORE_MACRO_H_INCLUDED
 
@@ -8,14 +8,14 @@
 
 #include "entry.h"
 
-// First of all: makes every OSubject and OObserver.
+// Makes every OSubject and OObserver; must come before all other macros.
 #define NEW_ALL_SUBJECT_AND_OBSERVER                                       \
   {                                                                        \
     for (int i = 0; i < numOfSubject; i++) subject[i] = new OSubject();    \
     for (int i = 0; i < numOfObserver; i++) observer[i] = new OObserver(); \
   }
 
-// Tells the service manager the name of every service.
+// Registers the name of every service with the service manager.
 #define REGISTER_ALL_ENTRY                                                               \
   {                                                                                      \
     for (int i = 0; i < numOfSubject; i++)                                               \
@@ -24,7 +24,7 @@
       RegisterServiceEntry(OServiceEntry(myOID_, Entry_Connect[i]), observerService[i]); \
   }
 
-// Tells every subject and observer its entry.
+// Sets the entry of every subject and observer.
 #define SET_ALL_READY_AND_NOTIFY_ENTRY        \
   {                                           \
     OServiceEntry entry;                      \
@@ -38,17 +38,17 @@
     }                                         \
   }
 
-// Nothing to do; the SDK left it empty as well.
+// Does nothing, as in the SDK.
 #define ENABLE_ALL_SUBJECT \
   {}
 
-// Drops data that wait in the subjects.  NotifyObservers() still works after it.
+// Drops the data that wait in the subjects.  NotifyObservers() still works afterwards.
 #define DISABLE_ALL_SUBJECT                                           \
   {                                                                   \
     for (int i = 0; i < numOfSubject; i++) subject[i]->ClearBuffer(); \
   }
 
-// Despite the name: every observer of this object tells its subjects that it is ready.
+// Despite its name, this macro lets every observer of this object assert ready to its subjects.
 #define ASSERT_READY_TO_ALL_OBSERVER                                    \
   {                                                                     \
     for (int i = 0; i < numOfObserver; i++) observer[i]->AssertReady(); \
@@ -58,11 +58,11 @@
     for (int i = 0; i < numOfObserver; i++) observer[i]->DeassertReady(); \
   }
 
-// Nothing to do; the runtime frees them with the object.
+// Does nothing, because the runtime deletes subjects and observers with the object.
 #define DELETE_ALL_SUBJECT_AND_OBSERVER \
   {}
 
-// Old names.
+// Old names of the macros.
 #define ASSERT_TO_ALL_OBSERVER ASSERT_READY_TO_ALL_OBSERVER
 #define DEASSERT_TO_ALL_OBSERVER DEASSERT_READY_TO_ALL_OBSERVER
 #define NewComData NEW_ALL_SUBJECT_AND_OBSERVER

@@ -1,5 +1,5 @@
-// core_macro.h for a program started under another name: services are
-// registered with the text before the first '.' replaced by `myname`.
+// A variant of core_macro.h for a program that is started under another name: services are
+// registered with `myname` in place of the text before the first '.'.
 #ifndef OPENR_CORE_MACRO2_H_INCLUDED
 #define OPENR_CORE_MACRO2_H_INCLUDED
 

@@ -28,7 +28,7 @@ const longword orsbREGISTER_UPDATED_BY_STATION = 0x00040000;
 const longword orsbRTC_ERROR = 0x00080000;
 const longword orsbRTC_OVERFLOW = 0x00100000;
 const longword orsbRTC_RESET = 0x00200000;
-const longword orsbRTC_SET = 0x00400000;  // cleared once it was reported
+const longword orsbRTC_SET = 0x00400000;  // cleared after it was reported once
 const longword orsbSPECIAL_MODE = 0x00800000;
 const longword orsbBMN_DEBUG_MODE = 0x01000000;
 const longword orsbCHARGER_STATUS = 0x02000000;
@@ -65,9 +65,9 @@ const longword obsecUNKNOWN = 7;
 
 // ---- fields of the filter of OPENR::ObservePowerStatus()
 //
-// Each bit set in its robotStatus and batteryStatus asks for a message on both edges of
-// that bit.  Each of its four numbers holds one of the values below, or the value to wait
-// for.  Voltage, current and full capacity cannot be observed.
+// Each bit that is set in robotStatus and batteryStatus of the filter requests a message whenever
+// that bit changes.  Each of the four numbers is one of the values below, or a value whose arrival
+// is reported.  Voltage, current and full capacity cannot be observed.
 
 const word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
 const word opsoREMAINING_CAPACITY_NOT_NOTIFY = 0xfffe;

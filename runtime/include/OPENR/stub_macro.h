@@ -1,8 +1,8 @@
-// Macros of which generated stubs are made.
+// Macros that generated stubs consist of.
 //
-// Each StubFuncDefine_* makes one extern "C" function that turns a message into
-// a call of the core class, whose one instance is `Self`.  A method ends when
-// its function returns, so there is no Exit() in them.
+// Each StubFuncDefine_* defines one extern "C" function, which converts a message to a call of the
+// object's class, whose only instance is `Self`.  The functions do not call Exit(), because a
+// handler ends when its function returns.
 #ifndef OPENR_STUB_MACRO_H_INCLUDED
 #define OPENR_STUB_MACRO_H_INCLUDED
 
@@ -10,7 +10,7 @@
 #include <OPENR/ObjcommEvent.h>
 #include <OPENR/ObjcommMessages.h>
 
-// Data of the stub that the host looks up by name.
+// Marks data of the stub that the host looks up by name.
 #define OPENR_HOST_EXPORT __attribute__((visibility("default")))
 
 typedef void (*_Hook)(OReasonMessage*);
@@ -46,8 +46,8 @@ typedef void (*_Notify)(ONotifyMessage*);
 #define StubFuncDefine_Control_nofunc(i) \
   extern "C" void _Control(i)(OControlMessage * msg) { Self.subject[i]->ControlHandler(*msg); }
 
-// The subject deals with the message first: what waited is sent before the
-// user hears of the ready.
+// The subject handles the message first, so that waiting notifications are sent before the
+// program's function for the ready runs.
 #define StubFuncDefine_Ready(i, f)                         \
   extern "C" void _Ready(i)(OReadyMessage * msg) {         \
     Self.subject[i]->ReadyHandler(*msg);                   \

@@ -1,7 +1,7 @@
 // Command vectors: set points for joints, states for LEDs and ears.
 //
-// A frame is 8 ms.  Only the primitives listed in a vector are touched, and the last set
-// point stays in force when no further vector follows (Level 2 Reference Guide, 4.2).
+// A frame is 8 ms.  A vector changes only the primitives that it lists.  If no further vector
+// follows, the last set point stays in force (Level 2 Reference Guide, 4.2).
 #ifndef OPENR_FORMATS_COMMANDS_H_INCLUDED
 #define OPENR_FORMATS_COMMANDS_H_INCLUDED
 
@@ -9,14 +9,14 @@
 
 const size_t ocommandMAX_FRAMES = 16;
 
-// 32 bytes; describes the commands for one primitive.
+// Describes the commands for one primitive; 32 bytes.
 struct OCommandInfo {
-  ODataType type;            // which ...CommandValue the frames hold
+  ODataType type;            // selects the ...CommandValue struct of the frames
   OPrimitiveID primitiveID;  // from OPENR::OpenPrimitive()
-  longword frameNumber;      // set by the system: frame in which output began
+  longword frameNumber;      // the frame in which output began; set by the system
   longword numFrames;        // frames in use, at most ocommandMAX_FRAMES
   longword frameSize;        // bytes of a frame, 8
-  longword dataOffset;       // of the OCommandData, from the start of the vector
+  longword dataOffset;       // bytes from the start of the vector to the OCommandData
   longword dataSize;         // bytes, 128
   longword padding[1];
 
@@ -27,19 +27,20 @@ struct OCommandInfo {
   }
 };
 
-// Stands for any of the 8-byte command structs below.
+// The general form of the command structs below, which all have 8 bytes.
 struct OCommandValue {
   slongword value[2];
 };
 
-// 128 bytes; cast `value` to a pointer to the struct that belongs to the type.
+// The commands for one primitive, 128 bytes.  Programs cast `value` to a pointer to the struct that
+// belongs to the type.
 struct OCommandData {
   OCommandValue value[ocommandMAX_FRAMES];
 };
 
 struct OCommandVectorData {
   ODataVectorInfo vectorInfo;
-  OCommandInfo info[1];  // really vectorInfo.maxNumData of them
+  OCommandInfo info[1];  // in fact vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OCommandInfo* GetInfo(int index) { return info + index; }
@@ -70,36 +71,36 @@ const OLED3Mode oled3_MODE_A = 0;
 const OLED3Mode oled3_MODE_B = 1;
 const OLED3Mode oled3_MODE_UNDEF = 0xffff;
 
-// ---- command structs, 8 bytes each; `reserved` belongs to the system while it plays
+// ---- command structs, 8 bytes each; the system uses `reserved` while it plays the vector
 
-// odataJOINT_COMMAND2: set point of one frame.
+// odataJOINT_COMMAND2: the set point for one frame.
 struct OJointCommandValue2 {
   slongword value;  // 10^-6 rad
   slongword padding;
 };
 
-// odataJOINT_COMMAND3: ERS-210 ears.
+// odataJOINT_COMMAND3: ears of the ERS-210.
 struct OJointCommandValue3 {
   OJointValue3 value;
   word reserved;
   word padding;
 };
 
-// odataJOINT_COMMAND4: ERS-7 ears.
+// odataJOINT_COMMAND4: ears of the ERS-7.
 struct OJointCommandValue4 {
   OJointValue4 value;
   word period;  // frames of 8 ms
   word reserved;
 };
 
-// odataLED_COMMAND2
+// odataLED_COMMAND2: an LED that is on or off.
 struct OLEDCommandValue2 {
   OLEDValue led;
   word period;  // frames of 8 ms
   word reserved;
 };
 
-// odataLED_COMMAND3: ERS-7 face and back.
+// odataLED_COMMAND3: LEDs of the ERS-7 in face and back.
 struct OLEDCommandValue3 {
   sword intensity;  // 0..255
   OLED3Mode mode;
@@ -109,7 +110,7 @@ struct OLEDCommandValue3 {
 
 // ---- older robots
 
-// odataJOINT_COMMAND: set point with gains.
+// odataJOINT_COMMAND: a set point with gains.
 struct OJointCommandValue {
   slongword value;  // 10^-6 rad
   byte p;

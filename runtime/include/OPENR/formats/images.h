@@ -4,20 +4,20 @@
 
 #include <OPENR/formats/vector_info.h>
 
-// Index of an image in a vector.  Sizes are the ERS-210's (Model Information, 4.1.2).
+// The index of an image in a vector.  Sizes are those of the ERS-210 (Model Information, 4.1.2).
 typedef longword OFbkImageLayer;
 const OFbkImageLayer ofbkimageLAYER_H = 0;  // 176 x 144, YCrCb
 const OFbkImageLayer ofbkimageLAYER_M = 1;  // 88 x 72, YCrCb
 const OFbkImageLayer ofbkimageLAYER_L = 2;  // 44 x 36, YCrCb
 const OFbkImageLayer ofbkimageLAYER_C = 3;  // 88 x 72, colour detection
-const size_t ofbkimageNUM_LAYERS = 4;       // the name is ours
+const size_t ofbkimageNUM_LAYERS = 4;       // the name is our choice
 
-// 32 bytes.
+// Describes one image of a vector; 32 bytes.
 struct OFbkImageInfo {
   ODataType type;  // odataFBK_YCrCb, odataFBK_YCrCb_HPF or odataFBK_CDT
   OPrimitiveID primitiveID;
   longword frameNumber;
-  longword dataOffset;  // from the start of the vector
+  longword dataOffset;  // bytes from the start of the vector
   longword dataSize;    // bytes
   longword width;       // pixels
   longword height;
@@ -26,7 +26,7 @@ struct OFbkImageInfo {
 
 struct OFbkImageVectorData {
   ODataVectorInfo vectorInfo;
-  OFbkImageInfo info[1];  // really vectorInfo.maxNumData of them, by layer
+  OFbkImageInfo info[1];  // in fact vectorInfo.maxNumData elements, by layer
 
   void SetPrimitiveID(OPrimitiveID id) {
     for (size_t i = 0; i < ofbkimageNUM_LAYERS; i++) GetInfo(static_cast<int>(i))->primitiveID = id;
@@ -37,7 +37,7 @@ struct OFbkImageVectorData {
 
 // ---- colour detection tables
 
-// A channel is a bit mask; a pixel of layer C has the bit of every channel it belongs to.
+// A channel is a bit mask.  A pixel of layer C has the bits of all channels that detect its colour.
 typedef longword OCdtChannel;
 const OCdtChannel ocdtCHANNEL_UNDEF = 0;
 const OCdtChannel ocdtCHANNEL0 = 0x01;
@@ -57,18 +57,18 @@ const longword ocdtCb_MIN_MASK = 0x00ff0000;
 const longword ocdtCr_MAX_MASK = 0x0000ff00;
 const longword ocdtCr_MIN_MASK = 0x000000ff;
 
-// 144 bytes: for each luminance segment the rectangle of Cr and Cb to detect.
+// The table of one channel, 144 bytes: for each luminance segment the range of Cr and Cb to detect.
 struct OCdtInfo {
   ODataType type;  // odataCDT
   OPrimitiveID primitiveID;
   OCdtChannel channel;
-  longword table[ocdtMAX_Y_SEGMENT];  // Cb max, Cb min, Cr max, Cr min, from the top byte
+  longword table[ocdtMAX_Y_SEGMENT];  // from the highest byte: Cb max, Cb min, Cr max, Cr min
   longword padding[1];
 
   // Empties the table of `chan` of the camera `id`.
   void Init(OPrimitiveID id, OCdtChannel chan);
 
-  // One segment; a `y_segment` outside 0..31 changes nothing.
+  // Sets one segment; a `y_segment` outside 0..31 changes nothing.
   void Set(int y_segment, byte cr_max, byte cr_min, byte cb_max, byte cb_min);
 };
 

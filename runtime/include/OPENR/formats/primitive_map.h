@@ -1,10 +1,10 @@
-// Descriptions of the robot's own parts: rarely used, mostly by the system.
+// Descriptions of the parts of the robot; rarely used, mostly by the system.
 #ifndef OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED
 #define OPENR_FORMATS_PRIMITIVE_MAP_H_INCLUDED
 
 #include <OPENR/formats/vector_info.h>
 
-// 160 bytes.
+// Describes one primitive; 160 bytes.
 struct OPrimitiveInfo {
   ODataType type;  // odataPRIMITIVE_INFO
   OPrimitiveID primitiveID;
@@ -17,13 +17,13 @@ struct OPrimitiveInfo {
 
 struct OPrimitiveMapData {
   ODataVectorInfo vectorInfo;
-  OPrimitiveInfo info[1];  // really vectorInfo.maxNumData of them
+  OPrimitiveInfo info[1];  // in fact vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OPrimitiveInfo* GetInfo(int index) { return info + index; }
 };
 
-// 12 bytes; a component of the body as the robot finds it plugged in.
+// Describes one component of the body that is plugged in; 12 bytes.
 struct OCPCInfo {
   ODataType type;  // odataCPC_INFO
   word cpcClass;
@@ -34,7 +34,7 @@ struct OCPCInfo {
 
 struct OCPCTreeData {
   ODataVectorInfo vectorInfo;
-  OCPCInfo info[1];  // really vectorInfo.maxNumData of them
+  OCPCInfo info[1];  // in fact vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OCPCInfo* GetInfo(int index) { return info + index; }

@@ -9,18 +9,18 @@
 
 const size_t osensorframeMAX_FRAMES = 16;
 
-// Mark missing data.
+// Values that mark missing data.
 const word osensorframeINVALID_SIGNAL = 0xffff;
 const slongword opsdINVALID_VALUE = 0;
 
-// 32 bytes; describes the samples of one primitive.
+// Describes the samples of one primitive; 32 bytes.
 struct OSensorFrameInfo {
-  ODataType type;            // what `value` means
-  OPrimitiveID primitiveID;  // set whether or not the primitive was opened
-  longword frameNumber;      // of the first frame
+  ODataType type;            // selects the struct of the samples
+  OPrimitiveID primitiveID;  // set even if the primitive was not opened
+  longword frameNumber;      // number of the first frame
   longword numFrames;        // frames in use, 4 on the robot
   longword frameSize;        // bytes of a frame, 16
-  longword dataOffset;       // of the OSensorFrameData, from the start of the vector
+  longword dataOffset;       // bytes from the start of the vector to the OSensorFrameData
   longword dataSize;         // bytes, 256
   longword padding[1];
 
@@ -31,21 +31,22 @@ struct OSensorFrameInfo {
   }
 };
 
-// Generic view of a sample, 16 bytes.
+// The general form of a sample, 16 bytes.
 struct OSensorValue {
   slongword value;
   word signal;  // raw reading
   word padding[5];
 };
 
-// 256 bytes, oldest frame first; cast a frame to the struct that belongs to the type.
+// The samples of one primitive, oldest frame first, 256 bytes.  Programs cast a frame to the struct
+// that belongs to the type.
 struct OSensorFrameData {
   OSensorValue frame[osensorframeMAX_FRAMES];
 };
 
 struct OSensorFrameVectorData {
   ODataVectorInfo vectorInfo;
-  OSensorFrameInfo info[1];  // really vectorInfo.maxNumData of them
+  OSensorFrameInfo info[1];  // in fact vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OSensorFrameInfo* GetInfo(int index) { return info + index; }
@@ -106,12 +107,12 @@ struct OSwitchStatus {
 struct OJointValue {
   slongword value;     // measured angle, 10^-6 rad
   word signal;         // raw reading of the potentiometer, 10 bits
-  sword pwmDuty;       // drive asked for; beyond +-255 the motor gets 255
-  slongword refValue;  // set point in force at the sample, 10^-6 rad
+  sword pwmDuty;       // requested drive of the motor, which is limited to +-255
+  slongword refValue;  // set point at the time of the sample, 10^-6 rad
   word refSignal;      // the set point as a raw reading
   word padding[1];
 
-  OJointValue() {}  // leaves every field as it is
+  OJointValue() {}  // initialises no field
   OJointValue(slongword val, word sig, sword pwm, slongword refVal, word refSig)
       : value(val), signal(sig), pwmDuty(pwm), refValue(refVal), refSignal(refSig) {
     padding[0] = 0;

@@ -1,7 +1,7 @@
 // Sound vectors, for speaker and microphone.
 //
-// Speaker: 8 kHz 8 bit mono (256 bytes per 32 ms) unless switched to 16 kHz 16 bit mono
-// (1024 bytes).  Microphone: 16 kHz 16 bit stereo, 2048 bytes per 32 ms.
+// The speaker plays 8 kHz, 8 bits, mono (256 bytes per 32 ms), or after a request 16 kHz, 16 bits,
+// mono (1024 bytes).  The microphone records 16 kHz, 16 bits, stereo (2048 bytes per 32 ms).
 #ifndef OPENR_FORMATS_SOUNDS_H_INCLUDED
 #define OPENR_FORMATS_SOUNDS_H_INCLUDED
 
@@ -20,20 +20,20 @@ const OSoundChannel osoundchannelUNDEF = 0;
 const OSoundChannel osoundchannelMONO = 1;
 const OSoundChannel osoundchannelSTEREO = 2;
 
-// 64 bytes.
+// Describes one sound of a vector; 64 bytes.
 struct OSoundInfo {
-  ODataType type;            // odataSOUND; programs write odataSOUND_VECTOR as well
+  ODataType type;            // odataSOUND; some programs write odataSOUND_VECTOR
   OPrimitiveID primitiveID;  // speaker or microphone
-  longword frameNumber;      // of the first output, or of the capture
+  longword frameNumber;      // the frame of the first output, or of the recording
   longword frameSize;        // bytes of a sound frame
-  longword dataOffset;       // from the start of the vector
-  longword maxDataSize;      // bytes there is room for
+  longword dataOffset;       // bytes from the start of the vector
+  longword maxDataSize;      // limit of dataSize
   longword dataSize;         // bytes in use
   OSoundFormat format;
   OSoundChannel channel;
   word samplingRate;  // Hz
   word bitsPerSample;
-  longword actualDataSize;  // bytes the device really moved
+  longword actualDataSize;  // bytes that the device has played or recorded
   longword padding[6];
 
   void Set(ODataType dataType, OPrimitiveID id, size_t size) {
@@ -45,7 +45,7 @@ struct OSoundInfo {
 
 struct OSoundVectorData {
   ODataVectorInfo vectorInfo;
-  OSoundInfo info[1];  // really vectorInfo.maxNumData of them
+  OSoundInfo info[1];  // in fact vectorInfo.maxNumData elements
 
   void SetNumData(size_t n) { vectorInfo.numData = static_cast<longword>(n); }
   OSoundInfo* GetInfo(int index) { return info + index; }

@@ -1,11 +1,11 @@
-// Data types and the header that every data vector begins with.
+// The types of data, and the header of every data vector.
 #ifndef OPENR_FORMATS_VECTOR_INFO_H_INCLUDED
 #define OPENR_FORMATS_VECTOR_INFO_H_INCLUDED
 
 #include <MemoryRegion.h>
 #include <OPENR/OPENR.h>
 
-// What a value, a command or a vector holds.
+// The type of a value, a command or a vector.
 typedef longword ODataType;
 const ODataType odataUNDEF = 0;
 const ODataType odataNO_DIMENSION = 1;
@@ -57,9 +57,8 @@ const ODataType odataCPC_TREE = 1030;
 
 const ODataType odataDONT_CARE = 0xffffffff;
 
-// A pointer of the robot: 32 bits wide and without meaning on the host, where it is 0.
-// It can be used where a void* is expected and assigned from one; what does not fit into
-// 32 bits is lost.
+// A pointer of the robot: 32 bits, and always 0 on the host, where it has no meaning.  It converts
+// to void*, and a void* can be assigned to it; bits beyond 32 are lost.
 struct OPhysAddr {
   longword address;
 
@@ -72,24 +71,24 @@ struct OPhysAddr {
 
 const size_t odataOPTIONAL_MAX = 128;
 
-// 192 bytes.  A program hands memRegionID, offset, the vector's address and totalSize to
-// RCRegion, so these must be enough to find the memory again.
+// The header of a vector, 192 bytes.  A program makes an RCRegion from memRegionID, offset, the
+// vector's address and totalSize, so these must be enough to find the memory.
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;  // region that holds the vector
   OPhysAddr physAddr;          // set for images and sound only
-  longword offset;             // of the vector in the region, bytes
-  longword totalSize;          // of the whole vector, bytes
+  longword offset;             // bytes from the start of the region to the vector
+  longword totalSize;          // bytes of the whole vector
   ODataType type;              // odata..._VECTOR
-  longword infoOffset;         // of the first info block, 192
-  longword infoSize;           // of one info block, bytes
-  longword maxNumData;         // info blocks there is room for
-  longword numData;            // info blocks in use
-  OVRSyncKey syncKey;          // ovrsynckeyUNDEF: starts on its own
+  longword infoOffset;         // bytes from the start of the vector to the first info block, 192
+  longword infoSize;           // bytes of one info block
+  longword maxNumData;         // number of info blocks
+  longword numData;            // number of info blocks in use
+  OVRSyncKey syncKey;          // ovrsynckeyUNDEF: waits for no other vector
   longword wait;               // frames of 8 ms by which output is delayed
   longword optOffset;          // first valid byte of `optional`
   longword optSize;            // number of valid bytes of `optional`
   longword padding[3];
-  byte optional[odataOPTIONAL_MAX];  // passed on from commands to sensor vectors
+  byte optional[odataOPTIONAL_MAX];  // copied from command vectors to sensor vectors
 };
 
 #endif  // OPENR_FORMATS_VECTOR_INFO_H_INCLUDED
