@@ -19,7 +19,7 @@ enum DNSEndpointError {
   DNS_OPERATION_UNKNOWN = 11
 };
 
-// The constant's name, "DNS_FAIL"; "unknown DNSEndpointError" for other numbers.
+// Writes the constant's name, "DNS_FAIL"; "unknown DNSEndpointError" for other numbers.
 std::ostream& operator<<(std::ostream& out, DNSEndpointError error);
 
 #endif  // OPENR_DNSENDPOINTERR_H_INCLUDED

@@ -1,7 +1,7 @@
-// Messages to a DNS endpoint; one may be pending at a time.
+// Messages to a DNS endpoint.  Only one question may wait for its answer at a time.
 //
-// A name without a dot at its end gets the default domain appended.  The list of servers
-// is shared by all objects.
+// A name without a dot at its end gets the default domain appended.  All objects share one list of
+// servers.
 #ifndef OPENR_DNSENDPOINTMSG_H_INCLUDED
 #define OPENR_DNSENDPOINTMSG_H_INCLUDED
 
@@ -9,11 +9,11 @@
 #include <IPv4Types.h>
 #include <antEnvMsg.h>
 
-// Room for servers, and for a name with its closing NUL: messages are below 256 bytes.
+// Limits of servers, and of a name with its closing NUL; with them messages are below 256 bytes.
 #define MAXNS 3
 #define MAXDNAME 100
 
-// Values of dstOperation; the numbers are the robot's, the names ours.
+// Values of dstOperation; the numbers are those of the robot, the names are our choice.
 const int32 DNSEndpoint_Operation_SetServerAddresses = 0;
 const int32 DNSEndpoint_Operation_GetServerAddresses = 1;
 const int32 DNSEndpoint_Operation_SetDefaultDomainName = 2;
@@ -31,7 +31,7 @@ struct DNSEndpointBaseMsg : public antOperationMsg<DNSEndpointError> {
       : antOperationMsg<DNSEndpointError>(module, operation) {}
 };
 
-// More than MAXNS servers are cut to MAXNS; longer names are cut.
+// Sets the list of servers; servers after the first MAXNS are ignored.
 struct DNSEndpointSetServerAddressesMsg : public DNSEndpointBaseMsg {
   int32 nscount;
   IPAddress addrList[MAXNS];
@@ -62,13 +62,14 @@ struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
   explicit DNSEndpointGetDefaultDomainNameMsg(antModuleRef& module);
 };
 
-// The answer to both host questions; on failure n_address is 0 and name as it was.
+// Asks for the addresses of a host.  On failure n_address is 0 and name keeps its value; the same
+// holds for DNSEndpointGetHostByAddrMsg.
 struct DNSEndpointGetHostByNameMsg : public DNSEndpointBaseMsg {
   char name[MAXDNAME];       // out: the official name
-  IPAddress server_address;  // out: who answered
+  IPAddress server_address;  // out: the server that answered
   IPAddress host_address;    // out: the first address
-  int32 n_address;           // out: how many addresses and aliases there are
-  int32 n_alias;
+  int32 n_address;           // out: number of addresses
+  int32 n_alias;             // out: number of aliases
 
   DNSEndpointGetHostByNameMsg();
   DNSEndpointGetHostByNameMsg(antModuleRef& module, const char* host);
@@ -85,7 +86,8 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
 };
 
-// Further addresses and aliases of the last host found; DNS_INDEX_INVALID beyond the last.
+// Asks for an address of the last host found, by index; the error is DNS_INDEX_INVALID if there is
+// none.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
   IPAddress address;  // out
@@ -94,7 +96,7 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   DNSEndpointGetAddressMsg(antModuleRef& module, int number);
 };
 
-// Alias 0 is the official name.
+// Asks for an alias of the last host found, by index.  Alias 0 is the official name.
 struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
   char name[MAXDNAME];  // out

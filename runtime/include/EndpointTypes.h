@@ -1,5 +1,5 @@
-// Protocols for antEnvCreateEndpointMsg.  TCP, UDP, DNS and IP exist; the others are
-// numbers without messages.
+// Protocols for antEnvCreateEndpointMsg.  TCP, UDP, DNS and IP have messages; the others are only
+// numbers.
 #ifndef OPENR_ENDPOINTTYPES_H_INCLUDED
 #define OPENR_ENDPOINTTYPES_H_INCLUDED
 

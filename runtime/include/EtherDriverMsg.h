@@ -1,18 +1,18 @@
-// Arguments of the card functions in ERA201D1.h that every Ethernet card has, and the messages of
-// its driver.
+// Arguments of the functions in ERA201D1.h that do not depend on radio, and messages to the driver
+// of an Ethernet card.
 #ifndef OPENR_ETHERDRIVERMSG_H_INCLUDED
 #define OPENR_ETHERDRIVERMSG_H_INCLUDED
 
 #include <EtherTypes.h>
 
-// 16 bytes.
+// The argument of ERA201D1_GetMACAddress(), 16 bytes.
 struct EtherDriverGetMACAddressMsg {
   int32 port;  // ignored
   EtherMACAddress address;
   EtherStatus status;
 };
 
-// 44 bytes.
+// The argument of ERA201D1_GetEtherStatistics(), 44 bytes.
 struct EtherDriverGetStatisticsMsg {
   int32 port;  // ignored
   EtherStatistics statistics;
@@ -21,8 +21,8 @@ struct EtherDriverGetStatisticsMsg {
 
 // ---- messages to the driver
 //
-// They are for the network stack, which the robot has and an application cannot reach; on the
-// host nobody takes them.  They are here for sources that name them.
+// On the robot only the network stack sends them; applications cannot, and the host has no driver.
+// They are declared because sources name them.
 
 typedef longword EtherClientHandle;  // given by RegisterClient
 
@@ -59,7 +59,7 @@ struct EtherDriverRegisterClientMsg {
   OID client;
   longword txmitNotification;  // selectors of the client
   longword rcvNotification;
-  void* cookie;               // comes back with every notification
+  void* cookie;               // a value of the client, which every notification contains
   unsigned int txmitBufSize;  // bytes
   unsigned int rcvBufSize;    // bytes
   EtherClientHandle clientHandle;

@@ -22,18 +22,18 @@ enum EtherStatus {
   ETHER_NO_DEVICE = 12
 };
 
-// The constant's name, "ETHER_OK"; "unknown EtherStatus" for other numbers.
+// Returns the constant's name, "ETHER_OK"; "unknown EtherStatus" for other numbers.
 const char* EtherStatusText(int status);
 #define etherStatusStr(s) EtherStatusText(s)
 
-// Writes that text.
+// Writes the text of EtherStatusText().
 std::ostream& operator<<(std::ostream& out, EtherStatus status);
 
 // ---- addresses and frames
 
 #define ETHER_ADDR_LEN 6  // octets
 
-// 6 bytes, in the order in which they are sent.
+// An Ethernet address, 6 bytes in the order in which they are sent.
 struct EtherMACAddress {
   // The same address as three words.
   struct Opt {
@@ -52,14 +52,14 @@ struct EtherMACAddress {
     Set(o1, o2, o3, o4, o5, o6);
   }
 
-  // ff:ff:ff:ff:ff:ff
+  // Returns whether this is the address of all stations, ff:ff:ff:ff:ff:ff.
   bool IsBroadcast() const {
     for (int i = 0; i < ETHER_ADDR_LEN; i++) {
       if (octet[i] != 0xff) return false;
     }
     return true;
   }
-  // Meant for a group, all stations included: the first bit on the wire is set.
+  // Returns whether this is the address of a group or of all stations: the bit sent first is set.
   bool IsMulticast() const { return (octet[0] & 1) != 0; }
 
   // Writes the six octets.
@@ -89,22 +89,22 @@ struct EtherMACAddress {
 // Writes "02:00:00:00:00:01".
 std::ostream& operator<<(std::ostream& out, const EtherMACAddress& address);
 
-// A value of ether_type; the low byte comes second on the wire.
+// A value of ether_type; the high byte is sent first.
 typedef word EtherProtocolType;
 
-enum EtherFrameType {  // the name of the type is ours
+enum EtherFrameType {  // the name of the type is our choice
   ETHER_FRAMETYPE_ETHERNET_II = 0,
   ETHER_FRAMETYPE_IEEE_802_3 = 1
 };
 
-// The start of a frame of Ethernet II, 14 bytes.
+// The first 14 bytes of a frame of Ethernet II.
 struct ether_header {
   byte ether_dhost[ETHER_ADDR_LEN];  // receiver
   byte ether_shost[ETHER_ADDR_LEN];  // sender
   word ether_type;
 };
 
-// The start of a frame of IEEE 802.3 with a SNAP header, 22 bytes.
+// The first 22 bytes of a frame of IEEE 802.3 with a SNAP header.
 struct ether_802_3_header {
   byte ether_dhost[ETHER_ADDR_LEN];  // receiver
   byte ether_shost[ETHER_ADDR_LEN];  // sender
@@ -116,7 +116,7 @@ struct ether_802_3_header {
   word ether_type;
 };
 
-// The memory that a client shares with the driver; nothing on the host makes one.
+// The memory that a client shares with the driver; not used on the host.
 struct EtherFrameBufferID {
   MemoryRegionID rcvID;
   unsigned int rcvsize;  // bytes
@@ -137,10 +137,10 @@ enum EtherDeviceMode {
   ETHER_MODE_AUTONEGOTIATION = 5
 };
 
-// The frames for others that a client gets as well.
+// The frames for other receivers that a client gets too.
 enum EtherPromiscLevel { ETHER_PROMISC_PHYS = 1, ETHER_PROMISC_RAW = 2, ETHER_PROMISC_MULTI = 4 };
 
-// The moment at which the driver says that frames have been sent.
+// The moment at which the driver reports that frames have been sent.
 enum EtherTxmitNotificationFlag {
   ETHER_NOTIFY_NEVER = 1,
   ETHER_NOTIFY_ONCE = 2,
@@ -172,10 +172,10 @@ struct EtherStatistics {
   uint32 frameTooLongCount;
 };
 
-// Longest names, in characters without the closing NUL.
+// Limits of names, in characters without the closing NUL.
 #define ETHER_WLAN_ESSID_MAX 32
 #define ETHER_WLAN_STATIONNAME_MAX 32
-// Bytes of the two kinds of WEP key; inferred from the sizes of the messages.
+// Sizes in bytes of the two kinds of WEP key, inferred from the sizes of the messages.
 #define ETHER_WLAN_ENC_MAX 5
 #define ETHER_WLAN_ENC_128_MAX 13
 

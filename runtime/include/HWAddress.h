@@ -11,10 +11,10 @@ enum HWAddressType {
 
 #define HWADDRESS_MAX_LEN 32  // bytes; inferred from the size of the structure
 
-// 40 bytes.
+// A hardware address, 40 bytes.
 struct HWAddress {
   HWAddressType hwType;
-  slongword hwLen;  // bytes used of hwContent
+  slongword hwLen;  // number of bytes of hwContent in use
   byte hwContent[HWADDRESS_MAX_LEN];
 };
 

@@ -1,4 +1,4 @@
-// An IPv4 address, and the port beside it.
+// The types of an IPv4 address and of a port.
 #ifndef OPENR_IPADDRESS_H_INCLUDED
 #define OPENR_IPADDRESS_H_INCLUDED
 
@@ -6,9 +6,9 @@
 
 #include <iostream>
 
-typedef uint16 Port;  // in the order of the host
+typedef uint16 Port;  // in the byte order of the host
 
-// 4 bytes, in the order of the host: 10.0.1.2 is 0x0a000102.
+// An IPv4 address, 4 bytes in the byte order of the host: 10.0.1.2 is 0x0a000102.
 class IPAddress {
  public:
   IPAddress() : address_(0) {}
@@ -16,7 +16,7 @@ class IPAddress {
   IPAddress(int address) : address_(static_cast<uint32>(address)) {}
   IPAddress(byte a, byte b, byte c, byte d);  // a.b.c.d
 
-  // Four decimal numbers of 0..255 with dots between them; 0 for any other text.
+  // Parses four decimal numbers of 0..255 with dots between them; any other text gives address 0.
   IPAddress(const char* text);
 
   uint32 Address() const { return address_; }
@@ -35,7 +35,7 @@ class IPAddress {
   // Writes "10.0.1.2" into `text`, which needs room for 16 characters, and returns it.
   char* GetAsString(char* text) const;
 
-  // The same text on the console.
+  // Prints the same text on the console.
   void print() const;
 
  private:

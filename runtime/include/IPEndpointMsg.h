@@ -29,7 +29,7 @@ enum IPPacketType {
   IP_PACKETTYPE_MAX = 9
 };
 
-// The constant's name, "IP_FAIL"; "unknown IPEndpointError" for other numbers.
+// Writes the constant's name, "IP_FAIL"; "unknown IPEndpointError" for other numbers.
 std::ostream& operator<<(std::ostream& out, IPEndpointError error);
 
 // The base of the messages below.
@@ -39,13 +39,13 @@ struct IPEndpointBaseMsg : public antOperationMsg<IPEndpointError> {
       : antOperationMsg<IPEndpointError>(module, operation) {}
 };
 
-// Values of dstOperation; the numbers are the robot's, the names ours.
+// Values of dstOperation; the numbers are those of the robot, the names are our choice.
 const int32 IPEndpoint_Operation_Bind = 1;
 const int32 IPEndpoint_Operation_Send = 2;
 const int32 IPEndpoint_Operation_Receive = 3;
 const int32 IPEndpoint_Operation_Close = 4;
 
-// IP_INVALID_PROTOCOL for TCP and UDP.
+// Selects the protocol; the error is IP_INVALID_PROTOCOL for TCP and UDP.
 struct IPEndpointBindMsg : public IPEndpointBaseMsg {
   Protocol protocol;
 

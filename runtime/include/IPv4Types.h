@@ -1,4 +1,4 @@
-// Addresses, protocols and the errors inside the IPv4 stack.
+// Constants for addresses and protocols, and the errors inside of the IPv4 stack.
 #ifndef OPENR_IPV4TYPES_H_INCLUDED
 #define OPENR_IPV4TYPES_H_INCLUDED
 
@@ -11,7 +11,7 @@ extern const IPAddress IP_ADDR_ANY;        // 0.0.0.0
 extern const IPAddress IP_ADDR_BROADCAST;  // 255.255.255.255
 const Port IP_PORT_ANY = 0;
 
-// Not seen by programs.
+// Errors inside of the stack; programs never get them.
 enum IPv4Error {
   IPV4_SUCCESS = 0,
   IPV4_FAIL = 1,
@@ -32,7 +32,7 @@ enum IPv4Error {
   IPV4_TTL_EXCEEDED = 16
 };
 
-// The constant's name, "IPV4_FAIL"; "unknown IPv4Error" for other numbers.
+// Writes the constant's name, "IPV4_FAIL"; "unknown IPv4Error" for other numbers.
 std::ostream& operator<<(std::ostream& out, IPv4Error error);
 
 #endif  // OPENR_IPV4TYPES_H_INCLUDED

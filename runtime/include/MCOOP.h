@@ -1,7 +1,7 @@
-// Calls of the Aperios mCOOP layer that application objects can see.
+// The functions of the Aperios mCOOP layer that application objects can call.
 //
-// All return an sError unless noted.  New, Delete, Load, Unload, LoadAndExecMAV and
-// SetEntryTable, which only the system calls, are left out: no source gives their arguments.
+// All return an sError unless noted.  New, Delete, Load, Unload, LoadAndExecMAV and SetEntryTable
+// are left out, because only the system calls them and no source gives their arguments.
 #ifndef OPENR_MCOOP_H_INCLUDED
 #define OPENR_MCOOP_H_INCLUDED
 
@@ -19,29 +19,29 @@ struct InitInfo;
 
 extern "C" {
 
-// Microseconds since boot.  Inside one handler every call is 1 us later than
-// the one before, so that a loop that waits for time to pass ends.
+// Returns the time since boot.  Within one handler each call returns 1 us more than the call
+// before, so that a loop that waits for time to pass ends.
 sError GetSystemTime(SystemTime* time);
 
-// The name of an object is the OBJECT_NAME of its .ocf file.
+// Functions for names.  The name of an object is the OBJECT_NAME of its .ocf file.
 sError WhoAmI(OID* oid);
 sError Find(const char* name, OID* oid);
 sError Register(OID oid, const char* name);
 sError Unregister(const char* name);
 sError FindSelector(const char* name, Selector* selector);
 
-// Asynchronous.  `size` bytes are copied; at most 256.
+// Send a message without waiting.  `size` bytes are copied; at most 256.
 sError Send(OID oid, Selector selector, void* msg, size_t size);
 sError SendWithRBox(OID oid, Selector selector, void* msg, size_t size, RID* rbox);
-// Waits for the answer to a SendWithRBox(): blocks this object only.
+// Waits for the answer to a SendWithRBox().  Only this object waits, all others run on.
 sError Receive(RID rbox, void* msg = 0, size_t size = 0, size_t* got = 0,
                RelativeTime* timeout = 0);
 // Sends and waits for the answer.
 sError Call(OID oid, Selector selector, void* msg, size_t size, void* reply = 0,
             size_t replySize = 0);
-// Answers the Call or SendWithRBox being handled.
+// Answers the Call or SendWithRBox that the running handler received.
 sError Reply(void* msg = 0, size_t size = 0);
-// Hands the request being handled on to another object, which answers it.
+// Passes the request of the running handler on to another object, which answers it.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size);
 sError CleanRBox(RID rbox);
 
@@ -50,19 +50,19 @@ void Return(void* msg = 0, size_t size = 0);
 void Exit();
 void ExitFromPrologue();
 
-// Messages to come, until they are cancelled: at a time, every so often, or when the reply to
-// `rbox` can be received without waiting.  `event` may be 0.
+// Request later messages: at a time, again after each period, or when the reply to `rbox` can be
+// received without waiting.  `event`, which may be 0, becomes the id for CancelEvent().
 sError SetTimeEvent(TimeEventInfo* info, OID oid, Selector selector, void* msg, size_t size,
                     EventID* event);
 sError SetReplyEvent(RID rbox, OID oid, Selector selector, void* msg, size_t size, EventID* event);
 sError CancelEvent(EventID event);
 
-// Private memory of this object.
+// Make and delete private memory of this object.
 sError NewRegion(size_t size, void** base);
 sError DeleteRegion(void* base);
 
-// Memory that can be shared with other objects.  Others need the owner's leave (44 without);
-// sizes are in bytes, and a region grows no further than it was made.
+// Functions for memory that can be shared with other objects.  Other objects need the owner's
+// permission (error 44 without).  Sizes are in bytes; a region cannot grow beyond its first size.
 sError NewSharedMemoryRegion(size_t size, MemoryProtectionInfo info, MemoryRegionID* id,
                              void** base);
 sError DeleteSharedMemoryRegion(MemoryRegionID id);
@@ -80,12 +80,12 @@ sError SetResourceValue(sResource resource, slongword value);
 sError GetResourceValue(sResource resource, slongword* current, slongword* most = 0,
                         slongword* least = 0);
 
-// Waits `nanosec` of the handler's own time.
+// Lets `nanosec` pass for this handler; GetSystemTime() then returns as much more.
 sError Wait(longword nanosec);
 
 }  // extern "C"
 
-// Five arguments: with a reply box.
+// Old forms: Send() with five arguments has a reply box.
 inline sError Send(OID oid, Selector selector, void* msg, size_t size, RID* rbox) {
   return SendWithRBox(oid, selector, msg, size, rbox);
 }

@@ -1,17 +1,17 @@
-// The identity of an object, given by the system when the object is loaded.
+// The identity of an object, which the system assigns when it loads the object.
 //
-// It is an address on the robot, a number that looks like 0x80000042, and only ever
-// compared, printed and passed on.
+// On the robot an OID is an address such as 0x80000042.  Programs only compare OIDs, print them and
+// pass them on.
 #ifndef OPENR_OID_H_INCLUDED
 #define OPENR_OID_H_INCLUDED
 
 #include <Types.h>
 
-// What a default constructed OID holds, and the OID that stands for every object.
+// The value of a default constructed OID, and the OID that means every object.
 void* const OID_UNDEF = reinterpret_cast<void*>(0xffffffffUL);
 void* const OID_ALL = 0;
 
-// The same as plain data, for structures that C reads as well.
+// An OID as plain data, for structures that C code reads too.
 struct structOID {
   void* address;
 };
@@ -35,7 +35,7 @@ class OID : public structOID {
   bool operator>=(const OID& other) const { return Number() >= other.Number(); }
 
  private:
-  // Ids are ordered as numbers; comparing unrelated pointers has no defined result.
+  // Converts to a number for comparing, because comparing unrelated pointers is undefined in C++.
   size_t Number() const { return reinterpret_cast<size_t>(address); }
 };
 

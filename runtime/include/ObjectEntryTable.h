@@ -12,11 +12,11 @@ struct ObjectEntry {
 
 #define ENTRY_UNDEF 0
 
-// Ends with { UNDEF, (Entry)ENTRY_UNDEF }.  Visible outside the image: the
-// loader looks it up by name.
+// The table of an object's entries; it ends with { UNDEF, (Entry)ENTRY_UNDEF }.  It is visible
+// outside of the image, because the loader looks it up by name.
 extern ObjectEntry ObjectEntryTable[] __attribute__((visibility("default")));
 
-// Run once at load; the host's loader has run the constructors before it.
+// Runs once when the image is loaded, after the host's loader has run the constructors.
 extern "C" void Prologue(InitInfo* info);
 
 #endif  // OPENR_OBJECTENTRYTABLE_H_INCLUDED

@@ -1,4 +1,4 @@
-// The name of a reply box: where the answer to a SendWithRBox() will arrive.
+// The id of a reply box, in which the answer to a SendWithRBox() arrives.
 #ifndef OPENR_RID_H_INCLUDED
 #define OPENR_RID_H_INCLUDED
 

@@ -1,12 +1,12 @@
-// The system's clock: seconds and microseconds since boot, never going back.
+// A time of the system's clock: seconds and microseconds since boot.  The clock never goes back.
 //
-// GetSystemTime() (MCOOP.h) fills one.  On the host this is virtual time.
+// GetSystemTime() (MCOOP.h) returns a SystemTime.  On the host it is virtual time.
 #ifndef OPENR_SYSTEMTIME_H_INCLUDED
 #define OPENR_SYSTEMTIME_H_INCLUDED
 
 #include <Types.h>
 
-// A SystemTime as plain data, for structures that C reads as well.
+// A SystemTime as plain data, for structures that C code reads too.
 struct structSystemTime {
   longword seconds;
   longword useconds;  // 0..999999
@@ -27,8 +27,8 @@ struct SystemTime : public structSystemTime {
   }
 };
 
-// Both operands must be valid.  The results have useconds below 1000000; seconds wrap at
-// 2^32, so `later - earlier` is right and `earlier - later` is a very large time.
+// Compare, add and subtract valid times.  Results have useconds below 1000000.  Seconds wrap at
+// 2^32, so `later - earlier` is right, but `earlier - later` is a very large time.
 bool operator<(const SystemTime& left, const SystemTime& right);
 SystemTime operator+(const SystemTime& left, const SystemTime& right);
 SystemTime operator-(const SystemTime& left, const SystemTime& right);

@@ -1,8 +1,8 @@
 // Messages to a TCP endpoint.
 //
-// One connection per endpoint: listen or connect, send and receive, close; after that the
-// endpoint is dead.  One send and one receive may be pending at a time.  Sizes and offsets
-// are the robot's where pointers have 32 bits.
+// An endpoint serves one connection: listen or connect, send and receive, close.  After that it
+// cannot be used again.  One send and one receive may wait for their answers at a time.  Where
+// pointers have 32 bits, sizes and offsets are those of the robot.
 #ifndef OPENR_TCPENDPOINTMSG_H_INCLUDED
 #define OPENR_TCPENDPOINTMSG_H_INCLUDED
 
@@ -31,7 +31,7 @@ enum TCPEndpointError {
   TCP_OPERATION_UNKNOWN = 18
 };
 
-// The constant's name, "TCP_FAIL"; "unknown TCPEndpointError" for other numbers.
+// Writes the constant's name, "TCP_FAIL"; "unknown TCPEndpointError" for other numbers.
 std::ostream& operator<<(std::ostream& out, TCPEndpointError error);
 
 // The base of the messages below.
@@ -41,7 +41,7 @@ struct TCPEndpointBaseMsg : public antOperationMsg<TCPEndpointError> {
       : antOperationMsg<TCPEndpointError>(module, operation) {}
 };
 
-// Values of dstOperation; the numbers are the robot's, the names ours.
+// Values of dstOperation; the numbers are those of the robot, the names are our choice.
 const int32 TCPEndpoint_Operation_Bind = 1;
 const int32 TCPEndpoint_Operation_Listen = 2;
 const int32 TCPEndpoint_Operation_Connect = 3;
@@ -58,7 +58,8 @@ const int32 TCPEndpoint_Operation_Address = 13;
 
 // ---- documented messages
 
-// Takes one connection and answers when it is there, with all four fields filled in.
+// Waits for one connection.  The answer comes when a client has connected; it has all four fields
+// filled in.
 struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
@@ -80,7 +81,8 @@ struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
         fPort(foreignPort) {}
 };
 
-// Answers when connected, with the local address and port filled in.
+// Connects to a peer.  The answer comes when the connection is made; it has the local address and
+// port filled in.
 struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;
@@ -102,9 +104,10 @@ struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
         fPort(foreignPort) {}
 };
 
-// Answers when the stack has taken all of the data, not when the peer has them.
+// Sends data.  The answer comes when the stack has accepted all data, which may be before the peer
+// has received them.
 struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
-  byte* buffer;  // in a shared buffer, untouched until the answer
+  byte* buffer;  // in a shared buffer; must not be changed before the answer
   int size;      // bytes
   int16 queueNr;
 
@@ -117,8 +120,8 @@ struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// Answers with at least sizeMin bytes and at most sizeMax; both fields then hold the number
-// received.  At the end of the stream: TCP_CONNECTION_CLOSED.
+// Receives at least sizeMin and at most sizeMax bytes.  In the answer both fields are the number of
+// bytes received.  At the end of the stream the error is TCP_CONNECTION_CLOSED.
 struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
   byte* buffer;  // in a shared buffer
   int sizeMin;
@@ -139,13 +142,13 @@ struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
         queueNr(queue) {}
 };
 
-// Answers when the connection is closed.  Mind the order: the guide shows (module, abort),
-// but the argument after the module is `linger`.
+// Closes the connection; the answer comes when it is closed.  The guide shows the arguments
+// (module, abort), but the argument after the module is `linger`.
 struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
-  bool abort;  // drop everything at once
+  bool abort;  // true: drop the connection and all data at once
   bool linger;
   int lingerTime;
-  int16 queueNr;  // -100 is taken to mean all
+  int16 queueNr;  // -100 probably means all queues
 
   TCPEndpointCloseMsg()
       : TCPEndpointBaseMsg(TCPEndpoint_Operation_Close),

@@ -1,11 +1,11 @@
-// The name of a transaction: an object that waits, and which of its reply boxes is meant.
+// The id of a transaction: the object that waits, and the number of its reply box.
 #ifndef OPENR_TID_H_INCLUDED
 #define OPENR_TID_H_INCLUDED
 
 #include <OID.h>
 #include <Types.h>
 
-// A TID as plain data, for structures that C reads as well.
+// A TID as plain data, for structures that C code reads too.
 struct BaseTID {
   structOID mailer;
   longword value;
@@ -19,14 +19,14 @@ class TID : public BaseTID {
     value = number;
   }
 
-  // True iff the mailer is a valid object.
+  // Returns whether the mailer is a valid object.
   bool IsValid() const { return GetMailer().IsValid(); }
   void MakeInvalid() {
     mailer = OID();
     value = UNDEF;
   }
 
-  // The object that waits for the answer, and which of its boxes is meant.
+  // Return the object that waits for the answer, and the number of its reply box.
   OID GetMailer() const { return OID(mailer.address); }
   longword GetValue() const { return value; }
 

@@ -1,5 +1,4 @@
-// The time at which a message of SetTimeEvent() is due.  The name under which it can be cancelled
-// is in EventID.h.
+// The times at which messages of SetTimeEvent() are due.  EventID.h has the id for cancelling them.
 #ifndef OPENR_TIMEEVENT_H_INCLUDED
 #define OPENR_TIMEEVENT_H_INCLUDED
 
@@ -8,7 +7,7 @@
 #include <Time_a.h>
 #include <Types.h>
 
-// The one kind of time event there is; SetTimeEvent() takes it as a TimeEventInfo*.
+// The only kind of time event; programs pass it to SetTimeEvent() as a TimeEventInfo*.
 struct TimeEventInfoWithRelativeTime : public TimeEventInfo {
   bool isRelativeTime;  // always true
   EventType eventType;
@@ -21,7 +20,7 @@ struct TimeEventInfoWithRelativeTime : public TimeEventInfo {
   }
   TimeEventInfoWithRelativeTime(EventType type, RelativeTime time) { Set(type, time); }
 
-  // First message after `first`, then one every `period`; period 0 means one message.
+  // Requests a message after `first`, then one after each `period`; period 0: only the first.
   void Set(RelativeTime first, RelativeTime period = 0, longword attr = ExceedStartImmediate) {
     isRelativeTime = true;
     eventType = period == RelativeTime() ? NonPeriodic : Periodic;
@@ -30,7 +29,7 @@ struct TimeEventInfoWithRelativeTime : public TimeEventInfo {
     periodicTime = period;
   }
 
-  // One message after `time`, or one every `time`.
+  // Requests one message after `time`, or for type Periodic one after each `time`.
   void Set(EventType type, RelativeTime time) {
     Set(time, type == Periodic ? time : RelativeTime());
     eventType = type;

@@ -1,4 +1,4 @@
-// The time at which a message of SetTimeEvent() is due: the part that all time events share.
+// The times at which messages of SetTimeEvent() are due: the base of all time events.
 #ifndef OPENR_TIMEEVENTINFO_H_INCLUDED
 #define OPENR_TIMEEVENTINFO_H_INCLUDED
 
@@ -8,11 +8,11 @@
 struct TimeEventInfo {
   enum EventType { Periodic, NonPeriodic };
 
-  // The answer to a first time that lies in the past already: start at once, or an error.
+  // The behaviour if the first time is in the past: start at once, or return an error.
   enum EventAttr { ExceedStartImmediate = 0, ExceedStartError = 0x10000 };
 
   RelativeTime relativeTime;  // from now to the first message
-  RelativeTime periodicTime;  // between messages; zero: there is only the first
+  RelativeTime periodicTime;  // between messages; zero: only the first message is sent
 };
 
 #endif  // OPENR_TIMEEVENTINFO_H_INCLUDED

@@ -1,7 +1,7 @@
-// Spans of time in milliseconds, used for time-outs and timed messages.
+// Spans of time in milliseconds, for timeouts and timed messages.
 //
-// The SDK also declares two conversions to and from SystemTime whose bodies are in none
-// of its libraries; no program can use them, so they are not here.
+// The SDK also declares two conversions to and from SystemTime.  They are left out, because none of
+// its libraries defines them, so no program can use them.
 #ifndef OPENR_TIME_A_H_INCLUDED
 #define OPENR_TIME_A_H_INCLUDED
 
@@ -16,12 +16,12 @@ struct RelativeTime {
   RelativeTime(longword s, longword ms) : sec(s), msec(ms) {}
 };
 
-// Field by field: 1 s is not equal to 0 s and 1000 ms.
+// Compares field by field: 1 s is not equal to 0 s and 1000 ms.
 inline bool operator==(const RelativeTime& left, const RelativeTime& right) {
   return left.sec == right.sec && left.msec == right.msec;
 }
 
-// A span that may be longer than 136 years, as the system keeps it.
+// The system's own form of a span, which may be longer than 136 years.
 struct InternalTime {
   int day;
   longword sec;

@@ -1,12 +1,12 @@
 // The integer types of the OPEN-R interface, with the widths they have on the robot.
 //
-// The robot's compiler gives `long` 32 bits and its headers use it for longword and
-// int32.  Here those names are `int`, which has 32 bits on the robot, on a 64-bit host
-// and on any MIPS: sources overlay these types on files and print them with %d and %x.
-// sbyte and int8 are `signed char` because plain char is signed on the robot.
+// On the robot `long` has 32 bits, and the robot's headers use it for longword and int32.  Here
+// these names are `int`, which has 32 bits on the robot, on a 64-bit host and on any MIPS.  The
+// width must be the same everywhere, because sources read these types from files and print them
+// with %d and %x. sbyte and int8 are `signed char`, because plain char is signed on the robot.
 //
-// `byte` is a global name.  A source with "using namespace std;" therefore has to be
-// compiled below C++17, where std::byte would make it ambiguous.
+// `byte` is a global name.  A source with "using namespace std;" must be compiled as C++14 or
+// older, because since C++17 std::byte makes the name ambiguous.
 #ifndef OPENR_TYPES_H_INCLUDED
 #define OPENR_TYPES_H_INCLUDED
 
@@ -31,20 +31,20 @@ typedef unsigned short uint16;
 typedef int int32;
 typedef unsigned int uint32;
 
-// Despite their names these are 32 bits wide: the robot's header says `long`.
+// Despite their names these types have 32 bits, because the robot's header defines them as `long`.
 typedef int int64;
 typedef unsigned int uint64;
 
 typedef unsigned int magicword;
 typedef bool Boolean;
 
-// The type with the strictest alignment; 8 bytes on the robot, the host's width here.
+// The type with the strictest alignment: 8 bytes on the robot, more on most hosts.
 typedef long double AlignedBlock;
 
-// Result of an Aperios call; the values are in sError.h.
+// The result of an Aperios function; the values are in sError.h.
 typedef slongword sError;
 
-// Number of an entry of an object, 0..63; it says which function a message is for.
+// The number of an entry of an object, 0..63; it selects the function that receives a message.
 typedef longword Selector;
 const Selector UNDEF = 0xffffffff;
 
@@ -54,8 +54,8 @@ typedef void (*Entry)(...);
 typedef byte* VirtualAddress;
 typedef void* PhysicalAddress;
 
-// Names and access rights of shared memory regions (NewSharedMemoryRegion and its kin).
-// This type is as wide as a longword, because programs cast a MemoryRegionID* to ODesignDataID*.
+// The id and the access rights of shared memory (NewSharedMemoryRegion() and its family).  The id
+// is as wide as a longword, because programs cast a MemoryRegionID* to ODesignDataID*.
 typedef unsigned int MemoryRegionID;
 typedef MemoryRegionID SharedMemoryRegionID;
 
@@ -66,17 +66,17 @@ enum MemoryProtectionInfo {
 };
 typedef MemoryProtectionInfo SharedMemoryProtectionInfo;
 
-// System structures that an application can name and never look into.  The robot's header
-// calls them Context, EntryTable, Thread, Object and ExecSpace; such plain names would take
-// them away from everybody, so here they carry a prefix.
+// Structures of the system that applications can name but not use.  The robot's header calls them
+// Context, EntryTable, Thread, Object and ExecSpace.  Here they have a prefix, so that programs can
+// use these common names themselves.
 typedef struct AperiosContext* CName;
 typedef struct AperiosEntryTable* EntryTableID;
 typedef struct AperiosThread* ThreadID;
 typedef struct AperiosObject* ObjectPtr;
 typedef struct AperiosExecSpace* ExecSpaceID;
 
-// FALSE is the robot's NULL, which is 0.  Spelled as a number it can be assigned to an
-// int without a warning from compilers whose NULL is more than a number.
+// On the robot FALSE is NULL, which is 0 there.  Here it is the number 0, because other compilers
+// warn if a NULL is assigned to an int.
 #ifndef NULL
 #define NULL 0
 #endif

@@ -1,6 +1,7 @@
 // Messages to a UDP endpoint.
 //
-// Bind first; then one send and one receive may be pending at a time.
+// An endpoint must be bound first.  Then one send and one receive may wait for their answers at a
+// time.
 #ifndef OPENR_UDPENDPOINTMSG_H_INCLUDED
 #define OPENR_UDPENDPOINTMSG_H_INCLUDED
 
@@ -27,7 +28,7 @@ enum UDPEndpointError {
   UDP_WOULDBLOCK = 16
 };
 
-// The constant's name, "UDP_FAIL"; "unknown UDPEndpointError" for other numbers.
+// Writes the constant's name, "UDP_FAIL"; "unknown UDPEndpointError" for other numbers.
 std::ostream& operator<<(std::ostream& out, UDPEndpointError error);
 
 // The base of the messages below.
@@ -37,8 +38,8 @@ struct UDPEndpointBaseMsg : public antOperationMsg<UDPEndpointError> {
       : antOperationMsg<UDPEndpointError>(module, operation) {}
 };
 
-// Values of dstOperation; the numbers are the robot's, the names ours.  Numbers 5 to 8 are
-// for multicast, which programs cannot use.
+// Values of dstOperation; the numbers are those of the robot, the names are our choice.  Numbers 5
+// to 8 are for multicast, which programs cannot use.
 const int32 UDPEndpoint_Operation_Bind = 0;
 const int32 UDPEndpoint_Operation_Connect = 1;
 const int32 UDPEndpoint_Operation_Send = 2;
@@ -50,7 +51,8 @@ const int32 UDPEndpoint_Operation_ReadyForWrite = 11;
 const int32 UDPEndpoint_Operation_Address = 12;
 const int32 UDPEndpoint_Operation_ResetConnect = 13;
 
-// IP_ADDR_ANY and IP_PORT_ANY let the stack choose; the answer holds what it chose.
+// Binds the endpoint.  With IP_ADDR_ANY and IP_PORT_ANY the stack chooses; the answer contains the
+// chosen address and port.
 struct UDPEndpointBindMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
@@ -60,7 +62,7 @@ struct UDPEndpointBindMsg : public UDPEndpointBaseMsg {
       : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Bind), address(addr), port(portNr) {}
 };
 
-// Fixes the peer of all later sends and receives.
+// Sets the peer of all later sends and receives.
 struct UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
@@ -71,7 +73,7 @@ struct UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
       : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_Connect), address(addr), port(portNr) {}
 };
 
-// Answers when the stack has taken the data.
+// Sends one datagram.  The answer comes when the stack has accepted the data.
 struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
@@ -94,8 +96,8 @@ struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
         size(bytes) {}
 };
 
-// Answers with one datagram: where it came from and how many bytes; what does not fit is
-// lost.
+// Receives one datagram.  The answer contains its sender and its size; bytes that do not fit into
+// the buffer are lost.
 struct UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
@@ -155,7 +157,7 @@ struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
       : UDPEndpointBaseMsg(module, UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}
 };
 
-// Both ends of the endpoint.
+// Returns the addresses of the endpoint and of its peer.
 struct UDPEndpointAddressMsg : public UDPEndpointBaseMsg {
   IPAddress lAddress;  // local
   Port lPort;

@@ -1,11 +1,11 @@
-// Arguments of the card functions in ERA201D1.h that only wireless cards have, and the messages
-// of its driver.
+// Arguments of the functions in ERA201D1.h about radio, and messages to the driver of a wireless
+// card.
 #ifndef OPENR_WLANDRIVERMSG_H_INCLUDED
 #define OPENR_WLANDRIVERMSG_H_INCLUDED
 
 #include <EtherTypes.h>
 
-// 104 bytes.
+// The argument of ERA201D1_GetWLANSettings(), 104 bytes.
 struct EtherDriverGetWLANSettingsMsg {
   int32 port;  // ignored
   EtherWLANMode mode;
@@ -20,7 +20,7 @@ struct EtherDriverGetWLANSettingsMsg {
   EtherStatus status;
 };
 
-// 24 bytes.
+// The argument of ERA201D1_GetWLANStatistics(), 24 bytes.
 struct EtherDriverGetWLANStatisticsMsg {
   int32 port;  // ignored
   EtherWLANStatistics statistics;
@@ -29,8 +29,8 @@ struct EtherDriverGetWLANStatisticsMsg {
 
 // ---- messages to the driver
 //
-// They set what WLANCONF.TXT sets at boot.  An application cannot reach the driver; they are here
-// for sources that name them.
+// The messages change the settings of WLANCONF.TXT.  Applications cannot send them to the driver;
+// they are declared because sources name them.
 
 struct EtherDriverSetWLANModeMsg {
   longword port;

@@ -1,4 +1,4 @@
-// What every program that uses the network includes first.
+// The header that every program for the network includes first.
 #ifndef OPENR_ANT_H_INCLUDED
 #define OPENR_ANT_H_INCLUDED
 

@@ -1,7 +1,7 @@
 // The base of all messages to the network stack.
 //
-// A message is question and answer in one: the stack fills in the output fields and gives
-// it back, either from Call() or, after Send(), to an entry of the sender.
+// A message is request and answer in one: the stack fills in the output fields and returns the
+// message, either from Call() or, after Send(), to an entry of the sender.
 #ifndef OPENR_ANTENVBASEMSG_H_INCLUDED
 #define OPENR_ANTENVBASEMSG_H_INCLUDED
 
@@ -9,7 +9,7 @@
 #include <antStackRef.h>
 #include <antTypes.h>
 
-// Type of the argument of an entry that takes answers: void ReceiveCont(ANTENVMSG msg).
+// The argument type of an entry that receives answers: void ReceiveCont(ANTENVMSG msg).
 #define ANTENVMSG void*
 
 // Entries of the stack object.
@@ -20,7 +20,7 @@ enum { antEnv_numEntries = 3 };
 
 enum antEnvInvocationType { ANTENVMSG_SEND = 0, ANTENVMSG_CALL = 1 };
 
-// Where an answer goes.
+// The entry to which an answer is sent.
 struct antEnvMsgContInfo {
   OID oid;
   Selector selector;
@@ -31,17 +31,18 @@ struct antEnvMsgContInfo {
   Selector GetSelector() const { return selector; }
 };
 
-// 40 bytes on the robot, more with 64-bit pointers; no virtual functions.
+// The base of all messages; 40 bytes on the robot, more with 64-bit pointers.  It has no virtual
+// functions.
 class antEnvMsg {
  public:
   Selector dstSelector;    // Entry_antEnv_...
   antModuleRef dstModule;  // the endpoint; null: the stack itself
   int32 dstOperation;
   OID sender;
-  int32 msgSize;  // as given to Send or Call, so not to be trusted
+  int32 msgSize;  // the size given to Send or Call, which may be wrong
   antEnvInvocationType invocationType;
   antEnvMsgContInfo contInfo;
-  void* continuation;  // the sender's own; comes back as it was
+  void* continuation;  // a value of the sender, unchanged in the answer
 
   antEnvMsg()
       : dstSelector(Entry_antEnv_External),
@@ -56,30 +57,30 @@ class antEnvMsg {
         invocationType(ANTENVMSG_SEND),
         continuation(0) {}
 
-  // Posts a copy of the message and returns; the answer comes to entry `selector` of
-  // object `oid`.  ANT_SUCCESS says that it was posted, not that it will succeed.
+  // Posts a copy of the message and returns; the answer is sent to entry `selector` of object
+  // `oid`. ANT_SUCCESS means only that the message was posted; the operation may still fail.
   antError Send(antStackRef target, OID& oid, int32 selector, int size);
 
   // Waits for the answer and puts it into this message.  Blocks the calling object.
   antError Call(antStackRef target, int size);
 
-  // First statement of an entry that takes answers: the message, valid during the entry,
-  // to be cast to its real type.
+  // Returns the message in an entry that receives answers, whose first statement this call is.  The
+  // message is valid during the entry; the program casts it to its real type.
   static antEnvMsg* Receive(ANTENVMSG msg);
 
   int32 GetOperation() const { return dstOperation; }
   OID& GetSender() { return sender; }
 
-  // For the stack: gives the message back with its answer.
+  // Returns the message with its answer to the sender; called by the stack.
   antError Reply();
 };
 
-// A message with a result of its own, in the numbers of its protocol; 1 is "failed" in all
-// of them.  The fields of the operation follow.
+// A message with an error field, whose numbers depend on the protocol; 1 means "failed" in all of
+// them.  The fields of the operation follow in derived classes.
 template <class Error>
 class antOperationMsg : public antEnvMsg {
  public:
-  Error error;  // out; meaningful in the answer only
+  Error error;  // out; valid in the answer only
 
   explicit antOperationMsg(int32 operation) : antEnvMsg(operation), error(static_cast<Error>(1)) {}
   antOperationMsg(const antModuleRef& module, int32 operation)
@@ -87,7 +88,7 @@ class antOperationMsg : public antEnvMsg {
     dstModule = module;
   }
 
-  // For the stack: sets the result and gives the message back.
+  // Sets the error and returns the message to the sender; called by the stack.
   antError Reply(Error e) {
     error = e;
     return antEnvMsg::Reply();

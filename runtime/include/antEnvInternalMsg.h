@@ -1,16 +1,16 @@
-// Messages to the stack itself: endpoints, shared buffers, parameters.
+// Messages to the stack itself, about endpoints, shared buffers and parameters.
 #ifndef OPENR_ANTENVINTERNALMSG_H_INCLUDED
 #define OPENR_ANTENVINTERNALMSG_H_INCLUDED
 
 #include <antEnvBaseMsg.h>
 #include <antSharedBuffer.h>
 
-// At Entry_antEnv_External.
+// Operations of Entry_antEnv_External.
 const int32 antEnv_Operation_CreateEndpoint = -1;
 const int32 antEnv_Operation_CreateSharedBuffer = -2;
 const int32 antEnv_Operation_DestroySharedBuffer = -3;
 
-// At Entry_antEnv_Initialize.
+// Operations of Entry_antEnv_Initialize.
 const int32 antEnv_Operation_InitSetParam = -1;
 const int32 antEnv_Operation_InitStart = -2;
 const int32 antEnv_Operation_InitGetParam = -3;
@@ -18,14 +18,14 @@ const int32 antEnv_Operation_InitGetParam = -3;
 const int32 antEnv_InitParam_Int32 = -1;
 const int32 antEnv_InitParam_String = -2;
 
-// Room of a key and of a text value, with the closing NUL.
+// Sizes of a key and of a text value, with the closing NUL.
 #define ANTENV_KEY_LENGTH_MAX 32
 #define ANTENV_VALUE_LENGTH_MAX 32
 
 // Makes an endpoint, which serves one connection.
 struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
   int32 protocol;          // EndpointType_...
-  int32 poolSize;          // bytes for packets in the stack: more than the largest send
+  int32 poolSize;          // bytes for packets in the stack; must be more than the largest send
   antModuleRef moduleRef;  // out: the endpoint
 
   antEnvCreateEndpointMsg(int32 type = 0, int32 pool = 0)
@@ -42,7 +42,7 @@ struct antEnvCreateSharedBufferMsg : public antOperationMsg<antError> {
       : antOperationMsg<antError>(antEnv_Operation_CreateSharedBuffer), size(bytes) {}
 };
 
-// The buffer has to be unmapped first.
+// Destroys a shared buffer, which must be unmapped before.
 struct antEnvDestroySharedBufferMsg : public antOperationMsg<antError> {
   antSharedBuffer buffer;
 
@@ -72,7 +72,7 @@ struct antEnvInitGetParamMsg : public antEnvMsg {
   }
 };
 
-// Sets a parameter; for system objects.
+// Sets a parameter; allowed to system objects only.
 struct antEnvInitSetParamMsg : public antEnvMsg {
   int32 paramType;  // antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
@@ -88,7 +88,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
   }
 };
 
-// Starts the stack; for system objects.
+// Starts the stack; allowed to system objects only.
 struct antEnvInitStartMsg : public antEnvMsg {
   antError error;  // out
 

@@ -1,4 +1,4 @@
-// Messages to the network stack: the base and the stack's own.
+// Includes the base of messages to the network stack, and the messages to the stack itself.
 #ifndef OPENR_ANTENVMSG_H_INCLUDED
 #define OPENR_ANTENVMSG_H_INCLUDED
 

@@ -1,5 +1,5 @@
-// What the network stack answers to a message as such.  What became of the operation is in
-// the `error` field of the message, in the protocol's own numbers.
+// Errors of the network stack about a message as a whole.  The result of the operation is in the
+// `error` field of the message, with the numbers of its protocol.
 #ifndef OPENR_ANTERRORS_H_INCLUDED
 #define OPENR_ANTERRORS_H_INCLUDED
 
@@ -38,13 +38,13 @@ enum antError {
   ANT_INITIALIZING = 29
 };
 
-// A notification of the stack, not an error; nothing uses it.
+// A notification of the stack, not an error; not used.
 const int ANT_SDUMEMORY_AVAILABLE = 1;
 
-// The constant's name, "ANT_FAIL"; "unknown antError" for other numbers.
+// Returns the constant's name, "ANT_FAIL"; "unknown antError" for other numbers.
 const char* antErrorString(antError error);
 
-// Writes that text.
+// Writes the text of antErrorString().
 std::ostream& operator<<(std::ostream& out, antError error);
 
 #endif  // OPENR_ANTERRORS_H_INCLUDED

@@ -1,4 +1,4 @@
-// The handle of an endpoint, opaque to programs.
+// The reference to an endpoint, whose fields mean nothing to programs.
 #ifndef OPENR_ANTMODULEREF_H_INCLUDED
 #define OPENR_ANTMODULEREF_H_INCLUDED
 
@@ -6,8 +6,8 @@
 
 #include <iostream>
 
-// 8 bytes on the robot.  The stack fills in the fields; it never gives the same pair to
-// two endpoints.  A null reference names the stack itself.
+// The reference has 8 bytes on the robot.  The stack sets its fields, to different values for each
+// endpoint.  A null reference means the stack itself.
 class antModuleRef {
  public:
   void* module;
@@ -21,7 +21,7 @@ class antModuleRef {
   }
   bool operator!=(const antModuleRef& other) const { return !(*this == other); }
 
-  // "module 3" on the console: the index alone, since the pointer differs between runs.
+  // Prints a line such as "module 3" on the console, without the pointer.
   void Print() const;
 };
 

@@ -1,4 +1,4 @@
-// The name under which programs include the shared buffer.
+// The header that programs include for shared buffers.
 #ifndef OPENR_ANTSHAREDBUFFER_H_INCLUDED
 #define OPENR_ANTSHAREDBUFFER_H_INCLUDED
 

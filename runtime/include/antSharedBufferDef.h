@@ -1,4 +1,4 @@
-// Memory that a program and the network stack share; every send and receive has to lie in
+// Memory that a program and the network stack share.  The data of every send and receive must be in
 // such a buffer.
 #ifndef OPENR_ANTSHAREDBUFFERDEF_H_INCLUDED
 #define OPENR_ANTSHAREDBUFFERDEF_H_INCLUDED
@@ -6,25 +6,26 @@
 #include <MemoryRegion.h>
 #include <antTypes.h>
 
-// 16 bytes on the robot.  A copy is another name for the same memory.
+// A shared buffer; 16 bytes on the robot.  A copy of this object refers to the same memory.
 //
-// The stack makes it (antEnvCreateSharedBufferMsg); then Map(), use, UnMap(), and
-// antEnvDestroySharedBufferMsg.  Sizes are rounded up to pages of 4096 bytes.
+// The stack makes the buffer (antEnvCreateSharedBufferMsg).  The program calls Map(), uses the
+// buffer, calls UnMap() and sends antEnvDestroySharedBufferMsg.  Sizes are rounded up to pages of
+// 4096 bytes.
 class antSharedBuffer {
  public:
   antSharedBuffer() : region_(0), base_(0), size_(0), cookie_(0) {}
 
-  // For the stack: names a buffer that exists.
+  // Refers to an existing buffer; used by the stack.
   antSharedBuffer(MemoryRegionID region, uint32 size, uint32 cookie)
       : region_(region), base_(0), size_(size), cookie_(cookie) {}
   MemoryRegionID GetRegion() const { return region_; }
   uint32 GetCookie() const { return cookie_; }
 
-  // Makes the buffer visible to this object.  REQUIRED before GetAddress().
+  // Maps the buffer into the memory of this object; required before GetAddress().
   antError Map();
   antError UnMap();
 
-  // First byte of the buffer, NULL while it is not mapped.
+  // Returns the address of the first byte; NULL while the buffer is not mapped.
   void* GetAddress();
   uint32 GetSize() const { return size_; }
 
@@ -32,7 +33,7 @@ class antSharedBuffer {
   MemoryRegionID region_;
   void* base_;     // set by Map()
   uint32 size_;    // bytes
-  uint32 cookie_;  // the stack's own mark
+  uint32 cookie_;  // the stack's number of the buffer
 };
 
 #endif  // OPENR_ANTSHAREDBUFFERDEF_H_INCLUDED

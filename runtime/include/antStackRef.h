@@ -4,14 +4,14 @@
 
 #include <antTypes.h>
 
-struct MAV_Dispatcher;  // of the system; nothing of it can be used
+struct MAV_Dispatcher;  // a type of the system, which programs cannot use
 
 class antStackRef {
  public:
   antStackRef() : dispatcher_(0) {}
   antStackRef(const OID& oid) : oid_(oid), dispatcher_(0) {}
 
-  // Invalid when there is no object of that name.
+  // Finds the stack by name; the reference is invalid if no object has that name.
   antStackRef(const char* name);
 
   bool IsValid() const { return oid_.IsValid(); }

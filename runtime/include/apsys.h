@@ -1,4 +1,4 @@
-// Trampolines from the system to the functions of an object.
+// The macro that makes the functions of an object callable for the system.
 #ifndef OPENR_APSYS_H_INCLUDED
 #define OPENR_APSYS_H_INCLUDED
 

@@ -1,7 +1,7 @@
-// Results of Aperios calls (Send, Call, NewSharedMemoryRegion ...).  0 is success.
+// Results of Aperios functions (Send, Call, NewSharedMemoryRegion ...); 0 is success.
 //
-// Two of them are what developers met in practice: 13, the receiver's queue of 32
-// messages is full, and 28, no answer in time.
+// Two errors occurred often in practice: 13, because the receiver's queue of 32 messages is full,
+// and 28, because no answer came in time.
 #ifndef OPENR_SERROR_H_INCLUDED
 #define OPENR_SERROR_H_INCLUDED
 
