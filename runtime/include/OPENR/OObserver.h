@@ -42,8 +42,7 @@ class OObserver {
   SubjectConstIterator begin() const;
   SubjectConstIterator end() const;
   int NumberOfSubjects() const;
-  SubjectID FindSender(
-      RCRegion* region) const;  // invalid if this observer does not hold the region
+  SubjectID FindSender(RCRegion* region) const;  // invalid unless this observer holds it
 
   // Called by the stub.
   OStatus ConnectHandler(const OConnectMessage& msg, OStatus status = oSUCCESS);
