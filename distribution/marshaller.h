@@ -110,7 +110,7 @@ class Marshaller {
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, ExportedRegion> exported_;  // by token of this process
+  std::map<uint64_t, ExportedRegion> exported_;  // key: token of this process
   // Regions removed by TakeExportedBy() that the peer may still give back, by token.
   std::map<uint64_t, uint32_t> withdrawn_;
   // The map is never iterated where the order matters, because the order of pointers differs from

@@ -17,7 +17,7 @@ namespace {
 constexpr int64_t kSessionClaimMs = 5'000;
 // Requests with longer ids are ignored, because ids come from the network.
 constexpr size_t kRequesterIdMax = 256;
-constexpr int64_t kLivenessIntervalMs = 100;  // between two liveness checks
+constexpr int64_t kLivenessIntervalMs = 100;  // interval of liveness checks
 // Limit of abandoned workers that are remembered; the oldest one is forgotten first.
 constexpr size_t kAbandonedMax = 4;
 

@@ -221,7 +221,7 @@ class RemoteProcess {
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
   bool is_silent_ = false;  // the user has been told that the worker is silent
-  std::string loss_;        // see loss()
+  std::string loss_;        // the value of loss()
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;
 };

@@ -107,8 +107,8 @@ class WorkerGroup {
  private:
   // The stage of a worker in a loss and restart.
   enum class Stage {
-    kRunning,       // not lost
-    kNotRestarted,  // lost, and not to be restarted
+    kRunning,       // the worker is not lost
+    kNotRestarted,  // the worker is lost and will not be restarted
     kCleaningUp,    // its objects are cleaned up, and the old process ends if it still exists
     kJoining,       // the new process has been started and has not joined yet
     kLoading,       // the new process loads its images

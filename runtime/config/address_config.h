@@ -24,7 +24,7 @@ struct AddressPair {
 };
 
 struct AddressConfig {
-  std::vector<AddressPair> pairs;  // in file order
+  std::vector<AddressPair> pairs;  // in the order of the file
   std::vector<Diagnostic> diagnostics;
 };
 

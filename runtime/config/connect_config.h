@@ -19,7 +19,7 @@ struct ConnectRecord {
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in file order, the order of connecting
+  std::vector<ConnectRecord> connections;  // in the order of the file, in which they are connected
   std::vector<Diagnostic> diagnostics;
 };
 

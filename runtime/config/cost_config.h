@@ -30,7 +30,7 @@ struct CostRule {
 };
 
 struct CostConfig {
-  std::vector<CostRule> rules;  // in order of the file
+  std::vector<CostRule> rules;  // in the order of the file
   int64_t frame_us = 8000;
 };
 

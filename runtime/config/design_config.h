@@ -21,7 +21,7 @@ struct DesignRecord {
 };
 
 struct DesignConfig {
-  std::vector<DesignRecord> designs;  // in file order
+  std::vector<DesignRecord> designs;  // in the order of the file
   std::vector<Diagnostic> diagnostics;
 };
 

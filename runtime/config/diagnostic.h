@@ -15,9 +15,9 @@ enum class Severity {
 // A position in a text file.  A record keeps the position it was read from, so that a later
 // finding about it ("no such service") names the right line and has a caret.
 struct FilePosition {
-  std::string file;  // as the caller named it
-  int line = 0;      // from 1; 0 means the file as a whole
-  int column = 0;    // from 1, in bytes; 0 means no caret
+  std::string file;  // the name that the caller gave
+  int line = 0;      // counted from 1; 0 means the file as a whole
+  int column = 0;    // in bytes, counted from 1; 0 means no caret
   std::string text;  // the line, without its end
 };
 

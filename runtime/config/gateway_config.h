@@ -39,7 +39,7 @@ struct GatewayRecord {
 };
 
 struct GatewayConfig {
-  std::vector<GatewayRecord> services;  // in file order
+  std::vector<GatewayRecord> services;  // in the order of the file
   // The record TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;

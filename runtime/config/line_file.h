@@ -23,7 +23,7 @@ inline constexpr std::string_view kEveryDesign = "*";
 
 struct Word {
   std::string text;  // never empty
-  int column = 0;    // from 1
+  int column = 0;    // counted from 1
 };
 
 // Returns the words of `text`, which blanks and tabs separate.

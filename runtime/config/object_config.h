@@ -16,7 +16,7 @@ struct ObjectRecord {
 };
 
 struct ObjectConfig {
-  std::vector<ObjectRecord> objects;  // in load order
+  std::vector<ObjectRecord> objects;  // in the order of loading
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -56,7 +56,7 @@ struct IPEndpointBindMsg : public IPEndpointBaseMsg {
 
 struct IPEndpointSendMsg : public IPEndpointBaseMsg {
   IPPacketType type;
-  byte* buffer;  // in a shared buffer
+  byte* buffer;  // must point into a shared buffer
   int size;      // bytes
 
   IPEndpointSendMsg()
@@ -70,7 +70,7 @@ struct IPEndpointSendMsg : public IPEndpointBaseMsg {
 
 struct IPEndpointReceiveMsg : public IPEndpointBaseMsg {
   IPPacketType type;  // out
-  byte* buffer;       // in a shared buffer
+  byte* buffer;       // must point into a shared buffer
   int size;           // bytes
 
   IPEndpointReceiveMsg()

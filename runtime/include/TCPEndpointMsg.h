@@ -61,9 +61,9 @@ const int32 TCPEndpoint_Operation_Address = 13;
 // Waits for one connection.  The answer comes when a client has connected; it has all four fields
 // filled in.
 struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
-  IPAddress fAddress;  // of the peer
+  IPAddress fAddress;  // address of the peer
   Port fPort;
 
   TCPEndpointListenMsg()
@@ -84,9 +84,9 @@ struct TCPEndpointListenMsg : public TCPEndpointBaseMsg {
 // Connects to a peer.  The answer comes when the connection is made; it has the local address and
 // port filled in.
 struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
-  IPAddress fAddress;  // of the peer
+  IPAddress fAddress;  // address of the peer
   Port fPort;
 
   TCPEndpointConnectMsg()
@@ -107,7 +107,7 @@ struct TCPEndpointConnectMsg : public TCPEndpointBaseMsg {
 // Sends data.  The answer comes when the stack has accepted all data, which may be before the peer
 // has received them.
 struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
-  byte* buffer;  // in a shared buffer; must not be changed before the answer
+  byte* buffer;  // must point into a shared buffer and must not be changed before the answer
   int size;      // bytes
   int16 queueNr;
 
@@ -123,7 +123,7 @@ struct TCPEndpointSendMsg : public TCPEndpointBaseMsg {
 // Receives at least sizeMin and at most sizeMax bytes.  In the answer both fields are the number of
 // bytes received.  At the end of the stream the error is TCP_CONNECTION_CLOSED.
 struct TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
-  byte* buffer;  // in a shared buffer
+  byte* buffer;  // must point into a shared buffer
   int sizeMin;
   int sizeMax;
   int16 queueNr;
@@ -168,7 +168,7 @@ struct TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
 // ---- undocumented messages
 
 struct TCPEndpointBindMsg : public TCPEndpointBaseMsg {
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
 
   TCPEndpointBindMsg() : TCPEndpointBaseMsg(TCPEndpoint_Operation_Bind), lAddress(0), lPort(0) {}
@@ -215,9 +215,9 @@ struct TCPEndpointReadyForWriteMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointBacklogListenMsg : public TCPEndpointBaseMsg {
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
-  IPAddress fAddress;  // of the peer
+  IPAddress fAddress;  // address of the peer
   Port fPort;
 
   TCPEndpointBacklogListenMsg()
@@ -236,9 +236,9 @@ struct TCPEndpointBacklogListenMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointAcceptMsg : public TCPEndpointBaseMsg {
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
-  IPAddress fAddress;  // of the peer
+  IPAddress fAddress;  // address of the peer
   Port fPort;
   int16 queueNr;
 
@@ -269,9 +269,9 @@ struct TCPEndpointBacklogQueueMsg : public TCPEndpointBaseMsg {
 
 struct TCPEndpointAddressMsg : public TCPEndpointBaseMsg {
   int16 queueNr;
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
-  IPAddress fAddress;  // of the peer
+  IPAddress fAddress;  // address of the peer
   Port fPort;
 
   TCPEndpointAddressMsg()

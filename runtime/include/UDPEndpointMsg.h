@@ -77,7 +77,7 @@ struct UDPEndpointConnectMsg : public UDPEndpointBaseMsg {
 struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
-  byte* buffer;  // in a shared buffer
+  byte* buffer;  // must point into a shared buffer
   int size;      // bytes
 
   UDPEndpointSendMsg()
@@ -101,7 +101,7 @@ struct UDPEndpointSendMsg : public UDPEndpointBaseMsg {
 struct UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
   IPAddress address;
   Port port;
-  byte* buffer;  // in a shared buffer
+  byte* buffer;  // must point into a shared buffer
   int size;      // bytes
 
   UDPEndpointReceiveMsg()
@@ -159,9 +159,9 @@ struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
 
 // Returns the addresses of the endpoint and of its peer.
 struct UDPEndpointAddressMsg : public UDPEndpointBaseMsg {
-  IPAddress lAddress;  // local
+  IPAddress lAddress;  // own address
   Port lPort;
-  IPAddress fAddress;  // of the peer
+  IPAddress fAddress;  // address of the peer
   Port fPort;
 
   UDPEndpointAddressMsg()

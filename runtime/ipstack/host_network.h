@@ -68,7 +68,7 @@ class HostNetwork : public Network {
   };
   struct Connection {
     Fd fd;
-    std::string out;     // not yet accepted by the host; bounded by the endpoint's pool
+    std::string out;     // bytes not yet accepted by the host; limited by the endpoint's pool
     uint64_t taken = 0;  // bytes accepted since the last poll
     size_t want = 0;     // size of the pending Receive()
     bool connecting = false;
@@ -106,7 +106,7 @@ class HostNetwork : public Network {
   HostUdp udp_;
   std::map<NetHandle, Listener> listeners_;
   std::map<NetHandle, Connection> connections_;
-  std::vector<NetworkEvent> events_;  // for the next Poll()
+  std::vector<NetworkEvent> events_;  // events that the next Poll() returns
 };
 
 NetworkEvent NoteEvent(std::string text);

@@ -133,7 +133,7 @@ class IpStack : public CodeObject {
   TcpPorts tcp_ports_;
   std::set<uint16_t> udp_ports_;  // bound ports
   std::vector<uint32_t> dns_servers_;
-  std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;  // by index
+  std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;  // key: index of the reference
   std::map<NetHandle, EventSink*> sinks_;
   uint32_t last_index_ = 0;
   NetHandle last_handle_ = 0;

@@ -27,7 +27,7 @@ class LoopbackHub {
 
  private:
   friend class LoopbackNetwork;
-  std::map<uint32_t, LoopbackNetwork*> hosts_;  // by address
+  std::map<uint32_t, LoopbackNetwork*> hosts_;  // key: address
 };
 
 // A host at a hub.  Sent data arrive at once, and the receiver gets them from its next Poll().  If
@@ -115,7 +115,7 @@ class LoopbackNetwork : public Network {
   std::map<NetHandle, Listener> listeners_;
   std::map<NetHandle, Connection> connections_;
   std::map<NetHandle, Udp> udps_;
-  std::vector<NetworkEvent> events_;  // for the next Poll()
+  std::vector<NetworkEvent> events_;  // events that the next Poll() returns
 };
 
 }  // namespace openr_host

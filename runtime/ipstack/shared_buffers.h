@@ -60,7 +60,7 @@ class SharedBuffers {
   Buffer* Find(const antSharedBuffer& buffer);
 
   RegionTable* const regions_;
-  std::map<uint32_t, Buffer> buffers_;  // by cookie
+  std::map<uint32_t, Buffer> buffers_;  // key: cookie
   uint32_t last_cookie_ = 0;
   uint64_t bytes_ = 0;
 };

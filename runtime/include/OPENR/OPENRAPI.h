@@ -74,14 +74,14 @@ OStatus SetJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word i
 
 // Returns the gains; on failure all six are 0.
 OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
-// as SetJointGain
+// the errors of SetJointGain()
 
 // Stores a set of gains for the joint, which SetDefaultJointGain() applies.
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
                                  word ds);
 // oINVALID_PRIMITIVE_ID
 OStatus SetDefaultJointGain(OPrimitiveID id);
-// as SetJointGain
+// the errors of SetJointGain()
 OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is,
                             word* ds);
 // oFAIL, with all six 0

@@ -46,9 +46,9 @@ class OPowerStatus {
 class OBootCondition {
  public:
   word bitmap;            // obcb... bits
-  time_t bootTime;        // s, for obcbBOOT_TIMER
+  time_t bootTime;        // in s, used with obcbBOOT_TIMER
   longword bootTimeType;  // obcbttRELATIVE or obcbttABSOLUTE
-  byte vibrationLevel;    // for obcbVIBRATION_DETECTED
+  byte vibrationLevel;    // used with obcbVIBRATION_DETECTED
 
   OBootCondition();  // nothing boots the robot
   OBootCondition(word bits);
