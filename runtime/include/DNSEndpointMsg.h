@@ -41,8 +41,8 @@ struct DNSEndpointSetServerAddressesMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetServerAddressesMsg : public DNSEndpointBaseMsg {
-  int32 nscount;              // out
-  IPAddress addrList[MAXNS];  // out
+  int32 nscount;              // output
+  IPAddress addrList[MAXNS];  // output
 
   DNSEndpointGetServerAddressesMsg();
   explicit DNSEndpointGetServerAddressesMsg(antModuleRef& module);
@@ -56,7 +56,7 @@ struct DNSEndpointSetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
 };
 
 struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];  // out
+  char name[MAXDNAME];  // output
 
   DNSEndpointGetDefaultDomainNameMsg();
   explicit DNSEndpointGetDefaultDomainNameMsg(antModuleRef& module);
@@ -65,22 +65,22 @@ struct DNSEndpointGetDefaultDomainNameMsg : public DNSEndpointBaseMsg {
 // Asks for the addresses of a host.  On failure n_address is 0 and name keeps its value; the same
 // holds for DNSEndpointGetHostByAddrMsg.
 struct DNSEndpointGetHostByNameMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];       // out: the official name
-  IPAddress server_address;  // out: the server that answered
-  IPAddress host_address;    // out: the first address
-  int32 n_address;           // out: number of addresses
-  int32 n_alias;             // out: number of aliases
+  char name[MAXDNAME];       // output: the official name
+  IPAddress server_address;  // output: the server that answered
+  IPAddress host_address;    // output: the first address
+  int32 n_address;           // output: number of addresses
+  int32 n_alias;             // output: number of aliases
 
   DNSEndpointGetHostByNameMsg();
   DNSEndpointGetHostByNameMsg(antModuleRef& module, const char* host);
 };
 
 struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
-  char name[MAXDNAME];       // out
-  IPAddress server_address;  // out
+  char name[MAXDNAME];       // output
+  IPAddress server_address;  // output
   IPAddress host_address;
-  int32 n_address;  // out
-  int32 n_alias;    // out
+  int32 n_address;  // output
+  int32 n_alias;    // output
 
   DNSEndpointGetHostByAddrMsg();
   DNSEndpointGetHostByAddrMsg(antModuleRef& module, IPAddress address);
@@ -90,7 +90,7 @@ struct DNSEndpointGetHostByAddrMsg : public DNSEndpointBaseMsg {
 // none.
 struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
   int32 index;
-  IPAddress address;  // out
+  IPAddress address;  // output
 
   DNSEndpointGetAddressMsg();
   DNSEndpointGetAddressMsg(antModuleRef& module, int number);
@@ -99,7 +99,7 @@ struct DNSEndpointGetAddressMsg : public DNSEndpointBaseMsg {
 // Asks for an alias of the last host found, by index.  Alias 0 is the official name.
 struct DNSEndpointGetAliasMsg : public DNSEndpointBaseMsg {
   int32 index;
-  char name[MAXDNAME];  // out
+  char name[MAXDNAME];  // output
 
   DNSEndpointGetAliasMsg();
   DNSEndpointGetAliasMsg(antModuleRef& module, int number);

@@ -32,13 +32,13 @@ struct EtherDeviceInfo {
 };
 
 struct EtherDriverGetDeviceInfoMsg {
-  EtherDeviceInfo deviceInfo;  // out
+  EtherDeviceInfo deviceInfo;  // output
   EtherStatus status;
 };
 
 struct EtherDriverGetDeviceModeMsg {
   longword port;
-  EtherDeviceMode mode;  // out
+  EtherDeviceMode mode;  // output
   EtherStatus status;
 };
 

@@ -69,7 +69,7 @@ struct IPEndpointSendMsg : public IPEndpointBaseMsg {
 };
 
 struct IPEndpointReceiveMsg : public IPEndpointBaseMsg {
-  IPPacketType type;  // out
+  IPPacketType type;  // output
   byte* buffer;       // must point into a shared buffer
   int size;           // bytes
 

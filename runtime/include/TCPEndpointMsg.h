@@ -191,7 +191,7 @@ struct TCPEndpointSetBlockingModeMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
-  boolean ready;  // out
+  boolean ready;  // output
   int16 queueNr;
 
   TCPEndpointReadyForReadMsg()
@@ -203,7 +203,7 @@ struct TCPEndpointReadyForReadMsg : public TCPEndpointBaseMsg {
 };
 
 struct TCPEndpointReadyForWriteMsg : public TCPEndpointBaseMsg {
-  boolean ready;  // out
+  boolean ready;  // output
   int16 queueNr;
 
   TCPEndpointReadyForWriteMsg()

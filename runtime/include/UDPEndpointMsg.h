@@ -140,7 +140,7 @@ struct UDPEndpointSetBlockingModeMsg : public UDPEndpointBaseMsg {
 };
 
 struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
-  boolean ready;  // out
+  boolean ready;  // output
 
   UDPEndpointReadyForReadMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForRead), ready(FALSE) {}
@@ -149,7 +149,7 @@ struct UDPEndpointReadyForReadMsg : public UDPEndpointBaseMsg {
 };
 
 struct UDPEndpointReadyForWriteMsg : public UDPEndpointBaseMsg {
-  boolean ready;  // out
+  boolean ready;  // output
 
   UDPEndpointReadyForWriteMsg()
       : UDPEndpointBaseMsg(UDPEndpoint_Operation_ReadyForWrite), ready(FALSE) {}

@@ -80,7 +80,7 @@ class antEnvMsg {
 template <class Error>
 class antOperationMsg : public antEnvMsg {
  public:
-  Error error;  // out; valid in the answer only
+  Error error;  // output; valid in the answer only
 
   explicit antOperationMsg(int32 operation) : antEnvMsg(operation), error(static_cast<Error>(1)) {}
   antOperationMsg(const antModuleRef& module, int32 operation)

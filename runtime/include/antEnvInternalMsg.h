@@ -26,7 +26,7 @@ const int32 antEnv_InitParam_String = -2;
 struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
   int32 protocol;          // EndpointType_...
   int32 poolSize;          // bytes for packets in the stack; must be more than the largest send
-  antModuleRef moduleRef;  // out: the endpoint
+  antModuleRef moduleRef;  // output: the endpoint
 
   antEnvCreateEndpointMsg(int32 type = 0, int32 pool = 0)
       : antOperationMsg<antError>(antEnv_Operation_CreateEndpoint),
@@ -36,7 +36,7 @@ struct antEnvCreateEndpointMsg : public antOperationMsg<antError> {
 
 struct antEnvCreateSharedBufferMsg : public antOperationMsg<antError> {
   uint32 size;             // bytes
-  antSharedBuffer buffer;  // out
+  antSharedBuffer buffer;  // output
 
   antEnvCreateSharedBufferMsg(uint32 bytes = 0)
       : antOperationMsg<antError>(antEnv_Operation_CreateSharedBuffer), size(bytes) {}
@@ -59,10 +59,10 @@ union antEnvParamValue {
 
 // Asks for a parameter by name; "ETHER_IP" gives the robot's address as text.
 struct antEnvInitGetParamMsg : public antEnvMsg {
-  int32 paramType;  // out: antEnv_InitParam_...
+  int32 paramType;  // output: antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
-  antEnvParamValue value;  // out
-  antError error;          // out
+  antEnvParamValue value;  // output
+  antError error;          // output
 
   antEnvInitGetParamMsg();
   antEnvInitGetParamMsg(const char* name);
@@ -77,7 +77,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
   int32 paramType;  // antEnv_InitParam_...
   char key[ANTENV_KEY_LENGTH_MAX];
   antEnvParamValue value;
-  antError error;  // out
+  antError error;  // output
 
   antEnvInitSetParamMsg();
   antEnvInitSetParamMsg(const char* name, int32 number);
@@ -90,7 +90,7 @@ struct antEnvInitSetParamMsg : public antEnvMsg {
 
 // Starts the stack; allowed to system objects only.
 struct antEnvInitStartMsg : public antEnvMsg {
-  antError error;  // out
+  antError error;  // output
 
   antEnvInitStartMsg();
   antError Reply(antError e) {

@@ -1,9 +1,10 @@
 // The functions of the robot: primitives, vectors, gains, power, files, time.
 //
 // All functions are synchronous and return a status.  Programs may call them from DoInit on, but
-// not in constructors.  Results are written through pointers.  A comment after a declaration lists
-// the errors that the function returns.  Four functions of the SDK, which make and delete sensor
-// and image vectors, are left out, because the SDK says that programs must not use them.
+// not in constructors.  Results are written through pointers.  A comment "Errors" after a
+// declaration lists the errors that the function returns.  Four functions of the SDK, which make
+// and delete sensor and image vectors, are left out, because the SDK says that programs must not
+// use them.
 #ifndef OPENR_OPENRAPI_H_INCLUDED
 #define OPENR_OPENRAPI_H_INCLUDED
 
@@ -21,20 +22,20 @@ namespace OPENR {
 
 // Opens a primitive.  Every object gets the same id for it.  On failure *id is oprimitiveID_UNDEF.
 OStatus OpenPrimitive(const char* locator, OPrimitiveID* id);
-// oNOT_FOUND (not on this robot), oOPEN_FAILURE, oINVALID_ARG (NULL), oFAIL
+// Errors: oNOT_FOUND (not on this robot), oOPEN_FAILURE, oINVALID_ARG (NULL), oFAIL
 
 OStatus ClosePrimitive(OPrimitiveID id);
-// oINVALID_PRIMITIVE_ID
+// Errors: oINVALID_PRIMITIVE_ID
 
 // Sends a request of OPrimitiveControl.h; arguments that it does not use are 0.
 OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t paramSize,
                          void* result, size_t resultSize);
-// oINVALID_PRIMITIVE_ID, oINVALID_ARG
+// Errors: oINVALID_PRIMITIVE_ID, oINVALID_ARG
 
 // Return the present value, also while gains or motor power are off.
 OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
-// oINVALID_PRIMITIVE_ID
+// Errors: oINVALID_PRIMITIVE_ID
 
 // ---- vectors in shared memory
 
@@ -45,16 +46,16 @@ OStatus NewCommandVectorData(size_t numCommands, MemoryRegionID* memID,
 OStatus NewSoundVectorData(size_t numSounds, size_t dataSize, MemoryRegionID* memID,
                            OSoundVectorData** baseAddr);
 OStatus NewCdtVectorData(MemoryRegionID* memID, OCdtVectorData** baseAddr);
-// oNO_MEMORY
+// Errors: oNO_MEMORY
 
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 OStatus DeleteSoundVectorData(MemoryRegionID memID);
 OStatus DeleteCdtVectorData(MemoryRegionID memID);
-// oINVALID_ARG (sound only), oFAIL
+// Errors: oINVALID_ARG (sound only), oFAIL
 
 // Loads the colour detection tables into the camera.
 OStatus SetCdtVectorData(MemoryRegionID memID);
-// oINVALID_ARG (channel), oINVALID_PRIMITIVE_ID, oINVALID_DATA_TYPE, oFAIL
+// Errors: oINVALID_ARG (channel), oINVALID_PRIMITIVE_ID, oINVALID_DATA_TYPE, oFAIL
 
 // ---- joint gains
 //
@@ -62,60 +63,60 @@ OStatus SetCdtVectorData(MemoryRegionID memID);
 // opened joint.  The order of the six numbers is: gains P, I, D, then shifts P, I, D.
 
 OStatus EnableJointGain(OPrimitiveID id);
-// oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
+// Errors: oINVALID_PRIMITIVE_ID, oALERT_JOINT_UNCONTROLLABLE
 
 // Sets the gains to zero, so that the joint moves freely.
 OStatus DisableJointGain(OPrimitiveID id);
-// oINVALID_PRIMITIVE_ID, oFAIL
+// Errors: oINVALID_PRIMITIVE_ID, oFAIL
 
 OStatus SetJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds);
-// oINVALID_PRIMITIVE_ID, oGAIN_DISABLED (not enabled: nothing is set),
+// Errors: oINVALID_PRIMITIVE_ID, oGAIN_DISABLED (not enabled: nothing is set),
 // oALERT_JOINT_UNCONTROLLABLE, oFAIL
 
 // Returns the gains; on failure all six are 0.
 OStatus GetJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is, word* ds);
-// the errors of SetJointGain()
+// Errors: those of SetJointGain()
 
 // Stores a set of gains for the joint, which SetDefaultJointGain() applies.
 OStatus RegisterDefaultJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is,
                                  word ds);
-// oINVALID_PRIMITIVE_ID
+// Errors: oINVALID_PRIMITIVE_ID
 OStatus SetDefaultJointGain(OPrimitiveID id);
-// the errors of SetJointGain()
+// Errors: those of SetJointGain()
 OStatus GetDefaultJointGain(OPrimitiveID id, word* pg, word* ig, word* dg, word* ps, word* is,
                             word* ds);
-// oFAIL, with all six 0
+// Errors: oFAIL, with all six 0
 
 // ---- starting several vectors together
 
 // Makes a key; at most ovrsynckeyMAX_NUM_KEY exist at a time.  On failure *key is ovrsynckeyUNDEF.
 OStatus NewSyncKey(OVRSyncKey* key);
-// oNO_SYNC_KEY
+// Errors: oNO_SYNC_KEY
 OStatus CancelSyncKey(OVRSyncKey key);
-// oINVALID_SYNC_KEY
+// Errors: oINVALID_SYNC_KEY
 // Divides a key into two parts.  The program puts each part into the syncKey of one vector; output
 // begins when the vectors with all parts have arrived.
 OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
-// oFAIL
+// Errors: oFAIL
 
 // ---- power
 
 OStatus SetMotorPower(OPower power);
-// oFAIL
+// Errors: oFAIL
 
 // Stores the conditions under which the robot boots again and begins the shutdown.  Returns before
 // any object is stopped.
 OStatus Shutdown(const OBootCondition& bootCondition);
 OStatus GetBootCondition(OBootCondition* bootCondition);  // only `bitmap` is valid
 OStatus GetPowerStatus(OPowerStatus* powerStatus);
-// oFAIL, oNOT_FOUND
+// Errors: oFAIL, oNOT_FOUND
 
 // Sends an OPowerStatusMessage to `entry` at every change that `notifyStatus` selects
 // (power_constants.h), until UnobservePowerStatus() is called with the same entry.
 OStatus ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry);
-// oFAIL, oNOT_FOUND
+// Errors: oFAIL, oNOT_FOUND
 OStatus UnobservePowerStatus(const OServiceEntry& entry);
-// oFAIL, oNOT_FOUND, oINVALID_ARG
+// Errors: oFAIL, oNOT_FOUND, oINVALID_ARG
 
 // Switches the power off at once, without DoStop and DoDestroy.
 OStatus Fatal(OFatal fatal);
@@ -125,7 +126,7 @@ OStatus Fatal(OFatal fatal);
 // Copies the file that DESIGNDB.CFG names for `keyword` into shared memory, decompressed if it is a
 // gzip file.
 OStatus FindDesignData(const char* keyword, ODesignDataID* id, byte** dataAddr, size_t* size);
-// oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
+// Errors: oNOT_FOUND, oDESIGNDATA_SIZE_ZERO, oNO_MEMORY, oFAIL
 #if OPENR_WIDE_SIZE
 template <class Number>
 inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(const char* keyword,
@@ -136,13 +137,13 @@ inline typename openr_host::IfUnsigned<Number, OStatus>::Type FindDesignData(con
 }
 #endif
 OStatus DeleteDesignData(ODesignDataID id);
-// oINVALID_ARG, oFAIL
+// Errors: oINVALID_ARG, oFAIL
 
 // Writes a name such as "ERS-210" into `robotDesign`, which needs room for orobotdesignNAME_MAX + 1
 // characters.
 OStatus GetRobotDesign(char* robotDesign);
 OStatus GetMemoryStickStatus(OMemoryStickStatus* status);
-// oFAIL
+// Errors: oFAIL
 
 // ---- clock and volume switch
 
@@ -150,11 +151,11 @@ OStatus SetTime(const OTime& time);
 OStatus GetTime(OTime* time);
 OStatus SetTimeDifference(sbyte timeDif);  // hours, -12..12
 OStatus GetTimeDifference(sbyte* timeDif);
-// oFAIL, oNOT_FOUND
+// Errors: oFAIL, oNOT_FOUND
 
 OStatus SetVolumeSwitch(OVolumeSwitch volume);
 OStatus GetVolumeSwitch(OVolumeSwitch* volume);
-// oFAIL
+// Errors: oFAIL
 
 // ---- "level 1" information, undocumented
 
