@@ -80,7 +80,7 @@ TEST(AntMessagesTest, ListenDefaultsToAnyAddressAndPort) {
   EXPECT_EQ(listen.fPort, IP_PORT_ANY);
 }
 
-// The guide shows (module, abort); sources compile against the header.
+// The guide shows the arguments (module, abort), but programs are compiled with the header.
 TEST(AntMessagesTest, TheArgumentAfterTheModuleOfCloseIsLinger) {
   antModuleRef endpoint = Endpoint();
   const TCPEndpointCloseMsg close(endpoint, true);

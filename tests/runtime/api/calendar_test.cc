@@ -5,7 +5,7 @@
 namespace openr_host {
 namespace {
 
-// The years 1600 to 2800 hold every kind of century boundary.
+// The years 1600 to 2800 contain every kind of century boundary.
 TEST(CalendarTest, EveryDayOfTwelveHundredYearsFollowsTheDayBefore) {
   CivilDate expected;
   expected.year = 1600;
@@ -39,7 +39,7 @@ TEST(CalendarTest, MonthsCarryOverIntoTheYear) {
   EXPECT_EQ(DaysToMonth(2004, -11), DaysToMonth(2003, 1));
 }
 
-// 2000-01-01 Saturday, 1970-01-01 Thursday, 1969-07-20 Sunday.
+// 2000-01-01 was a Saturday, 1970-01-01 a Thursday, 1969-07-20 a Sunday.
 TEST(CalendarTest, WeekdaysAreRightBeforeAndAfterTheStart) {
   EXPECT_EQ(WeekdayOfDay(0), 6);
   EXPECT_EQ(WeekdayOfDay(1), 0);

@@ -17,7 +17,7 @@ std::string Rfc2822(const OCalendarTime& time) {
   return text;
 }
 
-// 2004-02-29 04:05:07 UTC: 1520 days and 4 h 5 min 7 s after the start of 2000.
+// The time 2004-02-29 04:05:07 UTC, 1520 days and 4 h 5 min 7 s after the start of 2000.
 constexpr time_t kLeapDay = 1520 * 86400 + 4 * 3600 + 5 * 60 + 7;
 
 TEST(OCalendarTimeTest, TheDefaultIsTheStartOfTheYear2000WhichWasASaturday) {
@@ -42,7 +42,7 @@ TEST(OCalendarTimeTest, FieldsAreLocalTime) {
 }
 
 TEST(OCalendarTimeTest, TheZoneCanMoveTheDay) {
-  const OCalendarTime time(kLeapDay, -5);  // 23:05:07 the day before
+  const OCalendarTime time(kLeapDay, -5);  // local time is 23:05:07 of the day before
   EXPECT_EQ(time.day_, 28);
   EXPECT_EQ(time.hour_, 23);
   EXPECT_EQ(time.dow_, ocldtdowSATURDAY);
@@ -90,7 +90,7 @@ TEST(OCalendarTimeTest, February29IsProperInLeapYearsOnly) {
   EXPECT_TRUE(time.ProperDate());
   time.year_ = 3;
   EXPECT_FALSE(time.ProperDate());
-  time.year_ = 100;  // 2100
+  time.year_ = 100;  // the year 2100
   EXPECT_FALSE(time.ProperDate());
 }
 
@@ -140,7 +140,7 @@ TEST(OCalendarTimeTest, GettingSaysWhetherTheDateIsProperAndAnswersAnyway) {
   OCalendarTime time(kLeapDay, 9);
   OTime moment;
   EXPECT_EQ(time.GetTime(&moment), oSUCCESS);
-  time.day_ = 30;  // of February: the 1st of March
+  time.day_ = 30;  // the 30th of February 2004 means the 1st of March
   time_t clock = 0;
   sbyte dif = 0;
   EXPECT_EQ(time.GetTime(&clock, &dif), oINVALID_ARG);

@@ -116,7 +116,7 @@ TEST(OListTest, ClearEmptiesAndGivesAllRoomBack) {
   EXPECT_EQ(list.GetMaxSize(), 3);
 }
 
-// 2000 steps against the standard container; the sequence comes from a fixed recurrence.
+// Compares with the standard container in 2000 steps, which a fixed recurrence chooses.
 TEST(ODequeTest, BehavesLikeAStandardDequeOfLimitedSize) {
   ODeque<int, 5> deque;
   std::deque<int> model;

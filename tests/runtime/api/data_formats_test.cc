@@ -51,7 +51,7 @@ TEST(OSoundInfoTest, SetWritesTypePrimitiveAndSize) {
 }
 
 TEST(OFbkImageVectorDataTest, SetPrimitiveIDReachesEveryLayer) {
-  // The camera's vectors have room for all layers; the type has it for one.
+  // A vector of the camera has infos for all layers, but its C++ type declares only one.
   struct {
     OFbkImageVectorData vector;
     OFbkImageInfo more[ofbkimageNUM_LAYERS - 1];
@@ -73,7 +73,7 @@ TEST(OUnitsTest, MicroTruncatesTowardZero) {
   EXPECT_EQ(micro(-1.9999999), -1999999);
 }
 
-// The very last set points of Sony's MovingLegs sample on the robot, in 10^-6 rad: each is
+// The last set points of Sony's MovingLegs sample on the robot, in 10^-6 rad: each is
 // one sixteenth of its last vector short of the target.
 TEST(OUnitsTest, SetPointsOfMovingLegsComeOutExactly) {
   EXPECT_EQ(oradians(60.07421875), 1048492);

@@ -8,7 +8,7 @@ namespace {
 constexpr int kWidth = 20;
 constexpr int kHeight = 3;
 
-// An image whose byte at offset i is i % 251, so that a pixel tells where it was read.
+// An image whose byte at offset i is i % 251, so that the value of a pixel shows its offset.
 struct Image {
   OFbkImageInfo info = {};
   std::vector<byte> data;
@@ -85,7 +85,7 @@ TEST(OFbkImageTest, NoDataMeansInvalid) {
   EXPECT_FALSE(OFbkImage(nullptr, image.data.data(), ofbkimageBAND_Y).IsValid());
 }
 
-// Last row of Y: bytes 0, 1 counter; 4..7 channels 4..7; 8..11 channels 0..3.
+// In the last row of Y, bytes 0 and 1 are the counter, 4..7 channels 4..7, 8..11 channels 0..3.
 TEST(OFbkImageTest, TheTagIsReadFromTheLastRowOfTheYBand) {
   Image image(odataFBK_YCrCb, 3);
   byte* const tag = image.data.data() + 3 * kWidth * (kHeight - 1);

@@ -1,4 +1,4 @@
-// OID, RID, EventID, OServiceEntry, OMemoryLocator: the small values everything is named by.
+// Tests of the small values that are ids: OID, RID, EventID, OServiceEntry, OMemoryLocator.
 #include <EventID.h>
 #include <OID.h>
 #include <OPENR/OMemoryLocator.h>

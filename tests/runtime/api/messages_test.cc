@@ -68,7 +68,7 @@ TEST(MessagesTest, AVectorIsNamedByTypeAndRegion) {
   EXPECT_EQ(other.dataVectorID, 78u);
 }
 
-// A message needs regions, and these need an object.
+// Provides an object, because a message needs regions and regions need an object.
 class NotifyMessageTest : public testing::Test {
  protected:
   NotifyMessageTest() {

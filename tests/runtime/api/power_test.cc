@@ -5,7 +5,7 @@
 
 namespace {
 
-// Discharging at 25.1 C.
+// Returns the status of a battery that discharges at 25.1 C.
 OPowerStatus Sample() {
   return OPowerStatus(orsbMOTOR_POWER | orsbBATTERY_CONNECTED,
                       obsbDISCHARGING | obsbINITIALIZED | obsecBUSY, 84, 2983, 1800, 7400, -320, 9,

@@ -1,4 +1,4 @@
-// A second stack for an object: where it goes, what stays there.
+// Tests of the second stack of an object: switches to it and back, and the data on it.
 #include "runtime/api/second_stack.h"
 
 #include <gtest/gtest.h>

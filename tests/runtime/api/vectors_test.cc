@@ -1,4 +1,4 @@
-// The memory of vectors: robot.md 3, 4.1 and 7.2; field-notes.md 3.4.
+// Tests of the memory of vectors (robot.md 3, 4.1 and 7.2; field-notes.md 3.4).
 #include <OPENR/OPENRAPI.h>
 #include <gtest/gtest.h>
 

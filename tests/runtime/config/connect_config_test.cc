@@ -11,7 +11,7 @@ ConnectConfig Parse(std::string_view text, std::string_view design = "ERS-210") 
   return ParseConnectConfig("CONNECT.CFG", text, design);
 }
 
-// The first complaint about `text`.
+// Returns the first message about `text`.
 std::string ErrorIn(std::string_view text) {
   const ConnectConfig config = Parse(text);
   return config.diagnostics.empty() ? "" : Render(config.diagnostics[0]);

@@ -1,4 +1,4 @@
-// Cost files: what fits, and their complaints.
+// Tests of cost files: which lines match a handler, and messages about bad lines.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -5,7 +5,7 @@
 namespace openr_host::line_file_test {
 namespace {
 
-// First words of the records that hold for an ERS-210.
+// Returns the first words of the records that hold for `design`.
 std::vector<std::string> FirstWords(std::string_view text, std::string_view design = "ERS-210") {
   std::vector<Diagnostic> diagnostics;
   std::vector<std::string> words;

@@ -7,7 +7,7 @@ namespace {
 
 StubConfigResult Parse(const std::string& text) { return ParseStubConfig("stub.cfg", text); }
 
-// A good file of 5 lines, to which tests add theirs from line 6 on.
+// A valid file of 5 lines, to which tests append lines from line 6 on.
 const std::string kGood =
     "ObjectName : Mover\n"
     "NumOfOSubject : 1\n"
@@ -15,7 +15,7 @@ const std::string kGood =
     "Service : \"Mover.Move.Data.S\", null, ReadyMove()\n"
     "Service : \"Mover.Stop.Data.O\", null, NotifyStop()\n";
 
-// The same with other service lines, in lines 4 and 5.
+// Returns the same file with other service lines, in lines 4 and 5.
 std::string WithServices(const std::string& first, const std::string& second) {
   return "ObjectName : Mover\nNumOfOSubject : 1\nNumOfOObserver : 1\n" + first + "\n" + second +
          "\n";
@@ -25,7 +25,7 @@ const std::string kObserver = "Service : \"Mover.Stop.Data.O\", null, NotifyStop
 
 std::string Complaints(const std::string& text) { return Render(Parse(text).diagnostics); }
 
-// All complaints about a file whose 4th line, a subject's, is `line`.
+// Returns all messages about a file whose 4th line, a subject's, is `line`.
 std::string ComplaintsAboutSubject(const std::string& line) {
   return Complaints(WithServices(line, kObserver));
 }

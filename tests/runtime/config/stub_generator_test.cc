@@ -5,7 +5,8 @@
 namespace openr_host::stub_generator_test {
 namespace {
 
-// Two services on each side, one name on both, declared crosswise; two extras.
+// A stub.cfg with two subjects and two observers in mixed order, of which one each have the same
+// name, and two extras.
 constexpr const char* kMover =
     "ObjectName : Mover\n"
     "NumOfOSubject : 2\n"

@@ -1,4 +1,4 @@
-// Bytes of the gateway's wire, written down by hand for tests.
+// Makes bytes of the gateway's protocol for tests, without the code under test.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ inline std::string Words(std::initializer_list<uint32_t> words) {
   return bytes;
 }
 
-// One item.
+// Returns a set of one item.
 inline std::string OneItem(const std::string& text) {
   const auto size = static_cast<uint32_t>(text.size());
   return Words({8 + size, 1, size}) + text;

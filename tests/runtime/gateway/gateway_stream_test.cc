@@ -1,4 +1,4 @@
-// The bytes of measured.md 1.25 to 1.29.
+// Tests of the bytes that measured.md describes in 1.25 to 1.29.
 #include "runtime/gateway/gateway_stream.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using Result = GatewayStream::Result;
 
-// What is wrong with these bytes; "" when they are one whole set, or not whole yet.
+// Returns the error of these bytes; "" if they are one whole set, or the beginning of one.
 std::string ErrorIn(const std::string& bytes) {
   GatewayStream stream;
   stream.Feed(bytes);
@@ -56,7 +56,7 @@ TEST(GatewayStreamTest, ThirteenItemsAreTheMost) {
   EXPECT_EQ(ErrorIn(Words({12, 0, 0, 0})), "announces 0 items; a notification has 1 to 13");
 }
 
-// Before the bytes are there: nothing is kept for a set that cannot be.
+// The size is checked before the bytes arrive, so no memory is used for a set that is too large.
 TEST(GatewayStreamTest, SizeIsBoundedBeforeItIsBelieved) {
   EXPECT_EQ(ErrorIn(Words({kGatewaySetBytesMax})), "");
   EXPECT_EQ(ErrorIn(Words({kGatewaySetBytesMax + 1})),

@@ -84,7 +84,7 @@ TEST(ProxyWireTest, WhatNoSourceKnowsIsRefusedByName) {
 
 // ---- two runs
 
-// A robot that writes down what it is asked.
+// A robot that records the calls it receives.
 class HeardServices : public RobotServices {
  public:
   OStatus OpenPrimitive(const char* locator, OPrimitiveID* id) override {
@@ -130,7 +130,7 @@ class HeardServices : public RobotServices {
   }
 };
 
-// A program of the PC; `body` runs in its DoInit.
+// A program on the PC; `body` runs in its DoInit.
 class Caller : public CodeObject {
  public:
   explicit Caller(std::function<void()> body) : body_(std::move(body)) {}
@@ -196,7 +196,7 @@ class ProxyTest : public testing::Test {
       if (!finding.object.empty()) text += finding.object + ": " + finding.text + "\n";
     return text;
   }
-  // What the robot says to these bytes of a PC that is not ours.
+  // Returns the answer of the robot to these bytes of another program on a PC.
   std::string Answer(const std::string& bytes) {
     if (!peer.connected) {
       peer.Connect(kProxyPort);
@@ -297,7 +297,7 @@ TEST_F(ProxyTest, WithoutARobotACallFailsAfterTenSecondsAndTheNextOneAtOnce) {
       << Findings(*pc);
 }
 
-// A firewall, or a net of another place, that drops what is sent to the address.
+// A network that drops all packets to one address, as a firewall does.
 class DroppingNetwork : public LoopbackNetwork {
  public:
   void Connect(NetHandle, uint16_t, NetAddress) override {}
@@ -364,11 +364,11 @@ TEST_F(ProxyTest, ARobotAnswersBytesOfTheReference) {
   const std::string locator = Padded(kHead, 128);
   EXPECT_EQ(Answer(Item(Words({5}) + oid + Words({4, 132, 12}) + Words({1024}) + locator)),
             Item(Words({6, 0, 12}) + Words({1025, 0, 0x77})));
-  // Enabling the gain: request 8 of the control.
+  // Request 8 of the control enables the gain.
   const std::string control = Padded(Words({1027, 0, 8, 0, 0, 0, 4, 0, 0x77}), 224);
   const std::string enabled = Answer(Item(Words({5}) + oid + Words({9, 224, 224}) + control));
   EXPECT_EQ(enabled.substr(0, 24), Words({244, 1, 236, 6, 0, 224}));
-  EXPECT_EQ(enabled.substr(24), control);  // with status 0
+  EXPECT_EQ(enabled.substr(24), control);  // the same message, with status 0
   EXPECT_EQ(asked->heard.back(), "enable 0x77");
 }
 

@@ -1,4 +1,4 @@
-// The gateway between objects and a peer on the loopback wire: ready rules and wire of
+// Tests of the gateway between objects and a peer on a LoopbackNetwork: rules of ready and bytes of
 // measured.md 1.25 to 1.29, files of core.md, 5.4.
 #include "runtime/gateway/tcp_gateway.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint16_t kOutPort = 59002, kInPort = 59003;
 
-// A program: says texts and hears them.
+// A program that sends and receives texts.
 class Chat : public CodeObject {
  public:
   Chat() {
@@ -81,7 +81,8 @@ class TcpGatewayTest : public testing::Test {
     EXPECT_TRUE(peer.connected);
   }
 
-  // A frame boundary passes, then the peer looks; twice, since answers cross.
+  // Runs to the next frame boundary, then polls the peer; by default twice, because an answer may
+  // need a second frame.
   void Frames(int count = 2) {
     for (int i = 0; i < count; ++i) {
       system->RunFor(kFrameUs);
@@ -134,7 +135,7 @@ TEST_F(TcpGatewayTest, OneSetIsHeldUntilThePeerIsReady) {
   Say({"one", "two"});
   Frames(3);
   EXPECT_EQ(Heard(), "");
-  EXPECT_EQ(chat->readies, "+");  // the next set is not asked for while one is held
+  EXPECT_EQ(chat->readies, "+");  // while the gateway holds a set, it does not request another
   peer.Say(kReadyWord);
   Frames(3);
   EXPECT_EQ(Heard(), Words({4 + 4 + 3 + 4 + 3, 2, 3}) + "one" + Words({3}) + "two");
@@ -270,7 +271,7 @@ TEST_F(TcpGatewayTest, AMalformedStreamClosesTheConnection) {
       Found("TCPGateway.Home.Text.S (port 59003): the connection is closed: the stream "
             "announces 1073741824 bytes, the limit is 1048576"));
   peer.ended = false;
-  peer.Connect(kInPort, 40001);  // nothing of the old stream is left
+  peer.Connect(kInPort, 40001);  // the new connection has no bytes of the old stream
   Frames(3);
   peer.Say(OneItem("again"));
   Frames();
@@ -329,7 +330,7 @@ TEST_F(TcpGatewayTest, SecondWireIsAnErrorAndStrictDoesNotStart) {
 
 // ---- two gateways
 
-// What goes out of one comes into the other: robot and host side by side.
+// Two gateways, of the robot and of the host; each receives the data that the other sends.
 class GatewayPairTest : public testing::Test {
  protected:
   static std::unique_ptr<System> Make(const TempFolder& robot, const TempFolder& host,
@@ -403,7 +404,7 @@ TEST_F(GatewayPairTest, RunsRepeatThemselves) {
   EXPECT_EQ(state[0], state[1]);
 }
 
-// The host side was started first.
+// The host side starts first, so its first attempt to connect fails.
 TEST_F(GatewayPairTest, HostSideTriesAgainEverySecond) {
   const TempFolder robot, host;
   Chat *dog = nullptr, *pc = nullptr;

@@ -1,4 +1,4 @@
-// docs/hooks.md names every function of the C library that the runtime defines.
+// Tests that docs/hooks.md names every function of the C library that the runtime defines.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <stdio.h>
@@ -14,13 +14,13 @@
 namespace openr_host {
 namespace {
 
-// The file of the runtime.
+// Returns the file of the runtime, a shared object.
 std::string RuntimeFile() {
   Dl_info info{};
   return dladdr(dlsym(RTLD_DEFAULT, "openr_finding"), &info) == 0 ? "" : info.dli_fname;
 }
 
-// The names of functions that the shared object `file` defines for others.
+// Returns the names of the functions that the shared object `file` exports.
 std::vector<std::string> FunctionsOf(const std::string& file) {
   std::vector<std::string> names;
   const std::unique_ptr<FILE, int (*)(FILE*)> list(

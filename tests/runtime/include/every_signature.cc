@@ -21,7 +21,7 @@
 #include <UDPEndpointMsg.h>
 #include <ant.h>
 
-// What a member or function must be; its value is never used.
+// Checks the type of a member or function; its value is never used.
 #define MEMBER(result, type, name, parameters)       \
   {                                                  \
     result(type::*pointer) parameters = &type::name; \
@@ -227,7 +227,7 @@ void CheckSystemApi() {
   FUNCTION(OStatus, OPENR::IsMWInfoRequired, (MWIID, bool*))
   FUNCTION(OStatus, osyslog, (OSyslogPriority, const char*, ...))
   FUNCTION(OStatus, osysprint, (const char*, ...))
-  int number = -OSYSPRINT(("an expression"));  // of arithmetic type: core.md 3.2
+  int number = -OSYSPRINT(("an expression"));  // its type must be arithmetic (core.md 3.2)
   if (number) OSYSDEBUG(("may vanish"));
   if (number) OSYSLOG4((osyslogINFO, "may vanish"));
 }

@@ -62,7 +62,7 @@ CHECK_SIZE(SystemTime, 8);
 CHECK_SIZE(RelativeTime, 8);
 CHECK_SIZE(EventID, 4);
 
-// Format strings and files rely on int, not on long of the same size.
+// Format strings need int, and not a long of the same size.
 static_assert(SameType<longword, unsigned int>::value, "longword is printed with %u");
 static_assert(SameType<slongword, int>::value, "slongword is printed with %d");
 static_assert(SameType<int8, signed char>::value, "the host's int8_t has to agree");
@@ -245,8 +245,8 @@ CHECK_OFFSET(OCPCInfo, numReceptors, 10);
 CHECK_SIZE(OVRData, 16);
 CHECK_SIZE(OCPUInfo, 256);
 
-// Two figures of the Level 2 Reference Guide's arithmetic: 12 joints, and the ERS-210's 31
-// sensors.
+// Two sizes that the Level 2 Reference Guide computes: for 12 joints, and for the 31 sensors of the
+// ERS-210.
 static_assert(sizeof(ODataVectorInfo) + 12 * (sizeof(OCommandInfo) + sizeof(OCommandData)) == 2112,
               "command vector of 12");
 static_assert(sizeof(ODataVectorInfo) +

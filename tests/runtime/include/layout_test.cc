@@ -1,4 +1,4 @@
-// The compiler does the checking, in layout_checks.h.
+// Compiles layout_checks.h, in which the compiler checks layouts, and tests the accessors.
 #include <gtest/gtest.h>
 
 #include "tests/runtime/include/layout_checks.h"
@@ -6,7 +6,7 @@
 
 namespace {
 
-// What no offset says: the infos and data that the accessors find.
+// Offsets do not show whether the accessors find infos and data, so this is tested here.
 TEST(LayoutTest, AVectorFindsItsDataThroughTheOffsetInTheInfo) {
   alignas(8) byte memory[192 + 2 * (32 + 128)] = {};
   auto* const vector = reinterpret_cast<OCommandVectorData*>(memory);

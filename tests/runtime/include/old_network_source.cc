@@ -1,4 +1,4 @@
-// As old_source.cc, for a program that uses the network.
+// A source like old_source.cc, of a program that uses the network.
 #include <DNSEndpointMsg.h>
 #include <ERA201D1.h>
 #include <EndpointTypes.h>

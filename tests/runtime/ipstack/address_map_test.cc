@@ -1,4 +1,4 @@
-// Addresses of another time: what a program has compiled in, on sockets of this computer.
+// Tests of old addresses that programs contain, with sockets of this computer.
 #include "runtime/ipstack/address_map.h"
 
 #include <DNSEndpointMsg.h>
@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-constexpr uint32_t kOtherIp = 0x0a000165;  // 10.0.1.101, another dog of that time
+constexpr uint32_t kOtherIp = 0x0a000165;  // 10.0.1.101, another robot
 constexpr uint32_t kSecondLocal = 0x7f000002;
 
 TEST(AddressMapTest, TheAddressSpokenToLastIsTheOneThatAnswers) {
@@ -53,7 +53,7 @@ TEST_F(AddressesTest, AConnectionShowsTheAddressThatTheProgramKnows) {
   EXPECT_TRUE(AcceptFrom(server, &from).valid());
 }
 
-// A program for a PC knows the robot as 10.0.1.100, which is its own address here as well.
+// A program for a PC knows the robot as 10.0.1.100, but here that is also its own address.
 TEST_F(AddressesTest, TheRobotsOwnAddressMayBeAnotherRobot) {
   Fd server = OpenSocket(NetProtocol::kTcp);
   ASSERT_EQ(ListenOn(server, {kLocal, 0}, 1), 0);
@@ -117,7 +117,7 @@ TEST_F(AddressesTest, AnAddressThatNobodySpokeOfCannotBeBoundTo) {
 }
 
 TEST_F(AddressesTest, AnAddressThatThisComputerLacksIsSaid) {
-  StartWith({{kOtherIp, 0xc0000201}});  // 192.0.2.1, for documentation only
+  StartWith({{kOtherIp, 0xc0000201}});  // 192.0.2.1, an address that no computer has
   Do([&] {
     antModuleRef endpoint = probe->NewEndpoint(EndpointType_TCP);
     probe->Send(TCPEndpointListenMsg(endpoint, kOtherIp, kPort));

@@ -29,7 +29,7 @@ TEST(AntMessageTest, SizeOfAnUnknownOperationIsTheCommonPart) {
   TCPEndpointListenMsg message(tcp);
   message.dstOperation = 1000;
   EXPECT_EQ(AntMessageSize(message), sizeof(TCPEndpointBaseMsg));
-  message.dstModule.module = &message;  // no reference of ours
+  message.dstModule.module = &message;  // not a reference that a stack has made
   EXPECT_EQ(AntMessageSize(message), sizeof(TCPEndpointBaseMsg));
 }
 

@@ -138,7 +138,7 @@ TEST_F(DnsTest, CloseAnswersThePendingQuestionFirst) {
   EXPECT_EQ(probe->replies, (Replies{"DNS GetHostByName 6", "DNS Close 0", "DNS Close 6"}));
 }
 
-// DNSLookUp does so.
+// Sony's sample DNSLookUp does this.
 TEST_F(DnsTest, CallFromWithinAReplyHandlerWorks) {
   std::string domain;
   SetDomain("example.net");

@@ -1,5 +1,5 @@
-// A server and a client as programs for the robot write them: everything by Send(), one
-// entry per kind of answer.
+// A server and a client in the style of programs for the robot: they use only Send(), with one
+// entry for each kind of answer.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// Sends back what each of its connections receives; listens again after each.
+// Sends received bytes back on each of its connections; listens again after each connection.
 class EchoServer : public CodeObject {
  public:
   EchoServer(uint16_t port, int connections) : port_(port), connections_(connections) {
@@ -89,7 +89,7 @@ class EchoServer : public CodeObject {
   Selector listen_, receive_, send_, close_;
 };
 
-// Connects to `server` and bounces one line `rounds` times, then closes.
+// Connects to `server`, sends one line and receives it back `rounds` times, then closes.
 class EchoClient : public CodeObject {
  public:
   EchoClient(uint32_t server, uint16_t port, int rounds)

@@ -1,4 +1,4 @@
-// Whole conversations: an echo server and its clients, outside and inside.
+// Tests of whole conversations between an echo server and clients, in and outside of the robot.
 #include "tests/runtime/ipstack/echo_server.h"
 
 namespace openr_host {
@@ -88,7 +88,7 @@ TEST_F(EchoTest, ArbitraryFragmentsComeBackInOrder) {
   EXPECT_EQ(a.heard, all);
 }
 
-// What a run says about itself after a server and two clients inside have talked.
+// The hashes of a run in which two clients on the robot have talked to a server.
 struct Hashes {
   uint64_t trace;
   uint64_t state;
@@ -96,7 +96,7 @@ struct Hashes {
 };
 
 Hashes RunInside(int64_t slice_us, size_t shift = 0) {
-  const std::string elsewhere(shift, 'x');  // moves what is allocated after it
+  const std::string elsewhere(shift, 'x');  // shifts the addresses of later allocations
   System system;
   system.AddRobot("ERS-210", nullptr);
   AddIpStack(&system, 0, std::make_unique<LoopbackNetwork>());

@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-// The stack's `nth` command fails; returns what a probe was told.
+// A robot on whose network command number `nth` fails, and a probe that records its answers.
 class FailingNetworkTest : public testing::Test {
  protected:
   void Start(int nth, NetError error) {
@@ -68,7 +68,7 @@ TEST_F(FailingNetworkTest, ConnectThatFailsCarriesTheReason) {
 }
 
 TEST_F(FailingNetworkTest, BrokenConnectionAnswersReceiveSendAndClose) {
-  Start(3, NetError::kTimeout);  // Listen, Accept, Receive
+  Start(3, NetError::kTimeout);  // the third command, after Listen and Accept, is Receive
   antModuleRef endpoint;
   byte* buffer = nullptr;
   Do([&] {

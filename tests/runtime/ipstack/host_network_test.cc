@@ -1,4 +1,4 @@
-// The stack over sockets of this computer, all on 127.0.0.1.
+// Tests of the stack with sockets of this computer, all at 127.0.0.1.
 #include "runtime/ipstack/host_network.h"
 
 #include <DNSEndpointMsg.h>
@@ -166,7 +166,7 @@ TEST_F(HostNetworkTest, ConnectToAClosedPortIsPortUnreachable) {
     antModuleRef a = probe->NewEndpoint(EndpointType_TCP);
     antModuleRef b = probe->NewEndpoint(EndpointType_TCP);
     probe->Send(TCPEndpointConnectMsg(a, IP_ADDR_ANY, IP_PORT_ANY, kClientIp, closed));
-    // The robot itself, where none of its objects listens.
+    // The address is that of the robot itself, but no object listens on the port.
     probe->Send(TCPEndpointConnectMsg(b, IP_ADDR_ANY, IP_PORT_ANY, kRobotIp, closed));
   });
   EXPECT_TRUE(Until([&] { return probe->replies.size() == 2; }));
@@ -198,7 +198,8 @@ TEST_F(HostNetworkTest, PortThatWasAskedForAndIsTakenIsNotReplaced) {
 
 TEST_F(HostNetworkTest, PortThatIsTakenIsMappedToAFreeOneAndSaidSo) {
   Fd taken = OpenSocket(NetProtocol::kTcp);
-  ListenOn(taken, {kLocal, kPort}, 1);  // or somebody else has it: as good
+  // If this fails, the port is in use already, which is what the test needs.
+  ListenOn(taken, {kLocal, kPort}, 1);
   Start(HostNetworkOptions());
   system->AddObject<EchoServer>(0, "server", kPort, 1);
   Boot();

@@ -1,4 +1,4 @@
-// Which port of the host is taken, without sockets.
+// Tests of the choice of ports of the host, without sockets.
 #include "runtime/ipstack/host_ports.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace openr_host {
 namespace {
 
-// A host where the ports in `taken` are taken and the next free one is 5555.
+// A host on which the ports in `taken` are in use; for port 0 it chooses 5555.
 struct Host {
   int Bind(HostPorts* ports, uint16_t port) {
     const auto take = [this](uint16_t wanted) {

@@ -1,4 +1,4 @@
-// A robot whose network are sockets of this computer, and programs beside it.
+// A robot that uses sockets of this computer, and other programs on this computer.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@
 namespace openr_host {
 
 constexpr uint32_t kLocal = 0x7f000001;
-constexpr int kTriesMax = 200'000;  // frames; a handful is needed, more on a busy computer
+constexpr int kTriesMax = 200'000;  // in frames; a few are needed, more on a busy computer
 
-// A socket of a program beside the robot.
+// A socket of another program on this computer.
 class HostPeer {
  public:
   explicit HostPeer(NetProtocol protocol) : fd(OpenSocket(protocol)) {}
@@ -29,7 +29,7 @@ class HostPeer {
   }
   void Say(const std::string& text) { SendBytes(fd, text.data(), text.size()); }
 
-  // False when there is nothing to read now.
+  // Reads what has arrived; returns false if there is nothing.
   bool Hear() {
     std::string bytes;
     const int64_t count = ReceiveBytes(fd, 65536, &bytes, &from);
@@ -48,7 +48,7 @@ class HostPeer {
 
 class HostRobotTest : public testing::Test {
  protected:
-  // The robot, with any free port of the host for kPort.
+  // Starts the robot; its kPort gets any free port of the host.
   void Start(HostNetworkOptions options) {
     system = std::make_unique<System>();
     system->AddRobot("ERS-210", nullptr);
@@ -73,7 +73,7 @@ class HostRobotTest : public testing::Test {
     probe->Do(std::move(body));
     system->RunFor(1);
   }
-  // Runs frames until `done` holds.
+  // Runs frames until `done` returns true; returns false after kTriesMax frames.
   bool Until(const std::function<bool()>& done) {
     for (int i = 0; i < kTriesMax; ++i) {
       if (done()) return true;

@@ -1,4 +1,4 @@
-// The stack itself: references, messages, buffers, parameters, the card.
+// Tests of the stack itself: references, messages, buffers, parameters, the card.
 #include "runtime/ipstack/ip_stack.h"
 
 #include <ERA201D1.h>

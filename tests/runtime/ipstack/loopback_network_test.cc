@@ -1,4 +1,4 @@
-// The wire itself, without a stack.
+// Tests of LoopbackNetwork itself, without a stack.
 #include "runtime/ipstack/loopback_network.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ class LoopbackNetworkTest : public testing::Test {
     a.Attach(1);
     b.Attach(2);
   }
-  // Connection 10 of a to 20 of b.
+  // Connects handle 10 of host a with handle 20 of host b.
   void Connect() {
     b.Listen(1, 80);
     b.Accept(1, 20);

@@ -1,5 +1,5 @@
-// Probe objects for the network stack, a peer outside of it, and the fixture that has
-// both on one loopback wire.
+// Probe objects for the network stack, a peer outside of the robot, and a fixture with both at one
+// LoopbackHub.
 #pragma once
 
 #include <EndpointTypes.h>
@@ -28,8 +28,8 @@ constexpr uint32_t kRobotIp = 0x0a000164;   // 10.0.1.100, the default of WLANCO
 constexpr uint32_t kClientIp = 0x0a000102;  // 10.0.1.2
 constexpr uint16_t kPort = 54321;
 
-// An object that uses the stack: code given to Do() runs in its handlers, answers to
-// Send() are written down.
+// An object that uses the stack: code given to Do() runs in its handlers, and answers to Send() are
+// recorded.
 class NetProbe : public CodeObject {
  public:
   NetProbe() {
@@ -57,7 +57,7 @@ class NetProbe : public CodeObject {
     return oSUCCESS;
   }
 
-  // Runs `body` in a handler as soon as the system runs.
+  // Lets `body` run in a handler as soon as the system runs.
   void Do(std::function<void()> body) {
     todo_.push_back(std::move(body));
     system().Post(system().NewMessage(host().id, do_));
@@ -79,7 +79,7 @@ class NetProbe : public CodeObject {
     return create.moduleRef;
   }
 
-  // A mapped buffer.
+  // Makes a mapped buffer; returns its address.
   byte* NewBuffer(uint32 size) {
     antEnvCreateSharedBufferMsg create(size);
     EXPECT_EQ(create.Call(Stack(), sizeof create), ANT_SUCCESS);
@@ -89,7 +89,7 @@ class NetProbe : public CodeObject {
     return static_cast<byte*>(create.buffer.GetAddress());
   }
 
-  // "TCP Receive 0 'abc'": name, error, and what was received.
+  // Returns a text such as "TCP Receive 0 'abc'": name, error, and the received bytes.
   static std::string Describe(const antEnvMsg& message) {
     const std::string name = AntMessageName(message);
     const auto& any = static_cast<const antOperationMsg<antError>&>(message);
@@ -137,7 +137,7 @@ class Peer {
   }
   void Say(const std::string& text) { net.Send(handle, text.data(), text.size()); }
 
-  // Takes everything there is.
+  // Handles all events of the network.
   void Poll() {
     if (reading) net.Receive(handle, 1 << 20);
     for (const NetworkEvent& event : net.Poll()) {
@@ -152,7 +152,7 @@ class Peer {
   }
 
   LoopbackNetwork net;
-  NetHandle handle = 10;  // of the connection
+  NetHandle handle = 10;  // handle of the connection
   bool reading = true;
   bool connected = false;
   bool ended = false;
@@ -171,13 +171,13 @@ class NetTest : public testing::Test {
     system.RunFor(1000);
   }
 
-  // Runs `body` in a handler of the probe, now.
+  // Runs `body` in a handler of the probe at once.
   void Do(std::function<void()> body) {
     probe->Do(std::move(body));
     system.RunFor(1);
   }
 
-  // Until the next frame boundary has been served, `count` times; the peer listens too.
+  // Runs to the next frame boundary and polls the peer, `count` times.
   void Frames(int count = 1) {
     for (int i = 0; i < count; ++i) {
       system.RunUntil((system.now_us() / kFrameUs + 1) * kFrameUs);
@@ -220,7 +220,7 @@ class ConnectedTest : public NetTest {
       probe->Send(TCPEndpointSendMsg(endpoint, buffer + 4096, static_cast<int>(text.size())));
     });
   }
-  // The Receive() that the peer has out is spent on one byte.
+  // Answers the pending Receive() of the peer with one byte, so that it reads no more.
   void StopPeerReading() {
     peer.reading = false;
     Send("x");

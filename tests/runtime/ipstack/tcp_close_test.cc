@@ -1,4 +1,4 @@
-// The end of connections.
+// Tests of the end of connections.
 #include "runtime/ipstack/tcp_endpoint.h"
 #include "tests/runtime/ipstack/net_probe.h"
 

@@ -1,4 +1,4 @@
-// TCP operations one by one; numbers in answers are those of TCPEndpointError.
+// Tests of single TCP operations; numbers in answers are those of TCPEndpointError.
 #include "tests/runtime/ipstack/net_probe.h"
 
 namespace openr_host {
@@ -265,7 +265,7 @@ TEST_F(TcpConnectedTest, SendWaitsWhileThePeerDoesNotReadAndThePoolIsFull) {
     if (TakeReplies().empty()) break;
     ++sent;
   }
-  // The window, the pool, and one send that waits.
+  // Sends are answered until window and pool are full; the next one waits.
   EXPECT_EQ(sent, static_cast<int>(LoopbackNetwork::kWindowBytes / block.size()) + 1);
   peer.reading = true;
   Frames(3);

@@ -124,7 +124,7 @@ TEST_F(UdpTest, SendsBeyondThePoolWaitForTheNextFrame) {
   Bind(kPort);
   const std::string half(3000, 'x');
   SendTo(kClientIp, 9999, half);
-  SendTo(kClientIp, 9999, half);  // pool: 4096
+  SendTo(kClientIp, 9999, half);  // the pool has 4096 bytes
   SendTo(kClientIp, 9999, half);
   EXPECT_EQ(TakeReplies(), (Replies{"UDP Send 0", "UDP Send 3"}));
   Frames();
@@ -137,7 +137,7 @@ TEST_F(UdpTest, SendsThatCannotBeAreRefused) {
     antModuleRef big = probe->NewEndpoint(EndpointType_UDP, 100'000);
     probe->Send(UDPEndpointBindMsg(big, IP_ADDR_ANY, IP_PORT_ANY));
     probe->Send(UDPEndpointSendMsg(big, kClientIp, 9999, buffer, UdpEndpoint::kDatagramMax + 1));
-    probe->Send(UDPEndpointSendMsg(endpoint, kClientIp, 9999, buffer, 4097));  // pool
+    probe->Send(UDPEndpointSendMsg(endpoint, kClientIp, 9999, buffer, 4097));  // more than the pool
     probe->Send(UDPEndpointSendMsg(endpoint, buffer, 1));                      // no destination
     probe->Send(UDPEndpointSendMsg(endpoint, IP_ADDR_BROADCAST, 9, buffer, 1));
     probe->Send(UDPEndpointSendMsg(endpoint, kClientIp, 9999, buffer, 0));
@@ -197,7 +197,7 @@ TEST_F(UdpTest, AddressTellsBothEnds) {
   EXPECT_EQ(probe->replies, Replies{"UDP Address 0"});
 }
 
-// UDPEchoServer and NTP give the size of another, larger struct.
+// The programs UDPEchoServer and NTP give the size of another, larger struct.
 TEST_F(UdpTest, MessageSizeIsNotTrusted) {
   Do([&] {
     UDPEndpointBindMsg bind(endpoint, IP_ADDR_ANY, kPort);

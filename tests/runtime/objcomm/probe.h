@@ -1,4 +1,4 @@
-// Probe objects: a subject and an observer whose every call is written down.
+// Probe objects: a subject and an observer that record every call.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ class SubjectProbe : public CodeObject {
     return oSUCCESS;
   }
 
-  // Sets and notifies one number.
+  // Sends one number to the observers.
   OStatus Send(int value) {
     out->SetData(&value, sizeof value);
     return out->NotifyObservers();
@@ -65,7 +65,7 @@ class ObserverProbe : public CodeObject {
   std::function<void()> on_start;
 };
 
-// Runs code as a handler of `object`, now.
+// Runs code at once, as a handler of `object`.
 inline void RunAs(CodeObject* object, const std::function<void()>& body) {
   const CurrentScope scope(&object->system(), &object->host());
   body();

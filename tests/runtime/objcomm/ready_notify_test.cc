@@ -1,5 +1,5 @@
-// Subjects, observers and regions as measured on the original library
-// (measured.md, section 1); every test is one of its lines.
+// Tests of subjects, observers and regions as measured on the original library (measured.md,
+// section 1); each test is for one line of that section.
 #include <gtest/gtest.h>
 
 #include "tests/runtime/objcomm/probe.h"
@@ -51,7 +51,7 @@ TEST_F(ReadyNotifyTest, NotifyToAReadyObserverArrivesAndClearsTheFlag) {
   EXPECT_EQ(receiver->events, Events{"7"});
 }
 
-// They would be taken for addresses of regions.
+// The subject would take such bytes for addresses of regions.
 TEST_F(ReadyNotifyTest, BytesSentToTheEntryOfASubjectAreRefused) {
   Boot();
   RunAs(receiver, [&] {
@@ -283,7 +283,8 @@ TEST_F(ReadyNotifyTest, ADeliveredRegionIsReleasedByTheNextReadyBeforeTheCallbac
     sender->out->NotifyObservers();
   });
   Settle();
-  EXPECT_EQ(region->NumberOfReference(), 2);  // Notify has returned, ready was not asserted
+  EXPECT_EQ(region->NumberOfReference(),
+            2);  // the handler has returned, but ready was not asserted
   int in_callback = 0;
   sender->on_ready = [&](const OReadyEvent&) { in_callback = region->NumberOfReference(); };
   AssertReady();
@@ -318,7 +319,7 @@ TEST_F(ReadyNotifyTest, ARegionTheObserverKeepsComesBackWithALaterReady) {
     sender->out->NotifyObservers();
   });
   Settle();
-  EXPECT_EQ(region->NumberOfReference(), 2);  // the observer still has it
+  EXPECT_EQ(region->NumberOfReference(), 2);  // the observer still has the region
   RunAs(receiver, [&] { kept->RemoveReference(); });
   AssertReady();
   EXPECT_EQ(region->NumberOfReference(), 1);

@@ -1,4 +1,4 @@
-// OShmPtr, and regions that come back with a later ready (core.md, 2.8 and 11.17).
+// Tests of OShmPtr, and of regions that a later ready gives back (core.md, 2.8 and 11.17).
 #include <OPENR/OShmPtr.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What the runtime notices about ready, notify and received data, and what it leaves alone.
+// Tests of findings about ready, notify and received data, and of programs that get none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The stick of a folder: what is large, and what may not be read.
+// Tests of FolderStick with large files and with files that may not be read.
 #include "runtime/stick/memory_stick.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 TEST(MemoryStickTest, TheHashOfAFileIsThatOfItsNameSizeAndBytes) {
   const TempFolder folder;
   fs::create_directories(folder.path() + "/OPEN-R");
-  const std::string text(3 << 20, 'x');  // several pieces
+  const std::string text(3 << 20, 'x');  // more than one piece of HashFile()
   std::ofstream(folder.path() + "/OPEN-R/A.TXT") << text;
   Hasher expected;
   expected.AddText("OPEN-R/A.TXT");
@@ -35,14 +35,15 @@ long PeakKb() {
   return usage.ru_maxrss;
 }
 
-// In a process of its own, whose memory did not grow before.
+// Runs in a process of its own, whose memory has not grown before.
 TEST(MemoryStickTest, ALargeFileIsNotReadIntoMemoryWhole) {
   constexpr uint64_t kFileBytes = 256 << 20;
   constexpr long kRoomKb = 32 << 10;
   const TempFolder folder;
   fs::create_directories(folder.path() + "/OPEN-R");
   std::ofstream(folder.path() + "/OPEN-R/BIG.DAT") << "x";
-  fs::resize_file(folder.path() + "/OPEN-R/BIG.DAT", kFileBytes);  // sparse
+  fs::resize_file(folder.path() + "/OPEN-R/BIG.DAT",
+                  kFileBytes);  // a sparse file, which uses no disk space
   const pid_t child = fork();
   if (child == 0) {
     const long before_kb = PeakKb();
