@@ -1,11 +1,11 @@
-// The addresses of everything that an object can see of memory.
+// The address plan: fixed addresses for all memory that an object can see.
 //
-// Programs send addresses: the address of a region inside a message is a usual idiom, and padding
-// that nobody set may hold a pointer.  The kernel maps memory at random places, so such a program
-// would be another run in every process.  Therefore the memory of objects is mapped at places that
-// this plan names.  They follow from the number of the object or region, are the same in every
-// process and on every machine, and lie in a part of the address space that Linux on x86-64 leaves
-// empty:
+// Programs send addresses: many put the address of a region into a message, and padding that was
+// never set may hold a pointer.  The kernel maps memory at random addresses, so the messages of
+// such a program would differ from process to process.  Therefore this plan gives the memory of
+// objects fixed addresses.  An address follows from the number of the object or region and is the
+// same in every process and on every machine.  All of them lie in a part of the address space that
+// Linux on x86-64 leaves empty:
 //
 //     2 TiB   heaps, 128 MiB for each place
 //     6 TiB   images, 16 MiB for each place
@@ -15,11 +15,11 @@
 //    14 TiB   the end
 //
 // Memory is mapped when it is needed and not reserved before, so a limit on address space (ulimit
-// -v) counts only what is used.
+// -v) counts only used memory.
 //
-// Addresses are not planned with AddressSanitizer or ThreadSanitizer, whose own tables lie there,
-// nor where something else was mapped there first (address_plan.cc).  Objects then share the
-// host's heap, and everything lies where the kernel puts it.
+// Addresses are not planned with AddressSanitizer or ThreadSanitizer, because their own tables lie
+// in this range, nor if the range was not empty at the start (address_plan.cc).  Objects then
+// share the host's heap, and the kernel chooses the address of every mapping.
 #pragma once
 
 #include <cstddef>
@@ -38,43 +38,44 @@ class AddressPlace {
   static constexpr size_t kStackBytes = size_t{1} << 20;  // stack_memory.h
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
-  // Takes the place of object `id`.  An object that comes in the place of another one takes a
-  // second place while the first is in use, and so does an object of another System in this
-  // process; from the third one on, they take the last place that is free.
+  // Takes one of the two places that each `id` has.  The second is for an object that replaces
+  // another one, or for an object of a second System in this process, while the first place is in
+  // use.  If both are in use, takes the last free place of the plan.
   explicit AddressPlace(ObjectId id);
-  ~AddressPlace();  // REQUIRES: nothing is mapped there any more
+  ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
   AddressPlace(const AddressPlace&) = delete;
   AddressPlace& operator=(const AddressPlace&) = delete;
 
-  // The begin of each area; null when addresses are not planned.
+  // Return the begin of each area; null if addresses are not planned.
   char* heap() const;
   char* image() const;
   char* thunks() const;
-  char* stack(int number) const;  // 0: of handlers; 1: of a controller's endless loop
+  char* stack(int number) const;  // 0: for handlers; 1: for a controller's endless loop
   char* copies() const;
 
-  // The number of the place whose heap `address` lies in; -1: in none.
+  // Returns the number of the place with the heap in which `address` lies; -1 if there is none.
   static int OfHeap(const void* address);
 
  private:
-  int index_ = -1;
+  int index_ = -1;  // the number of the place; -1: addresses are not planned
 };
 
-// The area for regions, one for each System; null when all are taken or addresses are not
+// Takes the area for the regions of one System.  Null if all are taken or addresses are not
 // planned.
 char* TakeRegionArea();
+// Gives back an area of TakeRegionArea().
 void GiveRegionArea(char* area);
 constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB
 
-// Maps `bytes` zeros at `address`, readable and writable.  False when there is no memory or
-// something else lies there.
+// Maps `bytes` zeros at `address`, readable and writable.  False if there is no memory or the
+// addresses are in use.
 bool MapAt(char* address, size_t bytes);
 
-// Whether `address` lies in memory that is planned.
+// Returns whether `address` lies in the range of the plan.
 bool IsPlanned(const void* address);
 
-// Gives objects other addresses from now on, as another machine without a plan would: to find
-// programs that depend on addresses.  REQUIRES: no System has been made in this process.
+// Moves the plan to another range of addresses.  Two runs with different ranges show whether a
+// program depends on addresses.  REQUIRES: no System has been made in this process.
 void UseOtherAddresses();
 
 }  // namespace openr_host

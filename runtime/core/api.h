@@ -1,4 +1,4 @@
-// What the bodies of SDK functions share.
+// Conversions between object ids of the host and OIDs of the robot, for the functions of the SDK.
 #pragma once
 
 #include <OID.h>
@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// Object ids as the robot shows them: numbers near 0x80000042, where application
-// objects began in its object tables.
+// The OID of object 0.  In the object tables that robots printed, application objects began near
+// this number.
 constexpr uintptr_t kFirstOid = 0x80000042;
 
 inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_t>(id); }

@@ -1,12 +1,12 @@
-// The heap of one object: freed as a whole when the object goes.
+// The heap of one object, freed as a whole when the object is destroyed.
 //
-// Memory comes in spans of 64 KiB out of the addresses that are planned for the object
-// (address_plan.h), so that any address tells in O(1) whose it is; free() works from anywhere.
-// Small blocks live in size classes with free lists, large ones get spans of their own.
-// Every block is zero when it is handed out: what an earlier block left there may be
-// an address of the C library, which no run may depend on.
-// What an object may take is bounded by the memory of its robot, which all its objects
-// share (the .ocf heap size is a step of growth, no limit), and by the addresses of its place.
+// Memory comes in spans of 64 KiB from the heap area of the object's place (address_plan.h).  The
+// owner of a block follows from its address in O(1), so free() may be called in any context.
+// Small blocks are in size classes with free lists; each large block has spans of its own.
+// A block is filled with zeros when it is allocated, because the bytes of an earlier block may be
+// an address of the C library, and no run may depend on such an address.
+// Two limits hold: the memory of the robot, which all its objects share, and the size of the
+// place's heap area.  The heap size in the .ocf file is a step of growth on the robot, no limit.
 #pragma once
 
 #include <cstddef>
@@ -26,27 +26,29 @@ struct MemoryBudget {
 
 class Arena {
  public:
-  // Allocates in the heap area of `place`, which no other arena may use.  A null `budget` is
-  // without limit; otherwise it must outlive the arena.  REQUIRES: place.heap() is not null.
+  // Makes an empty heap in the heap area of `place`, which no other arena may use.  With a null
+  // `budget` there is no limit; otherwise `budget` must outlive the arena.  REQUIRES: place.heap()
+  // is not null.
   explicit Arena(const AddressPlace& place, MemoryBudget* budget = nullptr);
   ~Arena();  // every block is gone afterwards
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  // A block of zeros; null when the budget or the heap area is exhausted.  Alignment is 16, or
-  // `alignment` if that is larger; REQUIRES: a power of two.
+  // Returns a block of zeros; null if the budget or the heap area is exhausted.  The block is
+  // aligned to 16, or to `alignment` if that is larger.  REQUIRES: `alignment` is a power of two.
   void* Allocate(size_t size, size_t alignment = 16);
 
   size_t bytes_in_use() const { return in_use_; }
   size_t bytes_in_use_max() const { return in_use_max_; }
 
-  // The arena that `block` came from; null when it is not an arena's.
+  // Returns the arena that `block` was allocated from; null if no arena has this address.
   static Arena* OwnerOf(const void* block);
-  // REQUIRES: OwnerOf(block) is not null.
+  // Frees a block of an arena.  REQUIRES: OwnerOf(block) is not null.
   static void Free(void* block);
-  // Frees a block of an arena or of the host's heap.  For memory that was taken from an arena
-  // directly: under Valgrind free() is not ours.
+  // Frees a block of an arena or of the host's heap.  Code that calls Allocate() directly frees
+  // with this function, because under Valgrind free() is Valgrind's and does not know arenas.
   static void FreeAny(void* block);
+  // REQUIRES: OwnerOf(block) is not null.
   static size_t UsableSize(const void* block);
 
  private:
@@ -54,11 +56,11 @@ class Arena {
   static constexpr size_t kSpanBytes = size_t{64} << 10;
   static constexpr size_t kSpans = AddressPlace::kHeapBytes / kSpanBytes;
 
-  // A span belongs to small blocks of one class, or is the first one of a large block or
-  // lies inside of a large block.
+  // A span holds small blocks of one class, or is the first span of a large block, or a later span
+  // of a large block.
   struct Span {
     int16_t use = kFree;      // a size class, or one of the numbers below
-    uint16_t span_count = 0;  // of a large block, in its first span
+    uint16_t span_count = 0;  // in the first span of a large block: the number of its spans
   };
   static constexpr int16_t kFree = -1, kLarge = -2, kInside = -3;
 
@@ -82,9 +84,9 @@ class Arena {
   char* const base_;
   std::vector<Span> spans_;
   size_t first_free_ = 0;    // no free span lies before it
-  size_t mapped_spans_ = 0;  // spans up to here have memory
+  size_t mapped_spans_ = 0;  // the first so many spans are mapped
   FreeBlock* free_[kClasses] = {};
-  char* bump_[kClasses] = {};  // next never-used block of the class
+  char* bump_[kClasses] = {};  // the next block of the class that was never used
   char* bump_end_[kClasses] = {};
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

@@ -1,40 +1,42 @@
-// Finds where the arithmetic of a handler goes wrong: operations that make NaN, infinity or a
-// denormal number raise SIGFPE while the handler's own code runs.
+// Finds the instruction of a handler that makes a NaN or an infinity, or uses a denormal number:
+// such operations raise SIGFPE while the handler's own code runs.
 //
-// Functions of the SDK and of the C library are not the object's own.  Every call of them that
-// this library can see is announced (ApiScope, LibraryScope), and raises nothing.
+// Functions of the SDK and of the C library are not the handler's own code, so their operations
+// raise nothing.  ApiScope and LibraryScope (current.h) tell the watch when such a call begins and
+// ends.
 #pragma once
 
 namespace openr_host {
 
 class ArithmeticWatch {
  public:
-  // Whether somebody in this process handles SIGFPE of objects (CrashLog), so that arithmetic may
-  // raise it; at first nobody does.  Never with AddressSanitizer or under Valgrind, whose processor
-  // raises no SIGFPE.
+  // Says whether this process has a handler for SIGFPE (CrashLog); at first it has none.
   static void SetCatches(bool on);
+  // Returns whether operations may raise SIGFPE: there is a handler for it.  Always false with
+  // AddressSanitizer and under Valgrind; the processor that Valgrind emulates raises no SIGFPE.
   static bool Catches();
 
-  // Operations of the handler, which begins, that raise one of `kinds` (FpFlags) are SIGFPE.
+  // Called when a handler begins: from now on, operations that raise one of the flags `kinds`
+  // (FpFlag) raise SIGFPE.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Operations that raise `kind` go on as usual; from the signal handler, which sees to the code
-  // that was interrupted itself.
+  // Operations that raise the flag `kind` raise no more SIGFPE.  Called by the signal handler,
+  // which changes the MXCSR of the interrupted code itself.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Code of the image calls a function that is not its own; and goes on.  Calls within calls are
-  // counted.
+  // Called before and after code of the image calls a function that is not its own.  Such calls may
+  // be nested.
   void Enter();
   void Leave();
 
-  // The handler has ended.
+  // Called when the handler has ended.
   void End();
 
  private:
   bool has_begun_ = false;
-  unsigned kinds_ = 0;     // that are SIGFPE
-  int calls_ = 0;          // under way, of functions that are not the image's
+  unsigned kinds_ = 0;     // the flags that raise SIGFPE
+  int calls_ = 0;          // depth of calls of functions that are not the image's own
   unsigned saved_fp_ = 0;  // MXCSR of the image during a call
 };
 

@@ -1,7 +1,7 @@
 // Objects built in code: parts of the robot, test probes, load generators.
 //
-// They use the same subjects, observers and messages as objects from images; only
-// the entry table is made here instead of by a stub.
+// They use the same subjects, observers and messages as objects from images.  The difference is
+// the entry table: an image has one from its stub, a CodeObject makes its own.
 //
 //   class Blinker : public CodeObject {
 //    public:
@@ -42,12 +42,13 @@ class CodeObject : public OObject {
   using Notify = std::function<void(const ONotifyEvent&)>;
   using Extra = std::function<void(void* message)>;
 
-  // In the constructor: declares a service, registered under its full name.  The
-  // end belongs to this object; the function may be empty.
+  // Add a subject or an observer and register it as `service`, a full name of four parts.  The
+  // function is called for each ready or notification and may be empty.  This object owns the
+  // result.  Called in the constructor.
   OSubject* AddSubject(const std::string& service, Ready ready = {});
   OObserver* AddObserver(const std::string& service, Notify notify = {});
 
-  // An entry for any message; returns its selector.
+  // Adds an entry that accepts any message, and returns its selector.
   Selector AddExtra(const std::string& name, Extra extra);
 
  private:
@@ -55,7 +56,7 @@ class CodeObject : public OObject {
   using EntryFunction = std::function<void(void*)>;
 
   Object* const host_;
-  std::vector<EntryFunction> entries_;  // from oentryBASE on
+  std::vector<EntryFunction> entries_;  // by selector - oentryBASE
   std::vector<std::unique_ptr<OSubject>> own_subjects_;
   std::vector<std::unique_ptr<OObserver>> own_observers_;
 };

@@ -1,27 +1,27 @@
 // Names of places in the code of objects, for findings: "Talker.cc:57".
 //
-// Looking a place up needs the debug information of images, which the program reads and this
-// library does not; so the program lends it a function.
+// The name of a place comes from the debug information of an image.  This library does not read
+// debug information, so the program gives it a function that does (openr/).
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// Called with the address of an instruction; "" when nothing is known about it.
+// A function that returns the place of the instruction at `address`; "" if it is not known.
 using PlaceNamer = std::string (*)(const void* address);
 
-// Null: no places are named, as at the start.
+// Sets the function that names places; null, as at the start: places have no names.
 void SetPlaceNamer(PlaceNamer namer);
 
-// "Talker.cc:57", or "" when nobody knows.
+// Returns the place of the instruction at `address` ("Talker.cc:57"); "" if it is not known.
 std::string NameOfPlace(const void* address);
 
-// The instruction of the current object's image that has called the runtime, whatever lies
-// between; null when its code is not running.
+// Searches the stack for the innermost call that was made by code of the current object's image,
+// and returns the address of the call; null if no code of that image is on the stack.
 const void* CallerInImage();
 
-// ", at Talker.cc:57" of that, or "".
+// Returns ", at Talker.cc:57" for CallerInImage(); "" if its place is not known.
 std::string AtCaller();
 
 }  // namespace openr_host

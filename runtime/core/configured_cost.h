@@ -12,7 +12,8 @@
 
 namespace openr_host {
 
-// Charges what the file says.  Jitter is uniform, drawn from the generator "cost" of the seed.
+// Takes the cost of each handler from the rules of a cost file.  Jitter is uniform and drawn from a
+// generator that is derived from the seed and the word "cost".
 class ConfiguredCost : public CostModel {
  public:
   ConfiguredCost(CostConfig config, uint64_t seed);
@@ -21,11 +22,13 @@ class ConfiguredCost : public CostModel {
   int64_t FrameUs() const override { return config_.frame_us; }
   void HashState(Hasher* hasher) const override;
 
-  // Lines that fit no handler called so far.  One that another line below stands in for fits.
+  // Returns the rules whose pattern matches no handler called so far.  A rule that matches is used,
+  // even where a later rule overrides it.
   std::vector<FilePosition> Unused() const;
 
  protected:
-  // What this call takes more, or less if negative: at most `range_us` > 0 to both sides.
+  // Returns the time to add to the cost of this call, from -range_us to range_us.
+  // REQUIRES: range_us > 0.
   virtual int64_t JitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
  private:
@@ -38,7 +41,8 @@ class ConfiguredCost : public CostModel {
   const CostConfig config_;
   std::vector<bool> used_;  // by rule
   Rng rng_;
-  // Entries have their names by the time they are called first.
+  // The result of Find() by object and selector.  It can be kept, because an entry does not change
+  // its name after its first call.
   std::map<std::pair<ObjectId, uint32_t>, Cost> known_;
 };
 

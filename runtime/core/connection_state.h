@@ -29,9 +29,9 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Whether the message being handled was sent by the library with this kind of payload.  If an
-// object sent bytes of its own to the entry of a subject or observer, there are no regions in them;
-// that is an error finding.
+// Returns whether the message that `object` handles was sent by the library with a payload of this
+// `kind`.  False, with an error finding, if an object sent bytes of its own to the entry of a
+// subject or observer: such bytes must not be read as a notification or a ready.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
 // The type of a deassert that the runtime sends for a lost observer.
@@ -41,7 +41,7 @@ constexpr OMessageType kDeassertOfLost = 0x10000;
 // gives back `regions` that the subject had sent it, at most MAX_NUM_DATA.
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
                   const std::vector<RCRegion*>& regions);
-// Does the same for a notification that will not be delivered.
+// Calls SendDeassert() for a notification to `object` that will not be delivered, with its regions.
 void RefuseNotification(Object* object, const Message& message);
 
 // A subject's record of one observer.
@@ -52,35 +52,40 @@ struct ObserverLink {
   size_t min = 1;
   size_t max = 1;
 
-  // 1: ready.  0: not asserted yet, or data were sent since.  -1: deasserted.  It is a flag, so two
-  // asserts count as one.
+  // 1: ready.  0: not asserted yet, or data were sent since.  -1: deasserted.  Two asserts in a row
+  // count as one, as on the robot.
   int ready = 0;
   size_t skipped = 0;  // notifications skipped since the last one that was kept
 
-  std::vector<RCRegion*> fresh;  // set since the last notify; at most MAX_NUM_DATA
+  std::vector<RCRegion*> fresh;  // regions set since the last notify; at most MAX_NUM_DATA
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
   };
-  std::vector<RCRegion*> pending;  // notified and not sent, oldest first
+  std::vector<RCRegion*> pending;  // regions notified and not sent, oldest first
   std::vector<Unit> units;         // notifications in `pending`, oldest first
   int64_t waiting_since_us = -1;   // virtual time of the oldest pending unit
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
   uint64_t replaced = 0;           // units dropped for newer ones
-  bool is_lost = false;            // the runtime deasserted, because the observer is lost
+  bool is_lost = false;            // the runtime has deasserted for an observer that is lost
   bool told_deasserted = false;    // a notify after a deassert has been reported
 };
 
 struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
+  // Returns null if the observer is not connected.
   ObserverLink* Find(const ObserverID& id);
 
+  // Adds `region`, with one reference, to the data of the next notify.
   OStatus SetData(ObserverLink* link, RCRegion* region);
+  // Makes the data set so far a pending unit, and sends it if the observer is ready.
   OStatus Notify(ObserverLink* link);
   // Sends pending units if the observer is ready and has at least `min` of them.
   void Flush(ObserverLink* link);
+  // Releases all data that were not sent.
   void Clear(ObserverLink* link);
+  // REQUIRES: a unit is pending.
   void DropOldestUnit(ObserverLink* link);
 
   void HashState(Hasher* hasher) const;
@@ -98,8 +103,9 @@ struct SubjectState {
 struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
+  // Sends `command` to `subject`, with the regions of `subject` that this object no longer uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Counts the readies in `asserted`; too many of them are a finding.
+  // Counts the readies in `asserted`.  Adds a finding if an observer asserts again and again.
   void CountReady(const SubjectID& subject, ObjcommCommand command);
 
   System* const system;

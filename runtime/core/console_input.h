@@ -1,7 +1,9 @@
-// What people type for the objects of a robot: one terminal per robot, line by line.
+// Console input: the lines that people type for the objects of a robot.  Each robot has one
+// terminal.
 //
-// An object that reads the console waits, and it alone, until a line is there (field-notes.md,
-// section 6).  Lines enter at a frame boundary, as everything from outside does.
+// An object that reads the console waits until a line is there; other objects go on
+// (field-notes.md, section 6).  Text can be read from the next frame boundary on, as all input from
+// outside.
 #pragma once
 
 #include <cstddef>
@@ -25,37 +27,39 @@ class ConsoleInput {
  public:
   explicit ConsoleInput(System* system) : system_(system) {}
 
-  // `text` as typed; a missing newline at its end is added.  Not from a handler.
+  // Adds text that was typed; a missing newline at its end is added.  Not called from a handler.
   void Feed(int robot, std::string_view text);
 
-  // `listener` hears what is fed, when it is fed.
+  // Registers a `listener` that Feed() calls at once with the text that was typed.
   using Listener = std::function<void(int robot, std::string_view text)>;
   void OnFeed(Listener listener) { listeners_.push_back(std::move(listener)); }
 
-  // When what was fed enters; INT64_MAX when nothing was.
+  // Returns the frame boundary at which typed text becomes readable; INT64_MAX if there is none.
   int64_t NextUs() const;
-  // What enters now can be read from now on.
+  // Makes the text readable that was typed before this frame boundary, and wakes a reader.
   void EnterDue();
 
-  // In a handler: waits for a line and returns how many bytes of it, at most `size`, were put
-  // at `buffer`; the rest comes with the next call.  What is read is echoed.  Woken when `is_gone`
-  // holds, it returns 0: the line is the next reader's.
+  // Called in a handler: waits for a line, copies at most `size` bytes of it to `buffer` and
+  // returns their number.  The rest of the line comes with the next call.  Echoes the bytes.  If
+  // `is_gone` holds after the wait, because the reader was lost meanwhile, returns 0 and leaves the
+  // line to the next reader.
   size_t Read(char* buffer, size_t size, const std::function<bool()>& is_gone = {});
 
-  // Off where a terminal has shown already what was typed.
+  // Switches the echo off if the user's terminal has already shown the typed text.
   void set_echo(bool echo) { echo_ = echo; }
 
-  // Object::blocked_why of a reader.
+  // HandlerState::blocked_why of a reader.
   static constexpr std::string_view kWhy = "a line from the console";
 
   void HashState(Hasher* hasher) const;
 
  private:
   struct Terminal {
-    std::string coming;                                 // fed, not entered
-    int64_t enters_us = INT64_MAX;                      // when it does
-    std::string text;                                   // entered, not read
-    std::deque<std::pair<ObjectId, uint64_t>> readers;  // who waits, for which reply box
+    std::string coming;             // typed, and not readable before `enters_us`
+    int64_t enters_us = INT64_MAX;  // the frame boundary at which `coming` becomes readable
+    std::string text;               // readable, and not read
+    // The objects that wait for a line, each with the reply box it waits for.
+    std::deque<std::pair<ObjectId, uint64_t>> readers;
   };
 
   void WakeNext(Terminal* terminal);

@@ -1,10 +1,10 @@
 // The processor of a robot: handlers that take time.
 //
-// Only with a CostModel; otherwise handlers take none.  One handler at a time has the
-// processor; one of higher priority takes it away, one of equal priority waits.  A handler
-// that costs time runs when it gets the processor, and what it posts leaves when its
-// time is over; until then its object hears nothing.  Objects of the system are not
-// bound to the processor.
+// Without a CostModel handlers take no time.  With one, one handler at a time has the processor; a
+// handler of higher priority interrupts it, a handler of equal or lower priority waits.  The code
+// of a handler runs when it gets the processor.  Its object is busy until the cost of the handler
+// has passed: messages that the handler posts leave at that time, and messages to the object are
+// held. Objects of the system run without the processor.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +21,12 @@ class System;
 class CostModel {
  public:
   virtual ~CostModel() = default;
-  // Processor time of one call of entry `selector`, >= 0.  Called once per delivery, in
-  // order, so it may draw from a generator of its own.
+  // Returns the processor time of one call of entry `selector`, >= 0.  Called once per delivery and
+  // in order of delivery, so a model may draw random numbers from a generator of its own.
   virtual int64_t CostUs(const Object& object, uint32_t selector) = 0;
-  // How long a frame of the robot's devices lasts by this clock.
+  // Returns how long a frame of the robot's devices lasts by this clock.
   virtual int64_t FrameUs() const;
-  // What decides future costs.
+  // Adds the state that decides future costs.
   virtual void HashState(Hasher*) const {}
 };
 
@@ -36,32 +36,35 @@ class Cpu {
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
-  // Whether `object`, of the robot this belongs to, may run a handler now.
+  // Returns whether `object` may run a handler now.  REQUIRES: `object` is one of this robot.
   bool IsFreeFor(const Object& object) const;
 
-  // An object that has waited longer for the processor is reported.
+  // A wait for the processor that is longer than this becomes a finding.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
-  // So is a handler that takes longer: sensor vectors come as often (field-notes.md, 1.12).
+  // A handler that takes longer than this becomes a finding, because it takes more than the time
+  // between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message`, for `object`, until the processor is free.
+  // Keeps `message` to `object` until the processor is free.
   void Wait(Object* object, Message* message, int64_t now_us);
 
-  // What it keeps for an object that is replaced, the oldest first; the caller's from now on.
+  // Returns the messages that wait here for object `id`, oldest first.  The caller owns them from
+  // now on.
   std::vector<Message*> TakeMessagesTo(ObjectId id);
 
-  // `object` gets the processor for a handler, whatever it costs.
+  // Ends the wait of `object` for the processor.  Adds a finding if the wait was long.
   void Grant(Object* object, int64_t now_us);
 
-  // The handler of entry `selector` takes `cost_us` > 0.
+  // Starts a handler of entry `selector` that takes `cost_us`.  REQUIRES: cost_us > 0 and
+  // IsFreeFor(*object).
   void Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us);
 
-  // When the running handler ends if nothing comes between; INT64_MAX when none runs.
+  // Returns when the running handler ends if no other interrupts it; INT64_MAX if none runs.
   int64_t EndUs() const;
 
-  // The running handler's time is over: sends what it posted, lets the others go on.
-  // REQUIRES: EndUs() == now_us.
+  // Ends the running handler, whose time is over: sends the messages that it posted, and lets other
+  // handlers run.  REQUIRES: EndUs() == now_us.
   void End(int64_t now_us);
 
   void HashState(Hasher* hasher) const;
@@ -69,13 +72,13 @@ class Cpu {
  private:
   struct Job {
     Object* object;
-    int64_t left_us;   // while it does not run
-    int64_t since_us;  // when it got the processor last
+    int64_t left_us;   // processor time that the handler still needed at `since_us`
+    int64_t since_us;  // when the handler got the processor last
   };
 
   System* const system_;
-  std::vector<Job> jobs_;  // the last one runs, the others were interrupted
-  std::vector<Message*> waiting_;
+  std::vector<Job> jobs_;          // the last job runs, the others were interrupted
+  std::vector<Message*> waiting_;  // messages whose receiver waits for the processor, oldest first
 };
 
 }  // namespace openr_host

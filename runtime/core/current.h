@@ -1,7 +1,7 @@
 // Which object is running on this thread, if any.
 //
-// The SDK's functions have no argument that says who calls; this does.  It is
-// set by the dispatcher around every handler, and by the loader while the
+// The SDK's functions have no argument for the object that calls them, so they read it from
+// t_current.  The dispatcher sets t_current around every handler, the loader sets it while the
 // constructors of an image run.
 #pragma once
 
@@ -15,18 +15,18 @@ class System;
 struct Current {
   System* system = nullptr;
   Object* object = nullptr;
-  // Code of an image is running, not the runtime on its behalf: malloc() takes from
-  // the object's heap, files are those of the Memory Stick.
+  // Code of an image is running, not a function of the runtime that it has called.  While this is
+  // true, malloc() takes memory from the object's heap and fopen() opens files of the Memory Stick.
   bool image_code = false;
-  // The watch of the handler that runs; null when the handler is not watched.
+  // The watch over the arithmetic of the running handler; null if there is none.
   ArithmeticWatch* watch = nullptr;
 };
 
 // Constant-initialised and trivially destroyed: safe before main() and in malloc().
 extern thread_local constinit Current t_current;
 
-// First statement of every function of the SDK that may allocate or open: what the
-// runtime does on an object's behalf is not done by the object.
+// First statement of every function of the SDK that may allocate memory or open files.  Within the
+// scope, the runtime uses the host's heap and the host's files.
 class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
@@ -44,8 +44,8 @@ class ApiScope {
   const bool image_code_;
 };
 
-// First statement of a function of the C library that this library defines: the object does it, but
-// its arithmetic is not the object's.
+// First statement of a function of the C library that this library defines.  Within the scope,
+// memory and files are still the object's, but operations raise no SIGFPE.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {

@@ -22,22 +22,23 @@ class Dispatcher {
   struct Limits {
     int64_t time_us = INT64_MAX;                   // deliver nothing due after it
     uint64_t messages = UINT64_MAX;                // deliver no more than this
-    const std::function<bool()>* until = nullptr;  // stop when it holds
+    const std::function<bool()>* until = nullptr;  // stop as soon as this returns true
   };
 
-  // Runs until a limit is met or nothing is left; leaves the clock at
-  // limits.time_us if that is what ended it.  Returns how many messages it delivered.
-  // Called from outside of handlers.
+  // Delivers messages until a limit is met or no message is left, and returns how many it
+  // delivered.  Leaves the clock at limits.time_us if the time was the limit.  REQUIRES: not called
+  // in a handler.
   uint64_t Run(const Limits& limits);
 
-  // Called in a handler: puts the current object to sleep until a message answers
-  // `box`; returns that message, which the caller releases.
+  // Called in a handler: the handler waits until a reply to `box` arrives.  Returns the reply,
+  // which the caller releases.
   Message* WaitFor(uint64_t box);
 
+  // Ends the handler that runs; see System::AbandonHandler().
   [[noreturn]] void Abandon();
 
-  // 1 us when too much has happened at this instant (SystemOptions::free_deliveries),
-  // otherwise 0.
+  // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
+  // instant than SystemOptions::free_deliveries, otherwise 0.
   int64_t creep_us() const { return deliveries_at_instant_ > free_deliveries_ ? 1 : 0; }
 
  private:
@@ -58,9 +59,9 @@ class Dispatcher {
   System* const system_;
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
-  std::vector<Fiber*> idle_;  // each stopped in Loop(), or prepared to enter it
+  std::vector<Fiber*> idle_;  // each stopped in Loop(), or prepared to enter Loop()
   Fiber* running_ = nullptr;
-  Fiber* abandoned_ = nullptr;  // to be prepared anew by whoever runs next
+  Fiber* abandoned_ = nullptr;  // was left by Abandon(); the next fiber puts it into idle_
   Limits limits_;
   uint64_t delivered_ = 0;
   const int64_t free_deliveries_;

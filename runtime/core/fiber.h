@@ -1,8 +1,8 @@
 // Stacks that handlers run on, and the switch between them.
 //
 // The dispatcher runs on a fiber and calls handlers directly, so a handler that
-// simply returns costs no switch.  A handler that waits keeps its fiber; the
-// dispatcher goes on on another one (architecture.md, "Settled" 2).
+// does not wait costs no switch.  A handler that waits keeps its fiber; the
+// dispatcher continues on another fiber (architecture.md, "Settled" 2).
 #pragma once
 
 #include <cstddef>
@@ -22,13 +22,13 @@ class Fiber {
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
-  // Forgets whatever ran here; the next switch to it calls main(argument) on an
-  // empty stack.  REQUIRES: this fiber is not running.
+  // Drops the stack's content: the next switch to this fiber calls main(argument) on an
+  // empty stack.  REQUIRES: this fiber is not running and has a stack of its own.
   void Prepare(Main main, void* argument);
 
-  // Leaves the running stack for this one; returns when somebody switches back
-  // to `from`.  A null `from` is a stack that is never returned to.
-  // Exceptions being handled belong to the stack and are kept with it.
+  // Saves the running stack in `from` and continues on this fiber's stack; returns when another
+  // fiber switches back to `from`.  If `from` is null, the running stack is given up and the call
+  // never returns.  The exceptions that a stack is handling are saved and restored with the stack.
   void SwitchFrom(Fiber* from);
 
  private:
@@ -38,7 +38,7 @@ class Fiber {
 
   void FinishSwitch();
 
-  void* context_ = nullptr;             // where to continue
+  void* context_ = nullptr;             // the state of the stack, while it is not running
   std::unique_ptr<StackMemory> stack_;  // null for the thread's own stack
   Main main_ = nullptr;
   void* argument_ = nullptr;

@@ -1,4 +1,4 @@
-// What the runtime noticed: things that went wrong, or would on the robot.
+// Findings: errors, warnings and notes about programs and files, for the report of a run.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,26 @@ struct Finding {
   Severity severity = Severity::kWarning;
   int robot = 0;
   std::string object;    // empty: not about one object
-  uint64_t message = 0;  // number of the message being handled when it was first seen
-  int64_t time_us = 0;   // virtual
+  uint64_t message = 0;  // number of the message that was handled when it was first added
+  int64_t time_us = 0;   // virtual time when it was first added
   std::string text;
-  uint64_t count = 1;  // how often the same was seen
-  // Findings with one cause are one finding: consequences of one missing thing.  Empty: its text.
+  uint64_t count = 1;  // how often it was added
+  // Findings with the same cause are kept as one, for example all lines of CONNECT.CFG that name
+  // one missing object.  Empty: findings with the same text are kept as one.
   std::string cause = {};
-  std::string place = {};                 // "CONNECT.CFG:4"; only beside a cause
-  std::vector<std::string> also_at = {};  // places of later consequences, kPlacesMax at most
+  std::string place = {};                 // "CONNECT.CFG:4"; set only if there is a cause
+  std::vector<std::string> also_at = {};  // places of later findings of this cause; <= kPlacesMax
 };
 
-// " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)", or "" for a finding seen once.
+// Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)", or "" for a finding that
+// was added once.
 std::string HowOften(const Finding& finding);
 
 // Findings in order of first appearance.  The same text, or the same cause, about the same object
 // is kept once and counted.
 class Findings {
  public:
-  // Different findings kept; later ones are only counted.
+  // The number of different findings that are kept; further ones are only counted.
   static constexpr size_t kMax = 1000;
   static constexpr size_t kPlacesMax = 5;
 

@@ -1,7 +1,7 @@
-// What floating-point operations left behind since the flags were last cleared.
+// Floating-point flags: the kinds of operations since the flags were last cleared.
 //
-// Only what SSE2 says on x86-64: reading is one instruction, where fetestexcept() also asks the
-// old coprocessor, which takes longer than a handler.
+// On x86-64 only the flags of SSE2 are read, with one instruction.  fetestexcept() reads the old
+// coprocessor's flags too, which takes longer than a short handler.
 #pragma once
 
 #if defined(__SSE2__)
@@ -21,14 +21,16 @@ enum FpFlag : unsigned {
   kFpUnderflow = 0x10,  // a result was too small for a normal number
 };
 constexpr unsigned kFpAll = 0x1f;
-constexpr int kFpKinds = 5;  // bits of it
-// The flags that say something about the robot and can be caught where they are raised.
+constexpr int kFpKinds = 5;  // number of bits in kFpAll
+// The flags of operations that would stop the robot.  The instruction that raises one can be found
+// with SIGFPE (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// The bit of MXCSR that keeps a kind from raising SIGFPE is this far left of the kind's flag.
+// The mask bit of a kind in MXCSR, which keeps the kind from raising SIGFPE, is this many bits left
+// of its flag.
 constexpr int kFpMaskShift = 7;
 
-// The settings and flags of floating-point operations, to be put back later; and which kinds raise
-// SIGFPE.  Processors without SSE2 have neither here.
+// FpState() and SetFpState() save and restore MXCSR.  CatchFp() lets exactly `kinds` raise SIGFPE,
+// and clears their flags.  Without SSE2 these functions do nothing.
 #if defined(__SSE2__)
 inline unsigned FpState() { return _mm_getcsr(); }
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }

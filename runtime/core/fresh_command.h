@@ -1,8 +1,8 @@
-// What the commands of a fresh vector hold until somebody fills them in.
+// The first word of every command in a new command vector, until the program sets the command.
 //
-// On the robot it is whatever the memory held before: joints shiver or go to extremes
-// (field-notes.md, 7.5).  Here the first word of every command is a number that no program
-// means, so that a command nobody filled in can be told from one that says 0.
+// On the robot a new vector holds the bytes that the memory held before, so joints whose commands
+// are not set shiver or go to extremes (field-notes.md, 7.5).  Here the word is a number that no
+// program sends on purpose, so the host can tell a command that was never set from a 0.
 #pragma once
 
 #include <OPENR/formats/commands.h>

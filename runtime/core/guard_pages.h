@@ -1,9 +1,13 @@
-// Received data on pages of their own: read-only, and no longer there once they are given back.
+// Guard pages: copies of received data on pages of their own, to find two mistakes of observers.
 //
-// On the robot with memory protection a region is read-only for its observer, and its data
-// are those of somebody else after AssertReady() (field-notes.md, 2.11 and 3.1).  Zero-copy
-// regions hide both mistakes; here they are a fault at the instruction that makes them.  The second
-// one is no fault on the robot, so it need not be one here.
+// 1. An observer writes to received data.  On a robot with memory protection a region is read-only
+//    for its observer (field-notes.md, 3.1), so the write is a fault.
+// 2. An observer reads data after the AssertReady() that gave them back.  On the robot this is no
+//    fault; the observer reads data of a later message (field-notes.md, 2.11).
+//
+// Objects of one process share regions without a copy, so both mistakes would go unseen.  A copy is
+// read-only, so the first mistake is a fault at the instruction that makes it.  The second is one
+// only with GivenBack::kGone.
 #pragma once
 
 #include <cstddef>
@@ -18,29 +22,33 @@ namespace openr_host {
 class GuardPages {
  public:
   enum class GivenBack {
-    kGone,    // touching them is a fault; addresses are never used twice
-    kReused,  // they can be read, and are those of a later message some time
+    kGone,    // an access to data that were given back is a fault
+    kReused,  // data that were given back can be read; later copies replace them, as on the robot
   };
   explicit GuardPages(GivenBack given_back) : given_back_(given_back) {}
   ~GuardPages();
   GuardPages(const GuardPages&) = delete;
   GuardPages& operator=(const GuardPages&) = delete;
 
-  // A read-only copy of `size` bytes for the object at `place`, in its area for copies; null: for
-  // an object without a place.  Null when there is no memory.
+  // Returns a read-only copy of `size` bytes in the area for copies of `place`, the place of the
+  // object that receives the data; null for an object without one.  Returns null if there is no
+  // memory.
   char* NewCopy(const AddressPlace* place, const char* data, size_t size);
 
-  // The copy is given back.  Addresses are used again at once with kReused, else only when the area
-  // has been gone through, after 128 MiB of copies.  Other addresses are left alone.
+  // Called when the observer gives back `copy`.  With kReused, the next copy may use its addresses.
+  // With kGone, an address is used again only after 128 MiB of copies, when the area has been used
+  // up.  Does nothing if `copy` is not from NewCopy().
   void Retire(const char* copy);
 
-  // Why touching `address` was a fault, or "" when it is none of these; for signal handlers.
+  // Returns why the access to `address` was a fault; "" if `address` is not in an area for copies.
+  // For signal handlers.
   const char* WhyFault(const void* address) const;
 
  private:
   char* MapPages(char* area, size_t bytes);
 
-  // A copy that is alive: the area it lies in, null if that is none, and the bytes of its pages.
+  // A copy in use: the area in which it lies, null if addresses are not planned, and the bytes of
+  // its pages.
   struct Copy {
     char* area;
     size_t bytes;
@@ -49,9 +57,11 @@ class GuardPages {
   char* TakePages(char* area, size_t bytes);
 
   const GivenBack given_back_;
-  const AddressPlace shared_place_{kNoObject};  // of the objects that have none
-  std::map<const char*, Copy> copies_;          // looked up only
-  std::map<char*, size_t> next_in_;             // offset of the next copy, by area; looked up only
+  const AddressPlace shared_place_{kNoObject};  // for the objects without a place of their own
+  // The maps are keyed by addresses, so they are only looked up: their order must not decide
+  // anything in a run.
+  std::map<const char*, Copy> copies_;
+  std::map<char*, size_t> next_in_;  // offset of the next copy, by area
   std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;  // given back, by area and bytes
 };
 

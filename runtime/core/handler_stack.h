@@ -1,9 +1,10 @@
-// The stack that the code of one image runs on: at the addresses of its place, full of zeros when
-// a handler begins, and used by nobody else (imported_calls.h).
+// The stack on which only the code of one image runs.  It lies at the planned addresses of the
+// object and is full of zeros when a handler begins.  Imported functions have a stack of their own
+// (imported_calls.h).
 //
 // Programs send bytes of their stack that they never set: padding, and members that a constructor
-// forgot.  On a stack shared with the runtime and the C library, these would be what those left
-// there: addresses that are others in each process.  Besides, what is used of this stack is what
+// forgot.  On a stack that the runtime and the C library also use, such bytes would be addresses
+// that differ from process to process.  A second use: the bytes used on this stack are those that
 // the object itself uses.
 #pragma once
 
@@ -16,19 +17,19 @@ namespace openr_host {
 
 class HandlerStack {
  public:
-  // `address`: of the plan (address_plan.h); null: where the kernel puts it.
+  // Maps the stack at `address` of the plan (address_plan.h); null: the kernel chooses.
   explicit HandlerStack(char* address) : memory_(address) {}
 
-  // Calls function(argument) on the empty stack, or where the caller is when this stack is in use
-  // already, as for an entry that an object calls of itself.
+  // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because
+  // an object calls an entry of its own, calls the function directly.
   //
-  // Afterwards the stack is cleared.  That takes time in proportion to how far one looks for bytes
-  // that were written, so the first 64 calls and every 16th one look for them behind gaps of 32
-  // KiB, the others behind gaps of 4 KiB.
+  // Afterwards the written bytes are cleared.  The search for them ends at a gap of zeros.  A wide
+  // gap takes longer to search, so the first 64 calls and every 16th one search until a gap of 32
+  // KiB, the others until a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
-  // How many bytes the last call has used, or the call under way has used so far.  0 where it is
-  // not known: with AddressSanitizer and under Valgrind.
+  // Returns how many bytes the last call used, or the running call has used so far.  0 with
+  // AddressSanitizer and under Valgrind, where the number is not known.
   size_t UsedBytes() const;
 
  private:
@@ -37,7 +38,7 @@ class HandlerStack {
   StackMemory memory_;
   uint64_t calls_ = 0;
   size_t used_bytes_ = 0;
-  bool is_dirty_ = false;  // a handler runs, or ended without returning, as by exit()
+  bool is_dirty_ = false;  // a handler runs, or has ended without a return, for example by exit()
 };
 
 }  // namespace openr_host
