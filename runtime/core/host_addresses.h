@@ -1,10 +1,10 @@
-// Addresses of this process that are no function of the run: of the C library, of the program, of
-// its heap.
+// Finds host addresses in messages: addresses of the C library, of the program or of the host's
+// heap.
 //
-// A payload that holds one is another payload in the next process, and so is every hash that it
-// enters. Memory of objects has planned addresses (address_plan.h); what remains is, for example,
-// the address of a function of the C library, or of a class of the C++ library in the first bytes
-// of an object that has virtual functions.
+// Host addresses differ from process to process, so a payload that holds one changes the hashes of
+// the run.  The memory of objects has planned addresses (address_plan.h), which do not differ.  A
+// host address is, for example, that of a function of the C library.  Another one is in the first
+// bytes of every C++ object with virtual functions of a library class.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,12 @@ namespace openr_host {
 
 class HostAddresses {
  public:
-  // The offset in `data` of the first 8 aligned bytes that are the address of memory of this
-  // process which is not planned; -1: there is none, or this is built
-  // with AddressSanitizer or ThreadSanitizer.  REQUIRES: data is aligned to 8.
+  // Returns the offset in `data` of the first 8 aligned bytes that are a host address; -1 if there
+  // is none, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES: data is aligned to 8.
   //
-  // Numbers can look like addresses.  The search is given up for the rest of the run once 64 of
-  // them turned out to be none: then the data are of that kind, and one that is mapped is an
-  // accident.
+  // Some data look like addresses and are none.  After 64 numbers that were in the range of host
+  // addresses but not mapped, this function returns -1 for the rest of the run, because a later
+  // number that is mapped would probably be no address either.
   int64_t FindIn(const void* data, size_t size);
 
  private:
@@ -31,7 +30,8 @@ class HostAddresses {
   bool IsMapped(uint64_t address);
 
   int misses_ = 0;
-  std::vector<std::pair<uint64_t, uint64_t>> ranges_;  // begin, end; ascending
+  // Begin and end of mapped ranges outside the address plan, ascending.
+  std::vector<std::pair<uint64_t, uint64_t>> ranges_;
 };
 
 }  // namespace openr_host

@@ -18,8 +18,7 @@
 
 namespace openr_host {
 
-// What a host image says of itself, besides ObjectEntryTable.  Generated into every
-// image by the build; its name there is openr_image_info.
+// The description that the build puts into every host image, under the symbol openr_image_info.
 struct ImageInfo {
   uint32_t version;  // kImageVersion
   uint32_t reserved;
@@ -27,15 +26,17 @@ struct ImageInfo {
 };
 constexpr uint32_t kImageVersion = 1;
 
-// A folder for copies of images that goes with its owner.
+// A temporary folder for copies of images; its destructor removes the folder.
 class RunFolder {
  public:
-  // Writes `bytes`, which are those of `file`, under a new name; the debug file beside
-  // `file` (NAME.DBG) is linked.  Empty, and `*problem` says why, when they cannot be written.
+  // Writes `bytes`, the content of `file`, to a new file and returns its path.  If a debug file
+  // (NAME.DBG) lies beside `file`, a link to it is made beside the copy.  Returns "", and sets
+  // `*problem`, if the copy cannot be written.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
-  // Puts `bytes` in place of a copy that has been loaded, without touching what was mapped: for
-  // those who look symbols up in the file of that name.  If that fails, they find wrong ones.
+  // Writes `bytes` to a new file under the name of `copy`, which has been loaded.  The mapping of
+  // the loaded file stays as it is.  Debuggers then read symbols from the original bytes; if the
+  // new file cannot be written, they read wrong addresses.
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:
@@ -45,23 +46,22 @@ class RunFolder {
 class ImageObject : public Object {
  public:
   using Object::Object;
-  ~ImageObject() override;  // unloads
+  ~ImageObject() override;  // unloads the image
 
-  // Loads a copy of `file`; constructors of its globals run as code of this object, on the stack
-  // of its handlers.
-  // Returns what is wrong, or "".
+  // Loads a copy of `file` and runs the constructors of its global objects as code of this object.
+  // Returns "", or the problem if the image cannot be loaded.
   std::string Load(const std::string& file, RunFolder* folder);
 
   bool HasCode(const void* address) const override;
   bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
 
-  // How many bytes of stack its own functions used in the handler that runs or that ran last; 0
-  // where it is not known.
+  // Returns the bytes of stack that the image's own functions used in the running handler, or in
+  // the last one if none runs.  0 if they are not known.
   size_t StackUsed() const { return stack_ == nullptr ? 0 : stack_->UsedBytes(); }
 
-  // After its handler has ended, in whatever way: what it did that the robot's floating-point unit
-  // does not forgive becomes a finding.
+  // Called after a handler has ended in any way: adds a finding if the handler did an operation
+  // that would stop the robot's floating-point unit.
   void CheckNumbers(uint32_t selector) {
     if ((FpFlags() & ~fp_seen_) != 0) ReportFpFlags(selector);
   }
@@ -74,11 +74,11 @@ class ImageObject : public Object {
   std::string ReadTables();
   void ReportFpFlags(uint32_t selector);
 
-  std::unique_ptr<HandlerStack> stack_;  // null where addresses are not planned
+  std::unique_ptr<HandlerStack> stack_;  // null if addresses are not planned
   void* handle_ = nullptr;
   bool has_thunks_ = false;
-  std::vector<Entry> entries_;  // by selector; null: none
-  unsigned fp_seen_ = 0;        // FpFlags() of its handlers so far
+  std::vector<Entry> entries_;  // by selector; null: no such entry
+  unsigned fp_seen_ = 0;        // FpFlags() of the handlers so far; each is reported once
 };
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Files of images, as they lie on a stick: shared objects for this machine, perhaps compressed.
+// Files of images on a stick: shared objects for this machine, which may be compressed.
 #pragma once
 
 #include <string>
@@ -8,23 +8,24 @@
 namespace openr_host {
 
 struct ImageFile {
-  std::string bytes;           // of the shared object; decompressed
-  bool is_compressed = false;  // as gzip does it, and as install rules of Makefiles do with it
-  bool is_for_robot = false;   // a MIPS binary
-  std::string problem;         // why it cannot be loaded; "" if it can
+  std::string bytes;  // the shared object, decompressed
+  bool is_compressed =
+      false;                  // compressed with gzip, as Makefiles of programs do when they install
+  bool is_for_robot = false;  // a MIPS binary
+  std::string problem;        // the reason why the file cannot be loaded; "" if there is none
 };
 
-// Reads `path` whole.  What can be said about the file without loading it has been said then:
-// another machine, cut off, no image at all.
+// Reads the file `path` and checks everything that can be checked without loading it: whether it is
+// an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
-// The .ocf text of a host image, without loading it; "" when it has none.
+// Returns the .ocf text in the bytes of a host image; "" if there is none.
 std::string OcfTextOf(const std::string& bytes);
 
-// Texts of at least 8 characters in the bytes of an image, as `strings` shows them.
+// Returns all texts of at least 8 characters in the bytes of an image, as the tool `strings` does.
 std::vector<std::string_view> TextsIn(std::string_view bytes);
 
-// Those that are names of services.
+// Returns the texts of an image that are names of services.
 std::vector<std::string> ServicesInImage(std::string_view bytes);
 
 }  // namespace openr_host

@@ -1,9 +1,10 @@
-// What is changed in the copy of an image that is loaded: its address, and who runs its
-// constructors.
+// Changes to the copy of an image before it is loaded: its address, and that the loader does not
+// run its constructors.
 //
-// The loader maps a shared object where the kernel likes, unless the file was linked for an
-// address: glibc from 2.36 on asks for that one.  An image is linked once and loaded many times, so
-// its copy in the run folder is changed as if it had been linked for the address of its place.
+// The kernel chooses the address of a shared object, unless the file was linked for an address:
+// glibc from 2.36 on asks the kernel for that address.  An image is linked once and loaded many
+// times, so the copy in the run folder is changed as if it had been linked for the address of the
+// object's place.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +13,20 @@
 
 namespace openr_host {
 
-// Moves a shared object that was linked for address 0 to `address`, a multiple of 64 KiB.  False,
-// and `bytes` are as they were, when the file is not of this kind or needs more than `size_max`
-// bytes of memory.
+// Moves the shared object `bytes`, which was linked for address 0, to `address`.  Returns false and
+// changes nothing if `bytes` are not such a shared object or need more than `size_max` bytes of
+// memory.  REQUIRES: `address` is a multiple of 64 KiB.
 //
-// Sections, the table of all symbols and debug information stay as they were linked: gdb sees by
-// the address of the dynamic section how far the image was moved.
+// Sections, the table of all symbols and debug information are not changed, because gdb finds out
+// from the address of the dynamic section how far the image was moved.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 
-// Keeps the loader from running the constructors of global objects of the shared object `bytes`;
-// HeldConstructors() has them.  Does nothing to what is no shared object of this processor.
+// Changes the shared object `bytes` so that the loader does not run the constructors of its global
+// objects.  Does nothing if `bytes` are no shared object of this processor.
 void HoldConstructors(std::string* bytes);
 
-// The constructors that HoldConstructors() kept from running in the shared object that was loaded
-// as `handle` (dlopen), in the order in which they are to be called.
+// Returns the constructors that HoldConstructors() has held back in the shared object that was
+// loaded as `handle` (dlopen), in the order in which they must be called.
 std::vector<void (*)()> HeldConstructors(void* handle);
 
 }  // namespace openr_host

@@ -1,15 +1,15 @@
-// Calls of functions that an image imports: of the SDK and of the C and C++ libraries.  They run on
-// a stack of their own (stack_memory.h), so that the stack of the image holds what its own
-// functions wrote and nothing else.
+// Runs imported functions of an image on a stack of their own (stack_memory.h).  Imported functions
+// are those of the SDK and of the C and C++ libraries.  The stack of the image then holds only what
+// the image's own functions wrote.
 //
-// The loader has written the addresses of these functions into tables of the image.  Each is
-// replaced by that of a thunk, a few instructions which change the stack, call the function and
-// come back.  Thunks lie in the place of the object (address_plan.h), so the address of a function
-// that a program sends is the same in each process.
+// The loader has written the addresses of imported functions into tables of the image.  Each is
+// replaced by the address of a thunk: a few instructions that change the stack, call the function
+// and change the stack back.  Thunks lie in the place of the object (address_plan.h), so a program
+// that sends the address of a function sends the same bytes in every process.
 //
-// Without a thunk remain virtual functions of library classes and functions that must find their
-// caller's frame, as setjmp() does.  What a library function calls back (the comparison of qsort)
-// runs on the stack of the library function.
+// Two kinds of functions have no thunk: virtual functions of library classes, and functions that
+// need their caller's frame, such as setjmp().  A function of the image that a library function
+// calls (the comparison of qsort) runs on the stack of the library function.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,18 @@
 
 namespace openr_host {
 
-// Gives the image that was loaded at `image`, where it was linked for, thunks in the `bytes` of
-// memory at `thunks`, where nothing is mapped.  Returns what is wrong, or "".  On processors other
-// than x86-64 it does nothing.
+// Makes thunks for the image that was loaded at `image`, the address it was linked for, in `bytes`
+// of memory at `thunks`.  Returns "", or the problem if it cannot.  Does nothing on processors
+// other than x86-64.  REQUIRES: nothing is mapped at `thunks`.
 std::string RedirectImports(char* image, char* thunks, size_t bytes);
 
-// Whether `address` lies in the code between a thunk and the function: a frame that tells the
-// reader of a stack nothing.
+// Returns whether `address` lies in the code that thunks use to change the stack.  Readers of a
+// backtrace do not need such a frame.
 bool IsStackChange(uintptr_t address);
 
-// For a function that an image has called by a thunk: the address that the call returns to.
-// `own`: __builtin_return_address(0), which is returned where no thunk was used.
+// Returns the address in the image to which the running function will return.  A function that was
+// called by a thunk needs this, because its own return address is in the code of the thunks.  `own`
+// is __builtin_return_address(0), which is returned if no thunk was used.
 const void* ReturnAddressInImage(const void* own);
 
 }  // namespace openr_host

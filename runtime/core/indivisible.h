@@ -1,19 +1,22 @@
-// What must not be found half done by a signal handler that ends the process: it would wait for
-// ever for what the interrupted code holds.
+// Sections of code that a signal handler must not interrupt to end the process.
+//
+// The code holds a lock that the end of the process takes too, so an end in the middle of the code
+// would wait for ever.
 #pragma once
 
 namespace openr_host {
 
-// While one lives, endings of the process that a signal wants are put off; the last one to go does
-// them.  For the thread that runs handlers.
+// While an Indivisible exists, a signal handler puts off the end of the process; the destructor of
+// the outermost one then ends the process.  Only for the thread that runs handlers.
 class Indivisible {
  public:
   Indivisible();
-  ~Indivisible();  // may not return
+  ~Indivisible();  // does not return if it ends the process
   Indivisible(const Indivisible&) = delete;
   Indivisible& operator=(const Indivisible&) = delete;
 
-  // In a signal handler of that thread: whether one lives, and will call `end`.
+  // Called in a signal handler of that thread.  Returns true if an Indivisible exists; its
+  // destructor will call `end`.  False: the signal handler may end the process itself.
   static bool PutOff(void (*end)());
 };
 

@@ -12,12 +12,12 @@ class ImageObject;
 class Object;
 class System;
 
-// Loads the image "/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN" or its like as object `id` of `robot`.  Null,
-// and an error finding that begins with `where`, if it cannot be loaded.
+// Loads the image `path` ("/MS/OPEN-R/MW/OBJS/JOINTMOV.BIN") as object `id` of `robot`.  If the
+// image cannot be loaded, returns null and adds an error finding that begins with `where`.
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
                                        const std::string& path, const std::string& where);
 
-// Does the same for a new object, which `system` takes.
+// Loads the image `path` as a new object of `system`; otherwise like OpenImage().
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Loads what the Memory Stick of a robot names: objects, connections, design data.
+// Loads the objects, connections and design data that the Memory Stick of a robot names.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@ class System;
 using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
 
 // Loads the images of OBJECT.CFG and takes the connections of CONNECT.CFG and the keywords of
-// DESIGNDB.CFG.  Whatever is wrong becomes a finding with file:line.  False if the robot would not
-// boot: an image is missing or cannot be loaded.  REQUIRES: before System::Boot().
+// DESIGNDB.CFG.  Each problem becomes a finding with file:line.  Returns false if the robot would
+// not boot: an image is missing or cannot be loaded.  REQUIRES: before System::Boot().
 bool LoadStick(System* system, int robot, const StandIns& stand_ins = {});
 
 }  // namespace openr_host

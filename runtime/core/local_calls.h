@@ -1,4 +1,4 @@
-// Calls of handlers that work on the tables of the System in this process.
+// LocalCalls: the SystemCalls of a handler whose System is in this process.
 #pragma once
 
 #include "runtime/core/system_calls.h"

@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Valgrind loads a library of its own into the program first.  Asking Valgrind itself would need
-// headers that this may have been built without.
+// Returns whether the program runs under Valgrind, which adds a library of its own to LD_PRELOAD.
+// Valgrind's own macro for this is in a header that is not installed everywhere.
 inline bool IsUnderValgrind() {
   static const bool is_under_valgrind = [] {
     const char* const preloaded = std::getenv("LD_PRELOAD");
@@ -16,8 +16,8 @@ inline bool IsUnderValgrind() {
   return is_under_valgrind;
 }
 
-// AddressSanitizer and Valgrind take what lies below the stack pointer for memory of nobody: it
-// must not be read or cleared then.
+// Returns whether a tool watches the stack.  AddressSanitizer and Valgrind report accesses to
+// memory below the stack pointer, so that memory must not be read or cleared under them.
 inline bool IsStackWatched() {
 #if defined(__SANITIZE_ADDRESS__)
   return true;

@@ -1,7 +1,7 @@
 // Messages and their total order.
 //
-// Key: due time; then class; then the receiver's priority from its .ocf file,
-// higher first; then number (architecture.md, "Settled" 1).
+// Messages are ordered by due time; then by class; then by the receiver's priority from its .ocf
+// file, higher first; then by number (architecture.md, "Settled" 1).
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ using ObjectId = int32_t;
 constexpr ObjectId kNoObject = -1;
 
 enum class MessageClass : uint8_t {
-  kFrame = 0,   // a body's frame
-  kInput = 1,   // what comes from outside
-  kVector = 2,  // finished command vectors, sensor vectors
+  kFrame = 0,   // the begin of a frame of a robot's body
+  kInput = 1,   // input from outside
+  kVector = 2,  // sensor vectors, and command vectors that the robot gives back
   kObject = 3,  // messages of objects
 };
 constexpr int kMessageClasses = 4;
@@ -30,7 +30,7 @@ enum class PayloadKind : uint8_t {
   kBytes,   // plain initialised bytes
   kNotify,  // ONotifyMessage: the bytes of its regions
   kReady,   // OReadyMessage: command and counts
-  kHashed,  // holds addresses; the sender gave the hash
+  kHashed,  // bytes that hold addresses: Message::payload_hash is used, which the sender has set
 };
 
 struct Message {
@@ -41,19 +41,19 @@ struct Message {
   ObjectId target = kNoObject;
   uint32_t selector = 0;
   uint32_t size = 0;          // bytes of payload
-  uint64_t reply_box = 0;     // not 0: somebody waits for Reply()
+  uint64_t reply_box = 0;     // the box for the reply; 0: no reply is expected
   uint64_t payload_hash = 0;  // for kHashed
-  Message* next = nullptr;
+  Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
-  bool is_reply = false;  // answers reply_box, goes to whoever waits for it
+  bool is_reply = false;  // a reply to `reply_box` of the target; calls no entry
 
-  // Most bytes a message can carry here: an ONotifyMessage of a 64-bit host.
+  // The most bytes that a message can carry: more than an ONotifyMessage of a 64-bit host.
   static constexpr size_t kPayloadMax = 384;
   alignas(16) unsigned char payload[kPayloadMax];
 };
 
-// All messages of one System, in order.  Messages come from its pool.
+// The queue of all messages of one System, and the pool from which messages are allocated.
 class MessageQueue {
  public:
   MessageQueue();
@@ -61,39 +61,41 @@ class MessageQueue {
   MessageQueue(const MessageQueue&) = delete;
   MessageQueue& operator=(const MessageQueue&) = delete;
 
-  // A message with every field but the payload reset.  Owned by the queue;
-  // Release() gives it back.
+  // Returns a message from the pool with all fields reset but the payload, sender, target, selector
+  // and due time.  Release() gives it back to the pool.
   Message* Allocate();
   void Release(Message* message);
 
-  // Adds a message with its final key.  `priority` is its receiver's.
-  // REQUIRES: due_us >= now of the last Advance.
+  // Queues a message whose due time, class and number are set.  `priority` is that of its receiver,
+  // 0..255.  REQUIRES: message->due_us is not before the clock.
   void Push(Message* message, int priority);
 
-  // Puts back messages taken earlier at this instant's head, keeping their order.
+  // Queues a message that is due now in front of those of its class and priority.  To put back
+  // several messages in their order, begin with the last.
   void PushFront(Message* message, int priority);
 
-  // The first message due now; null when there is none.  With a schedule: the first one
-  // of the receiver it chooses among those that are as urgent as the first.
+  // Takes the first message that is due now; null if there is none.  A schedule may choose another
+  // receiver: one with a message of the same class and priority as the first message.
   Message* Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
-  // What Pop() without a schedule gives next, which stays; null when nothing is due.
+  // Returns the message that Pop() without a schedule would take; null if none is due.
   const Message* First() const;
 
-  // When the next message that is not due yet is due; INT64_MAX when there is none.
+  // Returns the due time of the first message that is not due yet; INT64_MAX if there is none.
   int64_t NextTime() const { return later_.empty() ? INT64_MAX : later_.front().due_us; }
 
-  // Moves the clock.  REQUIRES: !HasDue() and time_us <= NextTime().
+  // Sets the clock to `time_us`.  REQUIRES: !HasDue(), time_us <= NextTime(), and `time_us` is not
+  // before the clock.
   void Advance(int64_t time_us);
 
   size_t size() const { return due_count_ + later_.size(); }
 
-  // Takes out every waiting message that `matches`; `dispose` sees each before it is
-  // released.
+  // Takes out every queued message that `matches`, calls `dispose` for the message, and releases
+  // it.
   void RemoveIf(const std::function<bool(const Message&)>& matches,
                 const std::function<void(const Message&)>& dispose);
 
-  // Calls `visit` for every waiting message in order of delivery.
+  // Calls `visit` for every queued message in order of delivery.
   void ForEach(const std::function<void(const Message&)>& visit) const;
 
  private:
@@ -109,9 +111,10 @@ class MessageQueue {
     int level;
     uint64_t number;
     Message* message;
-    bool operator<(const Later& other) const;  // for a heap with the first on top
+    bool operator<(const Later& other) const;  // true if `other` is due first, for a heap
   };
 
+  // A level is a class and a priority; level 0 is delivered first.
   static int LevelOf(const Message& message, int priority) {
     return static_cast<int>(message.message_class) * kPriorities + (kPriorities - 1 - priority);
   }
@@ -122,12 +125,12 @@ class MessageQueue {
 
   int64_t now_us_ = 0;
   size_t due_count_ = 0;
-  std::vector<List> levels_;
-  uint64_t occupied_[kLevels / 64] = {};
-  std::vector<Later> later_;  // heap
-  std::vector<Message*> free_;
-  std::vector<Message*> chunks_;
-  std::vector<ObjectId> candidates_;  // of ChooseTarget()
+  std::vector<List> levels_;              // messages that are due now
+  uint64_t occupied_[kLevels / 64] = {};  // a bit for each level whose list is not empty
+  std::vector<Later> later_;              // messages that are not due yet; a heap
+  std::vector<Message*> free_;            // the pool
+  std::vector<Message*> chunks_;          // arrays that the messages of the pool belong to
+  std::vector<ObjectId> candidates_;      // of ChooseTarget()
 };
 
 }  // namespace openr_host

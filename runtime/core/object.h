@@ -25,14 +25,14 @@ class System;
 struct ObserverState;
 struct SubjectState;
 
-// One line of an .ocf file, as far as the host uses it.
+// The values of an .ocf file that the host uses.
 struct ObjectLimits {
   int priority = 128;        // 0..255; the upper four bits are the class
   uint32_t stack_bytes = 0;  // 0: unknown
   uint32_t heap_bytes = 0;
 };
 
-constexpr uint32_t kSelectorMax = 64;  // entries of an object on the robot
+constexpr uint32_t kSelectorMax = 64;  // the most entries that an object can have on the robot
 
 // An observer that is ready for a subject.
 struct StandingReady {
@@ -46,26 +46,28 @@ struct StandingReady {
 // The handler of an object that runs or waits.
 struct HandlerState {
   Message* running = nullptr;    // the message being handled; null: no handler runs
-  uint64_t time_calls = 0;       // calls of GetSystemTime() in this handler, 1 us each
-  Fiber* blocked = nullptr;      // the stack of a handler that waits
+  uint64_t time_calls = 0;       // calls of GetSystemTime() in this handler; each adds 1 us to it
+  Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
   uint64_t blocked_box = 0;      // the reply box it waits for
   int64_t blocked_since_us = 0;  // virtual time
-  std::string blocked_why;       // what it waits for, for people
-  std::deque<Message*> held;     // messages that arrived while it waited, oldest first
-  // A nested call of an entry of the same object (self connection) puts its answer here.
+  std::string blocked_why;       // what it waits for, in words: "the answer of IPStack (Send)"
+  // Messages that the object cannot handle yet, because its handler waits or has the processor, or
+  // because of the boot (ObjectManager::IsTooEarly()); oldest first.
+  std::deque<Message*> held;
+  // Where the reply goes when an object calls an entry of its own (self connection).
   struct SelfReply {
     void* data;
     size_t size;
-    uint32_t selector;  // of the entry called
+    uint32_t selector;  // the entry that is called
   };
   SelfReply* self_reply = nullptr;
 };
 
 // The boxes by which an object receives replies; see requests.h.
 struct ReplyBoxes {
-  uint64_t last = 0;                     // the last number given
+  uint64_t last = 0;                     // the number of the newest box
   std::set<uint64_t> open;               // boxes whose reply may come or has come
-  std::map<uint64_t, Message*> arrived;  // replies that were not received yet
+  std::map<uint64_t, Message*> arrived;  // replies that no handler has received yet
 };
 
 // The use of the robot's processor, if handlers take time; see cpu.h.
@@ -76,7 +78,7 @@ struct ProcessorState {
     Message* message;
     int64_t delay_us;
   };
-  std::vector<Outgoing> outbox;  // messages posted before the handler's time was over
+  std::vector<Outgoing> outbox;  // messages that will be sent when the handler's time is over
 };
 
 // The files of the stick that the code of an image has open.
@@ -89,10 +91,10 @@ class OpenFiles {
 
   void CloseAll();
 
-  // Keyed by addresses: looked up, never walked through in an order that a run could see.
+  // The keys are addresses, so the order of `streams` must not decide anything in a run.
   std::map<std::FILE*, File> streams;
   std::map<int, File> descriptors;
-  std::FILE* terminal = nullptr;  // its standard input, once it has read from the console
+  std::FILE* terminal = nullptr;  // the object's standard input, once it has read from the console
 };
 
 class Object {
@@ -102,41 +104,45 @@ class Object {
   Object(const Object&) = delete;
   Object& operator=(const Object&) = delete;
 
-  // Calls entry `selector` with the address of the message's bytes.  False when
-  // there is no such entry.
+  // Calls entry `selector` with the address of the message's bytes.  Returns false if there is no
+  // such entry.
   virtual bool Dispatch(uint32_t selector, void* payload) = 0;
 
-  // What the object keeps that decides the future and is not in regions, queues
-  // or ready flags.  Nothing for images: their memory is never hashed.
+  // Adds the state of the object that decides the future, except regions, queues and ready flags,
+  // which System::state_hash() adds.  Images add nothing: their memory is never hashed.
   virtual void HashState(Hasher*) const {}
 
-  // Name of an entry for traces and messages: "Start", "Mover (Notify)".
+  // Returns the name of an entry for traces and messages: "DoStart", "Mover (Notify)".
   std::string EntryName(uint32_t selector) const;
 
-  // Who is ready for its subjects, and has to say so again to a new object in its place.
+  // Returns the observers that are ready for the subjects of this object.  If the object is
+  // replaced, their readies are sent again to its successor.
   virtual std::vector<StandingReady> StandingReadies() const;
 
-  // A region that one of its subjects had sent comes back while the object is being replaced.
+  // Called while the object is being replaced: an observer gives back a region that a subject of
+  // this object had sent.
   virtual void ReturnRegion(RCRegion*) {}
 
-  // `message`, which was on its way to it, comes to nobody: it is counted, and what it carries
-  // goes back.
+  // Called for a queued `message` to this object that will not be delivered: counts it, and gives
+  // the regions of a notification back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
-  // Its code is gone for the time being, which is known: nobody complains of what it does not do.
+  // Returns whether the object's code was in a worker that is lost.  The loss itself is a finding,
+  // so consequences of it are not.
   virtual bool IsLost() const { return false; }
 
-  // Its handler runs on another clock, so that virtual time does not say whether it takes long.
+  // Returns whether a handler of the object runs in another process, by the wall clock.  Virtual
+  // time then does not say how long the handler takes.
   virtual bool IsAtWorkElsewhere() const { return false; }
 
-  // Whether `address` is one of its instructions.
+  // Returns whether `address` is an instruction of the object's image.
   virtual bool HasCode(const void*) const { return false; }
 
-  // Whether an entry `selector` can be called.
+  // Returns whether the object has an entry `selector`.
   virtual bool HasEntry(uint32_t selector) const = 0;
 
-  // The full name of the service whose Control or Connect entry is running; entry
-  // `selector`, of the `kind` given, is called after it from now on.
+  // Called in the Control or Connect entry of a service: names entry `selector` after the service
+  // and `kind` ("Ready" or "Notify"), and returns the full name of the service.
   std::string NameService(uint32_t selector, const char* kind);
 
   System* const system;
@@ -146,29 +152,30 @@ class Object {
   std::string path;         // /MS/... of an image; empty for objects built in code
   bool is_image = false;    // loaded from a file; its code sees only the Memory Stick
   bool is_system = false;   // part of the robot, not of the application
-  bool is_off = false;      // its robot is: what is sent to it is dropped
-  bool is_leaving = false;  // another is about to take its place
+  bool is_off = false;      // the object's robot is off: messages to the object are dropped
+  bool is_leaving = false;  // another object is about to replace this one
   ObjectLimits limits;
-  MessageClass post_class = MessageClass::kObject;  // of messages it posts
+  MessageClass post_class = MessageClass::kObject;  // the class of messages that the object posts
 
   // Statistics of the report.
   std::string state;           // text after "state: " of its last OSYSLOG1 INFO line
-  uint64_t message_count = 0;  // delivered
-  uint64_t dropped_count = 0;  // data replaced before it was read, messages refused
-  int waiting = 0;             // messages in the queue now
-  int queue_max = 32;          // that may wait (field-notes.md, 2.3); SetResourceValue()
-  int waiting_max = 0;
-  int64_t handler_ns_max = 0;  // wall time, when the system was given a clock
-  size_t stack_max = 0;        // bytes; SystemOptions::measure_stacks
+  uint64_t message_count = 0;  // messages delivered
+  uint64_t dropped_count = 0;  // data replaced before they were read, and messages refused
+  int waiting = 0;             // messages to the object that are not delivered yet, without replies
+  int queue_max = 32;          // limit of `waiting` (field-notes.md, 2.3); see SetResourceValue()
+  int waiting_max = 0;         // the highest value of `waiting` so far
+  int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
+  size_t stack_max = 0;        // most bytes that a handler used; see SystemOptions::measure_stacks
 
   std::set<void*> private_regions;  // blocks of NewRegion(); looked up only
 
-  uint32_t random_state = 1;  // of rand()
+  uint32_t random_state = 1;  // the state of rand()
 
-  // The instructions that first raised each of the FpFlags, where the host says (CrashLog); null:
-  // none, or not known.
+  // The instruction that first raised each FpFlag, by bit number of the flag.  CrashLog sets it;
+  // null: none raised the flag, or it is not known.
   const void* number_faults[kFpKinds] = {};
-  // A conversion that does not fit was reported in the handler that runs (checked_code.cc).
+  // In the running handler, checked_code.cc has reported a conversion to an integer that is too
+  // small for the value.
   bool has_reported_cast = false;
 
   OpenFiles files;

@@ -1,9 +1,9 @@
 // The object manager and the service manager of the system, in one object: boot,
 // connections, shutdown.
 //
-// It has the lowest priority, so it goes on only when no message of an object is
-// due: what a system service asserted has been delivered before the first DoStart
-// of the application (architecture.md, "Settled" 5).
+// The object manager has the lowest priority, so its handlers go on only when no message of an
+// object is due.  Therefore readies that a system service asserts in its DoStart are delivered
+// before the first DoStart of the application (architecture.md, "Settled" 5).
 #pragma once
 
 #include <deque>
@@ -23,17 +23,21 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
+  // Post the work of System::Boot(), Shutdown(), Reload() and PostTask() as messages of the object
+  // manager to itself.
   void PostBoot();
   void PostShutdown(int robot);
   void PostReload(ObjectId id);
   void PostTask(std::function<void()> task);
-  // Objects take the place of those with their ids, all before one of them runs, and begin.  In
-  // one of the manager's handlers.
+  // Replaces the objects that have the ids of `fresh`, and boots the new objects.  All are replaced
+  // before the first of them runs.  REQUIRES: called in a handler of the object manager.
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
-  // Whether its receiver does not hear `message` yet: the first of all is DoInit, as on the robot,
-  // where it lies in the mailbox before anybody else knows of the object (core.md, 1.5); a ready
-  // waits until the connections are made, or its observer would be unknown.
+  // Returns whether `message` must be held because of the boot of its receiver.
+  // - The first message that an object handles is DoInit.  On the robot DoInit is in the mailbox
+  //   before any other object knows the new one (core.md, 1.5).
+  // - A ready is held until the connections are made, because before that the subject does not know
+  //   the observer.
   bool IsTooEarly(const Message& message) const {
     if (starting_.empty() || message.sender == host().id) return false;
     const auto found = starting_.find(message.target);
@@ -41,15 +45,16 @@ class ObjectManager : public CodeObject {
     if (message.kind == PayloadKind::kReady) return true;
     return !found->second && !HoldsUpBoot(message);
   }
-  // A question in somebody's DoInit: with the answer the others' would wait.
+  // Returns whether `message` is a request from the DoInit of another object.  It is not held: that
+  // DoInit waits for the reply, and the DoInit of the receiver may come only after it.
   bool HoldsUpBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
-  // The DoInit of object `id` begins.
+  // Called when the DoInit of object `id` begins.
   void Begins(ObjectId id);
 
-  // How long a DoXxx may wait before it is reported (the robot's value is not
-  // known; virtual time).
+  // The virtual time after which a DoXxx that has not returned becomes a finding.  The robot's
+  // value is not known.
   static constexpr int64_t kReplyTimeoutUs = 10'000'000;
 
  private:
@@ -60,8 +65,9 @@ class ObjectManager : public CodeObject {
   void RunShutdown(int robot);
   void RunReload(ObjectId id);
   void RunTask();
+  // Calls a DoXxx entry of `object` and waits until it has returned.
   void Send(Object* object, Selector entry, OReason reason);
-  // To the objects of `robot`, or of all.
+  // Calls Send() for all system objects, or for all others, of `robot` or of all robots.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
   void ReleaseEarlyMessages();
@@ -74,13 +80,14 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  std::multiset<std::pair<Selector, int>> due_;  // what it has sent itself
+  std::multiset<std::pair<Selector, int>> due_;  // selectors and values of PostWith(), not done yet
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;        // robots
-  std::set<ObjectId> uninitialised_;   // never heard of DoInit
-  std::map<ObjectId, bool> starting_;  // not connected yet; whether it has heard of DoInit
-  bool are_connected_ = true;          // false as long as those in `starting_` wait for that
-  // Services that are not there as long as something is lost; looked up only.
+  std::set<ObjectId> uninitialised_;   // objects to which DoInit could not be sent
+  std::map<ObjectId, bool> starting_;  // objects in their boot; true: their DoInit has begun
+  bool are_connected_ = true;          // false: the connections of this boot are not made yet
+  // Services that were unknown while an object was lost, by connection.  They become a finding only
+  // if they are still unknown when objects have returned.  Keyed by addresses, so only looked up.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 
