@@ -20,7 +20,7 @@ constexpr ObjectId kNoObject = -1;
 enum class MessageClass : uint8_t {
   kFrame = 0,   // the begin of a frame of a robot's body
   kInput = 1,   // input from outside
-  kVector = 2,  // sensor vectors, and command vectors that the robot gives back
+  kVector = 2,  // messages of the robot's devices: sensor vectors, sounds, readies for commands
   kObject = 3,  // messages of objects
 };
 constexpr int kMessageClasses = 4;

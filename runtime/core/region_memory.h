@@ -1,5 +1,7 @@
-// Memory for the blocks of a RegionTable: where a block lies follows from its slot in the
-// table and its size, so that it is the same in every process that runs a part of a run.
+// Memory for the blocks of a RegionTable.
+//
+// The address of a block follows from its slot in the table and its size, so it is the same in
+// every process of a run.
 #pragma once
 
 #include <array>
@@ -12,23 +14,24 @@ namespace openr_host {
 class RegionMemory {
  public:
   RegionMemory();
-  ~RegionMemory();  // with all blocks but those that came from the host's heap
+  ~RegionMemory();  // frees all blocks, except blocks of the host's heap
   RegionMemory(const RegionMemory&) = delete;
   RegionMemory& operator=(const RegionMemory&) = delete;
 
   static constexpr uint32_t kSlots = 1 << 16;
 
-  // `bytes` zeros; null when there is no memory.  They come from the host's heap when they are more
-  // than 16 MiB, half of the robot's memory, when the slot's memory of this size is in use
-  // still or cannot be had, or when addresses are not planned.  REQUIRES: slot < kSlots.
+  // Returns a block of `bytes` zeros for `slot`; null if there is no memory.  The block has a
+  // planned address, with these exceptions, where it comes from the host's heap: it is larger than
+  // 16 MiB (half of the robot's memory), an earlier block of this slot and size is still in use,
+  // its planned memory cannot be mapped, or addresses are not planned.  REQUIRES: slot < kSlots.
   char* New(uint32_t slot, size_t bytes);
 
-  // A null `block` is no block.
+  // Frees a block of New(); does nothing if `block` is null.
   void Free(char* block);
 
  private:
-  // Each class has one cell for each slot, of 64 bytes in the first one and four times the last
-  // one's in the next.
+  // Each size class has one cell for each slot.  The cells of class 0 have 64 bytes, those of each
+  // further class four times as many as those of the class before.
   static constexpr int kClasses = 10;
   static size_t CellBytes(int size_class) { return size_t{64} << (2 * size_class); }
   static size_t OffsetOf(int size_class);
@@ -37,7 +40,7 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;     // by slot
-    std::vector<bool> is_mapped;  // by step of what is taken from the kernel at a time
+    std::vector<bool> is_mapped;  // by number of the step; a step is mapped as a whole
   };
 
   char* area_;  // null when addresses are not planned

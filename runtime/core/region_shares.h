@@ -1,8 +1,9 @@
-// Who may use whose shared memory: AllowToAttachMemoryRegion() and its kin (MCOOP.h).
+// Access rights to shared memory: AllowToAttachMemoryRegion() and similar functions (MCOOP.h).
 //
-// As in the robot's memory-protected configuration: a region belongs to the object that made
-// it; any other needs its leave, else error 44 (field-notes.md, 3.1).  Only answers follow from
-// this; what a region holds can be reached by every object, as without protection.
+// The rules are those of the robot's memory-protected configuration: a region belongs to the object
+// that made it, and another object needs the owner's permission, else it gets error 44
+// (field-notes.md, 3.1).  The rights decide only what these functions return.  As on a robot
+// without protection, every object can still read and write every region.
 #pragma once
 
 #include <MemoryRegion.h>
@@ -21,15 +22,16 @@ class RegionShares {
  public:
   explicit RegionShares(RegionTable* regions) : regions_(regions) {}
 
-  // All return an sError; `self` is the object that calls.
+  // All return an sError.  `self` is the object that calls.
   int32_t Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info, ObjectId other,
                 bool giving_ownership);
   int32_t Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info);
   int32_t Detach(ObjectId self, uint32_t region);
   int32_t ChangeProtection(ObjectId self, uint32_t region, MemoryProtectionInfo info);
 
-  // Whether `self` may write to `region` on a robot with memory protection: it is its own, or its
-  // owner has allowed it.  In another process than its owner's only what is its own counts.
+  // Returns whether `self` may write to `region` on a robot with memory protection: `self` owns the
+  // region, or the owner has allowed it.  A permission counts only if both objects run in the same
+  // process.
   bool MayWrite(ObjectId self, uint32_t region) const;
 
  private:
@@ -38,7 +40,7 @@ class RegionShares {
     bool attached = false;
   };
 
-  // sSUCCESS when `self` may have `region` with `info`.
+  // Returns sSUCCESS if `self` may use `region` with the rights `info`.
   int32_t Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const;
 
   RegionTable* const regions_;

@@ -1,9 +1,9 @@
 // Shared memory of one System: every block that objects pass to each other.
 //
-// A MemoryRegionID is (generation << 16 | slot + 1), so an id outlives its block
-// without ever naming another one by accident, and ids repeat exactly from run
-// to run, and so do addresses (region_memory.h).  Fresh blocks are filled with zeros.  A few known
-// bytes follow every block, so that a write behind its end shows.
+// A MemoryRegionID is (generation << 16 | slot + 1).  The id of a deleted block names no later
+// block in the same slot, because the generation differs.  Ids and addresses (region_memory.h) are
+// the same in every run.  New blocks are filled with zeros.  A few known bytes follow every block,
+// so that a write behind its end can be found.
 #pragma once
 
 #include <cstddef>
@@ -28,56 +28,62 @@ class RegionTable {
 
   static constexpr uint32_t kNoRegion = 0;
 
-  // The block of an id given there; null when there is no memory.  One that belongs to an object
-  // elsewhere is a copy and lasts while it is pinned, with KeepCopy() first of all; a later copy of
-  // the same block may find the bytes of this one.
+  // In a run with several processes, the master's table gives out the ids.  A worker calls these
+  // functions to make blocks with such an id in its own table.
+  // AdoptOwn() makes the block of an object in this process.  AdoptCopy() makes a copy of a block
+  // of another process; the copy must be pinned at once with KeepCopy(), and is free after the last
+  // DropCopy().  A copy is not always filled with zeros: it may have the bytes of an earlier copy
+  // of the same block.  Both return null if there is no memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id);
   void DropCopy(uint32_t id);
-  // An own block that was deleted there.
+  // Called for a block of AdoptOwn() that the master has deleted.
   void Lose(uint32_t id);
 
-  // The block that `address` lies in; false when it lies in none.
+  // Finds the block in which `address` lies; false if there is none.
   bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
-  // A block of `size` bytes owned by `owner`; kNoRegion when there is no memory.
+  // Makes a block of `size` bytes that `owner` owns, and returns its id; kNoRegion if there is no
+  // memory or no free slot.
   uint32_t New(size_t size, ObjectId owner);
 
-  // `address`: the instruction that made the block, for MostCommonPlace().
+  // Notes the instruction that made the block, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
-  // The instruction that made most of the blocks there are, and how many; null when none was noted.
+  // Returns the instruction that made the most live blocks, and their number; null if no
+  // instruction was noted.
   std::pair<const void*, int> MostCommonPlace() const;
 
-  // False when `id` names nothing.  The memory stays while somebody has it pinned.
+  // Deletes a block; false if `id` names no live block.  The memory stays while the block is
+  // pinned.
   bool Delete(uint32_t id);
 
-  // All blocks of an object that is being unloaded.
+  // Deletes all blocks of an object that is being unloaded.
   void DeleteAllOf(ObjectId owner);
 
-  // Null when `id` names nothing.
+  // Return null, 0 or kNoObject if `id` names no block.
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
   ObjectId OwnerOf(uint32_t id) const;
-  // The object that had it made, whoever owns it now: the bytes are where that is.  kNoObject when
-  // the block was deleted or its maker was unloaded.
+  // Returns the object that made the block, even if another object owns the block now: the bytes
+  // are in the process of the maker.  kNoObject if the block was deleted or its maker was unloaded.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
-  // Blocks stay where they are, so one grows no further than it was made.  False, and no
-  // change, when it cannot have that size.
+  // Changes the size of a block.  Returns false, and changes nothing, if `size` is 0 or more than
+  // the block was made with: a block keeps its address, so it cannot grow beyond its memory.
   bool Resize(uint32_t id, size_t size);
 
-  // Whether somebody wrote behind the end of a block.  Never with AddressSanitizer, which
-  // stops at such a write itself.
+  // Returns whether the bytes behind the end of a block were changed.  Always false with
+  // AddressSanitizer, which reports such a write itself.
   bool WrittenBeyond(uint32_t id) const;
 
-  // Keeps the memory of a block that somebody still reads.  Unknown ids are
-  // ignored: a region may wrap memory that is not ours.
+  // Pin() keeps the memory of a block that is still read, until Unpin().  Both return false for an
+  // unknown id, because a region may refer to memory that is not in this table.
   bool Pin(uint32_t id);
   bool Unpin(uint32_t id);
 
-  // Live blocks of one owner.
+  // Returns the number of live blocks of one owner.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
 
@@ -85,7 +91,7 @@ class RegionTable {
   void ForEachOf(ObjectId owner,
                  const std::function<void(uint32_t id, char* base, size_t size)>& visit) const;
 
-  // Ids, owners, sizes and bytes of all live blocks.
+  // Adds ids, owners, sizes and bytes of all live blocks.
   void HashState(Hasher* hasher) const;
 
  private:
@@ -97,15 +103,15 @@ class RegionTable {
     const void* made_at = nullptr;  // see NotePlace()
     int pins = 0;
     uint16_t generation = 0;
-    bool live = false;
-    size_t capacity = 0;       // what it was made with
-    bool is_reusable = false;  // New() chose the slot, so it may choose it again
-    bool is_copy = false;
-    bool is_idle = false;  // a copy without users: its memory is for the next one
+    bool live = false;         // not deleted; false for copies
+    size_t capacity = 0;       // the size with which the block was made
+    bool is_reusable = false;  // New() chose this slot, so New() may choose it again
+    bool is_copy = false;      // made by AdoptCopy()
+    bool is_idle = false;      // a copy that is not pinned: its memory is kept for the next copy
   };
 
-  Slot* FindMemory(uint32_t id);  // also of an idle copy
-  Slot* Find(uint32_t id);
+  Slot* FindMemory(uint32_t id);  // finds idle copies too
+  Slot* Find(uint32_t id);        // does not find idle copies
   const Slot* Find(uint32_t id) const { return const_cast<RegionTable*>(this)->Find(id); }
   void FreeIfUnused(Slot* slot);
   char* Fill(Slot* slot, uint32_t index, size_t size);
@@ -114,11 +120,11 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // Copies of blocks that are gone where they lived while somebody here still reads them: rare,
-  // as when a subject is replaced whose observer has yet to answer.
+  // Memory of copies that were still pinned when another block got their slot.  This is rare: a
+  // subject is replaced while an observer in this process still reads its data.
   std::vector<char*> outlived_;
-  std::vector<uint32_t> free_;  // indices
-  int live_count_ = 0;
+  std::vector<uint32_t> free_;  // indices of slots that New() may use
+  int live_count_ = 0;          // number of live slots
 };
 
 }  // namespace openr_host

@@ -1,7 +1,7 @@
 // Requests of handlers and their replies.
 //
-// A reply arrives in a numbered box of the object that asked.  Only the handler that waits for a
-// box waits: other objects go on.
+// A reply arrives in a numbered box of the object that sent the request.  While a handler waits for
+// its box, other objects go on.
 #pragma once
 
 #include <cstddef>
@@ -14,40 +14,43 @@ namespace openr_host {
 
 class System;
 
-// The right to answer a request: to the box of the object that asked.  An answer to an empty ticket
-// is refused.
+// The right to reply to a request: the object that sent the request, and its box. Requests::Reply()
+// refuses an empty ticket.
 struct ReplyTicket {
   ObjectId to = kNoObject;
   uint64_t box = 0;
 };
 
-// The caller is the current object.  Results are an sError if not said otherwise.
+// The functions act for the current object, the caller.  An int32_t result is an sError.
 class Requests {
  public:
   explicit Requests(System* system) : system_(system) {}
 
-  // Sends bytes and waits for the answer, of which at most `reply_size` bytes are copied to
-  // `reply`.  `timeout_us` < 0: waits for ever.
+  // Sends a request with `size` bytes at `data`, waits for the reply, and copies at most
+  // `reply_size` bytes of the reply to `reply`.  Returns sTIMEOUT after `timeout_us`; < 0: never.
   int32_t Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
                size_t reply_size, int64_t timeout_us = -1);
 
-  // Does the same in two steps: posts `message` with a new box for its answer, and waits for it.
-  // `*got`, if it is not null, becomes the number of bytes copied.
+  // Send() posts the request `message` with a new box for the reply; Wait() then waits for the
+  // reply like Call().  Wait() sets `*got`, if it is not null, to the number of bytes copied.
   int32_t Send(Message* message, uint64_t* box);
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);
 
-  // Returns a new box of the caller; Wait() and Await() close it.
+  // Returns a new box of the caller.  Wait() and Await() close the box when they have a reply.
   uint64_t OpenBox();
 
-  // Waits and returns the reply, which the caller releases.  When the time is over first,
-  // `*timed_out` is true and the message is empty.  `why` tells people what is waited for.
+  // Waits for the reply to `box` and returns it; the caller releases the message.  After
+  // `timeout_us`, returns an empty message and sets `*timed_out`.  `why` names for people what the
+  // handler waits for: "the answer of IPStack (Send)".
   Message* Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
 
-  // Takes the right to answer the request that the caller handles.
+  // Takes the right to reply to the request that the caller handles.  Returns an empty ticket if
+  // the message is no request or its ticket was taken before.
   ReplyTicket TakeTicket();
 
-  // `payload_hash` stands for the bytes in the trace; 0: the bytes are hashed.
+  // Sends a reply of `size` bytes.  `payload_hash` is the hash of the bytes for the trace; 0: the
+  // hash is computed.
   int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
                 uint64_t payload_hash = 0);
 

@@ -1,16 +1,16 @@
-// Faults that stop the robot's processor and not the host's.
+// Stops an object for a fault that the robot's processor detects and the host's does not.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// Ends the handler that runs as a crash of its object, the way the robot would: "unaligned access
-// of 4 bytes".  The process gets SIGILL, on top of the code that made the fault.
+// Ends the running handler as a crash of its object.  `what` names the fault: "unaligned access of
+// 4 bytes".  The process gets SIGILL while the code that made the fault is still on the stack.
 [[noreturn]] void StopAsTheRobotDoes(const std::string& what);
 
-// The text that StopAsTheRobotDoes() was called with; "" when it was not called.  For the signal
-// handler.
+// Returns the text of the call of StopAsTheRobotDoes(), for the handler of SIGILL; "" if it was not
+// called.
 const char* AnnouncedFault();
 
 }  // namespace openr_host

@@ -1,9 +1,9 @@
-// The seam between the OPENR:: functions and whatever plays the robot.
+// The interface between the OPENR:: functions and the simulated robot.
 //
-// Every function has the meaning and the results of its namesake in
-// OPENRAPI.h.  The base class is a robot without devices: what the system can
-// answer alone it answers, the rest is oNOT_SUPPORTED.  Functions are called from
-// handlers of objects, with memory taken from the host's heap.
+// Every function has the meaning and the results of the function of the same name in
+// OPENRAPI.h.  The base class is a robot without devices: it answers that a primitive or a key does
+// not exist, or oNOT_SUPPORTED.  The functions are called in handlers of objects, and memory that
+// they allocate comes from the host's heap.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>
@@ -54,10 +54,11 @@ class RobotServices {
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
 
-  // As if made with this seed; before Boot().
+  // Sets the state of random generators to that of a new robot with this seed.  Called before
+  // System::Boot().
   virtual void Reseed(uint64_t) {}
 
-  // Everything above that decides the future.
+  // Adds the state that decides the future results of these functions.
   virtual void HashState(Hasher* hasher) const;
 };
 

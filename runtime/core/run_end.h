@@ -1,4 +1,4 @@
-// Why a run ends, or a robot of it: a value of a closed set, and a sentence for people.
+// RunEnd: the reason why a run or one of its robots ends, as a value and as a text for people.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// docs/cli.md says what each one means.  Numbers are on the wire of distribution/: new ones come
-// last.
+// docs/cli.md explains each value.  The numbers are part of the protocol of distribution/, so new
+// values come last.
 enum class EndKind : uint8_t {
   kTime,          // the virtual time that was asked for is over
   kIdle,          // no object has sent anything for long enough
@@ -24,7 +24,7 @@ enum class EndKind : uint8_t {
 };
 constexpr int kEndKinds = 12;
 
-// "time", "idle" ...: the values of `ended_by` in a report.
+// Returns "time", "idle" ...: the values of `ended_by` in a report.
 const char* EndName(EndKind kind);
 
 struct RunEnd {
@@ -32,7 +32,7 @@ struct RunEnd {
   std::string why = "the robot was shut down";  // "PowerMonitor shut the robot down ..."
 };
 
-// "ended by time: --for 20s is over", for people.
+// Returns "ended by time: --for 20s is over", for people.
 std::string DescribeEnd(const RunEnd& end);
 
 }  // namespace openr_host

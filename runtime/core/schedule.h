@@ -1,8 +1,9 @@
-// What decides where the robot leaves an order open, and what may get in the way.
+// A Schedule chooses among the orders of messages that the robot allows.  A Gate holds messages
+// back.
 //
-// Without a schedule the order is the canonical one: objects start as OBJECT.CFG names
-// them, messages due together go by number.  A schedule may only choose among orders
-// the robot allows: per receiver messages stay in order, priorities hold.
+// Without a schedule the order is the canonical one: objects start in the order of OBJECT.CFG, and
+// messages that are due at the same time are delivered in the order of their numbers.  A schedule
+// cannot change the order of the messages to one receiver, nor the order of priorities.
 #pragma once
 
 #include <cstddef>
@@ -19,32 +20,33 @@ class Schedule {
   virtual ~Schedule() = default;
 
   enum class Question : uint8_t {
-    kStart,  // whose DoStart is next
-    kNext,   // which object gets its message next, of those with one due at this instant
+    kStart,  // the object that gets DoStart next
+    kNext,   // the object that gets its message next, among those with a message due now
   };
 
-  // Index of the candidate to take; 0 is the canonical one.  Asked only when there are
-  // two or more.
+  // Returns the index of the candidate to take; 0 is the canonical choice.  Called only with two or
+  // more candidates.
   virtual size_t Choose(Question question, const std::vector<ObjectId>& candidates) = 0;
 
-  // Called when `message` is posted, `delay_us` from now: us to add.  An implementation
-  // that delays one message must delay those that follow from the same sender to the same
-  // receiver at least as far.
+  // Called when `message` is posted, due `delay_us` from now.  Returns the time to add to its due
+  // time.  A schedule that delays one message must also delay the later messages of that sender to
+  // that receiver, so that they do not overtake it.
   virtual int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us);
 
-  // Whether the receiver's queue turns `message` away, as a full one does.
+  // Returns whether to refuse `message` to the sender, as the robot does if a queue is full.
   virtual bool Refuses(const Message& message);
 };
 
-// Stands at the door of every handler.
+// Decides for every message, just before its delivery, whether it may be delivered now.
 class Gate {
  public:
   virtual ~Gate() = default;
-  // False: the message is kept by the gate, which gives it back with System::Readmit().
+  // Returns true to deliver `message` now.  False: the gate keeps the message, and gives it back
+  // later with System::Readmit().
   virtual bool Admit(Message* message) = 0;
 };
 
-// A legal order drawn from a seed.
+// A schedule that draws its choices from a seed.
 class SeedSchedule : public Schedule {
  public:
   explicit SeedSchedule(uint64_t seed) : rng_(seed, "order") {}

@@ -1,12 +1,13 @@
-// Memory for a stack, with a guard page below that faults when the stack overflows.
+// Memory for a stack, with a guard page below it: an overflow of the stack is a fault.
 //
 // A stack at a planned address (address_plan.h) is for code of one image.  Below it lies a second
-// one, on which the functions run that the image imports (imported_calls.h):
+// stack, for the functions that the image imports (imported_calls.h):
 //
 //     guard page | 752 KiB for imported functions | guard page | 256 KiB for the image | 4 KiB
 //
-// The last 4 KiB are never written to.  They are there because arguments on the stack are copied
-// without knowing how many there are.
+// The last 4 KiB are only read.  A call of an imported function copies a fixed number of bytes of
+// arguments from the stack, which may be more than there are; near the top the copy reads these 4
+// KiB.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ namespace openr_host {
 
 class StackMemory {
  public:
-  // Address space only, until touched.
+  // Size of the stack.  Memory is used only for pages that were touched.
   static constexpr size_t kBytes = size_t{256} << 10;
 
   // Offsets from a planned address.
@@ -26,7 +27,7 @@ class StackMemory {
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
   static constexpr size_t kImportsTopOffset = kBottomOffset - kGuardBytes;
 
-  // At `address` if that is not null and nothing else lies there, else where the kernel puts it.
+  // Maps the memory at `address`.  If `address` is null or in use, the kernel chooses the address.
   explicit StackMemory(char* address = nullptr);
   ~StackMemory();
   StackMemory(const StackMemory&) = delete;
@@ -35,24 +36,25 @@ class StackMemory {
   char* bottom() const { return bottom_; }
   char* top() const { return bottom_ + kBytes; }  // the stack grows down from here
 
-  // Whether `address` lies on this stack or on the one for imported functions.
+  // Returns whether `address` lies on this stack or on that for imported functions.
   bool Contains(const void* address) const {
     return address >= mapping_ && address < mapping_ + mapped_bytes_;
   }
 
-  // How many bytes calls that have returned wrote to, from the top.  Looks for bytes that are not
-  // zero from the top down, and no further than `gap_bytes` below the last one, so an array of
-  // that size that nobody wrote to hides what lies below it.  0 with AddressSanitizer and under
-  // Valgrind, which watch these bytes themselves.  REQUIRES: the caller runs on another stack.
+  // Returns how many bytes of the stack were written to, counted from the top.  Searches from the
+  // top down for bytes that are not zero, and ends the search after `gap_bytes` of zeros.  So it
+  // misses bytes that lie below an unused array of this size.  Returns 0 with AddressSanitizer and
+  // under Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
-  // Makes these bytes zero, and returns how many they were.
+  // Sets the bytes that UsedBytes() counts to zero, and returns their number.
   size_t Clear(size_t gap_bytes);
 
   static constexpr size_t kWideGapBytes = size_t{32} << 10;
   static constexpr size_t kSmallGapBytes = size_t{4} << 10;
 
-  // Whether `address` lies in a guard page of any stack of this thread: that stack overflowed.
+  // Returns whether `address` lies in a guard page of a stack of this thread.  If an access to
+  // `address` was a fault, that stack has overflowed.
   static bool AnyGuardContains(const void* address);
 
  private:

@@ -1,7 +1,7 @@
-// Who waits: for a ready, for an answer, for the processor.
+// Stalls: objects that wait for a ready, for a reply or for the processor.
 //
-// The robot says nothing when an observer forgets to assert ready: subject and observer
-// both fall silent (field-notes.md, 2.2).  Here it has a name.
+// If an observer forgets to assert ready, the robot reports nothing, and subject and observer both
+// stop sending (field-notes.md, 2.2).  A stall names the two objects.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,31 @@ namespace openr_host {
 class System;
 
 struct Stall {
-  ObjectId object = kNoObject;  // who waits
+  ObjectId object = kNoObject;  // the object that waits, or the subject's object
   int64_t since_us = 0;         // virtual time
   std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
-  const char* advice = "";
-  // An observer took a notification and has asserted no ready since.  It may have forgotten, or
-  // want no more; only a graph that has fallen silent makes it suspect.
+  const char* advice = "";      // what the author of the program can do
+  // The observer has asserted no ready since its last notification, and no data wait for it.  It
+  // may have forgotten to assert, or want no more data.  We report this only if no object of the
+  // run sends messages any more.
   bool may_be_done = false;
-  // A program that works may do this too.  The observer has asserted ready again after a
-  // notification before, so it knows how to and has stopped on purpose; or the subject is the
-  // robot's, which goes on without it.  An observer that has taken one notification of
-  // another object at most, and leaves its data waiting, may have forgotten to assert ready.
+  // The observer has probably stopped on purpose, so we report a note and not a warning.  There are
+  // two cases.  The observer has taken two notifications or more, so it has asserted ready again
+  // before.  Or the subject belongs to the robot, whose services do not need the ready.
   bool is_chosen = false;
 };
 
-// Nobody waits for so long in a graph that works.
+// In a program that works, no object waits for as long as this.
 constexpr int64_t kStallUs = 1'000'000;
 
-// Everybody who has waited for `least_us` or longer, in order of objects; those who may be done
-// from kStallUs on, since most work on a notification before.
+// Returns the stalls that have lasted for `least_us` or longer, in order of objects.  Stalls with
+// `may_be_done` are found only from kStallUs on, because most observers work on a notification
+// before they assert.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
-// Makes a warning of everybody who has waited for kStallUs or longer, a note where that is chosen;
-// of those who may be done if the graph `is_silent`.  At the end of a run.
+// Called at the end of a run: makes a finding of every stall that has lasted for kStallUs or
+// longer. It is a note if `is_chosen`, else a warning.  Stalls with `may_be_done` are left out
+// unless the run `is_silent`.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

@@ -1,14 +1,14 @@
-// System: the clock, the queue, the objects and everything they share.
+// System: the clock, the message queue, the objects and everything that they share.
 //
-// One System is one deterministic run.  It has no global state; several may live
-// in one process, each used from one thread.  Data flows: stick -> wiring ->
-// objects -> messages -> objects; virtual robots and the IPStack are objects too.
+// One System is one deterministic run.  One process may have several Systems, each used from one
+// thread.  Virtual robots and the IPStack are objects too.
 //
 //   System system({.seed = 1});
 //   const int dog = system.AddRobot("ERS-210", stick);
-//   AddVirtualRobot(&system, dog, ...);           // virtualrobot/
-//   LoadStick(&system, dog);                      // load_stick.h: images of OBJECT.CFG, wiring of
-//   CONNECT.CFG system.Boot(); system.RunFor(30'000'000);
+//   AddVirtualRobot(&system, dog, ...);  // virtualrobot/
+//   LoadStick(&system, dog);             // load_stick.h: objects and connections
+//   system.Boot();
+//   system.RunFor(30'000'000);
 #pragma once
 
 #include <cstdint>
@@ -49,43 +49,42 @@ class ObjectManager;
 class RobotServices;
 class RunFolder;
 
-// 8 ms: the unit of everything the robot does.
+// A frame: the robot's sensors and joints work in steps of 8 ms.
 constexpr int64_t kFrameUs = 8000;
 
 // RAM of the robot, for the system and all objects (field-notes.md 3.10).
 constexpr size_t kRobotMemoryBytes = size_t{32} << 20;
 
 struct SystemOptions {
-  // 1 is the canonical order; any other one draws an order the robot allows, and all
-  // that is random.
+  // The seed of everything that is random.  With 1, messages have the canonical order; with any
+  // other seed, the order is drawn from those that the robot allows (schedule.h).
   uint64_t seed = 1;
-  // Turns findings that stop a robot into the robot's behaviour; what objects receive is a
-  // read-only copy.
+  // Lets mistakes that stop a robot stop it here too; without, they are only findings.  Objects
+  // receive read-only copies of data (guard_pages.h).
   bool strict = false;
   // Receives what objects print; null: standard output.
   std::function<void(std::string_view text)> console = {};
   // OSYSLOG lines of a priority above this are not printed (1 error, 2 warning, 3 info).
   uint32_t log_level = 3;
-  // Messages delivered at one instant before each further one takes 1 us: objects that
-  // answer each other without waiting must not stop the clock.
+  // The number of messages that take no time at one instant; each further one takes 1 us. Otherwise
+  // objects that answer each other without waiting would stop the clock.
   int64_t free_deliveries = 10'000;
-  // Wall clock in nanoseconds for handler_ns_max; null: not measured.  Nothing
-  // else may depend on it.
+  // Wall clock in nanoseconds for Object::handler_ns_max; null: not measured.  Nothing else may
+  // depend on this clock.
   int64_t (*wall_clock_ns)() = nullptr;
-  // What handlers cost; null: nothing.
+  // The processor time of handlers; null: handlers take no time.
   std::shared_ptr<CostModel> cost = {};
-  // Whether Object::stack_max is measured, for images: in the first 64 handlers and in every
-  // 16th from then on.
+  // Whether Object::stack_max is measured for images.
   bool measure_stacks = false;
-  // What objects receive is a copy of their own, read-only, that is gone once they have
-  // asserted ready; data changed on their way become an error finding.  Costs some us a
-  // notification.
+  // Whether objects receive read-only copies that are unmapped when they assert ready
+  // (guard_pages.h).  Data that a subject changes before they are received become an error finding.
+  // Costs some microseconds per notification.
   bool guard_regions = false;
-  // Makes the calls of handlers; null: LocalCalls, on the tables of this System.
+  // Makes the SystemCalls of this System; null: LocalCalls.
   std::function<std::unique_ptr<SystemCalls>(System*)> make_calls = {};
 };
 
-// A wire of CONNECT.CFG, or one made in code.
+// A connection of CONNECT.CFG, or one made in code.
 struct Connection {
   int robot = 0;
   std::string subject;  // four-part service names
@@ -97,15 +96,15 @@ struct Connection {
 struct Robot {
   int index = 0;
   std::string design;                  // "ERS-210"
-  std::shared_ptr<MemoryStick> stick;  // null: none in the slot
+  std::shared_ptr<MemoryStick> stick;  // null: the robot has no stick
   std::unique_ptr<RobotServices> services;
   std::map<std::string, std::pair<ObjectId, uint32_t>> directory;  // service name -> entry
   std::map<std::string, std::string> design_data;                  // keyword -> /MS/ path
-  std::map<std::string, ObjectId> names;                           // of Register() (MCOOP.h)
-  MemoryBudget memory;                                             // limited with --strict
-  uint64_t stick_hash = 0;  // of the stick as LoadStick() found it
+  std::map<std::string, ObjectId> names;                           // set by Register() (MCOOP.h)
+  MemoryBudget memory;      // limited only with SystemOptions::strict
+  uint64_t stick_hash = 0;  // hash of the stick when LoadStick() was called
   bool powered_off = false;
-  std::optional<RunEnd> end;  // why it goes off, or went; none: nothing has told it to
+  std::optional<RunEnd> end;  // the reason for the shutdown or the power-off; none: still on
 };
 
 class System {
@@ -122,7 +121,7 @@ class System {
   Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
   int robot_count() const { return static_cast<int>(robots_.size()); }
 
-  // Takes in an object made elsewhere, whose id is the next: objects().size().
+  // Adds `object` and returns it.  REQUIRES: object->id is NextObjectId().
   Object* Adopt(std::unique_ptr<Object> object);
   ObjectId NextObjectId() const { return static_cast<ObjectId>(objects_.size()); }
 
@@ -131,116 +130,123 @@ class System {
   template <typename T, typename... Args>
   T* AddObject(int robot, const std::string& name, Args&&... args);
 
-  // The folder for copies of images, which goes with the System.
+  // Returns the folder for copies of images.  It exists as long as the System.
   RunFolder* run_folder();
 
-  // REQUIRES: before Boot().
+  // Adds a connection that the boot will make.  REQUIRES: before Boot().
   void Connect(Connection connection) { connections_.push_back(std::move(connection)); }
   const std::vector<Connection>& connections() const { return connections_; }
 
-  // As if made with this seed, but for the order of messages, which is the schedule's.
-  // REQUIRES: before Boot().
+  // Sets the state of all random generators to that of a System with this seed.  The order of
+  // messages does not change: it stays that of set_schedule().  REQUIRES: before Boot().
   void Reseed(uint64_t seed);
 
   // Posts the boot: DoInit of all objects, connections, DoStart of all.
   void Boot();
 
-  // Posts the replacement of an image by a fresh load of its file: DoStop and DoDestroy
-  // of the old one, DoInit, its connections and DoStart of the new one, which begins
-  // with fresh statics and an empty heap under the same OID.  Messages to the old one
-  // are lost; what it was lent goes back.  An image that cannot be loaded is an error
-  // finding and changes nothing.  REQUIRES: booted() and `id` names an image.
+  // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old
+  // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,
+  // initial statics and an empty heap.  Messages to the old object are lost, and regions that it
+  // had received go back to their subjects.  If the image cannot be loaded, an error finding is
+  // added and nothing changes.  REQUIRES: booted() and `id` names an image.
   void Reload(ObjectId id);
 
-  // The same for objects whose code was elsewhere and is gone, as is all they had (EndAllOf()):
-  // `fresh` have their ids and come in their place, all before the first DoInit.
+  // Posts the replacement of objects whose worker was lost; EndAllOf() was called for them.  The
+  // objects of `fresh` have the same ids.  All of them are in place before the first DoInit.
+  // REQUIRES: booted().
   void Return(std::vector<std::unique_ptr<Object>> fresh);
 
-  // Ends every connection of the others with object `id`, which has been replaced elsewhere.
+  // Ends every connection of the other objects with object `id`.  A worker calls this when an
+  // object of another process has been replaced.
   void Forget(ObjectId id);
 
-  // Posts a call, which is made as soon as no message of an object is due.
+  // Posts a call of `task`, which is made as soon as no message of an object is due.
   void PostTask(std::function<void()> task);
 
-  // What `id` has of the system ends: time events, network connections, regions.  In a task:
-  // messages on their way may point into regions.
+  // Ends time events, network connections and registered names of object `id`, and deletes its
+  // regions.  To be called in a task, because messages that are due may point into regions.
   void EndAllOf(ObjectId id);
-  // `listener` hears of it.
+  // Registers a `listener` that EndAllOf() calls.
   void OnEnd(std::function<void(ObjectId)> listener) { end_listeners_.push_back(listener); }
 
-  // `listener` hears of every object that is replaced, before its successor is there.
+  // Registers a `listener` that is called for every object that is replaced, before its successor
+  // is in place.
   void OnReplace(std::function<void(ObjectId)> listener) { replace_listeners_.push_back(listener); }
 
-  // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy; messages to
-  // them are dropped from then on.
+  // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
-  void Shutdown(const RunEnd& why = {});             // of all
+  void Shutdown(const RunEnd& why = {});             // all robots
   bool booted() const { return booted_; }            // the last DoStart has returned
   bool powered_off() const { return powered_off_; }  // all robots are off; nothing runs
-  // The robot stops at once, as OPENR::Fatal does.
+  // Switches one robot off at once, as OPENR::Fatal() does.  Messages to its objects are dropped
+  // from now on.
   void PowerOff(int robot, const RunEnd& why = {});
-  // Do the same with the tables of this process.
+  // Do the work of Shutdown() and PowerOff() in this process; LocalCalls calls them.
   void BeginShutdown(int robot, const RunEnd& why);
   void CutPower(int robot, const RunEnd& why);
 
-  // Why a robot goes off, and why the run ends for a reason that is not one of its robots'.  The
-  // first reason is kept, but for a PowerOff() during a shutdown.  Those two do it themselves.
+  // Note the reason why a robot goes off, or why the run ends if no robot is the reason.  The first
+  // reason is kept; only a PowerOff() during a shutdown replaces the reason of the shutdown.
+  // Shutdown() and PowerOff() call NoteEnd() themselves.
   void NoteEnd(int robot, const RunEnd& why);
   void NoteRunEnd(const RunEnd& why);
-  // Why the run has ended: what NoteRunEnd() was told, or, when all robots are off, the reason of
-  // the one that went off last; none while it goes on.
+  // Returns why the run has ended: the reason given to NoteRunEnd(), or, when all robots are off,
+  // the reason of the robot that went off last.  Empty while the run goes on.
   const std::optional<RunEnd>& end() const { return end_; }
 
   // ---- Running ----
 
   int64_t now_us() const { return now_us_; }
 
-  // Delivers the next message, moving the clock if need be.  False when there is none.
+  // Delivers the next message; moves the clock to its due time.  Returns false if there is none.
   bool Step();
 
-  // Delivers the next message if it is due by `time_us`; else leaves the clock there.
+  // Delivers the next message if it is due by `time_us`; else sets the clock to `time_us`.
   void RunOne(int64_t time_us);
 
-  // Delivers `count` messages, or all there are.
+  // Delivers `count` messages, or all messages if there are fewer.
   void RunMessages(uint64_t count);
 
-  // Delivers all that is due up to `time_us` and leaves the clock there.  Stops
-  // early when the robot powers off.  REQUIRES: time_us >= now_us().
+  // Delivers all messages that are due up to `time_us` and sets the clock to `time_us`.  Stops
+  // early when all robots are off.  REQUIRES: time_us >= now_us().
   void RunUntil(int64_t time_us);
   void RunFor(int64_t duration_us) { RunUntil(now_us_ + duration_us); }
 
-  // Until `predicate` holds (asked after every message); false when `budget_us`
-  // went by without.
+  // Runs until `predicate` returns true; it is called after every message.  Returns false if that
+  // has not happened after `budget_us` of virtual time.  REQUIRES: budget_us >= 0.
   bool RunUntil(const std::function<bool()>& predicate, int64_t budget_us);
 
   // ---- Messages ----
 
-  // A message from the current object (or the system) with an empty payload, to be
-  // filled and posted.
+  // Returns a message from the current object (or the system) with an empty payload, to be filled
+  // and posted.
   Message* NewMessage(ObjectId target, uint32_t selector);
 
-  // Queues it, `delay_us` from now.  Returns an sError: sSUCCESS, sINVALIDOID,
-  // or sFULLMSGQENTRY when the receiver's queue is full (--strict).
+  // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
+  // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with --strict).
   int32_t Post(Message* message, int64_t delay_us = 0);
 
-  // Queues a message of this process; Post() without the calls of the handler.
+  // Queues a message in the queue of this process; LocalCalls::Post() calls it.
+  // REQUIRES: the target exists and delay_us >= 0.
   int32_t Enqueue(Message* message, int64_t delay_us);
 
-  // Ends the handler that runs, without returning to it.
+  // Ends the running handler without returning to it.  REQUIRES: called in a handler.
   [[noreturn]] void AbandonHandler();
 
-  // ---- Orders and doors, for tests and explorers; null: none.  They must outlive
+  // ---- Schedule and gate, for tests and tools that explore orders; null: none.  Both must outlive
   //      their use here.
 
-  // Instead of the seed's.  REQUIRES: before Boot().
+  // Replaces the schedule that the seed gives.  REQUIRES: before Boot().
   void set_schedule(Schedule* schedule) { schedule_ = schedule; }
   void set_gate(Gate* gate) { gate_ = gate; }
-  // A message that a gate or the processor kept goes first at this instant.
+  // Puts a message that a gate or the processor has kept back into the queue, due now and before
+  // all others of its class and priority.
   void Readmit(Message* message);
 
-  // What people type; enters at the next frame boundary.  Not from a handler.
+  // Adds typed text, which objects can read from the next frame boundary on.  REQUIRES: not called
+  // in a handler.
   void FeedConsole(int robot, std::string_view text) { console_input_.Feed(robot, text); }
-  // `listener` hears of it at once, for recordings.
+  // Registers a `listener` that FeedConsole() calls at once, for recordings.
   void OnConsoleInput(ConsoleInput::Listener listener) {
     console_input_.OnFeed(std::move(listener));
   }
@@ -248,8 +254,9 @@ class System {
   TimeEvents& time_events() { return time_events_; }
   Requests& requests() { return requests_; }
 
-  // ---- Looking ----
+  // ---- State of the run ----
 
+  // Return null if there is no such object.
   Object* object(ObjectId id) const;
   Object* FindObject(int robot, std::string_view name) const;
   const std::vector<std::unique_ptr<Object>>& objects() const { return objects_; }
@@ -257,7 +264,7 @@ class System {
   RegionTable& regions() { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
   GuardPages* guard_pages() { return guard_pages_.get(); }  // null: received data are not copied
-  // How long a frame of the devices lasts by this clock.
+  // Returns how long a frame of the robot's devices lasts by this clock.
   int64_t frame_us() const { return options_.cost ? options_.cost->FrameUs() : kFrameUs; }
   Trace& trace() { return trace_; }
   const Findings& findings() const { return findings_; }
@@ -270,39 +277,49 @@ class System {
   uint64_t state_hash();
   uint64_t message_count() const { return trace_.count(); }
 
-  // About the current object, if any.
+  // Adds a finding about the current object, or about the system if there is none.
   void AddFinding(Severity severity, std::string text);
   void AddFindingAbout(const Object* object, Severity severity, std::string text);
-  // About the stick or the configuration of a robot.
+  // Adds a finding about the stick or the configuration of a robot.
   void AddFindingAboutRobot(int robot, Severity severity, std::string text);
-  // Adds it to findings() of this process.
+  // Adds a finding to findings() of this process; LocalCalls::AddFinding() calls it.
   void RecordFinding(const Object* object, Severity severity, std::string text);
 
-  // "JointMover waits for the answer of IPStack since t=1.248 s", one line each.
+  // Returns a line for each object that waits: "JointMover waits for the answer of IPStack since
+  // t=1.248 s".
   std::vector<std::string> WhoWaits() const;
 
+  // Prints text of an object or of the system to SystemOptions::console.
   void Print(std::string_view text);
 
  private:
   friend class Dispatcher;
   friend class ObjectManager;
 
-  // Before Replace(): what is on its way to it comes to nobody.  Who was ready for it.
+  // The steps of a replacement (reload.cc), in this order:
+  // 1. Takes all messages to `old` out of the queue, because nothing will receive them.  Returns
+  // the
+  //    observers that were ready for `old`, including readies among these messages.
   std::vector<StandingReady> EndMessagesTo(Object* old);
+  // 2. Puts `fresh` into the table of objects in place of the object with its id.
   void Replace(std::unique_ptr<Object> fresh);
-  std::vector<Message> TakeMessagesTo(Object* object);
-  // As its observers would, which know nothing of its replacement.
+  // 3. Posts the readies of step 1 to the new object, in the name of their observers.  An observer
+  //    does not know of the replacement, so it would not assert again itself.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
+  std::vector<Message> TakeMessagesTo(Object* object);
+
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
-  // Of processors, time events and the console.
+  // Events that are no messages: the end of a handler's processor time, time events and console
+  // input.  NextInstant() returns when the next one is due, DoWhatIsDue() does those due now.
   int64_t NextInstant() const;
   void DoWhatIsDue();
   friend class Cpu;
   int32_t RefuseSelector(Message* message, const Object& target);
   void ReportHostAddresses(const Message& message);
-  // What came while `object` could not hear it is older than anything due now.
+  // Puts the held messages of `object` back at the front of the queue, because they are older than
+  // all messages due now.
   void ReturnHeld(Object* object);
 
   SystemOptions options_;
@@ -326,7 +343,7 @@ class System {
   std::unique_ptr<RunFolder> run_folder_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<std::unique_ptr<Object>> objects_;
-  std::vector<std::unique_ptr<Object>> outlived_;  // replaced while a handler of theirs waited
+  std::vector<std::unique_ptr<Object>> outlived_;  // objects replaced before their handler ended
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by robot; none without a cost model

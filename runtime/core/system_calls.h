@@ -1,9 +1,9 @@
-// The calls of a handler to its System: whatever it does that others can see.
+// The calls of a handler to its System: everything that a handler does and others can see.
 //
-// LocalCalls works on the tables of the System itself.  The System of a worker process has calls
-// that go to the master (distribution/worker_calls.h), and the master has calls that check what a
-// worker asks for (distribution/checked_calls.h).  Code below the SDK's functions calls
-// System::calls() and need not know which one it has.
+// There are three kinds.  LocalCalls works on the tables of the System itself.  In a worker
+// process, the calls go to the master (distribution/worker_calls.h).  The master executes them with
+// calls that check what a worker asks for (distribution/checked_calls.h).  The functions of the SDK
+// use System::calls() and do not depend on the kind.
 //
 // The caller is the current object (t_current), or none while objects are loaded.
 #pragma once
@@ -33,12 +33,12 @@ class SystemCalls {
   // Queues `message`, `delay_us` from now, and returns an sError.  Takes the message.
   virtual int32_t Post(Message* message, int64_t delay_us) = 0;
 
-  // The caller may receive a reply to `box` from now on, or none any more: a reply that has
-  // arrived is released.
+  // OpenBox() lets the caller receive a reply to `box`.  CloseBox() ends that, and releases a reply
+  // that has arrived.
   virtual void OpenBox(uint64_t box) = 0;
   virtual void CloseBox(uint64_t box) = 0;
 
-  // Whether object `asker` accepts a reply to `box`, as far as is known here.
+  // Returns whether object `asker` accepts a reply to `box`, as far as this process knows.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
   // Called before the caller waits for the reply to `box`, at most `timeout_us` (< 0: for ever).
@@ -48,10 +48,10 @@ class SystemCalls {
   // Waits for a line of the console; see ConsoleInput::Read().
   virtual size_t ReadLine(char* buffer, size_t size) = 0;
 
-  // The number of messages that may wait for the caller.
+  // Sets the number of messages that may wait for the caller (Object::queue_max).
   virtual void SetQueueMax(int32_t messages) = 0;
 
-  // ---- Messages to come; see TimeEvents.  The letter's owner is the caller.
+  // ---- Time events and reply events; see TimeEvents.  REQUIRES: letter.owner is the caller.
 
   virtual uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
                                  int64_t period_us) = 0;
@@ -78,18 +78,18 @@ class SystemCalls {
   virtual uint32_t NewRegion(size_t size, ObjectId owner) = 0;
   virtual bool DeleteRegion(uint32_t region) = 0;
   virtual bool ResizeRegion(uint32_t region, size_t size) = 0;
-  // False if there is no such region, or no pin.
+  // Return false if there is no such region; UnpinRegion() also if the region is not pinned.
   virtual bool PinRegion(uint32_t region) = 0;
   virtual bool UnpinRegion(uint32_t region) = 0;
 
-  // Return an sError.
+  // Access rights of RegionShares.  Return an sError.
   virtual int32_t AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
                               bool giving_ownership) = 0;
   virtual int32_t Attach(uint32_t region, MemoryProtectionInfo info) = 0;
   virtual int32_t Detach(uint32_t region) = 0;
   virtual int32_t CheckAccess(uint32_t region, MemoryProtectionInfo info) = 0;
 
-  // The caller has mapped or unmapped a buffer of the IPStack.
+  // Notes that the caller has mapped or unmapped a buffer of the IPStack.
   virtual void NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) = 0;
 
   // ---- The run and its stick
@@ -101,8 +101,8 @@ class SystemCalls {
   virtual void Shutdown(int robot, const RunEnd& why) = 0;
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
-  // The caller is about to change the file `path` of its stick.  Returns when all processes that
-  // look at the stick know it.
+  // Called before the caller changes the file `path` of its stick.  Returns after all processes
+  // that use the stick have been told.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

@@ -1,5 +1,5 @@
-// Messages that objects have asked for: at a time, every so often, or when a reply is there
-// (SetTimeEvent and SetReplyEvent of MCOOP.h).
+// Time events and reply events: messages that objects have ordered for a certain time, with a
+// period, or for the arrival of a reply (SetTimeEvent() and SetReplyEvent() of MCOOP.h).
 #pragma once
 
 #include <cstdint>
@@ -17,28 +17,33 @@ class TimeEvents {
  public:
   explicit TimeEvents(System* system) : system_(system) {}
 
-  // Where a message goes and its bytes, at most Message::kPayloadMax.
+  // The message that an event posts: receiver, entry and at most Message::kPayloadMax bytes.
   struct Letter {
-    ObjectId owner = kNoObject;  // who asked, and who may cancel
+    ObjectId owner = kNoObject;  // the object that has ordered the event and may cancel it
     ObjectId target = kNoObject;
     uint32_t selector = 0;
     std::vector<unsigned char> bytes;
   };
 
-  // First after `first_us`, then every `period_us`; period 0: once.  Returns its id, from 1.
+  // Adds an event that posts `letter` after `first_us` and then every `period_us`; period 0: only
+  // once.  Returns the id of the event, from 1.
   uint32_t AddTimed(Letter letter, int64_t first_us, int64_t period_us);
-  // Once, when the reply to `box` of the owner is there to be received.
+  // Adds an event that posts `letter` once, when the reply to `box` of the owner has arrived.
+  // REQUIRES: box != 0.
   uint32_t AddReply(Letter letter, uint64_t box);
 
-  // False when `owner` has no event `id`.
+  // Cancels an event; false if `owner` has no event `id`.
   bool Cancel(ObjectId owner, uint32_t id);
+  // Returns the number of events of `owner`.
   int CountOf(ObjectId owner) const;
+  // Removes all events of object `id` and all events that post to it.
   void ForgetObject(ObjectId id);
 
-  // When the next one is due; INT64_MAX when there is none.
+  // Returns when the next event is due; INT64_MAX if there is none.
   int64_t NextUs() const;
-  // Posts those that are due now, in the order in which they were asked for.
+  // Posts the messages of events that are due now, in order of their ids.
   void PostDue();
+  // Posts the messages of events that wait for a reply to `box`.
   void ReplyArrived(ObjectId owner, uint64_t box);
 
   void HashState(Hasher* hasher) const;
@@ -46,10 +51,10 @@ class TimeEvents {
  private:
   struct Event {
     Letter letter;
-    int64_t due_us = INT64_MAX;  // never: waits for a reply
+    int64_t due_us = INT64_MAX;  // INT64_MAX: the event waits for a reply
     int64_t period_us = 0;
-    uint64_t box = 0;
-    uint64_t cause = 0;  // number of the message in whose handler it was asked for
+    uint64_t box = 0;    // the box of the reply; 0: a timed event
+    uint64_t cause = 0;  // number of the message whose handler has ordered the event
   };
 
   uint32_t Add(Event event);

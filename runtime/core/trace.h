@@ -12,15 +12,15 @@
 
 namespace openr_host {
 
-// One delivered message.  Holds no address and no padding: its bytes are hashed.
+// One delivered message.  Its bytes are hashed, so it has no address and no padding.
 struct TraceRecord {
   uint64_t number;
   uint64_t cause;
   int64_t time_us;
   int32_t sender;
   int32_t target;
-  uint32_t selector;  // UNDEF: the answer to a request
-  uint32_t size;      // bytes of content, see PayloadHash()
+  uint32_t selector;  // UNDEF: the reply to a request
+  uint32_t size;      // number of bytes that PayloadHash() hashes
   uint64_t payload_hash;
 };
 static_assert(sizeof(TraceRecord) == 48);
@@ -32,13 +32,13 @@ class Trace {
   // Adds the message to the hash and gives it to the sinks.
   void Deliver(const Message& message, int64_t now_us);
 
-  // `sink` hears of every message, after those added before; the number is for RemoveSink().
-  // Not from within a sink.
+  // Adds a function that is called for every delivered message, after the sinks that were added
+  // before.  Returns its number for RemoveSink().  REQUIRES: not called in a sink.
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
-  // Off: messages are counted only and the hash stands still; for benchmarks that
-  // ask what it costs.
+  // Switches hashing off: messages are only counted.  For benchmarks that measure the cost of
+  // hashing.
   void set_hashing(bool on) { hashing_ = on; }
   uint64_t hash() const;
   uint64_t count() const { return count_; }
@@ -55,12 +55,12 @@ class Trace {
   mutable TraceRecord buffer_[kBuffered];
 };
 
-// What a message says, without addresses: the bytes of its regions for a
-// notification, command and counts for a ready, its bytes otherwise.  `size`
-// becomes the number of bytes that is.
+// Returns the hash of the content of a message without addresses: of a notification the bytes of
+// its regions, of a ready its command and counts, of any other message its bytes.  Sets `*size` to
+// the number of these bytes.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 
-// The bytes that PayloadHash() speaks of; "" for a message that holds addresses.
+// Returns the bytes that PayloadHash() hashes; "" for a message of kind kHashed.
 std::string PayloadBytes(const Message& message);
 
 }  // namespace openr_host
