@@ -22,7 +22,7 @@ constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
 constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps: a process uses one of them
 
-// Offsets in the area.
+// Offsets from the begin of the area.
 constexpr uintptr_t kHeaps = 0;
 constexpr uintptr_t kImages = 4 * kTiB;
 constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
@@ -50,8 +50,8 @@ constexpr bool kIsPlanned = false;
 constexpr bool kIsPlanned = true;
 #endif
 
-// Whether nothing is mapped from `area` on.  Mappings of another owner are possible where a
-// tool runs the program in its own way; then the plan is given up as a whole.
+// Returns whether nothing is mapped in the kAreaBytes from `area` on.  Tools that run the program
+// in their own way may have mappings there; addresses are not planned then.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -66,7 +66,8 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Whether this machine lets a program use these addresses: some have fewer bits.
+// Returns whether the first and the last page of the area can be mapped.  On machines whose
+// addresses have fewer bits they cannot.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -77,7 +78,8 @@ bool IsReachable(uintptr_t area) {
   return true;
 }
 
-// The area in use, which free() reads for every block: 0 until the first System is made.
+// A copy of Plan::area, which is fast to read because free() needs it for every block.  0 until the
+// first System is made.
 constinit uintptr_t g_area = 0;
 
 // Lives as long as the process, since Systems may be destroyed after all static objects.
@@ -101,6 +103,7 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 AddressPlace::AddressPlace(ObjectId id) {
   Plan& plan = ThePlan();
   if (plan.area == 0) return;
+  // Each id has two places; see the header.
   const int64_t own = int64_t{2} * id;
   for (const int64_t index : {own, own + 1}) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])

@@ -13,12 +13,13 @@ namespace openr_host {
 namespace {
 
 constexpr size_t kLargest = 32 << 10;  // larger blocks get whole spans
-constexpr size_t kMapBytes = 1 << 20;  // taken from the kernel at a time
+constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
 // The arena of each place.
 constinit Arena* g_arenas[AddressPlace::kPlaces] = {};
 
-// Classes 0..15: multiples of 16 up to 256; then four steps per doubling up to 32 KiB.
+// Returns the block size of a class.  Classes 0 to 15 are multiples of 16 up to 256; after them,
+// four classes per doubling go up to 32 KiB.
 size_t SizeOfClass(int size_class) {
   if (size_class < 16) return static_cast<size_t>(size_class + 1) * 16;
   const int step = size_class - 16;
@@ -42,6 +43,8 @@ Arena::Arena(const AddressPlace& place, MemoryBudget* budget)
 }
 
 Arena::~Arena() {
+  ASSERT(budget_->used_bytes >= in_use_, "the robot's objects use {} bytes, this one {}",
+         budget_->used_bytes, in_use_);
   budget_->used_bytes -= in_use_;
   g_arenas[AddressPlace::OfHeap(base_)] = nullptr;
   if (mapped_spans_ > 0) munmap(base_, mapped_spans_ * kSpanBytes);
@@ -50,13 +53,14 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  const size_t end = (span_end + kStep - 1) / kStep * kStep;  // the area is a multiple of it
+  // The rounded end lies in the heap area, because the area's size is a multiple of a step.
+  const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
   return true;
 }
 
-// The first run of `count` free spans, full of zeros; null when there is none.
+// Takes the first run of `count` free spans, which are full of zeros; null if there is none.
 char* Arena::TakeSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {
@@ -72,8 +76,10 @@ char* Arena::TakeSpans(size_t count, int16_t use) {
   return nullptr;
 }
 
+// Frees the spans of the large block that begins with span `first`.
 void Arena::GiveSpans(size_t first) {
   const size_t count = spans_[first].span_count;
+  // The kernel takes the pages back and gives pages of zeros at the next access.
   madvise(base_ + first * kSpanBytes, count * kSpanBytes, MADV_DONTNEED);
   for (size_t k = first; k < first + count; ++k) spans_[k] = {};
   first_free_ = std::min(first_free_, first);
@@ -154,6 +160,7 @@ void Arena::FreeFrom(void* block) {
   const int16_t use = spans_[index].use;
   ASSERT(use != kInside && use != kFree, "free of an address that no block begins at");
   const size_t size = SizeOf(block);
+  ASSERT(size <= in_use_, "a block of {} bytes is freed, {} are in use", size, in_use_);
   in_use_ -= size;
   budget_->used_bytes -= size;
   if (use == kLarge) {

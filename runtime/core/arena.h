@@ -35,7 +35,7 @@ class Arena {
   Arena& operator=(const Arena&) = delete;
 
   // Returns a block of zeros; null if the budget or the heap area is exhausted.  The block is
-  // aligned to 16, or to `alignment` if that is larger.  REQUIRES: `alignment` is a power of two.
+  // aligned to 16, or to `alignment` (rounded up to a power of two) if that is larger.
   void* Allocate(size_t size, size_t alignment = 16);
 
   size_t bytes_in_use() const { return in_use_; }

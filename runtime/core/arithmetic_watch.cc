@@ -1,5 +1,6 @@
 #include "runtime/core/arithmetic_watch.h"
 
+#include "runtime/base/assert.h"
 #include "runtime/core/fp_flags.h"
 #include "runtime/core/memory_tools.h"
 
@@ -27,6 +28,7 @@ void ArithmeticWatch::Enter() {
 }
 
 void ArithmeticWatch::Leave() {
+  ASSERT(calls_ > 0, "Leave() without Enter()");
   if (--calls_ == 0 && kinds_ != 0) SetFpState(saved_fp_);
 }
 

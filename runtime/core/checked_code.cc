@@ -1,10 +1,11 @@
-// Checks that are compiled into images (cmake/compile-flags.txt): unaligned access, division by
-// zero, numbers too large for an integer.  Code of the host has none, or, in a build with
-// sanitizers, checks that call other functions (-fno-sanitize-recover).
+// Handlers of the checks that are compiled into images (cmake/compile-flags.txt): unaligned access,
+// division by zero, numbers too large for an integer.  The robot's processor stops at these faults
+// (core.md 8.2, field-notes.md 4), the host's does not.
 //
-// The robot's processor stops at them (core.md 8.2, field-notes.md 4); this one does not. Compilers
-// call these functions of UndefinedBehaviorSanitizer's runtime when a check fails.  The meaning of
-// arguments is fixed by that (lib/ubsan/ubsan_handlers.h of LLVM's compiler-rt).
+// The compiler inserts a call of a function of UndefinedBehaviorSanitizer's runtime, which is made
+// when a check fails.  This file defines these functions, so LLVM defines their names and arguments
+// (lib/ubsan/ubsan_handlers.h of compiler-rt).  Code of the host does not call them: it has no
+// checks, or, in a build with sanitizers, checks that call other functions (-fno-sanitize-recover).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  uint32_t column;  // kSaid once the place has been reported
+  uint32_t column;  // kSaid if this place has been reported
 };
 constexpr uint32_t kSaid = UINT32_MAX;
 
@@ -61,8 +62,8 @@ std::string Render(const SourcePlace& place) {
   return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), place.line);
 }
 
-// A fault of the object that runs: it stops there with --strict, is reported once for each place
-// without.
+// Handles a fault of the running object.  With --strict the object crashes; otherwise a finding is
+// added once for each place.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;  // not in an object
   if (t_current.system->options().strict)
@@ -73,8 +74,9 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
                                                                what, Render(*place), exception));
 }
 
-// The alignment that the robot's processor asks for.  Pointers and long are as wide as int there,
-// and structures are aligned like their widest member; double and long long keep their 8 bytes.
+// Returns the alignment that the robot's processor needs for the access.  On the robot pointers and
+// long have 4 bytes, so types that are aligned to 8 here are aligned to 4 there.  Only double and
+// long long are aligned to 8 on both.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
   if (alignment < 8) return alignment;
@@ -84,7 +86,8 @@ uintptr_t RobotAlignment(const AccessData& data) {
   return is_wide ? 8 : 4;
 }
 
-// A floating-point value as these functions get it: its bits where they fit.
+// Returns the number in the argument `value` of a check.  The argument holds the bits of a float or
+// double, or the address of a long double.
 double ValueOf(const TypeText& type, uintptr_t value) {
   if (type.bits() == 32) {
     const auto bits = static_cast<uint32_t>(value);
@@ -101,8 +104,9 @@ double ValueOf(const TypeText& type, uintptr_t value) {
   return number;
 }
 
-// The robot converts to 32 bits, also on the way to smaller types and for negative numbers that
-// become unsigned ones.  Conversions to 64 bits are done by a library function, which never traps.
+// Returns whether the robot's processor stops at the conversion.  It converts to 32 bits first,
+// also for smaller types and for negative numbers that become unsigned.  long long is converted by
+// a library function, which stops for NaN only.
 bool TrapsOnTheRobot(const CastData& data, double number) {
   const TypeText& to = *data.to;
   const bool is_long_long =
@@ -129,7 +133,8 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
          "exception 4 or 5");
 }
 
-// Stops in any case, as the processor does where the compiler leaves the division in.
+// Stops the object with and without --strict, because the host's processor stops at an integer
+// division by zero too.
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;

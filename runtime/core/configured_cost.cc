@@ -1,5 +1,6 @@
 #include "runtime/core/configured_cost.h"
 
+#include "runtime/base/assert.h"
 #include "runtime/core/object.h"
 
 namespace openr_host {
@@ -10,6 +11,7 @@ ConfiguredCost::ConfiguredCost(CostConfig config, uint64_t seed)
 ConfiguredCost::Cost ConfiguredCost::Find(const Object& object, uint32_t selector) {
   const std::string entry = object.EntryName(selector);
   Cost cost;
+  // The last rule that matches decides.
   for (size_t i = 0; i < config_.rules.size(); ++i) {
     const CostRule& rule = config_.rules[i];
     if (!MatchesPattern(rule.object, object.name) || !MatchesPattern(rule.entry, entry)) continue;
@@ -35,6 +37,7 @@ int64_t ConfiguredCost::CostUs(const Object& object, uint32_t selector) {
 }
 
 int64_t ConfiguredCost::JitterUs(const Object&, uint32_t, int64_t range_us) {
+  ASSERT(range_us > 0, "jitter of {} us", range_us);
   return static_cast<int64_t>(rng_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/dispatcher.h"
 #include "runtime/core/system.h"
@@ -15,6 +16,7 @@ void ConsoleInput::Feed(int robot, std::string_view text) {
   for (const Listener& listener : listeners_) listener(robot, typed);
   Terminal& terminal = terminals_[robot];
   terminal.coming += typed;
+  // The next frame boundary, or now if this is one.
   const int64_t frame_us = system_->frame_us();
   terminal.enters_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
 }
@@ -35,7 +37,8 @@ void ConsoleInput::EnterDue() {
   }
 }
 
-// One that still waits: an object may have been reloaded meanwhile.
+// Wakes the first reader that still waits.  Readers whose object was reloaded meanwhile are
+// skipped.
 void ConsoleInput::WakeNext(Terminal* terminal) {
   while (!terminal->readers.empty()) {
     const auto [id, box] = terminal->readers.front();
@@ -44,7 +47,8 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     if (object == nullptr || object->handler.blocked == nullptr ||
         object->handler.blocked_box != box)
       continue;
-    Message* const wake = system_->NewMessage(id, 0);  // with the line, for the trace
+    // The message holds the line only for the trace; the reader takes the line from the terminal.
+    Message* const wake = system_->NewMessage(id, 0);
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;
     wake->reply_box = box;
@@ -56,7 +60,8 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
   }
 }
 
-// The line that was meant for the reader, if one was, is another's.
+// Removes a reader that is gone.  If it was no longer in the list, it had been woken for a line, so
+// the line goes to the next reader.
 void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
   if (!waited && !terminal->text.empty()) WakeNext(terminal);
@@ -64,7 +69,9 @@ void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
 
 size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>& is_gone) {
   Object* const self = t_current.object;
+  ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
+  // A loop, because another reader may have taken the line before this one ran.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

@@ -43,6 +43,8 @@ void Cpu::Grant(Object* object, int64_t now_us) {
 }
 
 void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us) {
+  ASSERT(cost_us > 0 && IsFreeFor(*object) && !object->processor.is_busy,
+         "{} begins a handler of {} us", object->name, cost_us);
   if (cost_us > kLongHandlerUs && selector > oentryDESTROY) {
     system_->AddFindingAbout(
         object, Severity::kWarning,
@@ -51,6 +53,8 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
                     "parts",
                     object->EntryName(selector), kLongHandlerUs / 1000));
   }
+  // The new handler interrupts the one that runs, which has used the time since it got the
+  // processor.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
   object->processor.is_busy = true;
@@ -66,11 +70,13 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->processor.is_busy = false;
+  // Post() must not put the messages back into the outbox, so no object is current.
   const CurrentScope nobody(system_, nullptr);
   for (const ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(outgoing.message, outgoing.delay_us);
   }
-  // What waits is older than what is due now, so it goes in front, the oldest first.
+  // Messages that wait are older than those due now, so they go to the front of the queue.  The
+  // newest is put there first, so the oldest comes out first.
   system_->ReturnHeld(object);
   while (!waiting_.empty()) {
     system_->Readmit(waiting_.back());

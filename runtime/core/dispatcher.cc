@@ -45,7 +45,7 @@ Fiber* Dispatcher::TakeFiber() {
 
 void Dispatcher::FiberMain(void* dispatcher) { static_cast<Dispatcher*>(dispatcher)->Loop(); }
 
-// From one fiber to another; returns when the one left is continued.
+// Leaves the running fiber for `fiber`; returns when the fiber that was left is continued.
 void Dispatcher::SwitchTo(Fiber* fiber) {
   Fiber* const from = running_;
   running_ = fiber;
@@ -53,6 +53,7 @@ void Dispatcher::SwitchTo(Fiber* fiber) {
   Recycle();
 }
 
+// Returns from Run(); a later Run() may continue this fiber.
 void Dispatcher::ToCaller() {
   Fiber* const from = running_;
   idle_.push_back(from);
@@ -60,6 +61,8 @@ void Dispatcher::ToCaller() {
   Recycle();
 }
 
+// Prepares a fiber that Abandon() has left for a new use.  Abandon() cannot do this itself, because
+// it runs on that fiber.
 void Dispatcher::Recycle() {
   if (abandoned_ == nullptr) return;
   abandoned_->Prepare(&FiberMain, this);
@@ -96,6 +99,7 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
+  // A step of 1 us is that of creep_us(), so it counts as the same instant.
   if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;
@@ -118,6 +122,7 @@ void Dispatcher::Deliver(Message* message) {
     return;
   }
   if (!system_->cpus_.empty() && !MayRun(object, message)) return;
+  ASSERT(object->waiting > 0, "{} gets a message, none was counted as waiting", object->name);
   --object->waiting;
   ++delivered_;
   if (++deliveries_at_instant_ == free_deliveries_) {
@@ -130,7 +135,8 @@ void Dispatcher::Deliver(Message* message) {
   RunHandler(object, message);
 }
 
-// Gives `object` the processor for `message`, or keeps the message until it is free.
+// Gives `object` the processor for `message` and returns true.  If the processor is not free, keeps
+// the message until then and returns false.
 bool Dispatcher::MayRun(Object* object, Message* message) {
   if (object->is_system) return true;
   Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
@@ -147,7 +153,8 @@ bool Dispatcher::MayRun(Object* object, Message* message) {
 void Dispatcher::DeliverReply(Object* object, Message* message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
-  if (!object->boxes.open.contains(message->reply_box)) {  // a time-out that was not needed
+  // The box is closed if this is a time-out and the reply came first.
+  if (!object->boxes.open.contains(message->reply_box)) {
     system_->queue_.Release(message);
     return;
   }
@@ -160,11 +167,12 @@ void Dispatcher::DeliverReply(Object* object, Message* message) {
   Fiber* const waiting = object->handler.blocked;
   object->handler.blocked = nullptr;
   t_current = {system_, object, object->is_image};
-  idle_.push_back(running_);  // this loop goes on when somebody needs a fiber
+  idle_.push_back(running_);  // TakeFiber() may continue this loop later
   SwitchTo(waiting);
 }
 
 void Dispatcher::RunHandler(Object* object, Message* message) {
+  ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   system_->trace_.Deliver(*message, system_->now_us_);
   ++object->message_count;
   if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
@@ -219,6 +227,8 @@ Message* Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
+    // This fiber stays with the handler.  Another one goes on with Loop(), until DeliverReply()
+    // switches back.
     const Current saved = t_current;
     object->handler.blocked = running_;
     object->handler.blocked_box = box;
@@ -227,6 +237,7 @@ Message* Dispatcher::WaitFor(uint64_t box) {
     t_current = saved;
   }
   const auto found = object->boxes.arrived.find(box);
+  ASSERT(found != object->boxes.arrived.end(), "woken without a reply to box {}", box);
   Message* const message = found->second;
   object->boxes.arrived.erase(found);
   return message;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "runtime/base/assert.h"
+
 #if defined(__SANITIZE_ADDRESS__)
 #define OPENR_ASAN 1
 #elif defined(__has_feature)
@@ -24,12 +26,13 @@ namespace context = boost::context::detail;
 
 namespace {
 
-// Who is being left, for the one being entered.
+// The two fibers of a switch.  Local variables cannot pass them, because the switch changes the
+// stack.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
-// Frames that were left and not returned from have marked their surroundings in
-// AddressSanitizer's shadow; whoever gets these addresses next must not inherit that.
+// Tells AddressSanitizer that a stack is empty.  Functions that never returned have left marks in
+// its shadow memory, and the next use of these addresses would be reported as an error.
 void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
 #ifdef OPENR_ASAN
   __asan_unpoison_memory_region(bottom, bytes);
@@ -50,6 +53,7 @@ Fiber::~Fiber() {
 }
 
 void Fiber::Prepare(Main main, void* argument) {
+  ASSERT(stack_ != nullptr, "the thread's own stack cannot be prepared");
   ForgetFrames(stack_bottom_, stack_bytes_);
   main_ = main;
   argument_ = argument;
@@ -65,7 +69,8 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  static thread_local Fiber* const nowhere = new MainFiber;  // takes what is never returned to
+  // Receives the state of stacks that are given up; nothing reads it.
+  static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;
   void* const globals = abi::__cxa_get_globals();
@@ -78,7 +83,7 @@ void Fiber::SwitchFrom(Fiber* from) {
                                  stack_bytes_);
 #endif
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
-  // Here again: somebody switched to `from`.
+  // From here on, another fiber has switched back to `from`.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }
@@ -88,7 +93,7 @@ void Fiber::FinishSwitch() {
   const void* bottom = nullptr;
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
-  // Only the thread's own stack has to be learnt.
+  // The bounds of the thread's own stack are known only from here.
   if (t_left->stack_ == nullptr) {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;

@@ -26,7 +26,7 @@ GuardPages::~GuardPages() {
   }
 }
 
-// Fresh pages; null when there are none.
+// Maps new pages in `area`, or where the kernel chooses if `area` is null.  Null if there are none.
 char* GuardPages::MapPages(char* area, size_t bytes) {
   if (area == nullptr) {
     void* const pages =
@@ -34,7 +34,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // A copy that is alive still may lie where the area is used again: the next pages are tried then.
+  // When the area is used again from its begin, a copy that is still in use may lie there, so the
+  // next pages are tried.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -44,7 +45,7 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
-// Writable pages: those that were given back last, if that is how they are used, or fresh ones.
+// Returns writable pages: those that were given back last (with kReused only), or new ones.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
@@ -55,7 +56,8 @@ char* GuardPages::TakePages(char* area, size_t bytes) {
 }
 
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
-  // The low bits of the address stay: what was aligned at the sender is aligned here.
+  // The copy keeps the low bits of the address, so data that are aligned at the sender are aligned
+  // here too.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
@@ -79,7 +81,8 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // The kernel would give these addresses to the next mapping, and the access would be missed.
+    // The pages stay mapped without access.  After munmap() the kernel would give these addresses
+    // to the next mapping, and a later access would be no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

@@ -4,10 +4,10 @@
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.
 //
-// The registers that a function saves on its stack before it uses them are 0, because they hold
-// addresses of the host.  What unwinds the stack, exceptions and debuggers, finds the way back by
-// the one address that is kept at the top of the new stack: the last line before the call says
-// that the canonical frame address is *(rsp + 8) + 16.
+// A function saves some registers on its stack before it uses them.  Here they hold addresses of
+// the host, so they are set to 0 before the call.  Exceptions and debuggers unwind the stack with
+// the one address that is kept at the top of the new stack: .cfi_escape says that the canonical
+// frame address is *(rsp + 8) + 16.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text
@@ -70,7 +70,7 @@ void HandlerStack::Call(void (*function)(void*), void* argument) {
     function(argument);
     return;
   }
-  struct Clearing {  // also after a handler that ends by an exception
+  struct Clearing {  // a destructor, so that the stack is cleared after an exception too
     HandlerStack* stack;
     ~Clearing() { stack->Clear(); }
   };

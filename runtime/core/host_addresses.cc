@@ -10,13 +10,13 @@
 namespace openr_host {
 namespace {
 
-// Above all addresses that are planned the kernel puts programs, their heaps and libraries, from a
-// third of 47 bits on or higher.
+// The range of host addresses.  The kernel puts programs, their heaps and libraries above all
+// planned addresses, from 17 TiB on.
 constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 
-// With these tools, memory of objects lies anywhere too, and they reserve so much that many a
-// number is an address in it.
+// With these tools there is no search.  They reserve so much memory that many numbers look like
+// addresses in it, and the memory of objects is not planned.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSearched = false;
 #else
@@ -25,6 +25,7 @@ constexpr bool kIsSearched = true;
 
 bool MayBeAddress(uint64_t word) { return word - kLowest < kEnd - kLowest; }
 
+// Returns begin and end of all mapped ranges outside the address plan.
 std::vector<std::pair<uint64_t, uint64_t>> ReadRanges() {
   std::vector<std::pair<uint64_t, uint64_t>> ranges;
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
@@ -49,7 +50,7 @@ bool HostAddresses::IsMapped(uint64_t address) {
     return after != ranges_.begin() && address < std::prev(after)->second;
   };
   if (contains()) return true;
-  ranges_ = ReadRanges();  // there may be more by now
+  ranges_ = ReadRanges();  // memory may have been mapped since the last call
   if (contains()) return true;
   ++misses_;
   return false;

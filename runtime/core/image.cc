@@ -22,8 +22,8 @@
 #include "runtime/core/system.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// An object's heap is freed with it, and objects rely on that; only here, where they
-// use the host's, nobody does.
+// Leaks of objects are not reported.  An object's heap is normally freed as a whole, so objects
+// need not free their memory; but with AddressSanitizer they use the host's heap.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:openr_host::ImageObject::Dispatch\nleak:openr_host::ImageObject::Load\n";
 }
@@ -41,7 +41,7 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
     return "";
   };
   const fs::path source(file);
-  // Copies of this process (fork) load into the same folder.
+  // Each copy gets a new folder of its own, because forks of this process use the same RunFolder.
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
@@ -98,16 +98,17 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   return problem.empty() ? ReadTables() : problem;
 }
 
-// Takes addresses for the image and for what it will allocate.  Returns the file as it is to be
-// loaded. An image that cannot be moved is loaded where the loader puts it; the rest of its memory
-// is planned all the same.
+// Takes planned addresses for the image, its heap and its stack.  Returns the bytes to load.  An
+// image that cannot be moved is loaded where the kernel chooses; its heap and stack are planned
+// even so.
 std::string ImageObject::TakePlace(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
   auto taken = std::make_unique<AddressPlace>(id);
   if (taken->heap() == nullptr) return bytes;
   place = std::move(taken);
-  // Valgrind reads debug information as the file is mapped and does not see that it was moved.
+  // Under Valgrind the image is not moved, because Valgrind expects debug information to match the
+  // addresses in the file.
   if (!IsUnderValgrind())
     RebaseImage(&bytes, reinterpret_cast<uintptr_t>(place->image()), AddressPlace::kImageBytes);
   arena = std::make_unique<Arena>(*place, &system->robot(robot).memory);
@@ -115,7 +116,8 @@ std::string ImageObject::TakePlace(const std::string& original) {
   return bytes;
 }
 
-// Only an image that lies at its place gets the stack to itself.
+// Redirects imported calls to a stack of their own.  Does nothing if the image does not lie at its
+// planned address, because thunks need it there, or if a tool watches the stack.
 std::string ImageObject::TakeImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
   if (place == nullptr || IsStackWatched() || info < place->image() ||
@@ -139,7 +141,7 @@ std::string ImageObject::RunConstructors() {
   return "";
 }
 
-// Code of the image, on the stack that is kept for it.
+// Runs code of the image on its own stack, if it has one.
 void ImageObject::Run(void (*function)(void*), void* argument) {
   if (stack_ == nullptr) {
     function(argument);
@@ -197,7 +199,7 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
-  if (FpFlags() != 0) ClearFpFlags();  // of whoever ran before
+  if (FpFlags() != 0) ClearFpFlags();  // flags of code that ran before this handler
   has_reported_cast = false;
   ArithmeticWatch* const watch = t_current.watch;
   if (watch != nullptr && !watch->has_begun()) watch->Begin(kFpCaught & ~fp_seen_);
@@ -205,10 +207,11 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   return true;
 }
 
-// What the robot's processor does not forgive (field-notes.md, 4.4), once per object and kind.
+// Reports floating-point operations that would stop the robot's processor (field-notes.md, 4.4),
+// each kind once per object.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  // A conversion that was reported with its place raises this flag as well.
+  // A conversion that checked_code.cc has reported also sets kFpInvalid; we do not report it twice.
   const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
@@ -231,7 +234,8 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // Those of its own making are 0 on the robot, which flushes results.
+  // The robot turns denormal results into 0.  So an object that makes denormals itself would not
+  // have them on the robot, and we do not report their use.
   if ((fresh & kFpDenormal) && !makes_denormals) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

@@ -18,10 +18,11 @@ namespace {
 
 constexpr char kForRobot[] =
     "is a binary for the robot (MIPS); build the object for the host (openr build)";
-constexpr char kOcfSection[] = "openr_ocf";  // of image_source.cc
+constexpr char kOcfSection[] = "openr_ocf";  // the build puts this section into images
 constexpr char kCutOff[] = "ends too early: the file was cut off; copy it again";
 
-// Whether everything the dynamic linker maps is there; it dies of a file that was cut off.
+// Returns whether the file has all bytes that the dynamic linker maps.  A file that was cut off
+// must not be loaded, because the dynamic linker would crash.
 bool IsWhole(const std::string& bytes, const Elf64_Ehdr& header) {
   for (int i = 0; i < header.e_phnum; ++i) {
     const uint64_t at = header.e_phoff + static_cast<uint64_t>(i) * sizeof(Elf64_Phdr);
@@ -40,7 +41,7 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";
-  *is_for_robot = header.e_machine == EM_MIPS;  // where it is for 32 bits, too
+  *is_for_robot = header.e_machine == EM_MIPS;  // this field is at the same offset for 32 bits
   if (*is_for_robot) return kForRobot;
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
     return "is not a shared object for this machine";
@@ -48,7 +49,7 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   return IsWhole(bytes, header) ? "" : kCutOff;
 }
 
-// `count` values of type T at `at`; false when the file ends before.
+// Reads a value of type T at offset `at`; false if the file ends before.
 template <typename T>
 bool ReadAt(const std::string& bytes, uint64_t at, T* value) {
   if (at > bytes.size() || sizeof(T) > bytes.size() - at) return false;

@@ -18,10 +18,11 @@ constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATI
 constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE;
 #endif
 
-// In place of DT_INIT_ARRAY and DT_INIT_ARRAYSZ; no loader knows them.
+// Tags that replace DT_INIT_ARRAY and DT_INIT_ARRAYSZ.  Loaders ignore them, so they do not run the
+// constructors.
 constexpr int64_t kHeldArray = 0x60006f70, kHeldArraySize = 0x60006f71;
 
-// Whether the value of a dynamic tag is an address of the image.
+// Returns whether the value of a dynamic tag is an address in the image.
 bool IsAddress(int64_t tag) {
   switch (tag) {
     case DT_PLTGOT:
@@ -49,14 +50,16 @@ class Rebase {
  public:
   Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
 
-  // The changed file; "" when it cannot be changed.
+  // Returns the changed file; "" if it cannot be changed.
   std::string Run(uint64_t size_max);
 
  private:
-  // `count` values of type T at `offset`; null, and is_bad_, when the file does not have them.
+  // Returns `count` values of type T at `offset`.  If the file does not have them, returns null and
+  // sets is_bad_.
   template <typename T>
   T* At(uint64_t offset, uint64_t count);
-  // The place in the file of what the image has at `address`.
+  // Returns the offset in the file of the bytes that are loaded at `address`; sets is_bad_ if there
+  // are none.
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
   void MoveSegments(const Elf64_Ehdr& header);
@@ -66,8 +69,8 @@ class Rebase {
 
   std::string bytes_;
   const uint64_t by_;
-  std::vector<Elf64_Phdr> segments_;  // as they were
-  std::vector<Elf64_Dyn> dynamic_;    // as it was
+  std::vector<Elf64_Phdr> segments_;  // the segments before the change
+  std::vector<Elf64_Dyn> dynamic_;    // the dynamic section before the change
   bool is_bad_ = false;
 };
 
@@ -118,8 +121,8 @@ void Rebase::MoveSegments(const Elf64_Ehdr& header) {
   }
 }
 
-// Symbols of functions and variables of the image; not those of other libraries, of constants or
-// of memory of threads.
+// Moves the symbols of functions and variables of the image.  Symbols of other libraries, of
+// constants and of thread-local variables have no address in the image and are not changed.
 void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   if (symbols == nullptr) return;
   for (uint64_t i = 0; i < count; ++i) {
@@ -131,7 +134,8 @@ void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   }
 }
 
-// The loader looks at dynamic symbols only; how many there are is said by their section.
+// Moves the dynamic symbols, the only ones that the loader reads.  Their number is known only from
+// the header of their section.
 void Rebase::MoveDynamicSymbols(const Elf64_Ehdr& header) {
   const auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool has_symbols = false;
@@ -170,7 +174,8 @@ std::string Rebase::Run(uint64_t size_max) {
     if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address already
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
-  // Tables of other formats than the linkers of Debian write them for this processor.
+  // Relocations in the formats REL and RELR are not supported; the linkers of Debian write RELA for
+  // this processor.
   const bool is_strange = ValueOf(DT_REL) != 0 || ValueOf(DT_RELR) != 0;
   if (is_bad_ || end > size_max || is_strange) return "";
   MoveRelocations(DT_RELA, DT_RELASZ);

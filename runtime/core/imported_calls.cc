@@ -17,14 +17,15 @@
 #include "runtime/core/stack_memory.h"
 
 // Every thunk jumps to one of these two functions, with the address of the imported function in
-// r11.  The address of the stack pointer tells where the call comes from: stacks of images are the
-// only ones below 17 TiB (address_plan.h).  A call from the stack of an image runs on the stack for
-// imported functions, always from its top; other calls go on where they are.  The word below that
-// top holds the address of the image's frame, for ReturnAddressInImage().
+// r11.  The value of the stack pointer tells where the call comes from: only stacks of images are
+// below 17 TiB (address_plan.h).  A call from the stack of an image runs on the stack for imported
+// functions, always from its top; other calls stay on their stack.  The word below that top holds
+// the address of the image's frame, for ReturnAddressInImage().
 //
 // Arguments on the stack are copied: 256 bytes, or 2 KiB for a function with a variable number of
-// them.  That uses only registers which carry no argument.  Afterwards the registers that hold
-// no result are 0, because a function may save them on its stack without having set them.
+// arguments.  The copy uses only registers that hold no argument.  After the call, registers
+// without a result are set to 0, because they may hold host addresses and functions of the image
+// may save them on their stack.
 extern "C" void openr_call_import();
 extern "C" void openr_call_variadic_import();
 asm(R"(
@@ -151,7 +152,7 @@ constexpr std::string_view kVariadic[] = {
     "wscanf",
 };
 
-// They keep the caller's stack pointer or return address for later.
+// Functions without a thunk: they keep the caller's stack pointer or return address for later.
 constexpr std::string_view kBoundToCaller[] = {
     "__sigsetjmp", "_setjmp", "getcontext", "setjmp", "sigsetjmp", "swapcontext", "vfork",
 };
@@ -163,7 +164,7 @@ bool IsVariadic(std::string_view name) {
   return std::ranges::binary_search(kVariadic, name);
 }
 
-// Where the code of libraries and of the program lies.
+// The address ranges of the code of all libraries and of the program.
 class CodeRanges {
  public:
   CodeRanges() { dl_iterate_phdr(&Add, this); }
@@ -195,13 +196,13 @@ class CodeRanges {
 constexpr size_t kThunkBytes = 16;
 constexpr uint64_t kPage = 4096;
 
-// What the loader needed to know of an image, at the addresses where it put that.
+// The tables of a loaded image, as pointers and addresses in memory.
 struct LoadedImage {
   explicit LoadedImage(char* image);
   uint64_t ValueOf(int64_t tag) const;
 
   uint64_t begin, end = 0;
-  uint64_t read_only_begin = 0, read_only_end = 0;  // after the loader had written there
+  uint64_t read_only_begin = 0, read_only_end = 0;  // tables that the loader has made read-only
   const Elf64_Dyn* dynamic = nullptr;
 };
 
@@ -264,14 +265,14 @@ void Redirection::FindImports(int64_t table, int64_t size) {
                         ELF64_R_SYM(relocation.r_info)};
     const uint64_t function = *import.slot;
     if (function >= image_.begin && function < image_.end) continue;
-    if (!code_.Contain(function)) continue;  // data
+    if (!code_.Contain(function)) continue;  // the address of a variable
     if (std::ranges::count(kBoundToCaller, NameOf(import.symbol)) > 0) continue;
     imports_.push_back(import);
   }
 }
 
-// mov r11, the function; jmp to what changes the stack.  Two words in front of all thunks say where
-// that is.
+// Writes a thunk: mov r11, FUNCTION; jmp *WORD.  Two words in front of all thunks hold the
+// addresses of the two functions that change the stack.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);
@@ -300,7 +301,8 @@ std::string Redirection::Run(size_t bytes_max) {
     return "has no memory for the calls of imported functions";
   const std::array<void (*)(), 2> targets = {&openr_call_import, &openr_call_variadic_import};
   std::memcpy(thunks_, targets.data(), sizeof targets);
-  // One thunk for a function, however many tables name it: addresses of it must be equal.
+  // A function gets one thunk even if several tables name it, because a program may compare the
+  // addresses.
   for (size_t i = 0; i < imports_.size(); ++i) {
     const auto same = std::ranges::find(imports_, imports_[i].symbol, &Import::symbol);
     const auto index = static_cast<size_t>(same - imports_.begin());

@@ -2,6 +2,8 @@
 
 #include <signal.h>
 
+#include "runtime/base/assert.h"
+
 namespace openr_host {
 namespace {
 
@@ -13,6 +15,7 @@ void (*volatile g_end)() = nullptr;
 Indivisible::Indivisible() { g_depth = g_depth + 1; }
 
 Indivisible::~Indivisible() {
+  ASSERT(g_depth > 0, "more destructors of Indivisible than constructors");
   g_depth = g_depth - 1;
   if (g_depth != 0 || g_end == nullptr) return;
   void (*const end)() = g_end;

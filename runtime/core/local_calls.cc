@@ -41,7 +41,7 @@ bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
 
 Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
   if (timeout_us < 0) return nullptr;
-  // The caller sends itself an empty reply, which comes when the time is over.
+  // The caller sends itself an empty reply that arrives after `timeout_us`.
   Message* const wake = system_->NewMessage(t_current.object->id, 0);
   wake->is_reply = true;
   wake->reply_box = box;
@@ -140,7 +140,7 @@ int32_t LocalCalls::CheckAccess(uint32_t region, MemoryProtectionInfo info) {
   return system_->region_shares().ChangeProtection(t_current.object->id, region, info);
 }
 
-// The IPStack of this process made the mapping, so it is known here.
+// Does nothing: the IPStack of this process made the mapping and knows it.
 void LocalCalls::NoteMapping(uint32_t, uint32_t, bool) {}
 
 void LocalCalls::AddFinding(const Object* about, Severity severity, std::string_view text) {

@@ -59,6 +59,7 @@ void MessageQueue::Push(Message* message, int priority) {
   std::push_heap(later_.begin(), later_.end());
 }
 
+// Appends a message that is due now.
 void MessageQueue::Append(Message* message, int level) {
   List& list = levels_[level];
   message->next = nullptr;
@@ -69,6 +70,8 @@ void MessageQueue::Append(Message* message, int level) {
 }
 
 void MessageQueue::PushFront(Message* message, int priority) {
+  ASSERT(message->due_us == now_us_, "message {} is due at {} us, now is {} us", message->number,
+         message->due_us, now_us_);
   const int level = LevelOf(*message, priority);
   List& list = levels_[level];
   message->next = list.head;
@@ -78,6 +81,7 @@ void MessageQueue::PushFront(Message* message, int priority) {
   ++due_count_;
 }
 
+// Returns the first level with a message; -1 if no message is due.
 int MessageQueue::FirstLevel() const {
   for (int word = 0; word < kLevels / 64; ++word) {
     if (occupied_[word] != 0) return word * 64 + std::countr_zero(occupied_[word]);
@@ -89,6 +93,7 @@ const Message* MessageQueue::First() const {
   return due_count_ == 0 ? nullptr : levels_[static_cast<size_t>(FirstLevel())].head;
 }
 
+// Lets `schedule` choose among the receivers of the messages in `list`, which is not empty.
 ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   candidates_.clear();
   for (const Message* m = list.head; m != nullptr; m = m->next) {
@@ -102,7 +107,8 @@ ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   return candidates_[chosen];
 }
 
-// The first message for `target` in the list of `level`, which has one.
+// Takes the first message for `target` in the list of `level`.  REQUIRES: the list has such a
+// message.
 Message* MessageQueue::TakeFirst(int level, ObjectId target) {
   List& list = levels_[level];
   Message* before = nullptr;
@@ -153,6 +159,7 @@ void MessageQueue::RemoveIf(const std::function<bool(const Message&)>& matches,
   for (int level = 0; level < kLevels; ++level) {
     List old = levels_[level];
     if (old.head == nullptr) continue;
+    // Empties the list, then appends the messages that stay in their old order.
     levels_[level] = {};
     occupied_[level / 64] &= ~(uint64_t{1} << (level % 64));
     for (Message* message = old.head; message != nullptr;) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/spelling.h"
 #include "runtime/config/service_name.h"
 #include "runtime/core/api.h"
@@ -17,7 +18,8 @@
 namespace openr_host {
 namespace {
 
-// The block of each reason is inferred from the names (core.md, 1.4).
+// Returns the message of a DoXxx entry.  No document says which parameters belong to which reason;
+// we infer it from the names (core.md, 1.4).
 OReasonMessage MessageOf(const Object& object, OReason reason) {
   if (reason != oreasonBOOT) {
     const OShutdownParam param(true);
@@ -83,7 +85,9 @@ void ObjectManager::PostWith(Selector selector, int value) {
   system().Post(message);
 }
 
-// Its id and its entries are no secret, so that objects can send it anything.
+// Returns whether the object manager has posted this message itself, and counts it as done.  Every
+// object can send a message to the object manager; one that was not posted by PostWith() or
+// PostXxx() becomes an error finding.
 bool ObjectManager::IsDue(Selector selector, int value) {
   const auto found = due_.find({selector, value});
   if (found != due_.end()) {
@@ -104,7 +108,8 @@ void ObjectManager::Begins(ObjectId id) {
   if (are_connected_) starting_.erase(found);
 }
 
-// What came too early is heard now.  Who was not told of DoInit takes no part in the run.
+// Puts held messages back into the queue, now that the connections are made.  Objects whose DoInit
+// has not begun take no part in the run, so their messages stay held.
 void ObjectManager::ReleaseEarlyMessages() {
   are_connected_ = true;
   for (auto next = starting_.begin(); next != starting_.end();) {
@@ -131,7 +136,8 @@ void ObjectManager::RunBoot() {
   system().booted_ = true;
 }
 
-// Which services there are is known only now; on the robot a wrong line is skipped.
+// Ends the boot with --strict because of an error, for example a connection to an unknown service.
+// Services are known only after all DoInit, so this cannot be checked earlier.
 void ObjectManager::RefuseToStart() {
   for (int robot = 0; robot < system().robot_count(); ++robot) {
     system().PowerOff(robot,
@@ -147,11 +153,11 @@ void ObjectManager::RunShutdown(int robot) {
   system().PowerOff(robot);
 }
 
-// The new image is loaded before the old one is touched: one that cannot be loaded
-// changes nothing.
+// Replaces an image.  The new image is loaded first, so nothing changes if it cannot be loaded.
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
-  if (old == nullptr || !old->is_image) return;  // of another process, or no image at all
+  if (old == nullptr || !old->is_image)
+    return;  // its code is in another process, or in this program
   std::unique_ptr<Object> fresh = OpenImage(&system(), old->robot, old->id, old->path, "reload");
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);
@@ -162,6 +168,7 @@ void ObjectManager::RunReload(ObjectId id) {
 }
 
 void ObjectManager::RunTask() {
+  ASSERT(!tasks_.empty(), "a task was posted and is not in the list");
   const std::function<void()> task = std::move(tasks_.front());
   tasks_.pop_front();
   task();
@@ -169,7 +176,7 @@ void ObjectManager::RunTask() {
 
 void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   std::map<ObjectId, std::vector<StandingReady>> readies;
-  // None of them hears what another leaves behind.
+  // All are marked first, so that messages which one leaves behind are not sent to another.
   for (const auto& object : fresh) system().object(object->id)->is_leaving = true;
   for (const auto& object : fresh)
     readies[object->id] = system().EndMessagesTo(system().object(object->id));
@@ -221,8 +228,9 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
 
 void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
-  if (uninitialised_.contains(object->id)) return;  // its ends are not made yet
-  if (object->is_off) return;                       // its robot is, meanwhile
+  if (uninitialised_.contains(object->id))
+    return;                    // without DoInit it has no subjects or observers
+  if (object->is_off) return;  // its robot was switched off meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
   const sError error = system().requests().Call(object->id, entry, &message, sizeof message, &reply,
@@ -248,8 +256,9 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   }
 }
 
-// Whether that `service` is not there may come of an object that is lost.  The name in a service is
-// not always that of its object.
+// Returns whether `service` may be unknown because its object is lost.  The first part of a
+// service's name is not always the name of its object, so services of the same prefix are compared
+// too.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;
@@ -265,7 +274,7 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  if (MayBeLost(connection.robot, service)) {  // which is reported
+  if (MayBeLost(connection.robot, service)) {  // the loss itself has been reported
     unreported_.emplace(&connection, service);
     return;
   }
@@ -274,11 +283,11 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "OBJECT.CFG)";
   std::vector<std::string> known;
   const std::string object = service.substr(0, service.find('.') + 1);
-  std::string cause = object;  // nothing is registered under the object's name
+  std::string cause = object;  // assumes that no service of the object is registered
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
-    if (name.starts_with(object)) cause = service;  // the object is there, the service is not
+    if (name.starts_with(object)) cause = service;  // only this service of the object is missing
     const auto registered = ParseServiceName(name, nullptr);
     if (!wanted || !registered || !DifferInDataOnly(*wanted, *registered)) continue;
     why = fmt::format("syntax error, the object registered it with data '{}', not '{}'",
@@ -305,7 +314,7 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (subject == directory.end() || observer == directory.end()) return;
 
-  const auto has_lost_end = [&] {  // what is lost is connected when it comes back
+  const auto has_lost_end = [&] {  // a lost object is connected when it has returned
     return system().object(subject->second.first)->IsLost() ||
            system().object(observer->second.first)->IsLost();
   };

@@ -134,6 +134,8 @@ RCRegion::~RCRegion() {
 
 void RCRegion::AddReference() { ++count_; }
 
+// Too many calls are a mistake of the object and no assertion: they become a finding.
+
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;

@@ -6,15 +6,16 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/core/address_plan.h"
 
 namespace openr_host {
 namespace {
 
-constexpr size_t kMapBytes = 64 << 10;    // taken from the kernel at a time, at least
-constexpr size_t kKeepBytes = 256 << 10;  // larger cells go back to the kernel when they are freed
+constexpr size_t kMapBytes = 64 << 10;    // memory is mapped in steps of this size or of a cell
+constexpr size_t kKeepBytes = 256 << 10;  // larger cells are unmapped when they are freed
 
-// The lists of flags grow with the highest slot that was used.
+// Sets a flag.  A list of flags is only as long as the highest flag that was set needs.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;
@@ -41,7 +42,7 @@ RegionMemory::~RegionMemory() {
   GiveRegionArea(area_);
 }
 
-// The memory of a cell; null when there is none.
+// Returns the cell of `slot`, and maps its memory if that has not been done; null if there is none.
 char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
   const size_t cell = CellBytes(size_class);
   const size_t step = std::max(cell, kMapBytes);
@@ -56,6 +57,7 @@ char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
 }
 
 char* RegionMemory::New(uint32_t slot, size_t bytes) {
+  ASSERT(slot < kSlots, "slot {} of {}", slot, kSlots);
   int size_class = 0;
   while (size_class < kClasses && CellBytes(size_class) < bytes) ++size_class;
   if (area_ != nullptr && size_class < kClasses) {
@@ -83,6 +85,7 @@ void RegionMemory::Free(char* block) {
   const size_t cell = CellBytes(size_class);
   const size_t slot = (offset - OffsetOf(size_class)) / cell;
   Cells& cells = cells_[static_cast<size_t>(size_class)];
+  ASSERT(IsSet(cells.in_use, slot), "the block of slot {} is freed twice", slot);
   cells.in_use[slot] = false;
   if (cell <= kKeepBytes) return;
   munmap(block, cell);

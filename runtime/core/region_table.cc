@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 
 namespace openr_host {
@@ -11,7 +12,7 @@ namespace {
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr size_t kGuardBytes = 0;
-constexpr bool kReusesCopies = false;  // who reads a copy he has given back is to be found
+constexpr bool kReusesCopies = false;  // freed, so that reads of a copy after its end are found
 #else
 constexpr size_t kGuardBytes = 16;
 constexpr bool kReusesCopies = true;
@@ -25,7 +26,8 @@ RegionTable::~RegionTable() {
   for (char* const block : outlived_) memory_.Free(block);
 }
 
-// Fresh memory for slot `index`; null, and nothing changed, when there is none.
+// Gives `slot` new memory, that of number `index`.  Returns null and changes nothing if there is no
+// memory.
 char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
   const size_t bytes = size + kGuardBytes;
   char* const base = bytes < size ? nullptr : memory_.New(index, bytes);
@@ -56,6 +58,8 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
 }
 
+// Makes the slot of `id` empty for a block that another process has named; null if the slot has a
+// live block.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
   if (index >= 0xffff) return nullptr;
@@ -81,7 +85,8 @@ char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   return slot->base;
 }
 
-// A subject sends the same few regions again and again: the last copy's memory does for the next.
+// Uses the memory of the last copy again if it can, because a subject sends the same few regions
+// again and again.
 char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
@@ -141,6 +146,7 @@ RegionTable::Slot* RegionTable::Find(uint32_t id) {
 }
 
 void RegionTable::FreeIfUnused(Slot* slot) {
+  ASSERT(live_count_ >= 0 && slot->pins >= 0, "{} live blocks, {} pins", live_count_, slot->pins);
   if (slot->live || slot->pins > 0) return;
   if (kReusesCopies && slot->is_copy) {
     slot->is_idle = true;
@@ -156,7 +162,8 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  std::vector<std::pair<const void*, int>> counts;  // in order of slots: addresses have none
+  // In order of slots, because an order of addresses would differ from run to run.
+  std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;
     const auto known = std::find_if(counts.begin(), counts.end(), [&slot](const auto& count) {

@@ -1,4 +1,4 @@
-// Taking an object out of a running system and putting another in its place.
+// Replacement of an object of a running System; see Reload() and Return() in system.h.
 #include <OPENR/ObjcommMessages.h>
 
 #include <algorithm>
@@ -15,14 +15,15 @@ namespace {
 
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
-// What `observer` still holds of subjects for which `ends` is true goes back to nobody:
-// the subject's side is released by `release`, not by a ready.
+// Gives up the regions that `observer` has received from the subjects for which `ends` is true.
+// They cannot go back with a ready, because one of the two objects is being replaced.  So `release`
+// is called with the subject's region.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
     if (!ends(held.subject)) continue;
     std::erase_if(held.regions, [&](RCRegion* region) {
-      if (region->NumberOfReference() > 1) return false;  // its holder still reads it
+      if (region->NumberOfReference() > 1) return false;  // the object still reads the region
       release(RegionAccess::SourceOf(region));
       RegionAccess::GiveBack(region);
       return true;
@@ -94,8 +95,9 @@ std::vector<StandingReady> Object::StandingReadies() const {
   return readies;
 }
 
-// What nobody will hear: of an object that comes back that is what is due later, waits for the
-// processor or leaves when a handler's time is over.  Answers to what it had asked are nobody's.
+// Takes and returns all messages to `object`: those that are held, wait for the processor, or are
+// due now or later, and those in outboxes of objects whose handler's time is not over.  Replies in
+// the queue are released, because the handler that waits for them ends.
 std::vector<Message> System::TakeMessagesTo(Object* object) {
   std::vector<Message> messages;
   const auto take = [&](Message* message) {
@@ -111,7 +113,9 @@ std::vector<Message> System::TakeMessagesTo(Object* object) {
                   [&](const Message& message) {
                     if (!message.is_reply) messages.push_back(message);
                   });
+  // Messages in an outbox are not counted as waiting, so this comes before they are taken.
   object->waiting -= static_cast<int>(messages.size());
+  ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   const auto take_outgoing = [&](const std::unique_ptr<Object>& sender) {
     if (sender == nullptr) return;
     std::erase_if(sender->processor.outbox, [&](const ProcessorState::Outgoing& outgoing) {
@@ -147,6 +151,7 @@ std::vector<StandingReady> System::EndMessagesTo(Object* old) {
 void System::Replace(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
   Object* const old = object(id);
+  ASSERT(old != nullptr, "there is no object {} to replace", id);
   {
     const CurrentScope scope(this, old);
     for (const auto& observer : old->observers) {
@@ -163,8 +168,8 @@ void System::Replace(std::unique_ptr<Object> fresh) {
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
-  fresh->waiting = old->waiting;  // at a gate
-  // A handler that waits, or has the processor still, comes to its end by and by.
+  fresh->waiting = old->waiting;  // messages that a gate keeps will be delivered to `fresh`
+  // A handler that waits, or that still has the processor, will end later and needs its object.
   if (old->handler.running != nullptr || old->processor.is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);

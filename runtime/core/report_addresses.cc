@@ -9,7 +9,8 @@
 namespace openr_host {
 namespace {
 
-// "the subject 'A.B.C.S'", or what else `sender` posts `message` as.
+// Describes the sending end of `message`: "the subject 'A.B.C.S'", "an answer" or "a message to
+// JointMover, Move (Notify)".
 std::string SenderOf(const Message& message, const Object& sender) {
   if (message.is_reply) return "an answer";
   if (message.kind == PayloadKind::kNotify) {

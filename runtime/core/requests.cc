@@ -30,12 +30,14 @@ int32_t Requests::Send(Message* message, uint64_t* box) {
 
 Message* Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out) {
   Object* const self = t_current.object;
+  ASSERT(self != nullptr && box != 0, "only an object waits, and for a box");
   self->handler.blocked_why = why;
   Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
   Message* const message = system_->dispatcher().WaitFor(box);
   self->handler.blocked_why.clear();
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
-  if (*timed_out) return message;  // the reply may still come
+  if (*timed_out) return message;  // the box stays open, because the reply may still come
+  // The reply came first, so the message that would end the wait is removed.
   if (wake != nullptr)
     system_->queue().RemoveIf([wake](const Message& m) { return &m == wake; },
                               [](const Message&) {});
@@ -66,6 +68,7 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
+  // Virtual time does not count for a callee that runs in another process by the wall clock.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;

@@ -18,7 +18,7 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-constexpr size_t kWordsAtATime = 32;  // looked at without a branch
+constexpr size_t kWordsAtATime = 32;  // IsZero() tests so many words without a branch
 constexpr size_t kStepBytes = kWordsAtATime * sizeof(uint64_t);
 
 bool IsZero(const char* bytes) {

@@ -44,7 +44,8 @@ void ReportStacks(System* system) {
   for (const auto& object : system->objects()) {
     if (object == nullptr || !object->is_image || object->limits.stack_bytes == 0) continue;
     if (object->stack_max <= object->limits.stack_bytes) continue;
-    if (system->options().strict && IsSurelyTooMuch(*object)) continue;  // said when it happened
+    // With --strict, NoteStackUse() has already reported this object.
+    if (system->options().strict && IsSurelyTooMuch(*object)) continue;
     system->AddFindingAbout(object.get(), Severity::kWarning, Describe(*object));
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
@@ -13,9 +14,8 @@
 namespace openr_host {
 
 bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  if (object.handler.running == nullptr ||
-      object.handler.running->kind == kind)  // null: a test calls directly
-    return true;                             // null: a test's own call
+  // A test may call the entry directly, without a message.
+  if (object.handler.running == nullptr || object.handler.running->kind == kind) return true;
   object.system->AddFinding(
       Severity::kError,
       "bytes that an object sent to the entry of a subject or observer are "
@@ -45,6 +45,7 @@ OStatus SubjectState::SetData(ObserverLink* link, RCRegion* region) {
 }
 
 void SubjectState::DropOldestUnit(ObserverLink* link) {
+  ASSERT(!link->units.empty(), "{}: there is no unit to drop", service);
   const int count = link->units.front().data;
   for (int i = 0; i < count; ++i) link->pending[static_cast<size_t>(i)]->RemoveReference();
   link->pending.erase(link->pending.begin(), link->pending.begin() + count);
@@ -133,7 +134,7 @@ void SubjectState::Flush(ObserverLink* link) {
     uint32_t bytes = 0;
     message->payload_hash = PayloadHash(*message, &bytes);
   }
-  // The data stay pending, and the next notify or ready tries again.
+  // If the message is refused, the data stay pending, and the next notify or ready tries again.
   if (system->Post(message) != sSUCCESS) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));

@@ -29,7 +29,7 @@ static_assert(sizeof(OReadyMessage) <= Message::kPayloadMax);
 
 namespace {
 
-// Where the run stands, for failed assertions.
+// Returns the state of the run for the message of a failed assertion.
 std::string RunContext() {
   const System* const system = t_current.system;
   const Object* const object = t_current.object;
@@ -75,7 +75,7 @@ System::System(SystemOptions options)
 }
 
 System::~System() {
-  // Objects go in reverse: images may refer to what was made before them.
+  // Objects are destroyed in reverse order, because images may refer to objects made before them.
   while (!objects_.empty()) objects_.pop_back();
 }
 
@@ -157,7 +157,7 @@ void System::Shutdown(const RunEnd& why) {
 void System::PowerOff(int robot, const RunEnd& why) { calls_->PowerOff(robot, why); }
 
 void System::CutPower(int index, const RunEnd& why) {
-  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // its reason was noted before
+  const bool is_shutdown = why.kind == EndKind::kPowerOff;  // BeginShutdown() has noted the reason
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
   if (index < robot_count()) robot(index).powered_off = true;
@@ -186,6 +186,7 @@ void System::RunUntil(int64_t time_us) {
 }
 
 bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us) {
+  ASSERT(budget_us >= 0, "budget is {} us", budget_us);
   dispatcher_->Run({.time_us = now_us_ + budget_us, .until = &predicate});
   return predicate();
 }
@@ -203,7 +204,8 @@ Message* System::NewMessage(ObjectId target, uint32_t selector) {
   return message;
 }
 
-// What old objects do when their stub was made from another stub.cfg than their sources.
+// Refuses a message to an entry that the target does not have.  This happens with old objects whose
+// stub was made from another stub.cfg than their sources.
 int32_t System::RefuseSelector(Message* message, const Object& target) {
   AddFindingAbout(&target, Severity::kError,
                   fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "
@@ -226,13 +228,17 @@ int32_t System::Post(Message* message, int64_t delay_us) {
 
 int32_t System::Enqueue(Message* message, int64_t delay_us) {
   Object* const target = object(message->target);
+  ASSERT(target != nullptr && delay_us >= 0, "message to object {} in {} us", message->target,
+         delay_us);
+  // The message leaves when the time of the running handler is over (cpu.h).
   if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {
     self->processor.outbox.push_back({message, delay_us});
     return sSUCCESS;
   }
   if (!message->is_reply) {
     if (!target->HasEntry(message->selector)) return RefuseSelector(message, *target);
-    // What a part of the system sends itself stands for a clock, not for a message.
+    // Messages that a part of the system sends to itself are its clock, so a schedule does not
+    // refuse them.
     const bool is_clock =
         target->is_system && (message->sender == target->id || message->sender == kNoObject);
     if (schedule_ != nullptr && !is_clock && schedule_->Refuses(*message)) {

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
 #include "runtime/core/system.h"
 
@@ -57,6 +58,7 @@ int64_t TimeEvents::NextUs() const {
   return next_us;
 }
 
+// Returns whether the owner or the target is gone, or its robot is off.
 bool TimeEvents::IsOff(const Event& event) const {
   for (const ObjectId id : {event.letter.owner, event.letter.target}) {
     const Object* const object = system_->object(id);
@@ -67,6 +69,7 @@ bool TimeEvents::IsOff(const Event& event) const {
 
 void TimeEvents::Post(const Event& event) {
   const Letter& letter = event.letter;
+  ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
   Message* const message = system_->NewMessage(letter.target, letter.selector);
   message->sender = letter.owner;
   message->cause = event.cause;
