@@ -20,7 +20,7 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps: a process uses one of them
+constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps kFirstArea: a process uses one of the two
 
 // Offsets from the begin of the area.
 constexpr uintptr_t kHeaps = 0;
@@ -82,7 +82,8 @@ bool IsReachable(uintptr_t area) {
 // first System is made.
 constinit uintptr_t g_area = 0;
 
-// Lives as long as the process, since Systems may be destroyed after all static objects.
+// Returns the plan, which is never deleted because Systems may be destroyed after all static
+// objects.
 Plan& ThePlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;

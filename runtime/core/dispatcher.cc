@@ -87,6 +87,7 @@ void Dispatcher::Loop() {
       Deliver(message);
       continue;
     }
+    // No message is due now, so the clock goes to the next message or other event.
     const int64_t next_us = std::min(queue.NextTime(), system_->NextInstant());
     if (next_us <= limits_.time_us && next_us != INT64_MAX) {
       AdvanceTo(next_us);
@@ -111,6 +112,8 @@ void Dispatcher::Deliver(Message* message) {
     system_->queue_.Release(message);
     return;
   }
+  // A handler runs to its end before the next one of its object begins, and a boot begins with
+  // DoInit.  Replies are for the handler that waits, so they are never held.
   if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
                              system_->manager_->IsTooEarly(*message))) {
     object->handler.held.push_back(message);

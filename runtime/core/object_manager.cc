@@ -186,6 +186,8 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     system().Replace(std::move(object));
   }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
+  // Makes the connections of the new objects.  Services that were unknown while an object was lost
+  // are reported now, if they do not belong to a new object.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {
@@ -202,6 +204,7 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
+  // An observer that is itself replaced asserts in its own boot, so its ready is not sent again.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().AssertAgain(id, standing);
