@@ -7,8 +7,9 @@
 namespace openr_host {
 
 // Prepares the streams.  Must be called first in main().  Afterwards
-//   - each of the descriptors 0 to 2 is open, so that no file that we open gets its number; a
-//     closed one leads to /dev/null, and writing to a standard output that was closed still fails;
+//   - each of the descriptors 0 to 2 is open, so that no file opened later gets one of these
+//     numbers.  A descriptor that was closed is opened on /dev/null; standard output is opened so
+//     that writing fails, because a lost answer must be noticed;
 //   - writing to a pipe without a reader, or beyond the file size limit, gives an error and does
 //     not end the process;
 //   - writing to standard error never fails: text that cannot be written is lost.

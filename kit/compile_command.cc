@@ -95,7 +95,8 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
 
 // Returns the flags for the language level `name` of a -std flag; none if the level is of another
 // language.  Strict levels become those with GNU extensions, because the headers of the SDK's
-// compiler hid nothing in strict levels.  `inline` of C99 had the meaning of GNU C until g++ 4.3.
+// compiler hid nothing in strict levels.  C99 gets -fgnu89-inline,
+// because `inline` had the meaning of GNU C there until g++ 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};

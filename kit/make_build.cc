@@ -71,8 +71,8 @@ std::vector<fs::path> TopFolders(const Project& project) {
   return folders;
 }
 
-// Returns whether the variable points out of the copy, or has no value in the Makefiles, so that
-// the user was meant to set it.  `makefiles` is the text of all Makefiles.
+// Returns whether users were meant to set the variable: its value is a path outside the working
+// copy, or the Makefiles give it no value.  `makefiles` is the text of all Makefiles.
 bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
   static const std::regex kReference("\\$[({](\\w+)[)}].*");

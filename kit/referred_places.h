@@ -12,8 +12,9 @@ struct ReferredPlaces {
   // The folder itself, then folders outside of it in the order in which they were found.  No folder
   // is inside another one.
   std::vector<std::filesystem::path> folders;
-  // Folders that contain one of these and are named themselves, as in VPATH=..  Only the files
-  // directly in them count, because the whole folder may hold much else.
+  // Folders that contain one of `folders` and that a Makefile names, such as the parent folder in
+  // "VPATH=..".  Only the files directly in them count, because the rest may not belong to the
+  // program.
   std::vector<std::filesystem::path> around;
   std::vector<std::filesystem::path> files;  // the files directly in `around`
 };

@@ -19,7 +19,8 @@ std::string LowerCase(std::string text);
 // Returns `path` with '_' in place of every character that has a meaning for make or the shell.
 std::string WithoutOddCharacters(std::string path);
 
-// Returns the entry of `folder` called `name`, in any case; an empty path if there is none.
+// Returns the entry of `folder` called `name`, in upper or lower case; an empty path if there is
+// none.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 
 // Returns the same for a path of several parts, such as OPEN-R/MW/CONF.

@@ -97,8 +97,8 @@ struct BenchOptions {
   bool guard_regions = false;
   bool measure_stacks = false;  // Object::stack_max
   bool allow_threads = false;  // allows other threads in the process; they must not touch the bench
-  // A handler that uses more processor time ends the process with a failure that names the handler.
-  // 0s: there is no limit, for use with a debugger.
+  // The processor time that one call of a handler may use.  A handler that uses more ends the
+  // process with a failure that names the handler.  0s: there is no limit, for use with a debugger.
   std::chrono::microseconds handler_limit = std::chrono::seconds(10);
 };
 
@@ -285,7 +285,8 @@ class Bench {
   // run.
   std::string Story() const;
 
-  // Called in a copy of the process; see snapshot.h.
+  // Gives the bench a stick of its own.  Snapshot calls it in each copy of the process, so that
+  // copies share no files.
   void OnCopied();
 
  private:

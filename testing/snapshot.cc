@@ -41,7 +41,8 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
   void ReportTestPartResult(const TestPartResult& result) override {
     if (result.fatally_failed()) NoteFatalFailure();
     const std::string file = result.file_name() == nullptr ? "" : result.file_name();
-    // The story is added here, because the original would add the story of its own bench.
+    // The copy adds the story itself, because the original process knows only the story of its own
+    // bench.
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};

@@ -31,8 +31,9 @@ namespace openr::testing {
 // the running test.  REQUIRES: the process has one thread (reports a failure otherwise).
 void RunInCopy(const std::function<void()>& body, const Place& place);
 
-// World may be any type.  If it has OnCopied(), that is called in every copy, to separate what must
-// not be shared (for Bench: the stick).
+// A state of a World that several tests go on from, each in a copy of the process.  World may be
+// any type.  If it has a member OnCopied(), each copy calls it first, to replace what copies must
+// not share (a Bench replaces its stick).
 template <typename World>
 class Snapshot {
  public:

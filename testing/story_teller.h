@@ -26,8 +26,9 @@ class StoryTeller {
   // Called in a copy of the process.  A copy inherits no timer, and may belong to another test.
   void OnCopied();
 
-  // Returns `failure` with the story of the test's newest bench, unless it has a story already or
-  // the test has no bench.  A bench of a Snapshot belongs to a test only in the copy.
+  // Returns `failure` followed by the story of the test's newest bench.  Returns `failure`
+  // unchanged if it has a story already or the test has no bench.  The bench of a Snapshot belongs
+  // to a test only in the copy of the process, so failures in the original do not get its story.
   static std::string WithStory(const std::string& failure);
 
  private:

@@ -35,7 +35,8 @@ class TcpClient : public openr_host::CodeObject {
   TcpClient& HearBytes(size_t count, Place place = Place::Here());
   // Waits until the robot has ended the connection.
   TcpClient& HearEnd(Place place = Place::Here());
-  // Close() ends the connection properly, the next one as a computer does that is switched off.
+  // Close() ends the connection properly.  Reset() breaks it off, as when the client's computer is
+  // switched off.
   TcpClient& Close(Place place = Place::Here());
   TcpClient& Reset(Place place = Place::Here());
 

@@ -106,8 +106,9 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
-// Handles arithmetic that is only reported: notes its place for ImageObject and lets the
-// instruction run again without a signal.  Returns false if the object must stop.
+// Handles the signal of an arithmetic error that is reported and does not stop the object: notes
+// the address of the instruction for ImageObject, and masks the error so that the instruction can
+// run again.  Returns false if the error must stop the object.
 bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);

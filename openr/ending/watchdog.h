@@ -5,9 +5,10 @@
 
 namespace openr_host {
 
-// While it exists: if a handler of the thread that made it uses more than `limit_us` of processor
-// time, that is reported on standard error and the process ends with status 1.  Time spent stopped
-// in a debugger does not count.  Only one may exist at a time.  A limit of 0 switches it off.
+// While a Watchdog exists, a handler that uses more than `limit_us` of processor time is reported
+// on standard error, and the process ends with status 1.  Only handlers of the thread that made the
+// Watchdog are watched.  Time spent stopped in a debugger does not count.  Only one Watchdog may
+// exist at a time.  A limit of 0 switches it off.
 class Watchdog {
  public:
   explicit Watchdog(int64_t limit_us);

@@ -121,8 +121,8 @@ struct ExplorerProcesses::Job {
   Memory memory;
   int outer_channel;
 
-  // Returns normally, so that the folder with copies of the images is removed with the prepared
-  // run.
+  // Does the work of one process.  Returns, and does not call _exit(), so that the destructor of
+  // the prepared run removes the folder with the copies of the images.
   void Work(int channel) const;
 };
 

@@ -71,8 +71,8 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
           {"deviations", std::move(deviations)}};
 }
 
-// Returns the answer of a copy that ended early: what it wrote before its end, which is an answer
-// without hashes or, if that failed too, an error.
+// Returns the answer for a copy of the process that ended early.  The copy normally writes an
+// answer without hashes before its end; if it could not, the answer is an error.
 Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
   const Json json = Json::parse(said, nullptr, false);
   if (json.is_object() && json.contains("broken")) return json;

@@ -6,8 +6,8 @@
 namespace openr_host::render {
 namespace {
 
-// Adds one side of the box: a grid over [-1, 1] x [-1, 1].  The middle line is there twice, once
-// for each half, with the flat part between the two.
+// Adds one side of a box with rounded edges: a grid over [-1, 1] x [-1, 1].  The grid has its
+// middle line twice, once for each half; the flat part of the side lies between these two lines.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;

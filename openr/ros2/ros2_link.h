@@ -30,7 +30,7 @@ class Ros2Complaints {
   using Say = std::function<void(const std::string& line)>;
   static constexpr size_t kMax = 20;
 
-  // `robot` is its namespace.
+  // `robot` is the namespace of the robot that the messages name.
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);

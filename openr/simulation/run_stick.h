@@ -16,8 +16,9 @@ namespace openr_host {
 
 class RunStick {
  public:
-  // `wanted` is the folder that the user has named; "": none.  `is_written` says that objects may
-  // write to it; without that, no copy is made.  Throws std::runtime_error.
+  // `wanted` is the folder that the user has named; "": none, so the default stick is meant.  If
+  // `is_written`, objects may write to the stick, so a run on the default stick gets a copy of its
+  // own.  Throws std::runtime_error.
   RunStick(const std::string& wanted, bool is_written);
 
   // Returns the folder to name in messages and recordings, in which another run finds the same
@@ -30,8 +31,8 @@ class RunStick {
   // Returns the file for the record of a crash.  It may not be writable.
   const std::string& crash_log() const { return crash_log_; }
 
-  // Returns whether the run uses the default stick.  Then the crash record is in the cache folder,
-  // and findings name the file.
+  // Returns whether the run uses the default stick.  The crash record of such a run is in the cache
+  // folder, where users would not look, so findings name its path.
   bool is_default() const { return is_default_; }
 
  private:
