@@ -7,27 +7,29 @@
 
 namespace openr_host {
 
-// Capacity below which the bit for low capacity is set.  Objects shut the robot down then.  Chosen.
+// Remaining capacity, in percent, below which the robot sets its status bit for a low battery.
+// Objects then shut the robot down.  The number is our choice.
 constexpr int kLowCapacityPercent = 10;
 
 struct Battery {
-  // Chosen: a full battery lasts 90 minutes, the running time of an ERS-210 in use.
+  // Time in which a full battery becomes empty: 90 minutes, the running time of an ERS-210 in use.
+  // The number is our choice.
   static constexpr int64_t kEmptyUs = int64_t{90} * 60 * 1'000'000;
 
-  int percent = 100;   // capacity at boot, 1 to 100 % of the full one
-  bool drains = true;  // loses 1 % every 54 s, down to 0 %; otherwise the percentage stays
+  int percent = 100;   // capacity at boot, in percent of a full battery; 1 to 100
+  bool drains = true;  // whether the battery loses 1 % every 54 s, down to 0 %
 
-  // Whether the bit for low capacity is set at boot.  Then it never changes, so no object is
-  // notified.
+  // Returns whether the robot sets its status bit for a low battery at boot already.  Because the
+  // bit then never changes, no object is notified of it.
   bool is_low_at_boot() const { return percent < kLowCapacityPercent; }
 
   // Remaining capacity in percent, `time_us` of virtual time after boot.
   int PercentAt(int64_t time_us) const;
 };
 
-// Reads "100%" (full, and stays full), "drain" (full at boot, and drains) or "1%" to "99%"
-// (capacity at boot, and drains).  Returns "", or what is wrong with `text` and what was probably
-// meant.
+// Reads the text of an option into `battery`.  "100%": full at boot, and stays full.  "drain": full
+// at boot, and drains.  "1%" to "99%": capacity at boot, and drains.  Returns "", or an error that
+// says what is wrong with `text` and, where it can be guessed, what was meant.
 std::string ParseBattery(std::string_view text, Battery* battery);
 
 }  // namespace openr_host

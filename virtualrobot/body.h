@@ -1,10 +1,10 @@
 // The interface to physics: one robot body in its world, advanced frame by frame.
 //
-// A Body belongs to one virtual robot, is touched from one thread, and is a
-// deterministic function of its model, its world, its seed and the commands it
-// was given.  Angles are radians, lengths metres, frames 8 ms of virtual time.
-// World W and base B are right-handed with x forward, y left, z up; B's origin is
-// the midpoint of the four leg J1 axes (docs/body.md).
+// A Body belongs to one virtual robot and is touched from one thread.  Its behaviour depends only
+// on its model, its world, its seed and the commands that it was given.  Angles are in radians and
+// lengths in metres.  A frame is 8 ms of virtual time.  A joint is limp when its servo is off.
+// World W and base B are right-handed, with x forward, y left and z up.  B's origin is the midpoint
+// of the axes of the four joints J1, one per leg (docs/body.md).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,8 +23,8 @@ inline constexpr double kGravity_m_s2 = 9.80665;
 
 // The command to the servo of one joint for one frame.
 struct JointCommand {
-  double target_rad = 0;  // set point in force during the frame
-  bool enabled = false;   // whether gain and motor power are on; otherwise the joint is limp
+  double target_rad = 0;  // set point during the frame
+  bool enabled = false;  // whether the servo has gains and motor power; otherwise the joint is limp
   PidGains gains;
 };
 
@@ -32,15 +32,15 @@ struct JointCommand {
 struct JointState {
   double angle_rad = 0;
   double speed_rad_s = 0;
-  double drive = 0;  // drive that the servo asked for, in PWM counts, before the clamp at +-255
+  double drive = 0;  // PWM counts that the servo demands, before they are limited to +-255
 };
 
 struct BodyState {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  // velocity of B's origin, in W, m/s
   Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();  // angular velocity of B, in W, rad/s
-  // Gravity minus the acceleration of B's origin, mean of the frame, in B, m/s^2.  An accelerometer
-  // of the robot reads this: about (0, 0, -9.8) when the robot stands still.
+  // Gravity minus the acceleration of B's origin, averaged over the frame, in B, in m/s^2.  The
+  // accelerometer of the robot reads this vector: about (0, 0, -9.8) when the robot stands still.
   Eigen::Vector3d gravity_B = Eigen::Vector3d::Zero();
   std::vector<JointState> joints;  // order of RobotModel::joints
   std::vector<bool> paws;          // whether each paw touches something; order of RobotModel::paws
@@ -50,26 +50,26 @@ class Body {
  public:
   virtual ~Body() = default;
 
-  // Runs one 8 ms frame.  REQUIRES: commands.size() == model.joints.size().
+  // Simulates one frame of 8 ms.  REQUIRES: commands.size() == model.joints.size().
   virtual void Advance(const std::vector<JointCommand>& commands) = 0;
 
   virtual const BodyState& state() const = 0;
 
-  // Distance in metres from `p_W` along the unit vector `direction_W` to the first
+  // Returns the distance in metres from `p_W` along the unit vector `direction_W` to the first
   // thing that is not the robot itself; `max_m` when nothing is nearer.
   virtual double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                              double max_m) const = 0;
 
-  // Pose X_WL of each part, order of RobotModel::bodies.  Maps a point of the part, given as in the
-  // model file (in B at zero angles), to its place in W now.
+  // Returns the present pose X_WL of each part, in the order of RobotModel::bodies.  X_WL maps a
+  // point of the part, given as in the model file (in B at zero angles), to its place in W.
   virtual std::vector<Eigen::Isometry3d> BodyPoses() const = 0;
 
   // Adds everything that decides the body's future to `hasher`.
   virtual void HashState(Hasher* hasher) const = 0;
 };
 
-// Make a body that lies in the model's sleeping posture, at rest on the floor, limp.
-// `model` must outlive the body.
+// Makes a body that lies limp and at rest on the floor, in the model's sleeping posture.  `model`
+// must outlive the body.
 std::unique_ptr<Body> MakeIdealBody(const RobotModel& model, const World& world);
 std::unique_ptr<Body> MakeOdeBody(const RobotModel& model, const World& world);
 

@@ -1,8 +1,11 @@
-// The command vectors that one subject sent to the Effector, played one after the other.
+// The command vectors that one subject (the sending end of a connection) sent to the robot's
+// Effector service.  They are played one after the other.
 //
-// A vector is as long as its longest element.  A joint frame lasts 8 ms, an LED frame its period,
-// an ear frame 128 ms; shorter elements hold their last value (robot.md, sections 9.4 and 10).  The
-// next vector starts with the frame after the last one of the vector before.
+// A command vector has an element for each joint or light that it moves, and each element has up to
+// 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms, that of a light its
+// own period, that of an ear 128 ms (robot.md, sections 9.4 and 10).  A vector lasts as long as its
+// longest element; shorter elements hold their last value.  The next vector starts in the frame
+// after the last frame of the vector before.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -25,29 +28,31 @@ struct RobotParts;
 
 class CommandQueue {
  public:
-  // Vectors that may wait.  The number of the robot is not known; Sony's samples need four.
+  // Maximum number of vectors that wait.  The limit of the robot is not known; Sony's samples need
+  // four.
   static constexpr size_t kMax = 32;
 
-  // For vectors of `subject`, which act on `robot`.  `robot` must outlive the queue.
+  // Makes a queue for the vectors of `subject`, which move the parts of `robot`.  `robot` must
+  // outlive the queue.
   CommandQueue(const SubjectID& subject, RobotParts* robot) : subject_(subject), robot_(robot) {}
 
   const SubjectID& subject() const { return subject_; }
 
-  // Appends the vector in `region` and refers to the region until the vector is over.  Returns
-  // false when the queue is full.
+  // Appends the vector in `region`.  The queue holds a reference to the region until the vector is
+  // over.  Returns false when the queue is full.
   bool Add(RCRegion* region);
 
-  // Releases the region of a vector that is over before frame `frame` begins.  Returns false when
-  // there is no such vector.
+  // Releases the region of the vector that plays, if the vector is over when frame `frame` begins.
+  // Otherwise returns false.
   bool ReleaseFinished(int64_t frame);
 
-  // Tells the synchronisation keys of the robot when a vector with a key has become the first that
-  // waits.  REQUIRES: called for all queues of a robot before Apply() of any of them, so that
-  // vectors with parts of one key start in the same frame.
+  // Reports the first waiting vector to the robot's synchronisation keys, if no vector plays.
+  // REQUIRES: called for all queues of a robot before Apply() of any of them, so that vectors with
+  // parts of one key start in the same frame.
   void AnnounceFirst();
 
-  // Starts the first vector that waits when it is due, and puts the set points of frame `frame` in
-  // force.  Adds a text to `problems` for each thing that is wrong with a vector that starts.
+  // Starts the first waiting vector if its turn has come, and then applies the set points of frame
+  // `frame`.  Adds to `problems` a text for each mistake in a vector that starts.
   void Apply(int64_t frame, std::vector<std::string>* problems);
 
   void HashState(Hasher* hasher) const;
@@ -56,7 +61,7 @@ class CommandQueue {
   struct Element {
     CommandElement command;
     int command_frame = 0;
-    int64_t ends = 0;  // first robot frame after the current command frame
+    int64_t ends = 0;  // first robot frame after the present command frame
   };
 
   void Start(int64_t frame, std::vector<std::string>* problems);
@@ -65,13 +70,13 @@ class CommandQueue {
   SubjectID subject_;
   RobotParts* robot_;
   std::deque<RegionReference> waiting_;
-  VectorTurn turn_;          // state of the first vector in waiting_
-  RegionReference playing_;  // the vector that plays, if any
-  int64_t start_ = 0;        // frame in which it begins
-  int64_t end_ = 0;          // first frame after it
+  VectorTurn turn_;          // tells when the first vector in waiting_ may start
+  RegionReference playing_;  // the vector that plays; empty when none plays
+  int64_t start_ = 0;        // frame in which the vector in playing_ begins
+  int64_t end_ = 0;          // first frame after that vector
   std::vector<Element> elements_;
-  std::vector<CommandElement> read_;  // a local of Start(), kept to save allocations
-  int face_ = -1;                     // element with the last light of the face; -1: none
+  std::vector<CommandElement> read_;  // result of Start(); a member only to save allocations
+  int face_ = -1;  // index of the element with the last light of the face; -1: no such light
 };
 
 }  // namespace openr_host

@@ -1,4 +1,6 @@
-// The elements of a command vector, checked so that they can be played.
+// The elements of a command vector, checked so that they can be played.  A command vector is a
+// message that moves joints and sets lights; each of its elements has up to 16 command frames for
+// one primitive (joint, light or ear).
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -12,29 +14,34 @@
 
 namespace openr_host {
 
-// An element of a command vector.  Its data are in the region of the vector.
+// An element of a command vector.  `data` points into the region of the vector, so the region must
+// exist as long as the element.
 struct CommandElement {
-  const Primitive* primitive = nullptr;  // null: the element takes its time and moves nothing
+  const Primitive* primitive = nullptr;  // null: the element moves nothing, but its length counts
   const OCommandData* data = nullptr;
   ODataType type = odataUNDEF;
-  int frames = 0;  // 0..ocommandMAX_FRAMES
+  int frames = 0;  // number of command frames, 0 to ocommandMAX_FRAMES
 
-  // Robot frames that command frame `i` lasts: 1 for a joint, 16 for an ear of an ERS-210 (128 ms;
-  // Hohl 2004, 5.3.4), the period for a light or an ear of an ERS-7, where 0 counts as 1.
+  // Returns how many robot frames of 8 ms command frame `i` lasts.  A joint: 1.  An ear of an
+  // ERS-210: 16 (128 ms; Hohl 2004, 5.3.4).  A light, or an ear of an ERS-7: its period; a period
+  // of 0 counts as 1.
   uint32_t FrameLength(int i) const;
 
-  // Set point of joint frame `i`.  REQUIRES: type is odataJOINT_COMMAND2.
+  // Returns the set point of command frame `i` in microradians.  REQUIRES: type is
+  // odataJOINT_COMMAND2.
   slongword Urad(int i) const;
 
-  // Mode of light frame `i`.  REQUIRES: type is odataLED_COMMAND3.
+  // Returns the light mode of command frame `i`.  REQUIRES: type is odataLED_COMMAND3.
   OLED3Mode Mode(int i) const;
 
-  // Puts command frame `i` in force.  REQUIRES: primitive is not null, 0 <= i < frames.
+  // Sets the joint, light or ear in `devices` as command frame `i` demands.  REQUIRES: primitive is
+  // not null, 0 <= i < frames.
   void Apply(int i, Devices* devices) const;
 };
 
-// Replaces *elements by all elements of `vector`.  Adds a text to `problems` for each element that
-// has a mistake.  Writes `frame_number` into the infos of the vector, where its sender can read it.
+// Replaces *elements by all elements of `vector`.  Adds to `problems` a text for each element that
+// has a mistake.  Writes `frame_number`, the number of the frame in which the vector begins, into
+// the vector's infos, where its sender can read it.
 void ReadCommandElements(const SentVector& vector, longword frame_number,
                          PrimitiveTable* primitives, std::vector<CommandElement>* elements,
                          std::vector<std::string>* problems);

@@ -1,9 +1,10 @@
-// Sine, cosine and arc tangent whose results have the same bits on every x86-64.
+// Sine, cosine and arc tangent whose results have the same bits on every x86-64 processor.
 //
-// glibc chooses variants with fused multiply-add at run time, so the last bit of its results
-// depends on the CPU.  The functions here use only +, -, *, / and sqrt, which IEEE 754 rounds in
-// one way. They must be compiled without contraction (-ffp-contract=off).  All code whose results
-// become state calls them and never libm.
+// glibc chooses at run time between variants with and without fused multiply-add, so the last bit
+// of its results depends on the processor.  The functions here use only +, -, *, / and sqrt, for
+// which IEEE 754 allows only one result.  They must be compiled without contraction
+// (-ffp-contract=off).  All code whose results become state of the simulation calls these functions
+// and never libm.
 #pragma once
 
 namespace openr_host {
@@ -13,13 +14,14 @@ inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double Radians(double degrees) { return degrees * (kPi / 180); }
 inline constexpr double Degrees(double radians) { return radians * (180 / kPi); }
 
-// Within 2e-16 of the true value for |x| <= 1000, which is far more turns than a joint has.
-// REQUIRES: |x| <= 1e6 (beyond, the reduction to one quadrant loses digits).
+// Compute sine and cosine of `x` in radians, within 2e-16 of the true value for |x| <= 1000, which
+// is far more turns than a joint has.  REQUIRES: |x| <= 1e6 (beyond, the reduction to one quadrant
+// loses digits).
 double DetSin(double x);
 double DetCos(double x);
 
-// Angle of the point (x, y), in [-pi, pi], within 5e-16; 0 for the origin.
-// A negative zero counts as zero: DetAtan2(-0.0, -1) is +pi.
+// Returns the angle of the point (x, y), in [-pi, pi] rad, within 5e-16 of the true value; 0 for
+// the origin.  A negative zero counts as zero: DetAtan2(-0.0, -1) is +pi.
 double DetAtan2(double y, double x);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// The state of everything that command vectors set: joints, lights and ears.
+// The state of everything that command vectors set: joints, lights, and the plungers that move the
+// ears.  A plunger has only two positions, on and off.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -16,20 +17,20 @@ namespace openr_host {
 
 class Hasher;
 
-// P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them.
+// The gains P, I and D, then the shifts of P, I and D, as OPENR::SetJointGain() takes them.
 using GainWords = std::array<word, 6>;
 
 struct JointDevice {
-  slongword target_urad = 0;       // set point; 0 at boot, wherever the joint is
-  bool commanded = false;          // whether a set point has come since boot
+  slongword target_urad = 0;  // set point in 10^-6 rad; 0 at boot, even if the joint is elsewhere
+  bool commanded = false;     // whether a set point has been sent since boot
   ObjectId commander = kNoObject;  // the object that sent the set point
   bool gain_enabled = false;
-  GainWords gains{};                    // all 0 while disabled
-  std::optional<GainWords> registered;  // gains kept by RegisterDefaultJointGain()
+  GainWords gains{};                    // all 0 while gain_enabled is false
+  std::optional<GainWords> registered;  // gains that RegisterDefaultJointGain() stored
 };
 
 struct LedDevice {
-  int intensity = 0;  // LED2: 0 or 1; LED3: 0..255
+  int intensity = 0;  // light of type LED2: 0 or 1; of type LED3: 0 to 255
   OLED3Mode mode = oled3_MODE_A;
 };
 
@@ -41,21 +42,24 @@ class Devices {
  public:
   explicit Devices(const RobotModel& model);
 
-  // Commands to the servos for the coming frame.  Valid until the next call.
+  // Returns the commands to the servos for the next frame of 8 ms.  `motor_power` says whether the
+  // motors have power.  The result is valid until the next call.
   const std::vector<JointCommand>& Commands(bool motor_power);
 
-  // Sets the object whose command vector is applied next.  SetTarget() notes it as the commander.
+  // Sets the object whose command vector is applied next.  SetTarget() stores this object as the
+  // commander of the joint.
   void set_commander(ObjectId object) { commander_ = object; }
   void SetTarget(int joint, slongword urad);
   void SetLed2(int led, OLEDValue value);
   void SetLed3(int led, const OLEDCommandValue3& value);
 
-  // Whether the light belongs to the face of an ERS-7.  All lights of a face share one mode: that
-  // of the last of them in a command (field-notes.md, 10.1).
+  // Returns whether light `led` belongs to the face of an ERS-7.  All lights of a face share one
+  // mode: the mode of the last face light in a command vector (field-notes.md, 10.1).
   bool OnFace(int led) const { return on_face_[static_cast<size_t>(led)]; }
   void SetFaceMode(OLED3Mode mode);
 
-  // Whether the servo of `joint` moves the joint: it has power and a P gain.
+  // Returns whether the servo of `joint` moves the joint: the motors have power, the gain is
+  // enabled, and the P gain is not 0.
   bool Acts(int joint, bool motor_power) const;
 
   OStatus EnableGain(int joint);

@@ -1,4 +1,4 @@
-// The frame number: a count of frames of 8 ms, in which all data of the robot are dated.
+// The frame number: a count of frames of 8 ms, by which all data of the robot are dated.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -7,8 +7,9 @@
 
 namespace openr_host {
 
-// The number that commands, sensors, images and sound carry for the `frame`-th frame since
-// boot.  After oframeMAX_NUMBER comes 0; it is not known whether the robot continues with 0 or 1.
+// Returns the number that commands, sensor values, images and sounds carry for frame `frame`, which
+// counts from boot.  oframeMAX_NUMBER is followed by 0; it is not known whether the robot continues
+// with 0 or 1.
 inline longword FrameNumber(int64_t frame) {
   return static_cast<longword>(frame % (int64_t{oframeMAX_NUMBER} + 1));
 }

@@ -1,13 +1,13 @@
-// A body without physics: joints are where their commands say.
+// A body without physics: every joint is where its command wants it.
 //
-// An enabled joint reaches its set point within the frame, but does not pass its mechanical stops.
-// A disabled joint stays where it is.  The robot rests on the flat floor z = 0 as a stiff statue
-// would (PlaceOnFloor()).
+// An enabled joint reaches its set point within one frame of 8 ms, but does not pass its mechanical
+// stops.  A disabled joint stays where it is.  The robot rests on the flat floor z = 0 as a stiff
+// statue would (PlaceOnFloor()).
 //
 // The body never walks, turns, slides or falls over: x, y and yaw stay 0.  It ignores gains,
-// torques and speed limits; drives are always 0.  It does not touch the boxes of its world, but its
-// distance sensor sees them.  The velocity of its base is 0, and an accelerometer measures gravity
-// only.
+// torques and speed limits, and its drives are always 0.  It does not touch the boxes of its world,
+// but its distance sensor sees them.  The velocity of its base is 0, and its accelerometer measures
+// gravity only.
 #pragma once
 
 #include "virtualrobot/body.h"
@@ -22,8 +22,9 @@ class IdealBody : public Body {
 
   void Advance(const std::vector<JointCommand>& commands) override;
 
-  // state() and BodyPoses() compute the pose of the base only when a joint has moved since the last
-  // call.  So a frame whose state is not read costs next to nothing.
+  // Return the state and the poses at the end of the last frame.  state() and BodyPoses() compute
+  // the pose of the base only when a joint has moved since the last call.  So a frame whose state
+  // is not read costs next to nothing.
   const BodyState& state() const override;
   double RayDistance(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W,
                      double max_m) const override;
@@ -38,7 +39,8 @@ class IdealBody : public Body {
   const World world_;
   mutable BodyState state_;
   mutable std::vector<Eigen::Isometry3d> X_WL_;  // result of BodyPoses()
-  mutable bool placed_ = false;  // whether base and paws of state_, and X_WL_, fit its joint angles
+  // Whether X_WL_, and the base and paws in state_, are computed for the present joint angles.
+  mutable bool placed_ = false;
 };
 
 }  // namespace openr_host

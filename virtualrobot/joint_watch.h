@@ -3,8 +3,10 @@
 //   - a servo begins to act while its set point is far from the joint's position,
 //   - set points jump,
 //   - set points have no effect, because power or gain is off,
-//   - set points are in radians instead of micro-radians,
+//   - set points are in radians instead of microradians,
 //   - a motor pushes at its limit for 30 s.
+//
+// A servo acts when it has motor power and a P gain; otherwise its joint is limp.  A frame is 8 ms.
 #pragma once
 
 #include <cstdint>
@@ -25,18 +27,21 @@ class JointWatch {
   // `model` and `devices` must outlive the watch.
   JointWatch(const RobotModel& model, const Devices& devices);
 
-  // Checks the servos that begin to act.  Called after each change of gains or motor power.
+  // Checks the servos that begin to act, and adds a text for each mistake to `problems`.  Called
+  // after each change of gains or motor power.
   void ServosChanged(const BodyState& body, bool motor_power, std::vector<std::string>* problems);
 
-  // Checks a command vector with these elements.  Called before its first frame.  `motor_power_cut`
-  // says that the pause button has cut motor power; then set points without effect are no mistake
-  // of a program in the middle of a movement.
+  // Checks a command vector, before its first frame is played, and adds a text for each mistake to
+  // `problems`.  Set points without effect are normally a mistake.  They are not reported when the
+  // pause button has cut motor power (`motor_power_cut`), because the program may have been in the
+  // middle of a movement.
   void VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                     bool motor_power, bool motor_power_cut, std::vector<std::string>* problems);
 
-  // Notes the state of the joints after a frame, and returns the index of a motor that has just
-  // been asked for 78 % of its drive or more for 30 s without a break (BBS 1735, support; how the
-  // robot averages is not known); -1 when there is none.  Called after every frame.
+  // Records the drives and angles of the joints after a frame.  Returns the index of a motor whose
+  // drive has been 78 % of its limit or more for exactly 30 s without a break, or -1 when there is
+  // no such motor (BBS 1735, support; how the robot averages is not known).  Called after every
+  // frame.
   int NoteFrame(const BodyState& body);
 
   void HashState(Hasher* hasher) const;
@@ -48,22 +53,23 @@ class JointWatch {
   };
   struct Joint {
     bool acted = false;       // whether the servo acted at the last change of gains or power
-    bool told_start = false;  // the mistakes that were reported already
+    bool told_start = false;  // told_*: which mistakes of the joint were reported already
     bool told_jump = false;
     bool told_effect = false;
     bool told_radians = false;
-    bool was_in_urad = false;  // whether a set point was too large for an angle in radians
-    int tiny_frames = 0;       // successive set points that look like radians
+    bool was_in_urad = false;  // whether a set point was too large to be an angle in radians
+    int tiny_frames = 0;       // number of successive set points that look like radians
     int loaded_frames = 0;
-    // Until the servo acts for the first time: range of the joint's positions in this half second
-    // and in the one before.
+    // Range of the joint's positions in the present half second (`now`) and in the one before.
+    // Only recorded until the servo acts for the first time.
     bool has_acted = false;
     Range_rad now, before;
   };
 
-  // Whether the joint was near `goal_rad` in the last second and, still limp, has only sunk since.
+  // Returns whether the servo of `joint` has not acted yet and the joint was near `goal_rad` in the
+  // last second.  Then the joint was at its goal and has only sunk, because it is limp.
   static bool HasSunk(const Joint& joint, double goal_rad);
-  // Notes the positions of joints whose servos have not acted yet.
+  // Records the positions of the joints whose servos have not acted yet.
   void NoteLimpJoints(const BodyState& body);
 
   void CheckForJump(size_t joint, const CommandElement& element, double measured_rad,
@@ -74,7 +80,7 @@ class JointWatch {
   const RobotModel& model_;
   const Devices& devices_;
   std::vector<Joint> joints_;
-  int limp_frames_ = 0;  // frames of this half second
+  int limp_frames_ = 0;  // frames of the present half second that have passed
 };
 
 }  // namespace openr_host

@@ -1,5 +1,5 @@
-// A JSON value together with its place in the file.  Every error names the place:
-// "model.json: joints.rows[3].hard: ...".  Used by the readers of models and worlds.
+// A JSON value together with its place in the file.  Every error names the place, for example
+// "model.json: joints.rows[3].hard: ...".  The readers of models and worlds use this class.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,15 +15,15 @@ namespace openr_host {
 
 class JsonReader {
  public:
-  // Parses `text`; `file` stands for it in messages.  Throws std::runtime_error with line
-  // and column when it is not JSON.
+  // Parses `text`.  Throws std::runtime_error when `text` is not JSON; the message names `file`,
+  // line and column.
   static nlohmann::json ParseText(const std::string& text, const std::string& file);
 
-  // For the root value of `file`.  `value` must outlive the reader.
+  // Makes a reader of `value`, the root value of `file`.  `value` must outlive the reader.
   JsonReader(const nlohmann::json& value, std::string file)
       : JsonReader(value, std::move(file), ": ") {}
 
-  // Throws std::runtime_error "place: message".
+  // Throws std::runtime_error with the text "place: message".
   template <typename... Args>
   [[noreturn]] void Fail(fmt::format_string<Args...> format, Args&&... args) const {
     throw std::runtime_error(place_ + ": " + fmt::format(format, std::forward<Args>(args)...));
@@ -31,18 +31,19 @@ class JsonReader {
 
   bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
 
-  // The member `key`.  Fails when the member is missing.
+  // Returns the member `key` of an object.  Fails when the member is missing.
   JsonReader At(const char* key) const;
 
-  // The elements of an array.  All functions from here on fail when the value is of another kind.
+  // Returns the elements of an array.  This function and the ones below call Fail() when the value
+  // is of another kind than they read.
   std::vector<JsonReader> Elements() const;
 
-  // Fails when there is a member that is not in `keys`, because a misspelt name must not be
+  // Fails when the object has a member that is not in `keys`, because a misspelt name must not be
   // ignored.
   void AllowOnly(std::initializer_list<const char*> keys) const;
 
   std::string Text() const;
-  double Number() const;  // finite
+  double Number() const;  // fails for a number that is not finite
   double NumberAbove(double floor) const;
   int64_t Whole(int64_t min, int64_t max) const;
   Eigen::Vector3d Vector() const;  // [x, y, z]
@@ -54,7 +55,7 @@ class JsonReader {
 
   const nlohmann::json& value_;
   std::string place_;
-  const char* separator_;  // text between place_ and the name of a member
+  const char* separator_;  // separator between place_ and the name of a member
 };
 
 }  // namespace openr_host

@@ -93,7 +93,7 @@ double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
 }
 
-// Whether the triangle lies under or over p, seen from above.
+// Returns whether the triangle lies under or over p, seen from above.
 bool Under(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }

@@ -1,7 +1,9 @@
-// Poses of a robot's parts for given joint angles, and the pose in which it rests on a flat floor.
+// Computes the poses of a robot's parts for given joint angles, and the pose in which the robot
+// rests on a flat floor.
 //
-// All results depend on the model and the angles only and have the same bits in every build
-// (det_math.h; Eigen without vectorization).
+// All results depend on the model and the angles only and have the same bits in every build,
+// because the code uses det_math.h, and Eigen without vectorization.  W is the world frame, B the
+// base frame of the robot.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,23 +13,25 @@
 
 namespace openr_host {
 
-// Rotation by `angle_rad` about the unit vector `axis`.
+// Returns the rotation by `angle_rad` about the unit vector `axis`.
 Eigen::Matrix3d AxisRotation(const Eigen::Vector3d& axis, double angle_rad);
 
-// R_WB from roll (about x), pitch (about y) and yaw (about z), applied in this order:
-// Rz(yaw) Ry(pitch) Rx(roll).  Nose down is positive pitch.
+// Returns the rotation R_WB for roll (about x), pitch (about y) and yaw (about z), applied in this
+// order: Rz(yaw) Ry(pitch) Rx(roll).  When the robot's nose points down, pitch is positive.
 Eigen::Matrix3d RotationFromRpy(const Eigen::Vector3d& rpy_rad);
 
-// Roll, pitch, yaw of a rotation; inverse of RotationFromRpy() for |pitch| < pi/2.
+// Returns roll, pitch and yaw of the rotation `R`.  For |pitch| < pi/2, this is the inverse of
+// RotationFromRpy().
 Eigen::Vector3d RpyOf(const Eigen::Matrix3d& R);
 
-// Pose X_BL of each body, order of RobotModel::bodies.  Maps a point of the body, given as in the
-// model file (in B at zero angles), to its place in B at `angles_rad`.  REQUIRES: one angle per
-// joint.
+// Returns the pose X_BL of each part, in the order of RobotModel::bodies.  X_BL maps a point of the
+// part, given as in the model file (in B at zero angles), to its place in B at `angles_rad`.
+// REQUIRES: one angle per joint.
 std::vector<Eigen::Isometry3d> LinkPoses(const RobotModel& model,
                                          const std::vector<double>& angles_rad);
 
-// Centre of mass in B of the parts at `X_BL` (as LinkPoses() returns them), in metres.
+// Returns the centre of mass, in B and in metres, of all parts at the poses `X_BL` (see
+// LinkPoses()).
 Eigen::Vector3d CentreOfMass(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
 // The pose of a stiff robot that rests on the floor z = 0.
@@ -37,13 +41,13 @@ struct RestingPose {
 };
 
 // Computes how a robot that is stiff at `angles_rad` rests on the floor: on the face of its lower
-// hull that lies under its centre of mass.  The hull is that of paws and boxes.  The search begins
-// with an upright robot, so the robot never comes to rest on its back.
+// convex hull that lies under its centre of mass.  The hull encloses all paws and boxes.  Because
+// the search begins with an upright robot, the robot never comes to rest on its back.
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<double>& angles_rad);
-// Does the same for parts at `X_BL`, as LinkPoses() returns them.
+// Does the same for parts at the poses `X_BL` (see LinkPoses()).
 RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Eigen::Isometry3d>& X_BL);
 
-// Height of the lowest point of any box or paw over z = 0, for a robot at `X_WB`.
+// Returns the height over z = 0 of the lowest point of all boxes and paws, for a robot at `X_WB`.
 double LowestPoint(const RobotModel& model, const std::vector<double>& angles_rad,
                    const Eigen::Isometry3d& X_WB);
 

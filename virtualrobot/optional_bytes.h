@@ -1,9 +1,9 @@
 // Optional bytes in the headers of vectors (Level 2 Reference Guide, 4.1).  With them, programs
 // that send commands or sound pass data to programs that read sensors.
 //
-// A command or sound vector marks a range of bytes in its header.  The range is copied when the
-// vector begins to play, and every later sensor vector carries the copy.  It is not known whether
-// the robot copies when it receives the vector instead.
+// The header of a command or sound vector names a range of its optional bytes.  The range is copied
+// when the vector begins to play, and every later sensor vector carries the copy.  The robot may
+// copy the bytes earlier, when it receives the vector; this is not known.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -18,11 +18,12 @@ class Hasher;
 
 class OptionalBytes {
  public:
-  // Copies the range that `sent` marks, if any.  Describes in `problems` a range that is out of
-  // bounds.
+  // Copies into this object the range of optional bytes that the header `sent` names.  Does nothing
+  // when the range is empty.  If the range is out of bounds, copies nothing and adds a message to
+  // `problems`.
   void Take(const ODataVectorInfo& sent, std::vector<std::string>* problems);
 
-  // Writes the copy into the header of a sensor vector.
+  // Writes the copied bytes into the header of a sensor vector.
   void Put(ODataVectorInfo* header) const;
 
   void HashState(Hasher* hasher) const;

@@ -18,7 +18,7 @@ constexpr word kFullCapacityMah = 2000;  // chosen
 constexpr word kVoltageMv = 7400;        // two lithium cells; chosen
 constexpr sword kCurrentMa = -1300;      // discharging is negative (inferred); chosen
 
-// Whether `filter` asks for the change from `before` to `now`.
+// Returns whether `filter` asks for the change from `before` to `now`.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
   if (((before.robotStatus ^ now.robotStatus) & filter.robotStatus) != 0) return true;
   if (((before.batteryStatus ^ now.batteryStatus) & filter.batteryStatus) != 0) return true;

@@ -1,4 +1,4 @@
-// Power, battery, clock and pause button of one robot, and the objects that observe them.
+// The power, battery, clock and pause button of one robot, and the objects that observe them.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>
@@ -22,21 +22,23 @@ class Power {
 
   bool pause() const { return pause_; }
 
-  // Presses the pause button.  Its bit is set, and the hardware cuts motor power (field-notes.md,
-  // 7.12).
+  // Presses the pause button.  Sets the status bit of the button and cuts motor power, as the
+  // robot's hardware does (field-notes.md, 7.12).
   void PressPause();
 
   OPowerStatus Status() const;
 
-  bool is_battery_low() const;  // the bit orsbBATTERY_CAPACITY_LOW
+  bool is_battery_low() const;  // whether the status bit orsbBATTERY_CAPACITY_LOW is set
   int remaining_percent() const { return RemainingCapacity(); }
 
-  // Notifies `entry` of the changes that `filter` asks for.  Replaces an earlier filter of `entry`.
+  // Makes Power send a message to `entry` at each change that `filter` asks for.  Replaces an
+  // earlier filter of `entry`.
   void Observe(const OPowerStatus& filter, const OServiceEntry& entry);
-  // Returns false when there is no observer with that entry.
+  // Ends the messages to `entry`.  Returns false when `entry` does not observe.
   bool Unobserve(const OServiceEntry& entry);
 
-  // Tells the observers of changes that come with time.  Called once a frame.
+  // Sends messages about changes that come with time, such as the battery's capacity.  Called once
+  // a frame (8 ms).
   void Update();
 
   void SetTimeDifference(sbyte hours);
@@ -46,8 +48,8 @@ class Power {
   void SetClock(int64_t seconds_since_2000);
   int64_t Clock() const;
 
-  OBootCondition boot_condition{obcbPAUSE_SW};  // why the robot runs
-  OBootCondition next_boot;                     // stored by Shutdown()
+  OBootCondition boot_condition{obcbPAUSE_SW};  // the reason why the robot was switched on
+  OBootCondition next_boot;  // the condition for the next boot, stored by Shutdown()
 
   void HashState(Hasher* hasher) const;
 
@@ -66,8 +68,8 @@ class Power {
   bool pause_ = false;
   sbyte time_difference_ = 0;
   byte volume_ = 3;
-  int64_t clock_offset_s_ = 0;  // time of the robot's clock minus virtual time
-  OPowerStatus last_;           // the status of which the observers were told
+  int64_t clock_offset_s_ = 0;  // time of the robot's clock minus virtual time, in s
+  OPowerStatus last_;           // the last status of which the observers were notified
   std::vector<Watcher> watchers_;
 };
 

@@ -1,8 +1,9 @@
-// All primitives of a robot: locator, id, kind.
+// The primitives of a robot, with locator, id and kind.  A primitive is a device that OPEN-R can
+// open: a joint, sensor, light, plunger (ear), speaker, microphone or camera.
 //
-// Ids depend on the model only, so they are the same for every object and in every run: 0x1000 plus
-// the place in this table, which begins with the elements of the sensor vector.  How the robot
-// encodes its ids is not known.
+// An id is 0x1000 plus the index of the primitive in this table, which begins with the elements of
+// the sensor vector.  Because ids depend on the model only, they are the same for every object and
+// in every run.  How the robot encodes its ids is not known.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -22,10 +23,10 @@ enum class PrimitiveKind { kJoint, kSensor, kLed, kPlunger, kSpeaker, kMicrophon
 struct Primitive {
   std::string locator;
   PrimitiveKind kind = PrimitiveKind::kSensor;
-  OPrimitiveType type = oprimitiveUNDEF;  // named by the word behind the dash of the locator
-  int index = -1;                         // index in the model's list of this kind
-  int sensor = -1;                        // element of the sensor vector; -1: none
-  int open_count = 0;                     // calls of OpenPrimitive() minus ClosePrimitive(), >= 0
+  OPrimitiveType type = oprimitiveUNDEF;  // from the word behind the dash of the locator
+  int index = -1;                         // index in the RobotModel's list of this kind
+  int sensor = -1;                        // index of the element in the sensor vector; -1: none
+  int open_count = 0;  // calls of OpenPrimitive() minus calls of ClosePrimitive(); >= 0
 
   bool opened() const { return open_count > 0; }
 };
@@ -34,11 +35,12 @@ class PrimitiveTable {
  public:
   explicit PrimitiveTable(const RobotModel& model);
 
-  // oprimitiveID_UNDEF when the robot has no such locator (the whole string must match).
+  // Returns the id of the primitive with exactly this locator; oprimitiveID_UNDEF when the robot
+  // has no such primitive.
   OPrimitiveID IdOf(const std::string& locator) const;
   OPrimitiveID IdOfSensor(int sensor) const { return kFirstId + static_cast<OPrimitiveID>(sensor); }
 
-  // Null when no primitive has that id.
+  // Returns the primitive with this id; null when there is none.
   Primitive* Find(OPrimitiveID id);
 
   void HashState(Hasher* hasher) const;

@@ -1,4 +1,5 @@
-// A reference to a region, given back when this handle is destroyed or released.
+// A handle that holds a reference to a region (shared memory with a vector).  The reference is
+// given back when the handle is destroyed or released.
 #pragma once
 
 #include <OPENR/RCRegion.h>
@@ -7,10 +8,11 @@
 
 namespace openr_host {
 
-// Runs as code of the object to which the region belongs, because RCRegion counts per object.
+// A reference to a region.  REQUIRES: constructed and released in handlers of one object, because
+// RCRegion counts references per object.
 class RegionReference {
  public:
-  RegionReference() = default;  // refers to no region
+  RegionReference() = default;  // makes a handle without a region
 
   // Adds a reference to `region`.  REQUIRES: `region` is not null.
   explicit RegionReference(RCRegion* region) : region_(region) { region_->AddReference(); }
@@ -23,7 +25,7 @@ class RegionReference {
   }
   ~RegionReference() { Release(); }
 
-  // Gives the reference back now.  Without a region nothing happens.
+  // Gives the reference back now.  Does nothing when the handle has no region.
   void Release() {
     if (RCRegion* const region = std::exchange(region_, nullptr)) region->RemoveReference();
   }

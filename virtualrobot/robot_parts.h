@@ -1,7 +1,7 @@
 // The parts of one robot: its body, devices, power, sensors, sound and camera.
 //
-// Three objects share them: VirtualRobot answers the calls of OPENR::, OVirtualRobotComm runs the
-// frames, OVirtualRobotAudioComm plays and records sound.
+// Three objects share the parts: VirtualRobot answers the calls of OPENR::, OVirtualRobotComm runs
+// the frames of 8 ms, and OVirtualRobotAudioComm plays and records sound.
 #pragma once
 
 #include <cstdint>
@@ -26,25 +26,27 @@
 
 namespace openr_host {
 
-// The outside of a robot's speaker, microphone, camera and battery.  Every member may be left out.
+// The sink and the sources for a robot's speaker, microphone and camera, and its battery.  Every
+// member may be left out.
 struct VirtualRobotOptions {
-  std::unique_ptr<SoundSink> speaker;       // null: the sound is lost
-  std::unique_ptr<SoundSource> microphone;  // null: silence
-  std::unique_ptr<ImageSource> camera;      // null: the test pattern
-  Battery battery;                          // full at boot, and drains
+  std::unique_ptr<SoundSink> speaker;       // null: sounds are not stored
+  std::unique_ptr<SoundSource> microphone;  // null: the microphone hears silence
+  std::unique_ptr<ImageSource> camera;      // null: the camera sees the test pattern
+  Battery battery;                          // by default full at boot, and drains
 };
 
 struct RobotParts {
-  // Robot `robot_index` of `system`.  `system` and `model` must outlive the parts.
+  // Makes the parts of robot `robot_index` of `system`.  `system` and `model` must outlive the
+  // parts.
   RobotParts(System* system, int robot_index, const RobotModel& model, std::unique_ptr<Body> body,
              VirtualRobotOptions options);
   RobotParts(const RobotParts&) = delete;
   RobotParts& operator=(const RobotParts&) = delete;
 
-  // Adds a warning about the object whose code runs.
+  // Adds a warning about the object whose handler runs now.
   void Warn(std::string text);
 
-  // Draws the noise of the sensors from another seed from now on.
+  // Makes the noise of the sensors start again from `seed`.
   void Reseed(uint64_t seed);
 
   void HashState(Hasher* hasher) const;
@@ -65,7 +67,7 @@ struct RobotParts {
   CameraDevice camera;
   SafePosture safe_posture;
   int64_t first_frame = 0;  // 0 unless a test sets it
-  int64_t frame = 0;        // the frame that runs now; all earlier ones are complete
+  int64_t frame = 0;        // number of the frame that runs now; all earlier frames are complete
 };
 
 }  // namespace openr_host

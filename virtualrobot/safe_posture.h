@@ -3,8 +3,8 @@
 //
 // The joints keep their last set point for a while.  Then they go slowly to the sleeping posture,
 // in which the robot cannot fall.  A joint that another object commands meanwhile is left to that
-// object.  The robot has no such function, because there a crash stops all objects; the times are
-// our choice.
+// object.  The real robot has no such function, because a crash stops all its objects.  The times
+// are our choice.
 #pragma once
 
 #include <cstdint>
@@ -25,16 +25,17 @@ class SafePosture {
 
   explicit SafePosture(const RobotModel& model) : model_(model) {}
 
-  // Tells that object `commander` has crashed in frame `frame`.
+  // Starts the movement of the joints of object `commander`, which has crashed in frame `frame`.
   void CommanderIsGone(ObjectId commander, int64_t frame) {
     gone_.push_back({commander, frame, {}});
   }
-  // Tells that the object runs again.  Its joints are no longer moved from here.
+  // Ends the movement of the joints of object `commander`, because the object runs again.
   void CommanderIsBack(ObjectId commander) {
     std::erase_if(gone_, [commander](const Gone& gone) { return gone.commander == commander; });
   }
 
-  // Sets the set points of frame `frame`.  Called after those of command vectors are set.
+  // Computes the set points of frame `frame` for the joints of crashed objects.  Called after
+  // command vectors have set theirs.
   void Apply(int64_t frame, Devices* devices);
 
   void HashState(Hasher* hasher) const;
@@ -42,8 +43,8 @@ class SafePosture {
  private:
   struct Gone {
     ObjectId commander;
-    int64_t since;                     // frame of the crash
-    std::vector<slongword> from_urad;  // set points when the move begins; empty before
+    int64_t since;                     // frame in which the object crashed
+    std::vector<slongword> from_urad;  // set points when the movement starts; empty before
   };
 
   const RobotModel& model_;

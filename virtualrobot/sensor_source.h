@@ -1,4 +1,5 @@
-// Samples of all sensors, frame by frame, and the sensor vectors made of them.
+// Samples all sensors, frame by frame, and makes sensor vectors of the samples.  A frame is 8 ms; a
+// sensor vector is a message with the samples of four frames.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -23,24 +24,26 @@ class SensorSource {
  public:
   static constexpr int kFramesPerVector = 4;  // Level 2 Reference Guide, 3.1
 
-  // `noise` is the generator of this robot's sensor noise.
+  // Makes the sensors of a robot.  `noise` is the random generator of their noise.  `model` and
+  // `primitives` must outlive this object.
   SensorSource(const RobotModel& model, const PrimitiveTable& primitives, Rng noise);
 
   void set_noise(Rng noise) { noise_ = noise; }
 
-  // Takes the samples of frame `frame`.  Returns whether a vector is complete with them.
+  // Takes the samples of frame `frame`.  Returns whether these samples complete a vector.
   bool Sample(int64_t frame, const Body& body, const Devices& devices);
 
-  // Takes samples that belong to no vector, for a program that reads a sensor before the first
-  // frame is over.
+  // Takes samples that Latest() returns, but that belong to no vector.  They are for a program that
+  // reads a sensor before the first frame is over.
   void SampleNow(const Body& body, const Devices& devices);
 
-  // The newest sample of one element (OJointValue for joints).
+  // Returns the newest sample of element `sensor` of the sensor vector.  For a joint, its bytes are
+  // an OJointValue.
   const OSensorValue& Latest(int sensor) const { return latest_[static_cast<size_t>(sensor)]; }
 
-  // A vector with the four newest frames, in a region to which no object refers.  The one reference
-  // to the region stays here.  REQUIRES: Sample() has just returned true.  Runs as code of an
-  // object.
+  // Returns a vector with the samples of the four newest frames, in a region to which no object
+  // refers.  This SensorSource keeps the only reference to the region.  REQUIRES: Sample() has just
+  // returned true; called in a handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(const OptionalBytes& optional);
 
   void HashState(Hasher* hasher) const;
@@ -55,9 +58,10 @@ class SensorSource {
   const PrimitiveTable& primitives_;
   Rng noise_;
   std::vector<OSensorValue> latest_;
-  std::vector<OSensorValue> frames_;  // [frame][sensor], kFramesPerVector frames
-  int64_t first_frame_ = 0;           // number of frames_[0]
-  int collected_ = 0;  // frames of the next vector that are in frames_; below kFramesPerVector
+  std::vector<OSensorValue> frames_;  // [frame][sensor]: samples of kFramesPerVector frames
+  int64_t first_frame_ = 0;           // number of the first frame in frames_
+  // Number of frames of the next vector whose samples are in frames_; below kFramesPerVector.
+  int collected_ = 0;
   VectorPool pool_;
 };
 

@@ -1,8 +1,8 @@
-// Synchronisation keys: command vectors that start together.
+// Synchronisation keys, with which command and sound vectors start together.
 //
-// A key can be divided into parts.  Vectors that carry the parts wait until the vectors of all
-// parts have arrived.  If the vector of one part never comes, the others wait until the key is
-// cancelled; what the robot does in this case is not known.
+// A key can be divided into parts.  Vectors that carry the parts of one key wait until the vectors
+// of all parts have arrived.  If the vector of one part never comes, the others wait until the key
+// is cancelled; what the robot does in this case is not known.
 #pragma once
 
 #include <OPENR/OPENR.h>
@@ -16,23 +16,24 @@ class Hasher;
 
 class SyncKeys {
  public:
-  // Makes a key.  Returns ovrsynckeyUNDEF when all keys are in use.
+  // Makes a key and returns it.  Returns ovrsynckeyUNDEF when all keys are in use.
   OVRSyncKey New();
 
-  // Ends a key, so that all vectors with its parts may start.  Returns false when there is no such
+  // Ends `key`, so that all vectors with its parts may start.  Returns false when there is no such
   // key.
   bool Cancel(OVRSyncKey key);
 
-  // Splits `key` in two.  Returns false when there is no such key, or when it has as many parts as
-  // a key may have.
+  // Splits `key` into `key1` and `key2`.  Returns false when there is no such key, or when it
+  // already has the maximum number of parts.
   bool Divide(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 
-  // Tells that a vector with this key is the first of its queue now.
+  // Notes that a vector with `key` has become the first of its queue.
   void Arrive(OVRSyncKey key);
-  // Whether a vector with this key may start.  True for keys that do not exist, or exist no more.
+  // Returns whether a vector with `key` may start.  This is true for a key that does not exist, or
+  // no longer exists.
   bool MayStart(OVRSyncKey key) const;
 
-  // A text for reports: "1 of 2 parts have come".
+  // Returns a text for reports, such as "1 of 2 parts have come".
   std::string Progress(OVRSyncKey key) const;
 
   void HashState(Hasher* hasher) const;
@@ -40,11 +41,13 @@ class SyncKeys {
  private:
   struct Group {
     bool alive = false;
-    longword serial = 0;  // number of groups that have used this slot, so that old keys are known
-    int parts = 0;        // keys made by New() and Divide()
-    int arrived = 0;      // <= parts
+    // Number of groups that have used this slot.  Because it is part of a key, the keys of earlier
+    // groups are recognised.
+    longword serial = 0;
+    int parts = 0;    // number of keys made by New() and Divide()
+    int arrived = 0;  // number of parts whose vectors have arrived; <= parts
   };
-  // A key is serial << 8 | slot << 4 | part.
+  // The bits of a key are serial << 8 | slot << 4 | part.
   static constexpr int kSlots = ovrsynckeyMAX_NUM_KEY;
   Group* Find(OVRSyncKey key);
   const Group* Find(OVRSyncKey key) const { return const_cast<SyncKeys*>(this)->Find(key); }

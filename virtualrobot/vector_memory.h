@@ -1,5 +1,5 @@
-// Memory of vectors: safe reading of vectors that objects sent, and regions for vectors that the
-// robot sends.
+// The memory of vectors (messages with commands, sound, images or sensor values): safe reading of
+// vectors that objects sent, and regions for vectors that the robot sends.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -12,55 +12,61 @@ namespace openr_host {
 
 class System;
 
-// A vector that an object sent.  The object may have written wrong numbers into its header, so
-// nothing behind the end of the region is read.
+// A vector that an object sent.  Because the object may have written wrong numbers into the header,
+// every access is checked against the end of the region.
 struct SentVector {
   RCRegion* region = nullptr;
-  size_t bytes = 0;                   // bytes that may be read
-  ODataVectorInfo* header = nullptr;  // null: the bytes are too few for a header
-  int elements = 0;                   // numData, but no more than have memory for their infos
+  size_t bytes = 0;                   // number of bytes that may be read
+  ODataVectorInfo* header = nullptr;  // null: the region is too small for a header
+  // Number of elements: header->numData, or fewer when the region has no room for all their infos.
+  int elements = 0;
 
-  // Address of `size` bytes at `offset` of the vector; null when some of them lie outside.
+  // Returns the address of `size` bytes at `offset` in the vector; null when some of the bytes lie
+  // outside the region.
   char* At(size_t offset, size_t size) const;
 };
 
-// Reads the header of the vector in `region`.  Adds a text to `problems` for each thing that is
-// wrong with it.  `kind` is "command vector" or "sound vector"; `info_size` is the size of the info
-// of one element.
+// Reads the header of the vector in `region`.  Adds to `problems` a text for each mistake in the
+// header.  `kind` is "command vector" or "sound vector"; `info_size` is the size of the info of one
+// element.
 SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, System& system,
                           std::vector<std::string>* problems);
 
-// Whether the header has the id of the memory in which the vector came.  The robot finds the vector
-// by that id and answers a wrong id with oINVALID_DATA_VECTOR_ID.  A vector in memory of a system
-// object counts as good with any id: TCPGateway copies vectors of programs on other machines there,
-// and their headers have ids of those machines.
+// Returns whether the header has the id of the memory in which the vector came.  The robot finds
+// the vector by this id and answers a wrong id with oINVALID_DATA_VECTOR_ID.  When a system object
+// made the memory, any id is accepted: TCPGateway copies vectors of programs on other machines into
+// its memory, and their headers have ids of those machines.
 bool NamesItsMemory(const SentVector& vector, System& system);
 
-// The synchronisation key of a vector; ovrsynckeyUNDEF when the region is too small for a header.
+// Returns the synchronisation key of the vector in `region`; ovrsynckeyUNDEF when the region is too
+// small for a header.
 OVRSyncKey SyncKeyOf(const RCRegion& region);
 
-// Frames by which the vector asks to be delayed.  More than 10 s is a problem.
+// Returns the number of frames (8 ms) by which the vector asks to be delayed.  Adds a text to
+// `problems` when the delay is more than 10 s.
 int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems);
 
-// Regions that the robot fills for one stream of vectors and uses again when they are free.  A
-// region is free when no object refers to it.
+// The regions that the robot fills for one stream of vectors.  A region is used again when it is
+// free, that is, when no object refers to it.
 class VectorPool {
  public:
-  // A free region.  Null when all are in use; then the caller makes one and calls Add().
+  // Returns a free region.  Returns null when all are in use; then the caller makes a region and
+  // calls Add().
   RCRegion* Free() const;
 
-  // Takes over `region` with one reference.  Adds a finding when objects keep very many regions.
-  // Runs as code of an object.
+  // Adds `region` to the pool, which takes over its only reference.  Adds a finding when objects
+  // keep very many regions.  REQUIRES: called in a handler of an object, because RCRegion counts
+  // references per object.
   void Add(RCRegion* region);
 
  private:
-  static constexpr size_t kMany = 64;  // chosen; 2 s of sensors
+  static constexpr size_t kMany = 64;  // our choice; as many as the sensor vectors of 2 s
 
   std::vector<RCRegion*> regions_;
 };
 
-// Makes a region for a vector with `elements` infos and `data_bytes` behind them, and fills in the
-// header.  The one reference to it belongs to the caller.
+// Makes a region for a vector with `elements` infos, followed by `data_bytes` bytes of data, and
+// fills in the header.  The caller owns the only reference to the region.
 RCRegion* NewVectorRegion(ODataType type, size_t info_size, size_t elements, size_t data_bytes);
 
 }  // namespace openr_host

@@ -14,17 +14,17 @@ namespace openr_host {
 
 class VectorTurn {
  public:
-  // Tells `keys` that the first vector, which carries `key`, waits to start.  Further calls for the
-  // same vector change nothing.  Called in each frame for all queues of a robot before MayStart()
-  // of any of them.
+  // Reports to `keys` that the first vector, which carries `key`, waits to start.  Further calls
+  // for the same vector change nothing.  Called in each frame of 8 ms for all queues of a robot,
+  // before MayStart() of any of them.
   void Announce(OVRSyncKey key, SyncKeys* keys) {
     if (announced_) return;
     keys->Arrive(key);
     announced_ = true;
   }
 
-  // Whether the first vector may start in this frame.  A vector that has waited for 10 s is a
-  // problem.
+  // Returns whether the first vector may start in this frame.  Adds a text to `problems` when the
+  // vector has waited for 10 s.
   bool MayStart(OVRSyncKey key, const SyncKeys& keys, std::vector<std::string>* problems) {
     if (keys.MayStart(key)) return true;
     if (++frames_waited_ == kLongFrames) {
@@ -38,11 +38,11 @@ class VectorTurn {
 
   bool announced() const { return announced_; }
 
-  // Tells that the first vector has started, so that the next one is the first now.
+  // Notes that the first vector has started, so that the next vector becomes the first.
   void Next() { *this = {}; }
 
  private:
-  static constexpr int kLongFrames = 1250;  // 10 s; chosen
+  static constexpr int kLongFrames = 1250;  // 10 s; our choice
 
   bool announced_ = false;
   int frames_waited_ = 0;

@@ -1,5 +1,6 @@
-// The robot as the functions of OPENR:: see it: each call of an object about primitives, gains,
-// power or time is answered here.  Frames are run by OVirtualRobotComm (virtual_robot_comm.cc).
+// The robot as the functions of OPENR:: see it.  This class answers the calls of objects about
+// primitives (joints, sensors, lights ...), gains, power and time.  OVirtualRobotComm runs the
+// frames of 8 ms (virtual_robot_comm.cc).
 //
 //   RobotModel model = LoadRobotModel(".../ers210.json");
 //   AddVirtualRobot(&system, dog, model, MakeOdeBody(model, World()),
@@ -17,7 +18,7 @@ namespace openr_host {
 
 class VirtualRobot : public RobotServices {
  public:
-  // `model` must outlive the robot.
+  // Makes robot number `robot` of `system`.  `system` and `model` must outlive the robot.
   VirtualRobot(System* system, int robot, const RobotModel& model, std::unique_ptr<Body> body,
                VirtualRobotOptions options = {});
   ~VirtualRobot() override;
@@ -31,35 +32,35 @@ class VirtualRobot : public RobotServices {
   Power& power() { return parts_.power; }
   const OSensorValue& sensor(int index) const { return parts_.sensors.Latest(index); }
 
-  // Frames completed since boot.
+  // Returns the number of frames completed since boot.
   int64_t frame() const { return parts_.frame - parts_.first_frame; }
 
-  // Sets the number of the first frame, as on a robot that has been on for days.
-  // REQUIRES: no frame has run yet.
+  // Sets the number of the first frame, to simulate a robot that has been on for days.  REQUIRES:
+  // no frame has run yet.
   void set_first_frame(int64_t frame);
 
-  // Whether the camera completed an image with the newest frame.
+  // Returns whether the camera completed an image with the newest frame.
   bool ImageIsDue() const { return parts_.camera.Due(parts_.frame); }
 
-  // Takes the picture that the camera has just completed; see CameraDevice::TakePicture().
+  // Takes the picture that the camera has just completed (see CameraDevice::TakePicture()).
   std::string TakePicture(Picture* picture) {
     return parts_.camera.TakePicture(parts_.frame, *parts_.body, picture);
   }
 
-  // Completes the file of the speaker at the end of the run.  Returns "" or "FILE: cannot be
-  // written: why".
+  // Completes the file of the speaker at the end of the run.  Returns "", or an error "FILE: cannot
+  // be written: reason".
   std::string CloseFiles() { return parts_.speaker.Close(); }
 
-  // Presses the pause button, as a person would on the robot's back; see Power::PressPause().
+  // Presses the pause button, as a person would on the robot's back (see Power::PressPause()).
   void PressPause() { parts_.power.PressPause(); }
 
-  // Tells that the object, which may have sent command vectors, has crashed; see SafePosture.
+  // Starts to move the joints of `object`, which has crashed, to a safe posture (see SafePosture).
   void CommanderIsGone(ObjectId object) {
     parts_.safe_posture.CommanderIsGone(object, parts_.frame);
   }
   void CommanderIsBack(ObjectId object) { parts_.safe_posture.CommanderIsBack(object); }
 
-  // The parts of this robot, for its system objects.
+  // Returns the parts of this robot, for its system objects.
   RobotParts& parts() { return parts_; }
 
   // ---- RobotServices
@@ -96,24 +97,24 @@ class VirtualRobot : public RobotServices {
   void HashState(Hasher* hasher) const override;
 
  private:
-  // Calls `function` with the index of one joint, or of every opened joint when `id` is
+  // Calls `function` with the index of joint `id`, or of every opened joint when `id` is
   // oprimitiveID_UNDEF.
   template <typename Function>
   OStatus ForJoints(OPrimitiveID id, Function function);
 
-  // Warns about servos that a change of gains or motor power has just made active.
+  // Adds warnings about servos that a change of gains or motor power has just made active.
   void CheckServos();
 
-  // The primitive that `function` of OPENR:: is to read; null when it has no sensor.  Warns when no
-  // object opened it, because its value means nothing on the robot then.
+  // Returns the primitive that `function` of OPENR:: reads; null when primitive `id` has no sensor.
+  // Warns when no object has opened the primitive, because its value then means nothing on the
+  // robot.
   const Primitive* Readable(OPrimitiveID id, const char* function);
 
   RobotParts parts_;
 };
 
-// Gives robot `robot` of `system` a body and its system objects, OVirtualRobotComm and
-// OVirtualRobotAudioComm.
-// `model` must outlive the system.
+// Gives robot `robot` of `system` a body and its two system objects, OVirtualRobotComm and
+// OVirtualRobotAudioComm.  `model` must outlive the system.
 VirtualRobot* AddVirtualRobot(System* system, int robot, const RobotModel& model,
                               std::unique_ptr<Body> body, VirtualRobotOptions options = {});
 

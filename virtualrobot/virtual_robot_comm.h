@@ -1,6 +1,6 @@
-// The system object with the services Effector, Sensor and FbkImageSensor.  It is the clock of the
-// robot: Frame() runs every 8 ms, from n * 8 ms to (n + 1) * 8 ms for frame n, and is posted for
-// the end of the frame.
+// The system object with the services Effector, Sensor and FbkImageSensor.  This object is the
+// clock of the robot: it runs Frame() every 8 ms.  Frame n lasts from n * 8 ms to (n + 1) * 8 ms,
+// and Frame() runs at its end.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct RobotParts;
 
 class OVirtualRobotComm : public CodeObject {
  public:
-  // `robot` must outlive the object.
+  // Makes the object for the parts of `robot`, which must outlive the object.
   explicit OVirtualRobotComm(RobotParts* robot);
   ~OVirtualRobotComm() override;
 
-  // The object that plays and records sound in the same frames.  Null: there is none.
+  // Sets the object that plays and records sound in the same frames; null means that there is none.
   void set_sound(OVirtualRobotAudioComm* sound) { sound_ = sound; }
 
   OStatus DoStart(const OSystemEvent& event) override;
@@ -33,7 +33,7 @@ class OVirtualRobotComm : public CodeObject {
   void Frame();
   void PostNextFrame();
   void ReportOverload();
-  // Adds a warning about the object of `subject` for each problem.
+  // Adds a warning about the object that has `subject` for each text in `problems`.
   void Report(const SubjectID& subject, std::vector<std::string> problems);
 
   RobotParts& robot_;
@@ -41,10 +41,10 @@ class OVirtualRobotComm : public CodeObject {
   OObserver* effector_;
   OSubject* sensor_;
   OSubject* image_;
-  RegionReference exposed_;  // the image that is being read out of the camera's sensor
+  RegionReference exposed_;  // the image that the camera is reading out of its sensor
   Selector frame_;
   bool running_ = false;
-  std::vector<CommandQueue> queues_;  // one for each subject, in the order of their first vectors
+  std::vector<CommandQueue> queues_;  // in the order of the senders' first vectors
 };
 
 }  // namespace openr_host

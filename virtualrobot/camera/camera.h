@@ -1,4 +1,5 @@
-// The camera in the head: its settings, its colour tables, and the image vectors.
+// The camera in the robot's head: its settings, its colour tables, and the vectors (messages) with
+// its images.  A frame is 8 ms of virtual time.
 #pragma once
 
 #include <OPENR/OPrimitiveControl.h>
@@ -20,11 +21,12 @@ class Hasher;
 
 class CameraDevice {
  public:
-  // Null as `source` is the test pattern.  `model` must outlive the camera.
+  // Makes a camera that takes its pictures from `source`; null means the test pattern.  `model`
+  // must outlive the camera.  `id` identifies the camera in its image vectors.
   CameraDevice(std::unique_ptr<ImageSource> source, const Camera& model, OPrimitiveID id);
 
-  // Settings of the requests in OPrimitiveControl.h.  Return false for a value that is not listed
-  // there.
+  // Change the settings for which OPrimitiveControl.h defines requests.  The functions that return
+  // a bool return false for a value that is not listed in that file.
   bool SetWhiteBalance(longword mode);
   bool SetGain(longword gain);
   bool SetShutter(longword shutter);
@@ -32,21 +34,22 @@ class CameraDevice {
   void set_auto_white_balance(bool on);
   ColourTables& tables() { return tables_; }
 
-  // Number of images since boot that are complete when frame `frame` begins.  An ERS-210 has one
-  // every 5 frames.
+  // Returns how many images have been completed since boot when frame `frame` begins.  An ERS-210
+  // completes an image every 5 frames.
   int64_t ImagesBefore(int64_t frame) const;
-  // Whether an image was completed just before `frame`.
+  // Returns whether an image was completed just before `frame`.
   bool Due(int64_t frame) const { return ImagesBefore(frame) > ImagesBefore(frame - 1); }
 
-  // A vector with the image that was completed just before `frame`, in a region to which no object
-  // refers.  The samples of frame `frame` - 1 belong to the image.  The one reference to the region
-  // stays here.  *problem is "" or why the source has no picture; then the image is the last one.
-  // Runs as code of an object.
+  // Returns a vector with the image that was completed just before frame `frame`, in a region to
+  // which no object refers.  The sensor samples of frame `frame` - 1 belong to this image.  The
+  // camera keeps the only reference to the region.  Sets *problem to "", or to the reason why the
+  // source has no picture; then the vector shows the previous picture again.  REQUIRES: called in a
+  // handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(int64_t frame, const Body& body, std::string* problem);
 
-  // The same image for a reader outside of the run, before it is split into layers: in the size of
-  // the sensor, with gain, shutter and white balance.  Changes no state.  Returns "" or why there
-  // is no picture.
+  // Takes the picture of the same image for a reader outside the simulation, before it is split
+  // into layers: in the size of the sensor, with gain, shutter and white balance applied.  Changes
+  // no state.  Returns "", or the reason why there is no picture.
   std::string TakePicture(int64_t frame, const Body& body, Picture* picture);
 
   void HashState(Hasher* hasher) const;
@@ -66,8 +69,8 @@ class CameraDevice {
   Exposure exposure_;
   VectorPool pool_;
 
-  // Defaults are those of Model Information ERS-210, 4.1.2.  Chosen: which of the two gains of 0 dB
-  // is the default, and that both automatic functions are off.
+  // Settings at boot, from Model Information ERS-210, 4.1.2.  Two things are our choice: which of
+  // the two gains of 0 dB is the default, and that both automatic functions are off.
   longword white_balance_ = ocamparamWB_FL_MODE;
   longword gain_ = ocamparamGAIN_MID;
   longword shutter_ = ocamparamSHUTTER_MID;

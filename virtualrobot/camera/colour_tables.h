@@ -1,6 +1,7 @@
-// Colour detection (robot.md, 11.3).  A table is a colour: for each of 32 segments of luminance it
-// has a rectangle of Cr and Cb.  There are eight tables, called channels, and a pixel gets one bit
-// for each.
+// Colour detection (robot.md, 11.3).  A colour table describes one colour to detect: for each of 32
+// segments of luminance, it has a rectangle of Cr and Cb.  There are eight tables, one for each
+// channel.  A pixel of the result is a byte; its bit k says whether the pixel matches the table of
+// channel k.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -15,12 +16,14 @@ class Hasher;
 
 class ColourTables {
  public:
-  // Sets the table of one channel.  Returns false when `info.channel` is not exactly one channel.
+  // Sets the table of the channel that `info.channel` names.  Returns false when `info.channel` is
+  // not the constant of exactly one channel.
   bool Set(const OCdtInfo& info);
 
   bool empty() const { return used_ == 0; }
 
-  // Bit k is set when the pixel falls into the table of channel k.
+  // Returns a byte in which bit k is set when the pixel with these values matches the table of
+  // channel k.
   uint8_t Detect(uint8_t y, uint8_t cr, uint8_t cb) const {
     const size_t segment = y / (256 / ocdtMAX_Y_SEGMENT);
     return cr_[segment][cr] & cb_[segment][cb];
@@ -29,11 +32,11 @@ class ColourTables {
   void HashState(Hasher* hasher) const;
 
  private:
-  // [segment][value]: bits of the channels whose range contains the value.
+  // [segment][value]: bit k is set when the range of channel k contains `value`.
   using Bits = std::array<std::array<uint8_t, 256>, ocdtMAX_Y_SEGMENT>;
   Bits cr_{};
   Bits cb_{};
-  uint8_t used_ = 0;  // bits of the channels that have a table
+  uint8_t used_ = 0;  // bit k is set when channel k has a table
 };
 
 }  // namespace openr_host

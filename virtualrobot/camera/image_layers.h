@@ -1,15 +1,20 @@
-// Converts a picture to the four layers of an image vector (robot.md, 11).
+// Converts a picture to the four layers H, M, L and C of an image vector (robot.md, 11).
 //
-// Layer H has half the sensor's pixels in each direction, M half of H's, L half of M's.
-// Each has six bands, interleaved row by row: Y, Cr, Cb, and LH, HL, HH, from which programs
-// compute Y in twice the resolution.  One pixel of Y stands for four pixels of the picture, a and b
-// above c and d.  Each of the last three bands is offset by 128:
+// Layer H has half the sensor's pixels in each direction, layer M half of those of H, and layer L
+// half of those of M.  Each of these three layers has six bands, interleaved row by row: Y
+// (luminance), Cr, Cb, LH, HL and HH.  Programs use LH, HL and HH to compute Y in twice the
+// resolution.  One pixel of a layer stands for four pixels of the picture or of the layer above,
+// where a and b lie above c and d.  LH, HL and HH are offset by 128:
 //
 //   Y = (a+b+c+d)/4   LH = (a+b-c-d)/4   HL = (a-b+c-d)/4   HH = (a-b-c+d)/4
 //
-// Cr = R - Y and Cb = B - Y, offset by 128 and cut off at 0 and 255.  Programs compute
-// R = Y + Cr, G = Y - 0.51 Cr - 0.19 Cb, B = Y + Cb.  Layer C has the colours that were detected in
-// M.
+// Cr = R - Y and Cb = B - Y, offset by 128 and limited to 0 to 255.  Programs compute the colour
+// from them:
+//
+//   R = Y + Cr   G = Y - 0.51 Cr - 0.19 Cb   B = Y + Cb
+//
+// Layer C has the size of M; each of its pixels is a byte that says which colours were detected in
+// M (colour_tables.h).
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -23,33 +28,38 @@
 
 namespace openr_host {
 
-// Maps the values of a picture to those of the image: [red, green, blue][value].
+// Table that maps each value of the picture to its value in the image: [red, green, blue][value].
 using Exposure = std::array<std::array<uint8_t, 256>, 3>;
 
 class ImageLayers {
  public:
-  // REQUIRES: width and height are multiples of 8; layer C is at least as wide as a tag (16).
+  // `width` and `height` are the size of the sensor in pixels.  REQUIRES: both are multiples of 8,
+  // and layer C is at least 16 pixels wide, which is the size of a tag (see Make()).
   ImageLayers(int width, int height);
 
   static constexpr size_t kBands = 6;
-  size_t BytesOf(OFbkImageLayer layer) const;  // size of the data of a layer
+  size_t BytesOf(OFbkImageLayer layer) const;  // size of the layer's data
   int WidthOf(OFbkImageLayer layer) const;
   int HeightOf(OFbkImageLayer layer) const;
 
-  // Fills in the data of all layers of `vector`.  The last row of each layer (of the Y band, if
-  // there is one) begins with the tag instead of pixels.  REQUIRES: `picture` has the size of the
-  // sensor; the infos of `vector` are filled in.
+  // Fills in the data of all layers of `vector`.  In each layer, the last row begins with a tag
+  // (field counter and pixel counts of the colours) instead of pixels.  In a layer with bands, only
+  // the Y band has the tag.  REQUIRES: `picture` has the size of the sensor; the infos of `vector`
+  // are filled in.
   void Make(const Picture& picture, const Exposure& exposure, const ColourTables& tables,
             word field_counter, OFbkImageVectorData* vector);
 
  private:
-  size_t BytesOfRow(OFbkImageLayer layer) const;  // all bands together
+  size_t BytesOfRow(OFbkImageLayer layer) const;  // bytes of one row with all its bands
   void ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h);
-  // Computes Y, LH, HL and HH of a layer from luminance of twice the size.
+  // Computes Y, LH, HL and HH of `layer` into `to` from the luminance `from`, which has twice the
+  // width and height; its rows are `row_bytes` apart.
   void SplitLuminance(const byte* from, size_t row_bytes, OFbkImageLayer layer, byte* to) const;
-  // Computes Cr and Cb of a layer from those of the layer with twice the size.
+  // Computes Cr and Cb of `layer` into `to` from the layer `from`, which has twice the width and
+  // height.
   void HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const;
-  // Computes layer C from layer M, and counts the pixels of each channel.
+  // Computes layer C from layer M, and counts into `counts` the pixels in which each channel was
+  // detected.
   void DetectColours(const byte* layer_m, const ColourTables& tables, byte* layer_c,
                      std::array<int, ocdtNUM_CHANNELS>* counts) const;
 

@@ -1,4 +1,4 @@
-// Sources of the pictures that the camera takes: a test pattern, files, memory.
+// Sources of the pictures that the camera takes: a test pattern, files, or pictures in memory.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,7 +10,7 @@
 
 namespace openr_host {
 
-// A picture: red, green and blue with 8 bits each, row by row from the top left.
+// A picture with 8 bits each for red, green and blue, row by row from the top left.
 struct Picture {
   int width = 0, height = 0;
   std::vector<uint8_t> rgb;
@@ -24,7 +24,7 @@ struct Picture {
 struct CameraShot {
   int64_t number = 0;  // number of the image since boot, from 1
   int64_t frame = 0;   // frame in which the image was taken; its sensor samples belong to the image
-  // Pose of the lens in the world: x along the optical axis, y to the left, z up.
+  // Pose of the lens in the world W, with x along the optical axis, y to the left and z up.
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   double fov_h_rad = 0, fov_v_rad = 0;
 };
@@ -33,23 +33,24 @@ class ImageSource {
  public:
   virtual ~ImageSource() = default;
 
-  // Fills `picture`, which has the size of the camera's sensor (ERS-210: 352 x 288).  Returns "" or
-  // why there is no picture; then `picture` is unchanged.
+  // Fills `picture`, which already has the size of the camera's sensor (ERS-210: 352 x 288 pixels).
+  // Returns "", or the reason why there is no picture; then `picture` is unchanged.
   virtual std::string Capture(const CameraShot& shot, Picture* picture) = 0;
 };
 
-// The test pattern: eight colour bars above a wedge of greys, a pink ball that moves, and the
-// number of the image as 16 black and white cells along the top, highest bit first.  It is computed
-// with integers, so it is the same on every machine.
+// The test pattern: eight colour bars above a grey scale, a pink ball that moves, and the number of
+// the image as 16 black and white cells along the top, highest bit first.  Because the pattern is
+// computed with integers, it is the same on every machine.
 class TestPattern : public ImageSource {
  public:
   std::string Capture(const CameraShot& shot, Picture* picture) override;
 
  private:
-  Picture still_;  // the pattern without ball and number
+  Picture still_;  // the pattern without the ball and the number
 };
 
-// Shows the same pictures again and again, in order.  A picture of another size is scaled.
+// Shows the given pictures in order, again and again.  A picture of another size than the sensor is
+// scaled.
 class MemoryImageSource : public ImageSource {
  public:
   // REQUIRES: `pictures` is not empty.
@@ -60,15 +61,17 @@ class MemoryImageSource : public ImageSource {
   const std::vector<Picture> pictures_;
 };
 
-// Shows the .png and .ppm files of a folder in the order of their names, one for each image.  After
-// the last file comes the first again.  Throws std::runtime_error when the folder has no such file.
+// Opens a source that shows the .png and .ppm files of `folder` in the order of their names, one
+// file for each image.  After the last file it starts again with the first.  Throws
+// std::runtime_error when the folder cannot be read or has no such file.
 std::unique_ptr<ImageSource> OpenImageFolder(const std::string& folder);
 
-// Reads a PNG or a PPM (P6) file.  Throws std::runtime_error with the file and what is wrong with
-// it.
+// Reads a PNG or PPM (P6) file.  Throws std::runtime_error that names the file and says what is
+// wrong with it.
 Picture ReadPicture(const std::string& file);
 
-// Scales `from` to the size that `to` has, by nearest pixels.
+// Scales `from` to the size that `to` has; each pixel of `to` is a copy of the nearest pixel of
+// `from`.
 void ScalePicture(const Picture& from, Picture* to);
 
 }  // namespace openr_host

@@ -1,9 +1,10 @@
-// A robot as plain data: bodies, joints, limits, gains, sensors, lights, postures.
+// A robot as plain data: parts, joints, limits, gains, sensors, lights, postures.
 //
 // The numbers are in model/*.json, where each table names its source.  Units here are SI and
-// radians; the files have mm, g and degrees.  All places, axes and box centres are given in the
-// base frame B with all joints at 0.  In this pose the frame of every link coincides with B
-// (docs/body.md).
+// radians; the files use mm, g and degrees.  All places, axes and box centres are given in the base
+// frame B with all joints at 0.  In this pose the frame of every part coincides with B
+// (docs/body.md).  A locator is the name by which OPEN-R finds a part of the robot, for example
+// "PRM:/r2/c1-Joint2:j1".
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +15,8 @@
 
 namespace openr_host {
 
-// Gains as OPENR::SetJointGain() takes them.  A gain g with shift s acts like
-// g * 2^(s - 16) (robot.md section 8).
+// Gains of a servo, as OPENR::SetJointGain() takes them.  A gain with a shift acts like gain *
+// 2^(shift - 16) (robot.md, section 8).
 struct PidGains {
   uint16_t p = 0, i = 0, d = 0;
   uint16_t p_shift = 0, i_shift = 0, d_shift = 0;
@@ -27,52 +28,52 @@ struct Range {
   double max = 0;  // >= min
 };
 
-// A rigid part of a robot.  Body 0 is the trunk, which has the base frame.  Every other body is the
-// child of exactly one joint, and a parent comes before its children.
+// A rigid part of a robot.  Part 0 is the trunk, whose frame is B.  Every other part is the child
+// of exactly one joint, and a parent comes before its children.
 struct BodyPart {
   std::string name;
-  double mass_kg = 0;                 // >= 0; the ODE body wants > 0
-  bool has_box = false;               // false: shape unknown, no ODE body possible
-  Eigen::Vector3d size_m{0, 0, 0};    // full edges, parallel to B at zero angles
+  double mass_kg = 0;    // >= 0; the body simulated with ODE requires > 0
+  bool has_box = false;  // false: the shape is not known, and ODE cannot simulate the robot
+  Eigen::Vector3d size_m{0, 0, 0};    // lengths of the edges, parallel to B at zero angles
   Eigen::Vector3d centre_m{0, 0, 0};  // centre of the box and centre of mass
-  int joint = -1;                     // index of the joint that carries it; -1 for the trunk
+  int joint = -1;                     // index of the joint that moves the part; -1 for the trunk
 };
 
-// The ball at the end of a leg.  It is a part of `body` and has no mass of its own.
+// The ball at the end of a leg.  The ball belongs to part `body` and has no mass of its own.
 struct Paw {
   std::string leg;  // "LF", "LH", "RF", "RH"
   int body = -1;
   Eigen::Vector3d centre_m{0, 0, 0};
   double radius_m = 0;
-  int sensor = -1;  // index of its switch in RobotModel::sensors
+  int sensor = -1;  // index in RobotModel::sensors of the switch under the paw
 };
 
-// A motor with its hinge.  The angle of the joint is the right-handed rotation of `child` about
-// `axis` and equals the OPEN-R joint value.
+// A motor with its hinge.  The angle of the joint is the right-handed rotation of part `child`
+// about `axis`; it equals the joint value of OPEN-R.
 struct JointModel {
   std::string name;     // "LF_j1"
   std::string locator;  // "PRM:/r2/c1-Joint2:j1"
   int parent = -1;
   int child = -1;
-  Eigen::Vector3d axis{0, 0, 0};  // unit vector along an axis of B, either sign
+  Eigen::Vector3d axis{0, 0, 0};  // unit vector along a coordinate axis of B, in either direction
   Eigen::Vector3d anchor_m{0, 0, 0};
-  Range soft_rad;              // limits for commands
+  Range soft_rad;              // limits for set points
   Range hard_rad;              // mechanical stops
-  Range speed_rad_s;           // slowest and fastest planned movement
+  Range speed_rad_s;           // lowest and highest speed of planned movements
   PidGains gains;              // the vendor's standard gains
-  double stall_torque_nm = 0;  // torque at full drive and speed 0; 0: not known
+  double stall_torque_nm = 0;  // torque at full drive and speed 0, in N m; 0: not known
   int sensor = -1;             // index in RobotModel::sensors
-  int mtn = -1;                // index in the key frames of motion files; -1: in none
+  int mtn = -1;                // index in the key frames (postures) of motion files; -1: in none
 };
 
 struct Led {
   std::string name;
   std::string locator;
   std::string type;    // "LED2", "LED3"
-  std::string colour;  // empty: not known
+  std::string colour;  // "": not known
 };
 
-// An ear: two positions, no sensor.
+// An ear.  The plunger that moves it has two positions, on and off, and no sensor.
 struct Plunger {
   std::string name;
   std::string locator;
@@ -86,7 +87,7 @@ struct Plunger {
 
 enum class SensorKind { kJoint, kForce, kDistance, kSwitch, kTemperature, kAcceleration, kRaw };
 
-// A row of the distance table: at `distance_m` the sensor measures `value_m`, plus or minus
+// A row of a distance sensor's table: at `distance_m` the sensor measures `value_m`, plus or minus
 // noise * value_m.
 struct DistanceRow {
   double distance_m = 0;
@@ -94,20 +95,20 @@ struct DistanceRow {
   double noise = 0;
 };
 
-// An element of the sensor vector, at the same index as in RobotModel::sensors.
+// A sensor.  Its index in RobotModel::sensors is also the index of its element in sensor vectors.
 struct Sensor {
   std::string name;
   std::string locator;
   SensorKind kind = SensorKind::kRaw;
   bool has_range = false;
   int64_t min = 0, max = 0;  // limits in the sensor's OPEN-R unit (10^-6 rad, N, m, m/s^2; 0 or 1)
-  int joint = -1;            // kJoint: the joint whose angle is measured
-  int paw = -1;              // kSwitch of a paw: index in RobotModel::paws
-  int body = -1;             // kDistance: the part that carries the sensor; -1: not known
+  int joint = -1;            // kJoint: index of the joint whose angle is measured; otherwise -1
+  int paw = -1;              // kSwitch of a paw: index in RobotModel::paws; otherwise -1
+  int body = -1;             // kDistance: index of the part that carries the sensor; -1: not known
   Eigen::Vector3d place_m{0, 0, 0};
   Eigen::Vector3d direction{
       0, 0, 0};  // unit vector; kDistance: of the ray, kAcceleration: of the axis in B
-  std::vector<DistanceRow> lookup;  // kDistance: rising distances, at least two rows
+  std::vector<DistanceRow> lookup;  // kDistance: at least two rows, in rising order of distance_m
 };
 
 struct Camera {
@@ -118,7 +119,7 @@ struct Camera {
   int width_px = 0, height_px = 0;
   double frames_per_s = 0;
   double fov_h_rad = 0, fov_v_rad = 0;
-  std::vector<std::pair<int, int>> layers;  // width, height of layers H, M, L
+  std::vector<std::pair<int, int>> layers;  // width and height of the layers H, M and L, in pixels
 };
 
 struct Posture {
@@ -129,7 +130,7 @@ struct Posture {
 struct RobotModel {
   std::string name;                     // "ERS-210"
   std::string design;                   // result of OPENR::GetRobotDesign()
-  std::vector<std::string> mtn_labels;  // design labels of motion files for this robot
+  std::vector<std::string> mtn_labels;  // design labels of the motion files that fit this robot
   std::vector<BodyPart> bodies;
   std::vector<Paw> paws;
   std::vector<JointModel> joints;
@@ -140,28 +141,29 @@ struct RobotModel {
   Camera camera;
   std::string speaker_locator;
   std::string microphone_locator;
-  int microphone_frames = 0;  // frames of 8 ms in one sound vector
+  int microphone_frames = 0;  // number of frames of 8 ms in one sound vector
   std::vector<Posture> postures;
   uint64_t content_hash = 0;  // hash of the text of the model file
 
-  // Indices by name or locator; -1 when the model has none of that name.
+  // Return the index of the element with this name or locator; -1 when the model has no such
+  // element.
   int FindBody(std::string_view body_name) const;
   int FindJoint(std::string_view joint_name) const;
   int FindJointByLocator(std::string_view locator) const;
   int FindSensorByLocator(std::string_view locator) const;
 
-  // Angles of the posture with that name.  Throws std::runtime_error with the names of all postures
-  // when there is none.
+  // Returns the angles of the posture with this name, in radians.  When the model has no such
+  // posture, throws std::runtime_error with the names of all postures.
   const std::vector<double>& PostureAngles(std::string_view posture_name) const;
 
   double TotalMassKg() const;
 };
 
-// Reads one of model/*.json.  Throws std::runtime_error with file, place and value when the file
-// cannot be read or describes an impossible robot.
+// Reads a model file (model/*.json).  Throws std::runtime_error with file, place and value when the
+// file cannot be read or describes an impossible robot.
 RobotModel LoadRobotModel(const std::string& path);
 
-// Reads a model from text; `name` is the name of the file in errors.
+// Reads a model from `text`; errors name the file as `name`.
 RobotModel ParseRobotModel(const std::string& text, const std::string& name);
 
 }  // namespace openr_host

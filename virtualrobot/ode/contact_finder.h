@@ -1,9 +1,9 @@
-// Finds the points at which paws and boxes of a robot touch the floor and the static boxes of its
-// world.
+// Finds the points at which the paws and boxes of a robot touch the floor and the static boxes of
+// its world.
 //
-// Our own code tests each part against the floor.  Parts are not tested against each other
-// (docs/body.md says why), so ODE's collision spaces are not needed.  Static boxes go through ODE's
-// box and sphere colliders.
+// Our own code tests each part against the floor.  Because parts are not tested against each other
+// (docs/body.md says why), ODE's collision spaces are not needed.  ODE's colliders for boxes and
+// spheres test the parts against the static boxes.
 #pragma once
 
 #include <ode/ode.h>
@@ -16,35 +16,38 @@
 namespace openr_host {
 
 struct ContactPoint {
-  // Number of the paw, or of the corner of a part's box, that touches: 0 to
-  // ContactFinder::features() - 1.  The same place of the robot has the same number in every step.
+  // Number of the place of the robot that touches, a paw or a corner of a part's box: 0 to
+  // ContactFinder::features() - 1.  The same place has the same number in every step.
   int feature = 0;
-  int body = -1;  // index in RobotModel::bodies
-  int paw = -1;   // index of the paw, -1 for a box
+  int body = -1;  // index of the part in RobotModel::bodies
+  int paw = -1;   // index in RobotModel::paws; -1 when the part's box touches
   Eigen::Vector3d p_W{0, 0, 0};
-  Eigen::Vector3d normal_W{0, 0, 1};  // out of the ground
+  Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the floor or static box
   double depth_m = 0;                 // >= 0
 };
 
 class ContactFinder {
  public:
-  // `bodies` are the ODE bodies of `model`, in order; they must outlive the finder.
+  // Makes a finder for a robot whose parts are the ODE bodies `bodies`, in the order of `model`.
+  // `model` and `bodies` must outlive the finder.
   ContactFinder(const RobotModel& model, const World& world, const std::vector<dBodyID>& bodies);
   ~ContactFinder();
   ContactFinder(const ContactFinder&) = delete;
   ContactFinder& operator=(const ContactFinder&) = delete;
 
-  // Number of features: paws first, then 8 corners per body.
+  // Returns the number of places that can touch: the paws come first, then 8 corners for each part.
   int features() const;
 
-  // All points that touch now, in the order of the model.  Valid until the next call.
+  // Returns all points that touch now, in the order of the model.  The result is valid until the
+  // next call.
   const std::vector<ContactPoint>& Find();
 
  private:
   void FindPawOnFloor(int paw);
   void FindBoxOnFloor(int body);
 
-  // Finds where part `body` touches the static boxes; where its paw `paw` does when that is not -1.
+  // Adds the points at which part `body` touches the static boxes.  If `paw` is not -1, tests the
+  // ball of that paw instead of the part's box.
   void FindOnStaticBoxes(int body, int paw);
 
   const RobotModel& model_;

@@ -1,4 +1,4 @@
-// Angle and speed of a joint, measured on the two ODE bodies that the joint connects.
+// Measures the angle and the speed of a joint on the two ODE bodies that the joint connects.
 #pragma once
 
 #include "virtualrobot/model/robot_model.h"
@@ -7,20 +7,21 @@ struct dxBody;  // ODE's rigid body
 
 namespace openr_host {
 
-// The coordinate axis of the parent about which a joint turns (0, 1, 2), and its direction (+1,
-// -1).
+// The axis about which a joint turns: coordinate axis `k` of the parent (0, 1, 2), in direction
+// `sign` (+1, -1).
 struct HingeAxis {
   int k = 0;
   double sign = 1;
 };
 
-// REQUIRES: joint.axis is a coordinate axis, as models are checked to have it.
+// Returns the axis of `joint`.  REQUIRES: joint.axis is a coordinate axis, which LoadRobotModel()
+// checks.
 HingeAxis HingeAxisOf(const JointModel& joint);
 
-// Rotation of `child` against `parent` about the axis, in [-pi, pi] rad.
+// Returns the rotation of `child` against `parent` about `axis`, in [-pi, pi] rad.
 double MeasureAngle(const HingeAxis& axis, dxBody* parent, dxBody* child);
 
-// The rate of that angle, rad/s.
+// Returns the rate of change of this rotation, in rad/s.
 double MeasureSpeed(const HingeAxis& axis, dxBody* parent, dxBody* child);
 
 }  // namespace openr_host

@@ -1,9 +1,10 @@
-// The robot as rigid bodies in ODE: boxes of uniform density, one hinge per joint, servos
-// that drive torques, contacts of paws and boxes with floor and static boxes.
+// The robot as rigid bodies in the physics engine ODE: boxes of uniform density, one hinge per
+// joint, servos that drive the hinges with torques, and contacts of paws and boxes with the floor
+// and with static boxes.
 //
-// docs/body.md gives the parameters, their sources and what they were measured to do.
-// ODE has two things of which a process has only one.  Its random generator is set from the body
-// before every step and put back after it; its thread pool is never used.
+// docs/body.md gives the parameters, their sources and their measured effects.  ODE has only one
+// random generator and one thread pool per process.  The generator gets this body's seed before
+// every step and is put back after it; the thread pool is never used.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,8 @@
 #include "virtualrobot/ode/hinge_measure.h"
 #include "virtualrobot/servo.h"
 
-// ODE's world, body and joint.  Declared here because only virtualrobot/ode includes ODE's headers.
+// ODE's world, body and joint.  They are declared here because only virtualrobot/ode includes ODE's
+// headers.
 struct dxWorld;
 struct dxBody;
 struct dxJoint;
@@ -25,26 +27,26 @@ namespace openr_host {
 class ContactFinder;
 class ContactSolver;
 
-// Parameters of the simulation.  Every run has the defaults; tests and benchmarks may ask for
-// another solver or step.
+// Parameters of the simulation.  Every run of the program has the defaults; tests and benchmarks
+// may use another solver or step.
 struct OdeSettings {
-  enum class Solver { kExact, kQuick };  // dWorldStep, dWorldQuickStep
+  enum class Solver { kExact, kQuick };  // kExact: dWorldStep(); kQuick: dWorldQuickStep()
   Solver solver = Solver::kExact;
   int steps_per_frame = 1;
-  int quick_iterations = 20;      // iterations of a step with kQuick
-  double joint_erp = 0.2;         // share of a hinge's error corrected per step
-  double joint_cfm = 1e-9;        // softness of hinges, SI
-  double contact_erp = 0.2;       // share of the depth pushed out per step
-  double contact_cfm = 2e-3;      // softness of contacts, m/s per N, in all directions
-  bool hold_contacts = true;      // cheap treatment of contacts that stick (contact_solver.h)
-  double depart_speed_m_s = 0.5;  // fastest push out of a contact
+  int quick_iterations = 20;  // number of iterations of a step with kQuick
+  double joint_erp = 0.2;     // share of a hinge's position error that is corrected in one step
+  double joint_cfm = 1e-9;    // softness of hinges, in SI units
+  double contact_erp = 0.2;   // share of a contact's depth that is corrected in one step
+  double contact_cfm = 2e-3;  // softness of contacts, in m/s per N, in all directions
+  bool hold_contacts = true;  // whether contacts that stick are treated cheaply (contact_solver.h)
+  double depart_speed_m_s = 0.5;  // highest speed at which a contact's depth is corrected
   ServoSettings servo;
 };
 
 class OdeBody : public Body {
  public:
-  // `model` must outlive the body.  Throws std::runtime_error when `model` has a part
-  // without box or mass, or a joint without torque.
+  // Makes a body in the model's sleeping posture.  `model` must outlive the body.  Throws
+  // std::runtime_error when `model` has a part without box or mass, or a joint without torque.
   OdeBody(const RobotModel& model, const World& world, const OdeSettings& settings = {});
   ~OdeBody() override;
 
@@ -55,10 +57,11 @@ class OdeBody : public Body {
   std::vector<Eigen::Isometry3d> BodyPoses() const override;
   void HashState(Hasher* hasher) const override;
 
-  // Pushes part `body` with `force_W` (N) at `p_W` during the next Advance() only.
+  // Pushes part `body` with `force_W` (in N) at the point `p_W` during the next Advance() only.
   void Push(int body, const Eigen::Vector3d& force_W, const Eigen::Vector3d& p_W);
 
-  // Largest distance in metres between the two ends of a hinge: how well joints hold.
+  // Returns the largest distance, in metres, between the two ends of a hinge.  It tells how well
+  // the hinges hold the parts together.
   double HingeError() const;
 
  private:
@@ -79,14 +82,14 @@ class OdeBody : public Body {
   const OdeSettings settings_;
   BodyState state_;
   dxWorld* world_;
-  std::vector<dxBody*> bodies_;   // order of RobotModel::bodies
-  std::vector<dxJoint*> hinges_;  // order of RobotModel::joints, as are the next two
+  std::vector<dxBody*> bodies_;   // in the order of RobotModel::bodies
+  std::vector<dxJoint*> hinges_;  // in the order of RobotModel::joints, like axes_ and servos_
   std::vector<HingeAxis> axes_;
   std::vector<Servo> servos_;
   std::unique_ptr<ContactFinder> finder_;
   std::unique_ptr<ContactSolver> solver_;
-  std::vector<PushForce> pushes_;  // forces of the next Advance()
-  uint64_t random_seed_ = 1;       // state of ODE's generator for this world
+  std::vector<PushForce> pushes_;  // forces that act during the next Advance()
+  uint64_t random_seed_ = 1;       // state of ODE's random generator for this world
 };
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Vectors and rotations of ODE as those of Eigen.
+// Converts vectors and rotations of ODE to the types of Eigen.
 #pragma once
 
 #include <ode/ode.h>
@@ -9,7 +9,8 @@ namespace openr_host {
 
 inline Eigen::Vector3d ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
 
-// ODE's matrices have rows of four numbers; the last one of a row is not used.
+// Returns the rotation of `body`.  A row of an ODE matrix has four numbers, the last of which is
+// not used.
 inline Eigen::Matrix3d RotationOf(dBodyID body) {
   const dReal* r = dBodyGetRotation(body);
   Eigen::Matrix3d R;

@@ -1,9 +1,9 @@
 // The system object OVirtualRobotAudioComm, with the services Speaker and Mic.
 //
-// This object has no clock of its own.  OVirtualRobotComm, which runs the frames of the robot,
-// wakes it in frames in which there is sound to play or to record, after command vectors have
-// started.  So sound and motion with parts of one synchronisation key begin in the same frame, and
-// a robot without sound costs nothing.
+// This object has no clock of its own.  OVirtualRobotComm, which runs the frames of the robot (8 ms
+// each), sends it a message in each frame in which sound is to be played or recorded, after command
+// vectors have started.  So sound and motion with parts of one synchronisation key begin in the
+// same frame, and a robot without sound costs nothing.
 #pragma once
 
 #include "runtime/core/code_object.h"
@@ -22,18 +22,19 @@ class OVirtualRobotAudioComm : public CodeObject {
   OStatus DoDestroy(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
 
-  // Called by OVirtualRobotComm in every frame.  See SoundQueue::AnnounceFirst().
+  // Reports the first waiting sound vector to the robot's synchronisation keys (see
+  // SoundQueue::AnnounceFirst()).  OVirtualRobotComm calls this function in every frame.
   void AnnounceFirst();
 
-  // Called by OVirtualRobotComm at the end of every frame: posts the message that runs Frame(), if
-  // there is sound to play or to record.
+  // Posts the message that runs Frame(), if sound is to be played or recorded.  OVirtualRobotComm
+  // calls this function at the end of every frame.
   void WakeIfNeeded();
 
  private:
   void NotifySpeaker(const ONotifyEvent& event);
   void Frame();
 
-  // Asserts ready to the subjects of vectors that are over.
+  // Asserts ready to the subjects whose vectors are over, so that they send the next ones.
   void GiveReadies();
   void PlayFrame();
 

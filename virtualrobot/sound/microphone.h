@@ -1,4 +1,5 @@
-// The two microphones of the robot: 16 kHz, 16 bits, stereo, one vector every 32 ms (ERS-7: 16 ms).
+// The two microphones of the robot: 16 kHz, 16 bits, stereo.  A sound vector lasts 32 ms (ERS-7: 16
+// ms); a frame is 8 ms.
 #pragma once
 
 #include <OPENR/RCRegion.h>
@@ -16,19 +17,21 @@ class Hasher;
 
 class Microphone {
  public:
-  // Null as `source` is silence.  REQUIRES: frames_per_vector > 0.
+  // Makes microphones that hear `source`; null means silence.  `id` identifies them in their sound
+  // vectors.  REQUIRES: frames_per_vector > 0.
   Microphone(std::unique_ptr<SoundSource> source, OPrimitiveID id, int frames_per_vector);
 
-  // Settings of the requests oprmreqMIC_*.  They do not change the sound, because it is not known
-  // what they do on the robot.
+  // Change the settings for which OPEN-R has the requests oprmreqMIC_*.  The settings do not change
+  // the sound, because their effect on the robot is not known.
   void set_directional(bool directional) { directional_ = directional; }
   void set_level_control(bool on) { level_control_ = on; }
 
-  // Whether a vector is complete when frame `frame` begins.
+  // Returns whether a vector is complete when frame `frame` begins.
   bool Due(int64_t frame) const { return frame > 0 && frame % frames_per_vector_ == 0; }
 
-  // A vector with the frames before `frame`, in a region to which no object refers.  The one
-  // reference to the region stays here.  REQUIRES: Due(frame).  Runs as code of an object.
+  // Returns a vector with the sound of the frames before `frame`, in a region to which no object
+  // refers.  This Microphone keeps the only reference to the region.  REQUIRES: Due(frame); called
+  // in a handler of an object, because RCRegion counts references per object.
   RCRegion* MakeVector(int64_t frame);
 
   void HashState(Hasher* hasher) const;
@@ -39,7 +42,7 @@ class Microphone {
   std::unique_ptr<SoundSource> source_;
   const OPrimitiveID id_;
   const int frames_per_vector_;
-  bool directional_ = false;  // values at boot; chosen
+  bool directional_ = false;  // the values at boot are our choice
   bool level_control_ = false;
   VectorPool pool_;
 };

@@ -1,4 +1,4 @@
-// Receivers of the sound that the speaker plays: a file, memory.
+// Receivers of the sound that the speaker plays: a file or memory.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-constexpr int kSoundRate = 16'000;          // Hz; of 8 kHz sound every sample is played twice
-constexpr int kSoundSamplesPerFrame = 128;  // 8 ms of it
+constexpr int kSoundRate = 16'000;  // in Hz; in sound of 8 kHz, every sample is played twice
+constexpr int kSoundSamplesPerFrame = 128;  // samples of 8 ms
 
 // Samples of one frame of 8 ms, mono.
 using SoundFrame = std::array<int16_t, kSoundSamplesPerFrame>;
@@ -19,15 +19,16 @@ class SoundSink {
  public:
   virtual ~SoundSink() = default;
 
-  // Takes the sound of frame `frame` since boot.  Each call is for a later frame than the one
-  // before; frames that are left out are silent.  Returns "" or why the sound could not be written.
+  // Takes the sound of frame `frame`, which counts from boot.  Each call is for a later frame than
+  // the call before; frames that are left out are silent.  Returns "", or the reason why the sound
+  // could not be written.
   virtual std::string Play(int64_t frame, const SoundFrame& samples) = 0;
 
-  // Tells that no more sound comes.  Returns "" or why not all sound could be written.
+  // Ends the sound.  Returns "", or the reason why some of the sound could not be written.
   virtual std::string Close() { return ""; }
 };
 
-// Keeps all frames in memory.
+// A sink that keeps all frames in memory.
 class MemorySoundSink : public SoundSink {
  public:
   struct Entry {
@@ -41,9 +42,9 @@ class MemorySoundSink : public SoundSink {
   std::vector<Entry> entries;
 };
 
-// Writes a WAV file, 16 kHz, 16 bits, mono, in which time is the virtual time since boot.  The file
-// is complete after every frame, so it can be read even if the process is killed.  Throws
-// std::runtime_error "FILE: cannot be written: why".
+// Opens a sink that writes the WAV file `file`: 16 kHz, 16 bits, mono; its time is the virtual time
+// since boot.  The file is complete after every frame, so it can be read even if the process is
+// killed.  Throws std::runtime_error with the text "FILE: cannot be written: reason".
 std::unique_ptr<SoundSink> OpenSpeakerFile(const std::string& file);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Sources of the sound that the microphone hears: silence, a file, samples in memory.
+// Sources of the sound that the microphone hears: silence, a file, or samples in memory.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -15,15 +15,16 @@ class SoundSource {
  public:
   virtual ~SoundSource() = default;
 
-  // Writes `count` stereo samples of 16 kHz; `first` is the number of the first one since boot. The
-  // same numbers always give the same samples, in any order of calls.
+  // Writes `count` stereo samples of 16 kHz to `samples`.  `first` is the number of the first
+  // sample, counted from boot.  The same numbers always give the same samples, in any order of
+  // calls.
   virtual void Read(int64_t first, OSoundSampleStereo16* samples, int count) = 0;
 };
 
-// What is heard after the last sample.
+// The sound after the last sample: silence, or the same samples from the start again.
 enum class AfterEnd { kSilence, kLoop };
 
-// Plays samples from memory; silence when there are none.
+// A source that plays samples from memory; silence when there are none.
 class MemorySoundSource : public SoundSource {
  public:
   explicit MemorySoundSource(std::vector<OSoundSampleStereo16> samples = {},
@@ -37,8 +38,8 @@ class MemorySoundSource : public SoundSource {
   const AfterEnd after_end_;
 };
 
-// Plays a WAV file (wav_file.h), converted to 16 kHz stereo.  Throws std::runtime_error with the
-// file and what is wrong with it.
+// Opens a source that plays the WAV file `file` (wav_file.h), converted to 16 kHz stereo.  Throws
+// std::runtime_error that names the file and says what is wrong with it.
 std::unique_ptr<SoundSource> OpenMicrophoneFile(const std::string& file, AfterEnd after_end);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// The speaker with the settings of ControlPrimitive(): mute, volume, type of sound.
+// The robot's speaker, with the settings that ControlPrimitive() changes: mute, volume and type of
+// sound.
 #pragma once
 
 #include <OPENR/OPrimitiveControl.h>
@@ -18,33 +19,35 @@ class Hasher;
 struct SoundType {
   longword type;
   int bytes_per_sample;
-  int samples_per_frame;  // 8 ms
+  int samples_per_frame;  // number of samples in a frame of 8 ms
   int rate_hz() const { return samples_per_frame * 125; }
-  int bytes_per_vector() const { return 4 * samples_per_frame * bytes_per_sample; }  // 32 ms
+  int bytes_per_vector() const { return 4 * samples_per_frame * bytes_per_sample; }  // of 32 ms
 };
 
 class Speaker {
  public:
-  // Null as `sink`: the sound is lost.
+  // Makes a speaker that plays to `sink`; null means that sounds are lost.
   explicit Speaker(std::unique_ptr<SoundSink> sink) : sink_(std::move(sink)) {}
 
   void set_mute(bool mute) { mute_ = mute; }
 
-  // `volume` has the unit of ospkvol10dB and the other constants of that name: 1/256 dB, as a two's
-  // complement of 16 bits.
+  // Sets the volume.  The unit of `volume` is 1/256 dB, as a two's complement of 16 bits, like the
+  // constants ospkvol10dB and others.
   void SetVolume(longword volume);
   longword volume() const { return volume_; }
 
-  // Returns false, and keeps the old type, when `type` is reserved or unknown.
+  // Sets the type of the sound that follows.  Returns false, and keeps the old type, when `type` is
+  // reserved or unknown.
   bool SetSoundType(longword type);
   const SoundType& sound_type() const { return *type_; }
 
-  // Plays one frame.  It is silent without motor power, because the amplifier has its power from
-  // the motors' supply (inferred from the order of calls in Sony's SoundPlay).  Returns "" or why
-  // the sound could not be written.
+  // Plays the sound of frame `frame` (8 ms).  The frame is silent when `motor_power` is false,
+  // because the amplifier has its power from the motors' supply (inferred from the order of calls
+  // in Sony's sample SoundPlay).  Returns "", or the reason why the sound could not be written.
   std::string Play(int64_t frame, const SoundFrame& samples, bool motor_power);
 
-  // Tells that no more sound comes.  Returns "" or why not all sound could be written.
+  // Closes the sink after the last sound.  Returns "", or the reason why some of the sound could
+  // not be written.
   std::string Close() { return sink_ == nullptr ? "" : sink_->Close(); }
 
   void HashState(Hasher* hasher) const;
@@ -52,8 +55,8 @@ class Speaker {
  private:
   std::unique_ptr<SoundSink> sink_;
   bool mute_ = false;
-  longword volume_ = ospkvol10dB;  // value at boot; chosen
-  int32_t gain_ = kFullGain;       // factor of volume_, times kFullGain
+  longword volume_ = ospkvol10dB;  // the volume at boot is our choice
+  int32_t gain_ = kFullGain;       // factor that volume_ stands for, times kFullGain
   const SoundType* type_ = FindSoundType(ospksndMONO8K8B);
 
   static constexpr int32_t kFullGain = 1 << 12;

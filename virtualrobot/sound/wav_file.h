@@ -1,4 +1,4 @@
-// WAV files: PCM of 8 or 16 bits, mono or stereo, any rate.
+// Reads WAV files: PCM of 8 or 16 bits, mono or stereo, with any rate.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
@@ -12,19 +12,21 @@ namespace openr_host {
 struct WavSound {
   int rate_hz = 0;
   int channels = 0;              // 1 or 2
-  std::vector<int16_t> samples;  // interleaved; 8-bit samples are in the upper byte
+  std::vector<int16_t> samples;  // interleaved; an 8-bit sample is in the upper byte
 };
 
-// Reads the whole file.  A file that is cut off is read as far as it goes.  Throws
-// std::runtime_error "FILE: ..." when the file cannot be read, is no WAV file or holds another kind
-// of sound.
+// Reads the whole file.  If the file is cut off, reads the samples up to its end.  Throws
+// std::runtime_error with the text "FILE: reason" when the file cannot be read, is no WAV file or
+// holds another kind of sound.
 WavSound ReadWavFile(const std::string& file);
 
-// Converts to another rate, by straight lines between samples.  A mono sound goes to both sides.
+// Converts `sound` to stereo with `rate_hz` samples per second, by linear interpolation between
+// samples.  A mono sound goes to both sides.
 std::vector<OSoundSampleStereo16> ToStereo(const WavSound& sound, int rate_hz);
 
-// The reason of the newest error of `sndfile` (a SNDFILE*; null: of the newest attempt to open a
-// file), without the words that libsndfile puts around the system's text.
+// Describes the last error of `sndfile`, which is a SNDFILE*.  If `sndfile` is null, describes why
+// the last attempt to open a file failed.  For an error of the operating system, returns only the
+// system's message, without the words that libsndfile adds.
 std::string SoundFileError(void* sndfile);
 
 }  // namespace openr_host
