@@ -21,7 +21,7 @@ bool CommandQueue::Add(RCRegion* region) {
 
 bool CommandQueue::ReleaseFinished(int64_t frame) {
   if (!playing_ || frame < end_) return false;
-  elements_.clear();  // their data are in the region
+  elements_.clear();  // first, because the elements point into the region
   playing_.Release();
   return true;
 }
@@ -44,12 +44,13 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
   ReadCommandElements(vector, FrameNumber(start_), &robot_->primitives, &read_, problems);
   robot_->watch.VectorStarts(read_, robot_->body->state(), robot_->power.motor_power(),
                              robot_->power.pause(), problems);
-  uint32_t longest = 1;  // an empty vector ends with the frame
+  uint32_t longest = 1;  // because an empty vector lasts one frame
   for (const CommandElement& command : read_) {
     uint32_t length = 0;
     for (int i = 0; i < command.frames; ++i) length += command.FrameLength(i);
     longest = std::max(longest, length);
-    // An element that moves nothing counts for the length of the vector, and is not played.
+    // An element that moves nothing is not played, but its length counts for the length of the
+    // vector.
     if (command.primitive == nullptr || command.frames == 0) continue;
     elements_.push_back({command, 0, start_ + command.FrameLength(0)});
   }
@@ -58,7 +59,8 @@ void CommandQueue::Start(int64_t frame, std::vector<std::string>* problems) {
 }
 
 void CommandQueue::FindFace(std::vector<std::string>* problems) {
-  // The element of the last light decides the mode, and elements may come in any order.
+  // The element of the last light of the face decides the mode.  All elements are searched, because
+  // elements may come in any order.
   face_ = -1;
   bool a = false, b = false;
   for (size_t e = 0; e < elements_.size(); ++e) {
@@ -96,7 +98,8 @@ void CommandQueue::Apply(int64_t frame, std::vector<std::string>* problems) {
   if (!playing_ || frame < start_) return;
   for (Element& element : elements_) {
     if (frame >= element.ends) {
-      if (element.command_frame + 1 >= element.command.frames) continue;  // holds its last value
+      if (element.command_frame + 1 >= element.command.frames)
+        continue;  // the element holds its last value
       ++element.command_frame;
       element.ends += element.command.FrameLength(element.command_frame);
     }

@@ -30,7 +30,8 @@ ODataType CommandTypeOf(const Primitive& primitive) {
   }
 }
 
-// Command frame `i`.  A frame that the program never filled counts as 0.
+// Returns command frame `i` of `data` as a Value.  The set point of a frame that the program never
+// filled is returned as 0.
 template <typename Value>
 Value As(const OCommandData& data, int i) {
   static_assert(sizeof(Value) == sizeof(OCommandValue));
@@ -40,7 +41,7 @@ Value As(const OCommandData& data, int i) {
   return value;
 }
 
-// The reason why the element moves nothing; empty when it does.
+// Returns the reason why the element moves nothing; "" when it moves a primitive.
 std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || !primitive->opened()) {
     return fmt::format(
@@ -55,8 +56,8 @@ std::string Objection(const OCommandInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// Number of command frames, 0 to 16.  More frames, and frames that were never filled, are a
-// problem.
+// Returns the number of command frames, 0 to 16.  Describes in `problem` an element that says more
+// frames, or has frames that were never filled.
 int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string* problem) {
   const int frames = static_cast<int>(std::min<longword>(info.numFrames, ocommandMAX_FRAMES));
   if (info.numFrames > ocommandMAX_FRAMES) {
@@ -65,7 +66,8 @@ int CountFrames(const OCommandInfo& info, const OCommandData& data, std::string*
         "the element behind it and is not played",
         info.numFrames, ocommandMAX_FRAMES);
   }
-  // Frames in use that were never filled still have the number that NewCommandVectorData() wrote.
+  // NewCommandVectorData() fills each frame with the number kNeverFilled, so a frame that still has
+  // this number was never filled.
   for (int i = 0; i < frames; ++i) {
     if (data.value[i].value[0] != kNeverFilled) continue;
     *problem = fmt::format(
@@ -148,7 +150,8 @@ void ReadCommandElements(const SentVector& vector, longword frame_number,
     element.data =
         reinterpret_cast<const OCommandData*>(vector.At(info.dataOffset, sizeof(OCommandData)));
     const Primitive* const primitive = primitives->Find(info.primitiveID);
-    // The element is kept even when it is wrong, because its frames count for the vector's length.
+    // The element is kept even when it is wrong, because its frames count for the length of the
+    // vector.
     if (element.data == nullptr || info.dataOffset % alignof(OCommandData) != 0) {
       element.data = nullptr;
       problem = fmt::format(

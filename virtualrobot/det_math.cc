@@ -7,13 +7,14 @@
 namespace openr_host {
 namespace {
 
-// pi/2 in three pieces.  The first two have 33 significant bits, so that n times a piece
-// is exact for every n below 2^20.
+// pi/2 as the sum of three numbers.  The first two have only 33 significant bits, so that their
+// product with n is exact for every whole n below 2^20.
 constexpr double kHalfPi1 = 0x1.921fb544p+0;
 constexpr double kHalfPi2 = 0x1.0b4611a6p-34;
 constexpr double kHalfPi3 = 0x1.3198a2e037073p-69;
 
-// Taylor sums of sine and cosine on |r| <= pi/4, where the first term left out is below 1e-17.
+// Compute sine and cosine by Taylor series for |r| <= pi/4, where the first term left out is below
+// 1e-17.
 double SinKernel(double r) {
   const double z = r * r;
   double sum = 1.0 / 355687428096000.0;  // 1/17!
@@ -42,7 +43,7 @@ double CosKernel(double r) {
 
 struct Quadrant {
   double r;  // in [-pi/4, pi/4]
-  int q;     // 0..3: x = r + q pi/2 (mod 2 pi)
+  int q;     // 0 to 3: x = r + q pi/2 (mod 2 pi)
 };
 
 Quadrant Reduce(double x) {
@@ -54,14 +55,14 @@ Quadrant Reduce(double x) {
   return {r, static_cast<int>(n & 3)};
 }
 
-// sin(x + shift * pi/2).
+// Returns sin(x + shift * pi/2) for the angle x that was reduced to `a`.
 double SinOfQuadrant(const Quadrant& a, int shift) {
   const int q = (a.q + shift) & 3;
   const double magnitude = (q & 1) ? CosKernel(a.r) : SinKernel(a.r);
   return (q & 2) ? -magnitude : magnitude;
 }
 
-// atan(k / 8) for k = 0 to 8.
+// Element k is atan(k / 8).
 constexpr double kAtanOfEighths[9] = {
     0x0.0p+0,
     0x1.fd5ba9aac2f6ep-4,
@@ -74,12 +75,12 @@ constexpr double kAtanOfEighths[9] = {
     0x1.921fb54442d18p-1,
 };
 
-// atan(small / large) for 0 <= small <= large, large > 0.
+// Returns atan(small / large).  REQUIRES: 0 <= small <= large, large > 0.
 double AtanOfRatio(double small, double large) {
   const int k = static_cast<int>(small / large * 8 + 0.5);
   const double c = k / 8.0;
-  // atan(t) = atan(c) + atan((t - c) / (1 + t c)).  The argument of the second term is at most
-  // 1/16, so a short sum is enough.
+  // Uses atan(t) = atan(c) + atan((t - c) / (1 + t c)) for t = small / large.  The argument of the
+  // second term is at most 1/16 in size, so a short series is enough for it.
   const double u = (small - c * large) / (large + c * small);
   const double z = u * u;
   double sum = 1.0 / 13.0;

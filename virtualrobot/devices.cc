@@ -9,7 +9,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kIntensityMax = 255;
-constexpr char kHead[] = "PRM:/r1/";  // all locators of devices in the head begin so
+constexpr char kHead[] = "PRM:/r1/";  // start of the locators of all devices in the head
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void Devices::SetLed2(int led, OLEDValue value) {
 void Devices::SetLed3(int led, const OLEDCommandValue3& value) {
   LedDevice& device = leds[static_cast<size_t>(led)];
   device.intensity = std::clamp<int>(value.intensity, 0, kIntensityMax);
-  // The robot keeps the old mode when a command has none of its two modes.
+  // The old mode is kept when a command has none of the two modes A and B, as on the robot.
   if (value.mode == oled3_MODE_A || value.mode == oled3_MODE_B) device.mode = value.mode;
 }
 

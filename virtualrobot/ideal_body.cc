@@ -62,7 +62,7 @@ std::vector<Isometry3d> IdealBody::BodyPoses() const {
 
 void IdealBody::HashState(Hasher* hasher) const {
   HashWorld(world_, hasher);
-  for (const JointState& joint : state_.joints) {  // all else follows from the angles
+  for (const JointState& joint : state_.joints) {  // everything else follows from the angles
     hasher->Add(joint.angle_rad);
     hasher->Add(joint.speed_rad_s);
   }

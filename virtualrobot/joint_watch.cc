@@ -15,23 +15,24 @@ namespace openr_host {
 namespace {
 
 constexpr double kRadPerUrad = 1e-6;
-// Distance from which a joint counts as far from its set point.  Chosen: a joint that is limp for a
-// moment sags less.
+// Distance from which a joint counts as far from its set point.  The number is our choice: a joint
+// that is limp (without power) for a moment sags less.
 const double kFar_rad = Radians(10);
-// Chosen: a limp joint may sink for up to a second while a program goes through the steps that open
-// it. The head of an ERS-210 sinks 27 degrees in 136 ms, which is no mistake of the program.
+// Half of the second in which a limp joint may sink without a report, because a program needs some
+// time for the steps that open the joint.  The time is our choice.  For example, the head of an
+// ERS-210 sinks 27 degrees in 136 ms, which is no mistake of the program.
 constexpr int kHalfSecondFrames = 62;
-// Change of a set point in one frame that counts as a jump.  Chosen: the vendor's own walks change
-// set points by up to 20 degrees in a frame.
+// Change of a set point in one frame that counts as a jump.  The number is our choice: the vendor's
+// own walks change set points by up to 20 degrees in a frame.
 const slongword kJumpUrad = static_cast<slongword>(Radians(30) / kRadPerUrad);
-// Set points count as radians when they are 1 to 10 micro-radians, either sign, for 32 frames (a
-// quarter of a second).  Chosen.
+// Set points count as radians when they are 1 to 10 microradians, positive or negative, for 32
+// frames (a quarter of a second).  The numbers are our choice.
 constexpr slongword kTinyUrad = 10;
 constexpr int kTinyFrames = 32;
 constexpr double kLoad = 0.78 * kDriveFull;
 constexpr int kLoadFrames = 30 * 125;
 
-// "PRM:/a, PRM:/b and 10 more"
+// Returns a list like "PRM:/a, PRM:/b and 10 more".
 std::string Listed(const std::vector<std::string>& names) {
   std::string text = names.front();
   if (names.size() > 1) text += fmt::format(", {}", names[1]);
@@ -53,7 +54,8 @@ void JointWatch::ServosChanged(const BodyState& body, bool motor_power,
     const bool has_sunk = HasSunk(joints_[j], devices_.joints[j].target_urad * kRadPerUrad);
     joints_[j].has_acted = joints_[j].has_acted || acts;
     if (!begins || joints_[j].told_start) continue;
-    // A servo that begins near its set point, or whose limp joint has only sunk, makes no jump.
+    // A servo that begins to act near its set point makes no jump, and neither does a servo whose
+    // limp joint has only sunk.  So neither is reported.
     const JointDevice& device = devices_.joints[j];
     const double measured = body.joints[j].angle_rad;
     const double target = device.target_urad * kRadPerUrad;
@@ -111,7 +113,8 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
     const slongword urad = element.Urad(i);
     const bool tiny = urad != 0 && urad >= -kTinyUrad && urad <= kTinyUrad;
     watched.tiny_frames = tiny ? watched.tiny_frames + 1 : 0;
-    // An angle in radians is never more than 4, so a larger number proves that the unit is right.
+    // A program that sends radians by mistake never sends a number above 4, so a larger number
+    // proves that the program uses microradians.
     watched.was_in_urad = watched.was_in_urad || urad < -kTinyUrad || urad > kTinyUrad;
   }
   if (watched.tiny_frames < kTinyFrames || watched.told_radians || watched.was_in_urad) return;
@@ -125,8 +128,8 @@ void JointWatch::CheckForRadians(size_t joint, const CommandElement& element,
 void JointWatch::VectorStarts(const std::vector<CommandElement>& elements, const BodyState& body,
                               bool motor_power, bool motor_power_cut,
                               std::vector<std::string>* problems) {
-  // Joints without effect are collected, because a program that forgets power or gain does so for
-  // many.
+  // Joints without power or gain are collected for one report, because a program that forgets power
+  // or gain forgets it for many joints.
   std::vector<std::string> without_power, without_gain;
   for (const CommandElement& element : elements) {
     if (element.primitive == nullptr || element.type != odataJOINT_COMMAND2 || element.frames == 0)

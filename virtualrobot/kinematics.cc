@@ -15,14 +15,15 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A paw whose ball is nearer to the floor than this counts as touching it.  In all standing
-// postures of the ERS-210 the four balls lie in one plane within 0.1 mm.
+// Distance below which a paw counts as touching the floor.  In all standing postures of the
+// ERS-210, the four balls lie in one plane within 0.1 mm.
 constexpr double kTouch_m = 0.0005;
 
-// X * p.  Does not compute the fourth row of X, which is always 0, 0, 0, 1.
+// Returns X * p.  Leaves out the fourth row of X, because it is always 0, 0, 0, 1.
 Vector3d Moved(const Isometry3d& X, const Vector3d& p) { return X.linear() * p + X.translation(); }
 
-// R_WB with yaw 0 whose third row is `up_B`, the world's up seen from B.
+// Returns the rotation R_WB with yaw 0 whose third row is `up_B`, the direction up of the world,
+// seen from B.
 Matrix3d LevelRotation(const Vector3d& up_B) {
   const double sp = -up_B.x();
   const double cp = std::sqrt(std::max(0.0, 1 - sp * sp));
@@ -52,8 +53,8 @@ class Hull {
     }
   }
 
-  // The point that lies furthest against the direction `n_B`.  A ball is taken as one point, the
-  // lowest for the direction `up_B`, which is a unit vector near n_B.
+  // Returns the point that lies furthest against the direction `n_B`.  A ball is taken as one
+  // point: the lowest point for the direction `up_B`, which is a unit vector near n_B.
   Vector3d LowestAlong(const Vector3d& n_B, const Vector3d& up_B) const {
     double best = std::numeric_limits<double>::infinity();
     Vector3d lowest = Vector3d::Zero();
@@ -81,19 +82,19 @@ class Hull {
   };
   struct Box {
     Vector3d centre;
-    Matrix3d half_edges;  // columns
+    Matrix3d half_edges;  // its columns are half the edges of the box
   };
   std::vector<Ball> balls_;
   std::vector<Box> boxes_;
 };
 
-using Triangle = std::array<Vector3d, 3>;  // counterclockwise from above
+using Triangle = std::array<Vector3d, 3>;  // corners counterclockwise, seen from above
 
 double Cross2(const Vector3d& o, const Vector3d& p, const Vector3d& q) {
   return (p.x() - o.x()) * (q.y() - o.y()) - (p.y() - o.y()) * (q.x() - o.x());
 }
 
-// Returns whether the triangle lies under or over p, seen from above.
+// Returns whether p is inside the triangle `t`, seen from above.
 bool Under(const Triangle& t, const Vector3d& p) {
   return Cross2(t[0], t[1], p) >= 0 && Cross2(t[1], t[2], p) >= 0 && Cross2(t[2], t[0], p) >= 0;
 }
@@ -113,19 +114,19 @@ Triangle HugeTriangleOver(const Vector3d& centre) {
   return {o + Vector3d(10, 0, 0), o + Vector3d(-5, 8, 0), o + Vector3d(-5, -8, 0)};
 }
 
-// Moves the triangle `t` down until it is the face of the lower hull under `centre`.  In each pass
-// the hull's point that is furthest below the triangle's plane replaces a corner, the one whose
-// loss leaves `centre` over the triangle.  `t` and `centre` are in a frame turned by R from B.
-// REQUIRES: `centre` lies over `t`.
+// Moves the triangle `t` down until it is the face of the lower hull under `centre`.  In each pass,
+// the hull's point that is furthest below the plane of the triangle replaces one corner.  This is
+// the corner without which the triangle still has `centre` over it.  `t` and `centre` are in a
+// frame that is turned by R from B.  REQUIRES: `centre` lies over `t`.
 void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, Triangle* t) {
-  constexpr int kSwapsMax = 64;  // far more than hulls of these robots need
+  constexpr int kSwapsMax = 64;  // far more than the hulls of these robots need
   for (int swaps = 0; swaps < kSwapsMax; ++swaps) {
     const Plane plane = Through(*t);
     const Vector3d n_B = R.transpose() * Vector3d(-plane.a, -plane.b, 1);
     const Vector3d p = R * hull.LowestAlong(n_B, R.row(2));
     if (p.z() > plane.a * p.x() + plane.b * p.y() + plane.c - 1e-9) return;
     Triangle next = *t;
-    for (int k = 0; k < 3; ++k) {  // corner that p replaces
+    for (int k = 0; k < 3; ++k) {  // index of the corner that p replaces
       next = *t;
       next[k] = p;
       if (Under(next, centre)) break;
@@ -135,8 +136,8 @@ void SinkToSupport(const Hull& hull, const Matrix3d& R, const Vector3d& centre, 
   }
 }
 
-// The point that must lie over the support: the centre of mass.  For a model without boxes it is
-// the middle of the paws, because such a robot can rest on its paws only.
+// Returns the point that must lie over the support: the centre of mass.  For a model without boxes,
+// this is the middle of the paws, because such a robot can rest only on its paws.
 Vector3d SupportedPoint(const RobotModel& model, const std::vector<Isometry3d>& X_BL) {
   if (model.bodies[0].has_box) return CentreOfMass(model, X_BL);
   Vector3d sum = Vector3d::Zero();
@@ -171,7 +172,8 @@ std::vector<Isometry3d> LinkPoses(const RobotModel& model, const std::vector<dou
   ASSERT(angles_rad.size() == model.joints.size(), "{} angles for {} joints", angles_rad.size(),
          model.joints.size());
   std::vector<Isometry3d> X_BL(model.bodies.size(), Isometry3d::Identity());
-  for (size_t i = 1; i < model.bodies.size(); ++i) {  // a parent comes before its children
+  for (size_t i = 1; i < model.bodies.size();
+       ++i) {  // in this order, because parents come before their children
     const int j = model.bodies[i].joint;
     const JointModel& joint = model.joints[j];
     const Matrix3d R = AxisRotation(joint.axis, angles_rad[j]);
@@ -202,8 +204,8 @@ RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Isometry3d>&
   Matrix3d R = Matrix3d::Identity();
   Triangle support = HugeTriangleOver(centre_B);
   double height_m = 0;
-  // Each pass levels the robot on the support found last.  The next pass searches along the new
-  // vertical, until the support is level already.
+  // Each pass turns the robot so that the support found last is level.  The next pass searches
+  // along the new vertical.  The search ends when the support is level already.
   for (int turn = 0; turn < 8; ++turn) {
     SinkToSupport(hull, R, R * centre_B, &support);
     const Plane plane = Through(support);
@@ -218,7 +220,8 @@ RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Isometry3d>&
   RestingPose pose;
   pose.X_WB.linear() = R;
   pose.X_WB.translation() = Vector3d(0, 0, height_m);
-  // A paw may hang a little over the plane of the three points that carry the robot.
+  // All paws are tested, because a paw may be a little above the plane of the three points that
+  // carry the robot.
   for (const Paw& paw : model.paws) {
     const Vector3d p_W = Moved(pose.X_WB, Moved(X_BL[paw.body], paw.centre_m));
     pose.paws.push_back(p_W.z() - paw.radius_m < kTouch_m);

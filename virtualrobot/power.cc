@@ -13,12 +13,13 @@
 namespace openr_host {
 namespace {
 
-constexpr word kTemperature = 3031;      // 30 degrees Celsius in 0.1 K; chosen
+constexpr word kTemperature = 3031;      // 30 degrees Celsius, in 0.1 K; our choice
 constexpr word kFullCapacityMah = 2000;  // chosen
-constexpr word kVoltageMv = 7400;        // two lithium cells; chosen
-constexpr sword kCurrentMa = -1300;      // discharging is negative (inferred); chosen
+constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
+// Negative, because the battery discharges.  The sign is inferred; the number is our choice.
+constexpr sword kCurrentMa = -1300;
 
-// Returns whether `filter` asks for the change from `before` to `now`.
+// Returns whether `filter` asks to be notified of the change from `before` to `now`.
 bool Asks(const OPowerStatus& filter, const OPowerStatus& before, const OPowerStatus& now) {
   if (((before.robotStatus ^ now.robotStatus) & filter.robotStatus) != 0) return true;
   if (((before.batteryStatus ^ now.batteryStatus) & filter.batteryStatus) != 0) return true;
@@ -60,7 +61,7 @@ OPowerStatus Power::Status() const {
 }
 
 void Power::SetMotorPower(bool on) {
-  if (pause_ && on) return;  // the pause button has cut it for good
+  if (pause_ && on) return;  // because the pause button has cut motor power for good
   motor_power_ = on;
   NotifyChange();
 }
@@ -103,7 +104,7 @@ void Power::NotifyChange() {
     if (!Asks(watcher.filter, before, now)) continue;
     Message* const message =
         system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
-    std::memset(message->payload, 0, sizeof(OPowerStatusMessage));  // padding is hashed
+    std::memset(message->payload, 0, sizeof(OPowerStatusMessage));  // the padding is hashed too
     auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
     payload.msgType = omsgPOWER_STATUS;
     payload.powerStatus.robotStatus = now.robotStatus;

@@ -1,4 +1,4 @@
-// ControlPrimitive(): a table with one row per request (robot.md, 13.3).
+// Answers ControlPrimitive() by a table with one row per request (robot.md, 13.3).
 #include <fmt/format.h>
 
 #include <cstring>
@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-// The arguments of a request, checked against its row of the table.
+// The arguments of a request, which were checked against the request's row of the table.
 struct RequestCall {
   VirtualRobot& robot;
   RobotParts& parts;
@@ -21,7 +21,7 @@ struct RequestCall {
 struct PrimitiveRequests {
   struct Row {
     OPrimitiveRequest request;
-    OPrimitiveType type;  // type of primitives that accept the request
+    OPrimitiveType type;  // type of the primitives that accept the request
     size_t param_size, result_size;
     OStatus (*act)(const RequestCall& call);
   };
@@ -39,13 +39,13 @@ struct PrimitiveRequests {
   static OStatus Nothing(const RequestCall&) { return oSUCCESS; }
   static OStatus NotSupported(const RequestCall&) { return oNOT_SUPPORTED; }
 
-  // A request that only sets a bool of a device.
+  // Performs a request that only sets a bool of a device.
   template <auto device, auto set, bool on>
   static OStatus Switch(const RequestCall& call) {
     (call.parts.*device.*set)(on);
     return oSUCCESS;
   }
-  // A request that sets the camera and refuses unknown values.
+  // Performs a request that sets the camera; refuses unknown values.
   template <auto set>
   static OStatus Choose(const RequestCall& call) {
     return (call.parts.camera.*set)(CameraParam(call)) ? oSUCCESS : oINVALID_ARG;
@@ -64,8 +64,8 @@ struct PrimitiveRequests {
   static const Row* Find(OPrimitiveRequest request, OPrimitiveType type);
 };
 
-// A volume above -10 dB is accepted, with a warning, because it may damage the circuit of the robot
-// (field-notes.md, 10.5).
+// Sets the speaker's volume.  Accepts a volume above -10 dB with a warning, because such a volume
+// may damage the circuit of the robot (field-notes.md, 10.5).
 OStatus PrimitiveRequests::SetVolume(const RequestCall& call) {
   const longword volume = ParamOf(call, OPrimitiveControl_SpeakerVolume(0)).volume;
   const auto loudness = [](longword v) { return static_cast<sword>(v & 0xffff); };
@@ -131,7 +131,7 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      0, SetSoundType},
     {oprmreqSPEAKER_GET_SOUND_TYPE, oprimitiveSPEAKER, 0,
      sizeof(OPrimitiveControl_SpeakerSoundType), GetSoundType},
-    // MIDI sound is not played, so its volume and tuning change nothing.
+    // MIDI sound is not played, so the requests for its volume and tuning do nothing.
     {oprmreqSPEAKER_SET_VOLUME_MIDI, oprimitiveSPEAKER, kAnySize, 0, Nothing},
     {oprmreqSPEAKER_MASTER_TUNING_MIDI, oprimitiveSPEAKER,
      sizeof(OPrimitiveControl_MasterTuningMIDI), 0, Nothing},
@@ -151,7 +151,7 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      Choose<&CameraDevice::SetGain>},
     {oprmreqCAM_SET_SHUTTER_SPEED, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_CameraParam),
      0, Choose<&CameraDevice::SetShutter>},
-    // How 32 segments are packed into the 100 bytes of the answer is not known.
+    // Refused, because it is not known how 32 segments are packed into the 100 bytes of the answer.
     {oprmreqCAM_GET_CDT_TABLE, oprimitiveFBKIMAGESENSOR, sizeof(OPrimitiveControl_Cdt),
      sizeof(OPrimitiveControl_Cdt), NotSupported},
     {oprmreqCAM_AE_ON, oprimitiveFBKIMAGESENSOR, 0, 0,
@@ -172,8 +172,9 @@ const PrimitiveRequests::Row PrimitiveRequests::kRows[] = {
      SetLed2},
     {oprmreqLED3_SET_COMMAND, oprimitiveLED3, sizeof(OPrimitiveControl_LEDCommandValue3), 0,
      SetLed3},
-    // No model has the Bluetooth primitive of oprmreqBT_ATTACH, _DETACH and
-    // oprmreqSENSOR_WATCH_BT_SWITCH: oINVALID_ARG, like every request of another primitive.
+    // The requests oprmreqBT_ATTACH, oprmreqBT_DETACH and oprmreqSENSOR_WATCH_BT_SWITCH are left
+    // out, because no model has the Bluetooth primitive.  So they are answered with oINVALID_ARG,
+    // like every request to a primitive that does not accept it.
 };
 
 const PrimitiveRequests::Row* PrimitiveRequests::Find(OPrimitiveRequest request,
@@ -193,8 +194,8 @@ OStatus VirtualRobot::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest reques
     parts_.Warn(fmt::format("ControlPrimitive: {} has no request {}", primitive->locator, request));
     return oINVALID_ARG;
   }
-  // A program that passes the wrong structure must not have its neighbours in memory read or
-  // written.
+  // The sizes are checked, so that a program that passes the wrong structure does not make us read
+  // or write the memory beside the structure.
   const auto fits = [](size_t wanted, const void* data, size_t size) {
     return wanted == PrimitiveRequests::kAnySize || wanted == 0 ||
            (data != nullptr && size == wanted);

@@ -10,7 +10,8 @@
 namespace openr_host {
 namespace {
 
-// The generator is named after the robot, so that a further robot changes nothing for the others.
+// Returns the random generator of the sensor noise.  Because each robot has its own generator, a
+// further robot does not change the noise of the others.
 Rng NoiseOf(int robot, uint64_t seed) { return {seed, fmt::format("robot{}/sensors", robot)}; }
 
 }  // namespace

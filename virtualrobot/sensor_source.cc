@@ -12,19 +12,22 @@
 namespace openr_host {
 namespace {
 
-constexpr double kMicro = 1e6;    // sensor values are in millionths of their SI unit
-constexpr int kSignalMax = 1023;  // 10-bit converter (Level 2 Reference Guide, 4.2.2)
-// The temperature that the robot always measures.  Chosen, because heat is not simulated.
+constexpr double kMicro = 1e6;    // because sensor values are in millionths of their SI unit
+constexpr int kSignalMax = 1023;  // of the 10-bit A/D converter (Level 2 Reference Guide, 4.2.2)
+// The temperature that the robot always measures, because heat is not simulated.  The number is our
+// choice.
 constexpr slongword kTemperatureMicroC = 30'000'000;
 constexpr double kRayMaxM = 2.0;
 
-// Rounds to whole millionths, halves away from zero, with the same result on every machine.
+// Converts `value` to millionths and rounds it, halves away from zero, with the same result on
+// every machine.
 slongword ToMicro(double value) {
   const double scaled = value * kMicro;
   return static_cast<slongword>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
 }
 
-// The output of the 10-bit converter for an angle.
+// Returns the output of the 10-bit A/D converter for an angle in `range`, the range between the
+// mechanical stops.
 word SignalOf(double angle_rad, const Range& range) {
   const double part = (angle_rad - range.min) / (range.max - range.min);
   return static_cast<word>(std::clamp(part, 0.0, 1.0) * kSignalMax + 0.5);
@@ -63,7 +66,7 @@ SensorSource::SensorSource(const RobotModel& model, const PrimitiveTable& primit
       noise_(noise),
       latest_(model.sensors.size()),
       frames_(model.sensors.size() * kFramesPerVector) {
-  // Padding is set as well, because all bytes of the samples are hashed.
+  // Padding is set to 0 as well, because all bytes of the samples are hashed.
   std::memset(static_cast<void*>(latest_.data()), 0, latest_.size() * sizeof latest_[0]);
   std::memset(static_cast<void*>(frames_.data()), 0, frames_.size() * sizeof frames_[0]);
 }
@@ -85,8 +88,8 @@ OSensorValue SensorSource::JointValueOf(int joint, const Body& body, const Devic
   return sample;
 }
 
-// Converts the distance by the model's table, between whose rows values lie on straight lines, and
-// adds uniform noise.
+// Measures the distance in front of the sensor, converts it by linear interpolation in the model's
+// table, and adds uniform noise.
 slongword SensorSource::DistanceOf(const Sensor& sensor, const Body& body) {
   if (sensor.body < 0 || sensor.lookup.size() < 2) return static_cast<slongword>(sensor.max);
   const Eigen::Isometry3d X_WP = body.BodyPoses()[static_cast<size_t>(sensor.body)];
@@ -125,7 +128,7 @@ OSensorValue SensorSource::ValueOf(const Sensor& sensor, const Body& body, const
       sample.value = kTemperatureMicroC;
       break;
     default:
-      break;  // touch sensors stay 0, because nobody touches the robot
+      break;  // touch sensors stay 0, because no person touches the robot
   }
   return sample;
 }
@@ -154,7 +157,7 @@ RCRegion* SensorSource::FreeVector() {
   constexpr size_t kInfo = sizeof(OSensorFrameInfo);
   constexpr size_t kData = sizeof(OSensorFrameData);
   RCRegion* const region = NewVectorRegion(odataSENSOR_FRAME_VECTOR, kInfo, count, count * kData);
-  // These fields never change, so they are written once for each region.
+  // These fields never change, so they are written only when the region is made.
   auto* const vector = reinterpret_cast<OSensorFrameVectorData*>(region->Base());
   for (size_t i = 0; i < count; ++i) {
     OSensorFrameInfo& info = *vector->GetInfo(static_cast<int>(i));

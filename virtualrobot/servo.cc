@@ -8,8 +8,8 @@
 namespace openr_host {
 namespace {
 
-// The factor that `gain` and `shift` stand for: gain * 2^(shift - 16), exact.  Shifts above 32
-// count as 32, because that gain asks for the full drive already.
+// Returns the exact factor gain * 2^(shift - 16).  A shift above 32 counts as 32, because with this
+// shift a gain demands the full drive already.
 double Effective(uint16_t gain, uint16_t shift) {
   double value = gain;
   for (int s = shift; s < 16; ++s) value *= 0.5;
@@ -37,13 +37,13 @@ void Servo::BeginFrame(const JointCommand& command, double angle_rad) {
     integral_ = 0;
     return;
   }
-  // The D part acts on the change of the set point.  A servo that was off has no earlier set point,
-  // so its first one counts as unchanged.
+  // The D part acts on the change of the set point.  Because a servo that was off has no earlier
+  // set point, its first set point counts as unchanged.
   const double last_rad = enabled_ ? target_rad_ : command.target_rad;
   enabled_ = true;
   target_rad_ = command.target_rad;
   target_speed_rad_s_ = (target_rad_ - last_rad) / kFrame_s;
-  if (!(gains_ == command.gains)) {  // they seldom change, and the conversion takes time
+  if (!(gains_ == command.gains)) {  // gains seldom change, and the conversion takes time
     gains_ = command.gains;
     p_ = Effective(gains_.p, gains_.p_shift) * counts_per_rad_;
     i_ = Effective(gains_.i, gains_.i_shift) * counts_per_rad_;
@@ -74,15 +74,15 @@ TorqueLine Servo::MotorLine(double angle_rad, double speed_rad_s, double step_s)
   const double drive = Drive(angle_rad, speed_rad_s);
   if (drive > kDriveFull) return {stall_nm_, motor_slope_nm_s_};
   if (drive < -kDriveFull) return {-stall_nm_, motor_slope_nm_s_};
-  // P and D act on the state at the end of the step: angle + step * v, and v.  So stiff gains on a
-  // light link stay stable with any step.
+  // P and D act on the state at the end of the step, which is angle + step_s * v and v, where v is
+  // the speed then.  So stiff gains on a light part stay stable with any step.
   const double nm_per_count = stall_nm_ / kDriveFull;
   return {nm_per_count * (drive + d_ * speed_rad_s),
           motor_slope_nm_s_ + nm_per_count * (d_ + p_ * step_s)};
 }
 
-// Dry friction, made viscous below the creep speed, because a force that jumps at speed 0 would
-// make the joint tremble.
+// Returns dry friction, which is viscous below the creep speed, because a force that jumps at speed
+// 0 would make the joint tremble.
 TorqueLine Servo::LimpLine(double speed_rad_s) const {
   const double speed =
       std::max(speed_rad_s < 0 ? -speed_rad_s : speed_rad_s, settings_.limp_creep_rad_s);

@@ -47,7 +47,7 @@ void SyncKeys::Arrive(OVRSyncKey key) {
   if (group == nullptr) return;
   ++group->arrived;
   ASSERT(group->arrived <= group->parts, "{} of {} parts", group->arrived, group->parts);
-  // With the last part all vectors may start, and the key is used up.
+  // When the last part has arrived, all vectors may start, so the key ends.
   if (group->arrived == group->parts) group->alive = false;
 }
 

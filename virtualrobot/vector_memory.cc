@@ -11,13 +11,15 @@
 namespace openr_host {
 namespace {
 
-constexpr longword kWaitFrames = 1250;  // 10 s; chosen: nobody means to wait longer
+constexpr longword kWaitFrames = 1250;  // 10 s; our choice, because no program means to wait longer
 
-// Bytes of the region that may be read: no more than its sender says, and no more than there are.
+// Returns how many bytes of the region may be read: the size that its sender says, limited by the
+// size of its memory.
 size_t BytesOf(const RCRegion& region, const RegionTable& regions) {
   if (region.Base() == nullptr) return 0;
   const size_t block = regions.SizeOf(region.MemID());
-  if (block == 0) return region.Size();  // memory of another kind, whose size is not known here
+  if (block == 0)
+    return region.Size();  // the memory is of another kind, whose size is not known here
   return std::min(region.Size(), block - std::min<size_t>(block, region.Offset()));
 }
 
@@ -46,7 +48,8 @@ SentVector ReadSentVector(RCRegion* region, size_t info_size, const char* kind, 
                     "element {} is the last",
                     kind, static_cast<int64_t>(header.maxNumData) - 1));
   }
-  // Each number is limited by the one before, because an object can write any number into a header.
+  // Each number is limited by the number before it, because an object can write any number into a
+  // header.
   const size_t room = (vector.bytes - sizeof header) / info_size;
   const size_t made_for = std::min<size_t>(header.maxNumData, room);
   if (header.numData > made_for) {
@@ -85,7 +88,7 @@ int64_t WaitOf(const SentVector& vector, std::vector<std::string>* problems) {
 
 RCRegion* VectorPool::Free() const {
   for (RCRegion* region : regions_) {
-    if (region->NumberOfReference() == 1) return region;  // the one reference is the pool's
+    if (region->NumberOfReference() == 1) return region;  // the pool holds the only reference
   }
   return nullptr;
 }

@@ -134,7 +134,7 @@ const Primitive* VirtualRobot::Readable(OPrimitiveID id, const char* function) {
                             function, primitive->locator));
   }
   if (frame() == 0)
-    parts_.sensors.SampleNow(*parts_.body, parts_.devices);  // asked before the first frame is over
+    parts_.sensors.SampleNow(*parts_.body, parts_.devices);  // because no sample was taken yet
   return primitive;
 }
 
@@ -168,7 +168,8 @@ OStatus VirtualRobot::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey
   return oFAIL;
 }
 
-// Sets all tables of the vector, or none: a wrong table leaves the camera's tables as they were.
+// Sets the camera's colour tables to those of the vector with memory `id`.  A wrong table refuses
+// the whole vector and leaves the camera's tables as they were.
 OStatus VirtualRobot::SetCdtVectorData(MemoryRegionID id) {
   RegionTable& regions = parts_.system.regions();
   if (regions.SizeOf(id) < sizeof(OCdtVectorData)) return oFAIL;
@@ -198,8 +199,8 @@ OStatus VirtualRobot::GetBootCondition(OBootCondition* condition) {
   return oSUCCESS;
 }
 
-// Notes why the robot ends.  Called before System::Shutdown(), which knows neither button nor
-// battery.
+// Notes why the robot ends, if the reason is the pause button or a low battery.  This function is
+// called before System::Shutdown(), which does not know these two.
 OStatus VirtualRobot::Shutdown(const OBootCondition& condition) {
   parts_.power.next_boot = condition;
   const std::string who = t_current.object == nullptr ? "an object" : t_current.object->name;

@@ -20,7 +20,7 @@ OVirtualRobotComm::OVirtualRobotComm(RobotParts* robot) : robot_(*robot) {
   sensor_ = AddSubject("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S");
   frame_ = AddExtra("Frame", [this](void*) { Frame(); });
   image_ = AddSubject("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S");
-  // Obsolete on the robot: connections to it are accepted, and it never sends.
+  // The service Alert is obsolete on the robot: connections to it are accepted, but it never sends.
   AddSubject("OVirtualRobotComm.Alert.OPrimitiveMapData.S");
   host().post_class = MessageClass::kVector;
 }
@@ -48,23 +48,23 @@ void OVirtualRobotComm::PostNextFrame() {
 }
 
 // Runs everything that happens at the boundary between two frames.  The order of the steps is the
-// order in which objects receive their messages, so a change of it changes all runs.
+// order in which objects receive their messages, so a change of the order changes all runs.
 void OVirtualRobotComm::Frame() {
-  // 1. The frame that ends: the body moves for 8 ms under the set points in force, then its sensors
-  //    are sampled.
+  // 1. End the last frame: the body moves for 8 ms under the present set points, then its sensors
+  // are sampled.
   robot_.body->Advance(robot_.devices.Commands(robot_.power.motor_power()));
   const bool is_vector_complete = robot_.sensors.Sample(robot_.frame, *robot_.body, robot_.devices);
-  const int64_t frame = ++robot_.frame;  // the frame that begins
+  const int64_t frame = ++robot_.frame;  // number of the frame that begins
   robot_.power.Update();
   ReportOverload();
 
-  // 2. Command vectors that are over: their subjects may send the next ones.
+  // 2. Release the command vectors that are over, so that their subjects may send the next ones.
   for (CommandQueue& queue : queues_) {
     while (queue.ReleaseFinished(frame)) effector_->AssertReady(queue.subject());
   }
 
-  // 3. Commands of the frame that begins.  All queues announce before any vector starts, because
-  //    vectors with parts of one synchronisation key start together.
+  // 3. Apply the commands of the frame that begins.  All queues announce their first vector before
+  // any vector starts, because vectors with parts of one synchronisation key start together.
   for (CommandQueue& queue : queues_) queue.AnnounceFirst();
   if (sound_ != nullptr) sound_->AnnounceFirst();
   for (CommandQueue& queue : queues_) {
@@ -74,14 +74,15 @@ void OVirtualRobotComm::Frame() {
   }
   robot_.safe_posture.Apply(frame, &robot_.devices);
 
-  // 4. The sensor vector, which has the samples of four frames.
+  // 4. Send the sensor vector, when it has the samples of four frames.
   if (is_vector_complete && HasListener(*sensor_)) {
     SendToListeners(sensor_, robot_.sensors.MakeVector(robot_.optional));
   }
 
-  // 5. The camera.  An image leaves when the next one is taken.  No source says how long reading it
-  //    out takes, but BallTrackingHead finds the angles that belong to an image in the two newest
-  //    sensor vectors (robot.md 14), so an image comes 4 to 8 frames after the frame it shows.
+  // 5. Send the image that the camera took before, and take the next one.  No source says how long
+  // the camera reads an image out.  But BallTrackingHead (a sample of Sony) finds the angles that
+  // belong to an image in the two newest sensor vectors (robot.md, 14), so an image comes 4 to 8
+  // frames after the frame that it shows.
   if (image_->NumberOfObservers() > 0 && robot_.camera.Due(frame)) {
     if (exposed_) SendToListeners(image_, exposed_.get());
     exposed_.Release();
@@ -92,13 +93,13 @@ void OVirtualRobotComm::Frame() {
     }
   }
 
-  // 6. Sound has its own object and gets its turn by a message.
+  // 6. Wake the object of sound, if it has work.  It runs by a message of its own.
   if (sound_ != nullptr) sound_->WakeIfNeeded();
   if (running_) PostNextFrame();
 }
 
-// Reports a motor that has pushed at its limit for 30 s.  The robot shuts down then; here it does
-// with --strict only, so that a run without it can be looked at further.
+// Reports a motor that has pushed at its limit for 30 s.  The robot shuts down in this case.  Here
+// the robot shuts down only with --strict, so that a run without --strict can be examined further.
 void OVirtualRobotComm::ReportOverload() {
   const int joint = robot_.watch.NoteFrame(robot_.body->state());
   if (joint < 0) return;

@@ -14,15 +14,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Place where a ray enters the box, as a multiple of its direction: infinite when the ray misses
-// the box, 0 when it starts inside.
+// Returns the place where a ray enters the box, as a multiple of `direction_W`: infinite when the
+// ray misses the box, 0 when it starts inside.
 double EnterBox(const WorldBox& box, const Vector3d& p_W, const Vector3d& direction_W) {
   const double s = DetSin(box.yaw_rad), c = DetCos(box.yaw_rad);
   const Vector3d r = p_W - box.centre_m;
   const Vector3d p(c * r.x() + s * r.y(), c * r.y() - s * r.x(), r.z());
   const Vector3d d(c * direction_W.x() + s * direction_W.y(),
                    c * direction_W.y() - s * direction_W.x(), direction_W.z());
-  // In the frame of the box, the ray is inside while it is between both faces of each axis.
+  // p and d are the ray in the frame of the box.  The ray is inside the box while it is between the
+  // two faces of each axis.
   double enter = 0, leave = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const double half = box.size_m[k] / 2;

@@ -8,9 +8,10 @@
 namespace openr_host {
 namespace {
 
-// Pictures of the source look as with the default settings.  Gain and shutter make them brighter or
-// darker.  White balance multiplies red and divides blue by a factor, the square root of the ratio
-// of colour temperatures (chosen; no measurement is known).  Index: the parameter; unit: 1/256.
+// With the default settings, the image looks like the picture of the source.  Gain and shutter make
+// it brighter or darker.  White balance multiplies red and divides blue by a factor, the square
+// root of the ratio of colour temperatures (our choice, because no measurement is known).  The
+// index of the tables is the parameter of the request; their unit is 1/256.
 constexpr int kOne = 256;
 constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // 0, 0, 6 dB
 constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // 1/50, 1/100, 1/200 s
@@ -65,7 +66,8 @@ void CameraDevice::set_auto_white_balance(bool on) {
   ChooseExposure();
 }
 
-// With an automatic function the picture looks as with the default settings.
+// Computes exposure_ from the settings.  An automatic function has the effect of the default
+// setting.
 void CameraDevice::ChooseExposure() {
   const int light = auto_exposure_ ? kOne : kGain[gain_] * kShutter[shutter_] / kOne;
   const int red = auto_white_balance_ ? kOne : kRed[white_balance_];
@@ -90,7 +92,8 @@ CameraShot CameraDevice::ShotBefore(int64_t frame, const Body& body) const {
   shot.frame = frame - 1;
   shot.fov_h_rad = model_.fov_h_rad;
   shot.fov_v_rad = model_.fov_v_rad;
-  // The lens looks along `direction` and is not rolled, so its y axis is horizontal in the part.
+  // The lens looks along `direction` and is not rolled, so its y axis is horizontal in the frame of
+  // the part that carries it.
   const Eigen::Vector3d& x = model_.direction;
   const Eigen::Vector3d y = Eigen::Vector3d::UnitZ().cross(x).normalized();
   Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
@@ -113,12 +116,14 @@ RCRegion* CameraDevice::FreeVector() {
   return region;
 }
 
-// Called for every image, because an object that had the vector before may have written into it.
+// Fills in the infos of `vector`.  This is repeated for every image, because an object that
+// received the vector earlier may have overwritten them.
 void CameraDevice::FillInfos(longword frame_number, OFbkImageVectorData* vector) const {
   size_t offset = sizeof(ODataVectorInfo) + ofbkimageNUM_LAYERS * sizeof(OFbkImageInfo);
   for (OFbkImageLayer layer = 0; layer < ofbkimageNUM_LAYERS; ++layer) {
     OFbkImageInfo& info = *vector->GetInfo(static_cast<int>(layer));
-    // Recent system software always sends all six bands (BBS 1856).
+    // The type with six bands is always correct, because recent system software always sends all
+    // bands (BBS 1856).
     info.type = layer == ofbkimageLAYER_C ? odataFBK_CDT : odataFBK_YCrCb_HPF;
     info.primitiveID = id_;
     info.frameNumber = frame_number;

@@ -7,7 +7,7 @@
 namespace openr_host {
 namespace {
 
-// Sets `bit` where min <= value <= max and clears it elsewhere.
+// Sets `bit` in the elements `min` to `max` of `bits` and clears it in all others.
 void Mark(std::array<uint8_t, 256>* bits, uint8_t bit, longword min, longword max) {
   for (longword value = 0; value < 256; ++value) {
     uint8_t& channels = (*bits)[value];
@@ -23,7 +23,8 @@ bool ColourTables::Set(const OCdtInfo& info) {
   const auto bit = static_cast<uint8_t>(info.channel);
   for (size_t segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
     const longword packed = info.table[segment];
-    // ocdtINIT must detect no colour.  Read as a rectangle, it would detect neutral grey.
+    // ocdtINIT means that the segment detects no colour.  Because as a rectangle it would detect
+    // neutral grey, it gets the empty range from 1 to 0 instead.
     const bool unused = packed == ocdtINIT;
     Mark(&cr_[segment], bit, unused ? 1 : packed & 0xff, unused ? 0 : packed >> 8 & 0xff);
     Mark(&cb_[segment], bit, unused ? 1 : packed >> 16 & 0xff, unused ? 0 : packed >> 24);

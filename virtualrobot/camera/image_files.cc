@@ -1,4 +1,4 @@
-// Reading pictures from files: PNG with libpng, PPM with code of our own.
+// Reads pictures from files: PNG with libpng, PPM with our own code.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -43,7 +43,8 @@ Picture ReadPng(const std::string& bytes, const std::string& file) {
   return picture;
 }
 
-// Reads the next number of a PPM header, after blanks and comments.
+// Returns the next number of a PPM header and skips the blanks and comments before it.  `at` is the
+// place in `bytes` and is moved behind the number.
 int HeaderNumber(const std::string& bytes, int limit, size_t* at, const std::string& file) {
   while (*at < bytes.size() && std::strchr(" \t\r\n#", bytes[*at]) != nullptr) {
     if (bytes[*at] == '#') *at = std::min(bytes.find('\n', *at), bytes.size() - 1);
@@ -66,7 +67,7 @@ Picture ReadPpm(const std::string& bytes, const std::string& file) {
   const int height = HeaderNumber(bytes, kSideMax, &at, file);
   const int max = HeaderNumber(bytes, 65535, &at, file);
   if (max != 255) Fail(file, fmt::format("PPM with values up to {}; only 255 is read", max));
-  ++at;  // one blank ends the header
+  ++at;  // exactly one blank character ends the header
   Picture picture = Empty(width, height);
   if (at > bytes.size() || bytes.size() - at < picture.rgb.size()) {
     Fail(file,

@@ -13,11 +13,12 @@ constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, 
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }
 
-// Luminance of a colour.  The weights fit the formula by which programs compute G.
+// Returns the luminance of a colour.  The weights are the inverse of the formula by which programs
+// compute green from Y, Cr and Cb (image_layers.h), so programs get the original green back.
 int Luminance(int r, int g, int b) { return (77 * r + 150 * g + 29 * b) >> 8; }
 
-// Writes the tag: the field counter, then how often the colours of channels 4 to 7 and 0 to 3 were
-// detected, in units of 16 pixels.
+// Writes the tag: the field counter, then a byte per channel (4 to 7, then 0 to 3) that counts the
+// pixels in which the channel was detected, in units of 16 pixels.
 void WriteTag(word field_counter, const std::array<int, ocdtNUM_CHANNELS>& counts, byte* tag) {
   std::fill_n(tag, kTagSize, byte{0});
   tag[0] = static_cast<byte>(field_counter & 0xff);
@@ -58,8 +59,8 @@ size_t ImageLayers::BytesOfRow(OFbkImageLayer layer) const {
 void ImageLayers::ReadPicture(const Picture& picture, const Exposure& exposure, byte* layer_h) {
   const auto width = static_cast<size_t>(width_);
   const size_t w = width / 2;
-  // Goes through squares of four pixels: each has four values of luminance, but one of Cr and of
-  // Cb.
+  // Goes through squares of four pixels, because four pixels have four values of luminance but
+  // share one Cr and one Cb.
   for (size_t y = 0; y < static_cast<size_t>(height_); y += 2) {
     const uint8_t* rows[] = {&picture.rgb[y * width * 3], &picture.rgb[(y + 1) * width * 3]};
     byte* light[] = {&luminance_[y * width], &luminance_[(y + 1) * width]};
@@ -99,7 +100,7 @@ void ImageLayers::SplitLuminance(const byte* from, size_t row_bytes, OFbkImageLa
 
 void ImageLayers::HalveColour(const byte* from, OFbkImageLayer layer, byte* to) const {
   const auto w = static_cast<size_t>(WidthOf(layer));
-  const size_t group = kBands * 2 * w;  // bytes of a row group of the layer above
+  const size_t group = kBands * 2 * w;  // bytes of one row with all bands in the layer `from`
   for (int y = 0; y < HeightOf(layer); ++y, from += 2 * group, to += kBands * w) {
     for (const size_t band : {1, 2}) {
       const byte* const row = from + band * 2 * w;
@@ -119,7 +120,7 @@ void ImageLayers::DetectColours(const byte* layer_m, const ColourTables& tables,
     std::fill_n(layer_c, BytesOf(ofbkimageLAYER_C), byte{0});
     return;
   }
-  std::array<int, 256> pixels{};  // number of pixels with these bits
+  std::array<int, 256> pixels{};  // [bits]: number of pixels with exactly these bits
   const auto w = static_cast<size_t>(WidthOf(ofbkimageLAYER_M));
   for (int y = 0; y < HeightOf(ofbkimageLAYER_M); ++y, layer_m += kBands * w, layer_c += w) {
     for (size_t x = 0; x < w; ++x) {
@@ -140,8 +141,8 @@ void ImageLayers::Make(const Picture& picture, const Exposure& exposure, const C
          picture.height);
   const auto data = [&](OFbkImageLayer layer) { return vector->GetData(static_cast<int>(layer)); };
   ReadPicture(picture, exposure, data(ofbkimageLAYER_H));
-  // Each layer is made from the luminance of the one before, so the first one needs the picture
-  // only.
+  // Each layer is made from the luminance of the layer before it, and layer H from the luminance of
+  // the picture.
   const byte* light = luminance_.data();
   size_t row_bytes = static_cast<size_t>(width_);
   for (const OFbkImageLayer layer : kColourLayers) {

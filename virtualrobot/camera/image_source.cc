@@ -13,11 +13,11 @@ using Colour = std::array<uint8_t, 3>;
 
 constexpr Colour kBars[] = {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 255, 0},
                             {255, 0, 255},   {255, 0, 0},   {0, 0, 255},   {0, 0, 0}};
-// The ball's colour.  In the image it has Cr 216 and Cb 140, well inside the colour tables of
-// programs that look for the ball, which end at Cr 230.
+// The colour of the ball.  In the image it has Cr 216 and Cb 140, which is well inside the colour
+// tables of programs that look for the pink ball, because these tables end at Cr 230.
 constexpr Colour kPink = {250, 115, 174};
-constexpr int kCells = 16;   // bits of the image's number that are shown
-constexpr int kRound = 100;  // images until the ball is back: 4 s
+constexpr int kCells = 16;   // number of bits of the image's number that are shown
+constexpr int kRound = 100;  // number of images until the ball is back at its start: 4 s
 
 void Put(Picture* picture, int x, int y, const Colour& colour) {
   std::copy(colour.begin(), colour.end(), picture->At(x, y));
@@ -44,7 +44,7 @@ Picture Still(int width, int height) {
   return picture;
 }
 
-// Draws the ball, which moves along the middle of the picture and back.
+// Draws the ball, which moves from the left of the picture to the right and back, at half height.
 void DrawBall(int64_t number, Picture* picture) {
   const int radius = picture->height / 8;
   const int way = picture->width - 2 * radius;

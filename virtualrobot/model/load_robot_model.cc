@@ -1,5 +1,5 @@
-// Reads model/*.json into a RobotModel: units become SI, names become indices, and impossible
-// values are refused.
+// Reads model files (model/*.json) into a RobotModel.  Converts units to SI and names to indices,
+// and refuses impossible values.
 #include <cmath>
 #include <set>
 
@@ -26,7 +26,7 @@ Vector3d Unit(const JsonReader& direction) {
   return v / v.norm();
 }
 
-// A range from a pair of numbers in the file; `scale` is the file's unit in ours.
+// Returns the range that `pair` in the file describes.  `scale` is the file's unit in SI units.
 Range Span(const JsonReader& pair, double scale) {
   const std::vector<double> v = pair.Numbers(2);
   if (v[0] > v[1]) pair.Fail("runs from {} to {}, must rise", v[0], v[1]);
@@ -85,7 +85,8 @@ void ReadJoint(const JsonReader& row, RobotModel* model) {
     row.At("axis").Fail("must be one of the axes of B, as [0, -1, 0]");
   }
   joint.anchor_m = Metres(row.At("anchor"));
-  // Without a box the place of the child's mass is not known; the joint is the best guess.
+  // The position of the joint is the best guess for the child's centre of mass, which is not known
+  // without a box.
   if (!child.has_box) child.centre_m = joint.anchor_m;
   joint.soft_rad = Span(row.At("soft"), Radians(1));
   joint.hard_rad = Span(row.At("hard"), Radians(1));
@@ -153,7 +154,7 @@ void ReadSensor(const JsonReader& row, RobotModel* model) {
   if (row.Has("direction")) sensor.direction = Unit(row.At("direction"));
   if (row.Has("lookup")) sensor.lookup = ReadLookup(row.At("lookup"));
   if (sensor.kind == SensorKind::kDistance && sensor.body >= 0) {
-    row.At("place"), row.At("direction"), row.At("lookup");  // fails when one of them is missing
+    row.At("place"), row.At("direction"), row.At("lookup");  // At() fails when a member is missing
   }
   const int index = static_cast<int>(model->sensors.size());
   if (sensor.kind == SensorKind::kJoint) {
@@ -189,7 +190,7 @@ void ReadLights(const JsonReader& root, RobotModel* model) {
     model->leds.push_back({row.At("name").Text(), row.At("locator").Text(), row.At("type").Text(),
                            row.Has("colour") ? row.At("colour").Text() : ""});
   }
-  if (!root.Has("plungers")) return;  // the ERS-220 has none
+  if (!root.Has("plungers")) return;  // the ERS-220 has no plungers
   for (const JsonReader& row : Rows(root, "plungers")) {
     row.AllowOnly({"name", "locator", "type", "on_rad", "off_rad", "place", "settle_ms", "mtn"});
     Plunger plunger;
@@ -221,8 +222,8 @@ void ReadCamera(const JsonReader& camera, RobotModel* model) {
   c.fov_v_rad = Radians(fov[1]);
   if (c.width_px % 8 != 0 || c.height_px % 8 != 0)
     camera.At("pixels").Fail("{} x {} cannot be halved three times", c.width_px, c.height_px);
-  // Each layer is made from the one before, so the sizes in the file can only confirm the
-  // computation.
+  // The program computes the size of each layer from that of the layer before it, so the sizes in
+  // the file are only compared.
   for (const JsonReader& layer : camera.At("layers").Elements()) {
     const std::vector<double> size = layer.Numbers(2);
     c.layers.emplace_back(static_cast<int>(size[0]), static_cast<int>(size[1]));
@@ -242,7 +243,8 @@ void ReadPostures(const JsonReader& root, RobotModel* model) {
       const JointModel& joint = model->joints[j];
       const double degrees = posture.angles_rad[j];
       posture.angles_rad[j] = Radians(degrees);
-      // Postures that were measured at a stop of a real robot may be wrong by half a degree.
+      // Half a degree beyond a stop is allowed, because postures that were measured at a stop of a
+      // real robot may be wrong by so much.
       if (degrees < Degrees(joint.hard_rad.min) - 0.5 ||
           degrees > Degrees(joint.hard_rad.max) + 0.5) {
         row.At("degrees").Fail("posture '{}' asks {} for {} degrees, its stops are at {} and {}",
@@ -278,7 +280,8 @@ RobotModel ParseRobotModel(const std::string& text, const std::string& name) {
   for (const JsonReader& label : root.At("mtn_labels").Elements()) {
     model.mtn_labels.push_back(label.Text());
   }
-  // In this order, because joints name bodies, sensors name joints, and paws name sensors.
+  // Reads the tables in this order, because joints name bodies, sensors name joints, and paws name
+  // sensors.
   ReadBodies(root, &model);
   ReadJoints(root, &model);
   for (const JsonReader& row : Rows(root, "sensors")) ReadSensor(row, &model);

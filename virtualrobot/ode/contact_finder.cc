@@ -9,13 +9,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Contacts of one box with the floor.  A box that lies flat touches with four corners.  More
-// corners are below the floor only when the box is deep in it, and four contacts push it out as
-// well.
+// Maximum number of contacts of one box with the floor.  A box that lies flat touches with four
+// corners.  More corners are below the floor only when the box is deep in it, and then four
+// contacts are enough to push it out.
 constexpr int kCornersMax = 4;
 
-// ODE's box collider finds up to eight points.  All are asked for, because ODE would choose fewer
-// by their angle, with atan2 of libm, whose bits differ between CPUs.
+// Number of contacts that ODE's box collider is asked for.  It finds at most eight.  If it were
+// asked for fewer, it would choose points by their angle with atan2 of libm, whose bits differ
+// between processors.
 constexpr int kPointsMax = 8;
 
 }  // namespace
@@ -31,7 +32,8 @@ ContactFinder::ContactFinder(const RobotModel& model, const World& world,
     dGeomSetRotation(geom, R);
     world_boxes_.push_back(geom);
   }
-  // The floor is tested without ODE, so parts need a geometry only where there are boxes.
+  // Because the floor is tested without ODE, parts need an ODE geometry only in a world with static
+  // boxes.
   if (world_boxes_.empty()) return;
   for (size_t i = 0; i < bodies.size(); ++i) {
     const Vector3d& size = model.bodies[i].size_m;
@@ -93,7 +95,7 @@ void ContactFinder::FindBoxOnFloor(int body) {
   const dReal* R = dBodyGetRotation(bodies_[body]);
   const double zx = R[8] * half.x(), zy = R[9] * half.y(), zz = R[10] * half.z();
   if (p[2] >= std::fabs(zx) + std::fabs(zy) + std::fabs(zz)) return;
-  // The lowest corner is below the floor, so at least one is found.
+  // From here on the lowest corner is below the floor, so the loop finds at least one corner.
   int found = 0;
   for (int corner = 0; corner < 8 && found < kCornersMax; ++corner) {
     const double sx = corner & 1 ? 1 : -1, sy = corner & 2 ? 1 : -1, sz = corner & 4 ? 1 : -1;
@@ -113,7 +115,8 @@ void ContactFinder::FindBoxOnFloor(int body) {
 
 void ContactFinder::FindOnStaticBoxes(int body, int paw) {
   const dGeomID part = paw >= 0 ? paw_balls_[paw] : part_boxes_[body];
-  // Bounding boxes are compared first, because most parts are far from most boxes.
+  // Bounding boxes are compared first, because this is cheap and most parts are far from most
+  // static boxes.
   dReal reach[6];
   dGeomGetAABB(part, reach);
   for (const dGeomID box : world_boxes_) {

@@ -11,17 +11,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Steps for which a contact stays bounded after it did not stick while held, so that a paw that
-// slides or rattles does not cost two solves in each step.
+// Number of steps for which a contact stays bounded after it did not stick while held.  So a paw
+// that slides or rattles does not make every step solve its equations twice.
 constexpr int8_t kWaitSteps = 16;
 
-// Solves of a step with held contacts.  After each one the contacts that did not stick are bounded;
-// after the last one all contacts are.
+// Maximum number of times that the equations of a step are solved with held contacts.  After each
+// time, the contacts that did not stick become bounded; after the last time, all contacts do.
 constexpr int kHeldSolvesMax = 3;
 static_assert(kHeldSolvesMax + 1 == ContactSolver::kSolvesMax);
 
 // Share of the friction cone in which the force of a bounded contact must lie for the contact to be
-// held in the next step.  The force of a contact that slides lies on the border of the cone.
+// held in the next step.  It is below 1, because the force of a contact that slides lies on the
+// border of the cone.
 constexpr double kWellInside = 0.8;
 
 }  // namespace
@@ -47,7 +48,7 @@ void ContactSolver::Step(const std::vector<ContactPoint>& points,
   for (size_t i = 0; i < points.size(); ++i) {
     held_[i] = settings_.hold && wait_[points[i].feature] == 0;
   }
-  // Without a held contact there is nothing to check, and ODE's result is final.
+  // Without a held contact there is nothing to check, so ODE's first result is final.
   const bool any_held = std::find(held_.begin(), held_.end(), true) != held_.end();
   if (any_held) Save();
   SolveOnce(points, step);
@@ -62,8 +63,9 @@ void ContactSolver::Step(const std::vector<ContactPoint>& points,
   ChooseNext(points);
 }
 
-// Chooses the features that may be held in the next step: those that stick in this one.  A feature
-// that slides or does not touch must first stick in a step in which its contact is bounded.
+// Chooses the features (places of the robot that can touch) whose contacts may be held in the next
+// step: those that stick in this step.  A feature that slides or does not touch must first stick in
+// a step in which its contact is bounded.
 void ContactSolver::ChooseNext(const std::vector<ContactPoint>& points) {
   is_sticking_.assign(wait_.size(), false);
   for (size_t i = 0; i < points.size(); ++i) {
@@ -80,7 +82,7 @@ void ContactSolver::ChooseNext(const std::vector<ContactPoint>& points) {
 
 void ContactSolver::SolveOnce(const std::vector<ContactPoint>& points,
                               const std::function<void()>& step) {
-  feedback_.resize(points.size());  // before the loop, because joints keep pointers into it
+  feedback_.resize(points.size());  // before the loop, because joints keep pointers to its elements
   for (size_t i = 0; i < points.size(); ++i) {
     if (held_[i]) {
       AddHeld(points[i], &feedback_[i]);
@@ -92,8 +94,8 @@ void ContactSolver::SolveOnce(const std::vector<ContactPoint>& points,
   dJointGroupEmpty(group_);
 }
 
-// Makes a ball joint between the point of the body and the point of the ground above it.  The error
-// of the joint is the depth along the normal, so erp and cfm mean what they mean for a contact.
+// Makes a ball joint between the point of the body and the point of the ground above it.  Because
+// the error of the joint is the depth along the normal, erp and cfm mean the same as for a contact.
 // Along the ground the error is zero, and cfm acts like the slip of a contact.
 void ContactSolver::AddHeld(const ContactPoint& point, dJointFeedback* feedback) {
   const Vector3d out = point.p_W + point.depth_m * point.normal_W;

@@ -22,7 +22,8 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Throws when a part or a joint of the model lacks what physics needs.
+// Throws std::runtime_error when a part or a joint of the model lacks what physics needs: box, mass
+// or torque.
 void RefuseUnlessPhysical(const RobotModel& model) {
   for (const BodyPart& body : model.bodies) {
     if (!body.has_box || !(body.mass_kg > 0)) {
@@ -51,7 +52,7 @@ OdeBody::OdeBody(const RobotModel& model, const World& world, const OdeSettings&
   dWorldSetGravity(world_, 0, 0, -kGravity_m_s2);
   dWorldSetERP(world_, settings.joint_erp);
   dWorldSetCFM(world_, settings.joint_cfm);
-  dWorldSetAutoDisableFlag(world_, 0);  // a robot that lies still must answer the next command
+  dWorldSetAutoDisableFlag(world_, 0);  // a robot that lies still must react to commands
   dWorldSetContactMaxCorrectingVel(world_, settings.depart_speed_m_s);
   dWorldSetQuickStepNumIterations(world_, settings.quick_iterations);
 
@@ -75,16 +76,16 @@ OdeBody::OdeBody(const RobotModel& model, const World& world, const OdeSettings&
 }
 
 OdeBody::~OdeBody() {
-  // Both refer to bodies of the world, so they go first.
+  // The solver and the finder are destroyed first, because they refer to bodies of the world.
   solver_.reset();
   finder_.reset();
-  dWorldDestroy(world_);  // destroys its bodies and hinges as well
+  dWorldDestroy(world_);  // also destroys its bodies and hinges
 }
 
 void OdeBody::MakeBodies(const RestingPose& pose, const std::vector<Isometry3d>& X_BL) {
   for (size_t i = 0; i < model_.bodies.size(); ++i) {
     const BodyPart& part = model_.bodies[i];
-    // Uniform density inside the bounding box (Hohl 2004, section 3.1.3).
+    // The mass has uniform density inside the bounding box (Hohl 2004, section 3.1.3).
     dMass mass;
     dMassSetBoxTotal(&mass, part.mass_kg, part.size_m.x(), part.size_m.y(), part.size_m.z());
     const dBodyID body = dBodyCreate(world_);
@@ -108,8 +109,8 @@ void OdeBody::MakeHinges(const RestingPose& pose, const std::vector<Isometry3d>&
     const Vector3d anchor = X_WL * joint.anchor_m, axis = X_WL.linear() * joint.axis;
     dJointSetHingeAnchor(hinge, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
-    // The motor of the hinge has no limit of its own, because Step() states the servo's torque
-    // line.
+    // The motor of the hinge has no torque limit of its own, because the torque line that Step()
+    // sets has the limits of the servo already.
     dJointSetHingeParam(hinge, dParamFMax, dInfinity);
     hinges_.push_back(hinge);
     axes_.push_back(HingeAxisOf(joint));
@@ -131,14 +132,16 @@ void OdeBody::Advance(const std::vector<JointCommand>& commands) {
     JointState& joint = state_.joints[j];
     joint.drive = servos_[j].Drive(joint.angle_rad, joint.speed_rad_s);
   }
-  const Vector3d acceleration_W = (state_.v_WB - v_before_W) / kFrame_s;  // mean of the frame
+  const Vector3d acceleration_W = (state_.v_WB - v_before_W) / kFrame_s;  // averaged over the frame
   state_.gravity_B =
       state_.X_WB.linear().transpose() * (Vector3d(0, 0, -kGravity_m_s2) - acceleration_W);
 }
 
+// Advances the robot by one step of `step_s` seconds.
+//
 // A servo's torque t falls with the speed v of the joint: t = t0 - b v.  The motor of an ODE hinge
-// obeys v = vel - cfm * t, so vel = t0 / b and cfm = 1 / b make it this servo.  ODE then finds t
-// together with all other forces, for the speed v at the end of the step.
+// obeys v = vel - cfm * t, so vel = t0 / b and cfm = 1 / b make the motor behave like the servo.
+// ODE then finds t together with all other forces, for the speed v at the end of the step.
 void OdeBody::Step(double step_s) {
   for (size_t j = 0; j < servos_.size(); ++j) {
     const TorqueLine line =
@@ -160,7 +163,7 @@ void OdeBody::SolveStep(double step_s) {
                        push.p_W.x(), push.p_W.y(), push.p_W.z());
   }
   const OdeRandomScope random(&random_seed_);
-  // libode is SSE code.  Without this call it runs at a third of the speed after AVX code.
+  // Without this call, libode, which is SSE code, runs at a third of its speed after AVX code.
   ClearUpperRegisters();
   if (settings_.solver == OdeSettings::Solver::kExact) {
     dWorldStep(world_, step_s);
@@ -177,7 +180,7 @@ void OdeBody::ReadState() {
     state_.joints[j].speed_rad_s = MeasureSpeed(axes_[j], parent, child);
   }
   const Matrix3d R = RotationOf(bodies_[0]);
-  const Vector3d centre_W = R * model_.bodies[0].centre_m;  // seen from B's origin
+  const Vector3d centre_W = R * model_.bodies[0].centre_m;  // from B's origin, with the axes of W
   state_.X_WB.linear() = R;
   state_.X_WB.translation() = ToEigen(dBodyGetPosition(bodies_[0])) - centre_W;
   state_.w_WB = ToEigen(dBodyGetAngularVel(bodies_[0]));
@@ -216,8 +219,8 @@ double OdeBody::HingeError() const {
 
 void OdeBody::HashState(Hasher* hasher) const {
   HashWorld(surroundings_, hasher);
-  // All numbers are collected first, because one long run of bytes is hashed faster than many short
-  // ones.
+  // All numbers are collected first, because hashing one long run of bytes is faster than hashing
+  // many short ones.
   std::vector<double> values;
   values.reserve(13 * bodies_.size() + 3);
   for (const dBodyID body : bodies_) {

@@ -62,8 +62,8 @@ void OVirtualRobotAudioComm::PlayFrame() {
                              Severity::kWarning, std::move(problem.text));
   }
   if (!plays) return;
-  // After the pause button the amplifier has no power either, but that is no mistake of the
-  // program.
+  // After the pause button was pressed, the amplifier has no power either.  This is not reported,
+  // because it is no mistake of the program.
   const bool power = robot_.power.motor_power();
   if (!power && !robot_.power.pause()) {
     system().AddFinding(Severity::kWarning,

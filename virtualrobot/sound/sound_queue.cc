@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// The reason why the sound is not played; empty when it is.
+// Returns the reason why the sound is not played; "" when it is played.
 std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   if (primitive == nullptr || primitive->type != oprimitiveSPEAKER || !primitive->opened()) {
     return fmt::format("names primitive {:#x}, which {}", info.primitiveID,
@@ -27,7 +27,8 @@ std::string Objection(const OSoundInfo& info, const Primitive* primitive) {
   return "";
 }
 
-// A text when the vector says another rate, size or number of channels than the speaker is set to.
+// Returns a text when the vector names another rate, size or number of channels than the speaker is
+// set to; otherwise "".
 std::string Mismatch(const OSoundInfo& info, const SoundType& type) {
   const auto says = [](word said, int set) { return said != 0 && said != set; };
   if (!says(info.samplingRate, type.rate_hz()) &&
@@ -67,7 +68,7 @@ void SoundQueue::ReadSound(const SentVector& vector, int index, longword frame_n
   OSoundInfo& info = reinterpret_cast<OSoundVectorData*>(vector.header)->info[index];
   const SoundType& type = robot_.speaker.sound_type();
   info.frameNumber = frame_number;
-  // A sound ends where its memory ends, whatever the vector says.
+  // The size in the vector may be wrong, so a sound ends at the latest where its memory ends.
   size_t bytes = info.dataSize;
   if (bytes > info.maxDataSize || vector.At(info.dataOffset, bytes) == nullptr) {
     const size_t room = info.dataOffset > vector.bytes ? 0 : vector.bytes - info.dataOffset;
@@ -106,7 +107,8 @@ void SoundQueue::Start(int64_t frame, bool behind_another, std::vector<SoundProb
   const SentVector vector = ReadSentVector(playing_.region.get(), sizeof(OSoundInfo),
                                            "sound vector", robot_.system, &found);
   const int64_t wait = WaitOf(vector, &found);
-  // A vector without a wait begins in the middle of the frame, right after the one before.
+  // A vector that asks for no delay begins in the middle of the frame, right after the vector
+  // before.
   start_ = wait == 0 ? frame : frame + (behind_another ? 1 : 0) + wait;
   if (vector.header != nullptr && !NamesItsMemory(vector, robot_.system)) {
     found.push_back(fmt::format(
@@ -159,7 +161,7 @@ bool SoundQueue::Fill(int64_t frame, SoundFrame* samples, std::vector<SoundProbl
       filled = Copy(filled, samples);
       played = true;
     } else {
-      filled = kSoundSamplesPerFrame;  // a vector without sound takes the rest of the frame
+      filled = kSoundSamplesPerFrame;  // because a vector without sound takes the rest of the frame
     }
     if (sound_ < sounds_.size()) continue;
     finished_.push_back(std::move(playing_));

@@ -12,15 +12,15 @@ constexpr SoundType kSoundTypes[] = {
     {ospksndMONO16K16B, 2, 128},
 };
 
-// 10^(-1/20) and its 256th root.  They are constants because results of libm's pow() differ between
-// machines.
+// Factors of loudness for -1 dB and for -1/256 dB.  They are constants, because results of libm's
+// pow() differ between machines.
 constexpr double kOneDecibel = 0.8912509381337456;
 constexpr double kOneStep = 0.9995503774595479;
 
 constexpr sword Signed(longword volume) { return static_cast<sword>(volume & 0xffff); }
 
-// Factor of a volume.  It is 1 at -10 dB, because that is the loudest volume for which the circuit
-// is made.
+// Returns the factor of loudness of `volume`.  The factor is 1 at -10 dB, because this is the
+// highest volume for which the circuit of the robot is made.
 double GainOf(longword volume) {
   if ((volume & 0xffff) == ospkvolinfdB) return 0;
   int below = Signed(ospkvol10dB) - Signed(volume);  // 1/256 dB
@@ -43,7 +43,7 @@ const SoundType* Speaker::FindSoundType(longword type) {
 
 void Speaker::SetVolume(longword volume) {
   volume_ = volume & 0xffff;
-  // Beyond 60 dB there is nothing but full scale left.
+  // The factor is limited to 1000 (60 dB), because beyond it every sample is at full scale anyway.
   gain_ = static_cast<int32_t>(std::min(GainOf(volume_), 1000.0) * kFullGain);
 }
 

@@ -1,4 +1,4 @@
-// The speaker's sound as a WAV file.
+// Writes the speaker's sound to a WAV file.
 #include <fmt/format.h>
 #include <sndfile.h>
 
@@ -20,13 +20,15 @@ class SpeakerFile : public SoundSink {
     info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
     stream_ = sf_open(file_.c_str(), SFM_WRITE, &info);
     if (stream_ == nullptr) throw std::runtime_error(Failed());
-    // The header is right after every frame, so the file can be read even if the run is killed.
+    // This command makes libsndfile update the header after every frame, so that the file can be
+    // read even if the run is killed.
     sf_command(stream_, SFC_SET_UPDATE_HEADER_AUTO, nullptr, SF_TRUE);
   }
 
   ~SpeakerFile() override { Close(); }
 
-  // Places a frame by its time, so that frames without sound are a hole of zeros in the file.
+  // Writes the samples to the place in the file that belongs to the time of the frame, so that
+  // frames without sound become zeros.
   std::string Play(int64_t frame, const SoundFrame& samples) override {
     const auto count = static_cast<sf_count_t>(samples.size());
     const bool is_written = sf_seek(stream_, frame * kSoundSamplesPerFrame, SEEK_SET) >= 0 &&
@@ -48,7 +50,7 @@ class SpeakerFile : public SoundSink {
   }
 
   const std::string file_;
-  SNDFILE* stream_ = nullptr;  // null: closed
+  SNDFILE* stream_ = nullptr;  // null when the file is closed
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ template <typename... Args>
   throw std::runtime_error(file + ": " + fmt::format(format, std::forward<Args>(args)...));
 }
 
-// The name that libsndfile has for a kind of samples, such as "32 bit float".
+// Returns libsndfile's name of a kind of samples, such as "32 bit float".
 std::string NameOfSamples(int subtype) {
   SF_FORMAT_INFO info{};
   info.format = subtype;
@@ -31,7 +31,8 @@ std::string NameOfSamples(int subtype) {
   return is_known && info.name != nullptr ? info.name : fmt::format("unknown ({:#x})", subtype);
 }
 
-// Throws unless the file, which libsndfile could open, holds what the microphone can play.
+// Throws std::runtime_error when a file that libsndfile could open holds sound that the microphone
+// cannot play.
 void CheckSound(const std::string& file, const SF_INFO& info) {
   const int type = info.format & SF_FORMAT_TYPEMASK;
   const int subtype = info.format & SF_FORMAT_SUBMASK;
@@ -69,7 +70,8 @@ WavSound ReadWavFile(const std::string& file) {
   WavSound sound;
   sound.rate_hz = info.samplerate;
   sound.channels = info.channels;
-  // Reads to the end, because the header of a file that is cut off promises more than there is.
+  // Reads until the file ends, because the header of a file that was cut off promises more samples
+  // than the file has.
   std::array<int16_t, 4096> piece;
   for (;;) {
     const auto wanted = static_cast<sf_count_t>(piece.size()) / sound.channels;
@@ -83,7 +85,7 @@ WavSound ReadWavFile(const std::string& file) {
 std::vector<OSoundSampleStereo16> ToStereo(const WavSound& sound, int rate_hz) {
   ASSERT(sound.channels > 0 && sound.rate_hz > 0 && rate_hz > 0, "{} channels, {} to {} Hz",
          sound.channels, sound.rate_hz, rate_hz);
-  // All in integers, so that every machine converts to the same samples.
+  // Converts with integers only, so that every machine gets the same samples.
   const auto channels = static_cast<size_t>(sound.channels);
   const size_t length = sound.samples.size() / channels;
   const auto at = [&](size_t index, size_t channel) -> int64_t {
