@@ -1,16 +1,17 @@
 //
-// Controller runs a Webots-style controller on the robot (Hohl 2004, section 5.3).
+// Controller runs a controller program on the robot that is written as for the simulator Webots
+// (Hohl 2004, section 5.3).
 //
 //   Controller.Led, Controller.Ear -> OVirtualRobotComm.Effector
 //   Controller.BatchMover          -> JointMover: the buffer of joint commands
 //   Controller.Mover               -> JointMover: motions
-//   Controller.MainExecution       <- says that the robot stands, so that the controller begins
+//   Controller.MainExecution       <- message that the robot stands; then the program starts
 //   Controller.LedEar              <- LEDs and ears of the remote control
-//   Controller.SetValue            <- key frames of motions
+//   Controller.SetValue            <- key frames (postures) that a motion has reached
 //   Controller.Sensor              <- sensor values
-//   Controller.Image               <- images of the camera, if the controller wants them
+//   Controller.Image               <- images of the camera, if the program wants them
 //
-// The control loop is in ControllerCore; this class connects it with OPEN-R.
+// ControllerCore has the control loop; this class connects it with OPEN-R.
 //
 
 #ifndef Controller_h_DEFINED
@@ -48,10 +49,11 @@ public:
     void NotifyImage(const ONotifyEvent& event);
 
 private:
-    // Vectors of one kind: one is played while another waits until the effector is ready.
+    // Number of command vectors of one kind: one is played while the other waits until the effector
+    // is ready.
     static const int NUM_REGIONS = 2;
 
-    // ControllerPort
+    // Functions of ControllerPort
     virtual bool IsLedReady();
     virtual bool IsEarReady();
     virtual bool IsBatchMoverReady();
@@ -83,7 +85,7 @@ private:
     RCRegion* earRegion_[NUM_REGIONS];
     SensorReader sensorReader_;
     SensorValues sensors_;
-    int roundedMs_;  // the time step whose rounding was reported last
+    int roundedMs_;  // the time step whose rounding was reported last, in ms
     bool hasStepped_;
     bool isCameraOn_;
     bool isStopped_;

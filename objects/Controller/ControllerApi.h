@@ -1,7 +1,8 @@
 //
-// The connection between the functions of include/device and ControllerCore.
+// Connects the functions of include/device, which a controller program calls, with ControllerCore.
 //
-// These are C functions without an argument for the robot, so an image has one controller.
+// These are C functions without an argument for the robot, so an image (the file of an object) has
+// only one controller.
 //
 
 #ifndef ControllerApi_h_DEFINED
@@ -9,16 +10,17 @@
 
 #include "ControllerCore.h"
 
-// Sets the core that the functions use.  It must exist while they are called.  With 0 they do
-// nothing and return 0.
+// Sets the core that the functions of include/device use.  `core` must exist as long as they may be
+// called.  If `core` is 0, these functions do nothing and return 0.
 void SetControllerCore(ControllerCore* core);
 ControllerCore* GetControllerCore();
 
-// Gives a report of JointMover to the motions.
+// Passes a report of JointMover to the functions of include/device/mtn.h.
 void SetMotionValues(const SetValueMessage& message);
 
-// Memory for the next image of the camera: width x height pixels of 3 bytes, red, green, blue, from
-// the top left.  0 when the controller has not enabled the camera.
+// Returns the memory for the next image of the camera: width x height pixels from the top left,
+// with 3 bytes each for red, green and blue.  Returns 0 when the controller has not enabled the
+// camera.
 Uint8* CameraBuffer();
 
 #endif  // ControllerApi_h_DEFINED

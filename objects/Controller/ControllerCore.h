@@ -1,14 +1,16 @@
 //
-// Controller without OPEN-R: the control loop and the buffers behind the functions a controller
-// calls (Hohl 2004, sections 5.3.3 to 5.3.7).
+// The part of Controller that does not use OPEN-R: the control loop and the buffers behind the
+// functions that a controller program calls (Hohl 2004, sections 5.3.3 to 5.3.7).
 //
-// LED vectors are the clock of the loop: each lasts the time step that the controller asked for,
-// and at its end the run function is called again.  Commands of the run function go into buffers,
-// and are sent after it as vectors and messages.  Values of the remote control go into the same
-// buffers when they arrive, so later values of the run function replace them.
+// LED vectors (messages with commands for all LEDs) are the clock of the loop.  Each LED vector
+// lasts the time step that the program asked for, and at its end the program's run function is
+// called again.  The commands of the run function go into buffers, and are sent as vectors and
+// messages after the function has returned.  Values of the remote control go into the same buffers
+// when they arrive, so later values of the run function replace them.
 //
-// A controller with a loop of its own calls robot_step() instead.  It returns at the end of the LED
-// vector.  This works only where ControllerPort has a second stack, which the robot has not.
+// A program that is an endless loop calls robot_step() instead.  robot_step() returns at the end of
+// the LED vector.  This works only where ControllerPort has a second stack, which the robot does
+// not have.
 //
 
 #ifndef ControllerCore_h_DEFINED
@@ -29,25 +31,27 @@ public:
     const SensorValues& Sensors() const { return sensors_; }
     ControllerPort* Port() { return port_; }
 
-    // Runs the controller's main function, and the loop from then on.  Called when the robot
-    // stands.
+    // Runs the main function of the controller program, and its loop from then on.  Called when the
+    // robot stands.
     void Execute(int (*controllerMain)());
 
-    // Ends the controller, because the robot is shut down.
+    // Ends the controller program, because the robot is shut down.
     void Die();
 
-    // Take new sensor values, readies and values of the remote control.
+    // Called when new sensor values, a ready message of an observer, or new values of the remote
+    // control have arrived.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
     void LedReady();
     void EarReady();
     void BatchMoverReady();
     void RemoteLights(const LedEarState& change);
 
-    // Sets the ears of `mask` to their positions in the key frame that a motion has reached.  Bit i
-    // is plunger i; a set bit in `on` is on.
+    // Sets the ears of `mask` to their positions in the key frame (posture) that a motion has
+    // reached.  In both arguments, bit i stands for ear i; a set bit in `on` means that the ear is
+    // on.
     void MotionEars(Uint32 mask, Uint32 on);
 
-    // Called by the functions of the controller's interface.
+    // The functions of the program's interface (include/device) call the functions below.
     int FindDevice(const char* locator);
     void Live(void (*reset)());
     void OnDie(void (*die)()) { die_ = die; }
@@ -61,7 +65,7 @@ public:
     void MotorOff(int joint);
 
 private:
-    // The function of the controller that runs.
+    // The function of the program that runs now.
     enum Place { NOWHERE, IN_MAIN, IN_RUN };
 
     static void CallMain(void* core);
@@ -79,14 +83,14 @@ private:
     const RobotConstants* robot_;
     DeviceTable devices_;
     SensorValues sensors_;
-    std::vector<std::string> unknown_;  // unknown devices that were reported
+    std::vector<std::string> unknown_;  // unknown devices that were reported already
 
     void (*die_)();
     int (*main_)();
     int (*run_)(int);
     Place place_;
     bool isStepping_;  // whether the main function waits in robot_step()
-    int stepFrames_;   // length of the LED vectors
+    int stepFrames_;   // length of the LED vectors, in frames of 8 ms
 
     Uint32 ledOn_, earOn_;
     bool ledChanged_;  // whether the remote control changed LEDs while no loop runs

@@ -1,6 +1,6 @@
 //
-// The tags of a robot's devices that robot_get_device() returns: numbers from 1 for joints, LEDs,
-// ears, sensors and the camera, in this order.
+// The tags of a robot's devices.  A tag is the number that robot_get_device() returns: from 1 for
+// joints, LEDs, ears, sensors and the camera, in this order.
 //
 
 #ifndef DeviceTable_h_DEFINED
@@ -15,14 +15,15 @@ public:
     DeviceTable() : robot_(0) {}
     void Begin(const RobotConstants* robot) { robot_ = robot; }
 
-    // The tag of the device with this locator; 0 if the robot has none.
+    // Returns the tag of the device with this locator (its OPEN-R name); 0 if the robot has no such
+    // device.
     int Find(const char* locator) const;
 
-    // The locators of all devices.
+    // Returns the locators of all devices.
     std::vector<const char*> Locators() const;
 
-    // Index of the device in its table of RobotConstants; -1 when `tag` is a device of another
-    // kind.
+    // Return the index of the device in its table of RobotConstants; -1 when `tag` is the tag of a
+    // device of another kind.
     int Joint(int tag) const;
     int Led(int tag) const;
     int Ear(int tag) const;
@@ -36,7 +37,7 @@ private:
     int FirstSensor() const { return FirstEar() + robot_->numPlungers; }
     int CameraTag() const { return FirstSensor() + robot_->numSensors; }
 
-    const RobotConstants* robot_;  // 0: no robot, no devices
+    const RobotConstants* robot_;  // 0: there is no robot, so there are no devices
 };
 
 #endif  // DeviceTable_h_DEFINED

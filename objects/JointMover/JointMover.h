@@ -1,6 +1,6 @@
 //
-// JointMover moves the joints: it brings the robot to its standing posture after the
-// start, carries out commands for single joints, and plays motion files.
+// JointMover moves the joints: it brings the robot to its standing posture after the start, carries
+// out commands for single joints, and plays motion files.
 //
 //   JointMover.Move           -> OVirtualRobotComm.Effector
 //   JointMover.Mover          <- commands of RCServer and Controller
@@ -8,7 +8,7 @@
 //   JointMover.SetValue       -> state, key frame and positions, to RCServer and Controller
 //   JointMover.MainExecution  -> tells Controller that the robot stands
 //
-// Mover and BatchMover become ready when the robot stands, so their subjects can see that no
+// Mover and BatchMover become ready when the robot stands, so that their senders can see that no
 // command is accepted before.  MoverCore decides what to do; this class connects it with OPEN-R.
 //
 
@@ -42,10 +42,10 @@ public:
     void NotifyBatchMover(const ONotifyEvent& event);
 
 private:
-    // One vector plays while the other one waits.
+    // Number of command vectors: one plays while the other waits.
     static const int NUM_REGIONS = MAX_VECTORS_UNDER_WAY;
 
-    // MoverPort
+    // Functions of MoverPort
     virtual Sint32 Measure(int joint);
     virtual void EnableGain(int joint);
     virtual void DisableGain(int joint);
@@ -66,10 +66,10 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     RCRegion* region_[NUM_REGIONS];
-    int numUnderWay_;  // vectors sent whose end MoverCore has not been told yet
-    int numReports_;   // messages set on SetValue and not sent yet
+    int numUnderWay_;  // vectors that were sent and whose end MoverCore was not told yet
+    int numReports_;   // messages that were set on SetValue and not sent yet
     bool isStopped_;
-    bool isUp_;  // the initial posture has been reached
+    bool isUp_;  // whether the robot has reached its initial posture
     MoverCore core_;
     VectorPlan plan_;  // not a local variable, because 1300 bytes are much of an OPEN-R stack
 };

@@ -1,6 +1,7 @@
 //
-// All joints of the robot, moved by the algorithm for manual commands: the movement of each joint,
-// and whether its gain is on.
+// All joints of the robot, moved by the algorithm for manual commands (Trajectory.h): the movement
+// of each joint, and whether its gain is on.  A joint without gain is limp: its motor does not hold
+// it.
 //
 
 #ifndef JointSet_h_DEFINED
@@ -12,54 +13,57 @@
 
 class JointSet {
 public:
-    // `port` must outlive the set.
+    // Makes a set of joints.  `port` must outlive the set.
     explicit JointSet(MoverPort* port);
 
-    // Puts every joint at rest at its measured position, with the largest speed of its row in
-    // RobotConstants and the default acceleration.  Gains are off.
+    // Puts every joint at rest at its measured position, with the highest speed of its row in
+    // RobotConstants and the default acceleration.  All gains count as off.
     void Begin(const RobotConstants* robot);
 
     int NumJoints() const { return robot_->numJoints; }
     void EnableAllGains();
 
-    // Set what MoverCommand asks for.  A value beyond a limit of the robot becomes the limit.
+    // Set the goal (urad, 10^-6 rad), the speed (0.01 degree/s) or the acceleration (0.01
+    // degree/s^2) of a joint.  A value beyond a limit of the robot becomes the limit.
     void SetGoal(int joint, Sint32 urad);
     void SetSpeed(int joint, Sint32 cdeg);
     void SetAcceleration(int joint, Sint32 cdeg);
 
-    // Puts the joint at rest at `urad`, because a motion has moved it there.
+    // Puts the joint at rest at `urad`, because a motion has moved the joint to this position.
     void Place(int joint, Sint32 urad) { trajectory_[joint].Reset(urad); }
     void Halt(int joint) { trajectory_[joint].Halt(); }
 
-    // Switches the gain off.  The joint becomes limp, and SetGoal() has no effect on it.
+    // Switches the gain of the joint off.  The joint becomes limp, and SetGoal() does not move it.
     void TurnOff(int joint);
     bool IsOff(int joint) const { return gain_[joint] == gainOFF; }
 
-    // Switches the gain on again and moves the joint to `urad`.  The first vector commands the
-    // joint to its measured position, and the gain is enabled when this vector has ended.
-    // Otherwise the joint would jerk to its old set point (BBS 169, 642).
+    // Switches the gain of the joint on again and moves the joint to `urad`.  The next vector
+    // commands the joint to its measured position, and the gain is enabled when this vector has
+    // ended.  Otherwise the joint would jerk to its old set point (BBS 169, 642).
     void Wake(int joint, Sint32 urad);
 
-    // Whether there is a vector to send: a joint moves, or a vector must be sent for its gain.
+    // Returns whether there is a vector to send: because a joint moves, or because a gain waits for
+    // a vector.
     bool IsBusy() const;
     bool IsMoving(int joint) const;
 
-    // Advances all joints by one frame and writes their positions at its end.
+    // Advances all joints by one frame of 8 ms, and writes their positions at its end to `urad`.
     void Step(Sint32 urad[MAX_JOINTS]);
     Sint32 Position(int joint) const { return trajectory_[joint].Position(); }
 
-    // Tell that command vector number `vector` was made, or has ended.  Numbers rise by one.
+    // Called when command vector number `vector` was made, and when it has ended.  Each vector's
+    // number is higher by 1 than that of the vector before.
     void VectorMade(Sint32 vector);
     void VectorEnded(Sint32 vector);
 
 private:
-    enum Gain { gainOFF, gainON, gainWAITING };  // WAITING: until vector wakeVector_ has ended
+    enum Gain { gainOFF, gainON, gainWAITING };  // gainWAITING: until vector wakeVector_ has ended
 
     MoverPort* port_;
     const RobotConstants* robot_;
     Trajectory trajectory_[MAX_JOINTS];
     Gain gain_[MAX_JOINTS];
-    Sint32 wakeVector_[MAX_JOINTS];  // -1: not made yet
+    Sint32 wakeVector_[MAX_JOINTS];  // number of the vector; -1: the vector was not made yet
     Sint32 wakeGoal_[MAX_JOINTS];
 };
 

@@ -1,6 +1,6 @@
 //
-// The functions of the robot that MoverCore needs.  JointMover implements them with OPEN-R calls,
-// tests with a robot of their own.
+// The functions of the robot that MoverCore needs.  JointMover implements them with OPEN-R calls;
+// the unit tests implement them with a simulated robot.
 //
 
 #ifndef MoverPort_h_DEFINED
@@ -13,20 +13,20 @@ class MoverPort {
 public:
     virtual ~MoverPort() {}
 
-    // Returns the present angle of a joint, urad.
+    // Returns the present angle of a joint in urad (10^-6 rad).
     virtual Sint32 Measure(int joint) = 0;
 
-    // Enables the gain of a joint and sets its six values; disables it.
+    // EnableGain() enables the gain of a joint and sets its six values; DisableGain() disables it.
     virtual void EnableGain(int joint) = 0;
     virtual void DisableGain(int joint) = 0;
 
-    // Tells the new state.
+    // Called when the state has changed.
     virtual void StateChanged(MoverState state) = 0;
 
-    // Sends the message on SetValue.
+    // Sends the message to the observers of SetValue.
     virtual void Report(const SetValueMessage& message) = 0;
 
-    // Tells that the robot has reached its initial posture.  Called once.
+    // Called once, when the robot has reached its initial posture.
     virtual void InitialPostureReached() = 0;
 };
 

@@ -1,8 +1,8 @@
 //
 // PowerMonitor shuts the robot down when the pause button is pressed or the battery is low.
 //
-// It has no services.  Its only input is the message of the power manager.  Without such an object
-// the robot cannot be switched off in good order.
+// PowerMonitor has no services (connections to other objects).  Its only input is the message of
+// the power manager.  Without an object like PowerMonitor the robot cannot be shut down properly.
 //
 
 #ifndef PowerMonitor_h_DEFINED
@@ -20,7 +20,8 @@ public:
     PowerMonitor();
     virtual ~PowerMonitor() {}
 
-    // Needed by the generated stub.  All pointers stay 0, because the object has no services.
+    // Pointers that the generated stub needs.  All of them stay 0, because the object has no
+    // services.
     OSubject* subject[numOfSubject];
     OObserver* observer[numOfObserver];
 
@@ -29,7 +30,7 @@ public:
     virtual OStatus DoStop(const OSystemEvent& event);
     virtual OStatus DoDestroy(const OSystemEvent& event);
 
-    // Called when a bit of the power status has changed.
+    // Called with an OPowerStatusMessage when a bit of the power status has changed.
     void UpdatePowerStatus(void* msg);
 
 private:

@@ -1,5 +1,5 @@
 //
-// Commands that wait until JointMover is ready for them, oldest first.
+// A queue of commands that wait until JointMover is ready for them, oldest first.
 //
 
 #ifndef MoverQueue_h_DEFINED
@@ -11,7 +11,7 @@ class MoverQueue {
 public:
     MoverQueue() : first_(0), size_(0) {}
 
-    // Returns false and changes nothing when the queue is full.
+    // Appends a command.  Returns false and changes nothing when the queue is full.
     bool Push(const MoverCommand& command)
     {
         if (size_ == CAPACITY) return false;
@@ -22,7 +22,7 @@ public:
 
     bool IsEmpty() const { return size_ == 0; }
 
-    // REQUIRES: !IsEmpty().
+    // Removes the oldest command and returns it.  REQUIRES: !IsEmpty().
     MoverCommand Pop()
     {
         const int index = first_;
@@ -32,7 +32,8 @@ public:
     }
 
 private:
-    // Room for commands of six clients to every joint before JointMover is ready again, and more.
+    // Maximum number of commands.  There is room for commands of six clients to every joint, and
+    // more, before JointMover is ready again.
     static const int CAPACITY = 128;
 
     MoverCommand command_[CAPACITY];

@@ -2,13 +2,14 @@
 // RCServer serves remote clients over TCP (docs/remote-control.md).
 //
 //   RCServer.Mover    -> JointMover: commands for joints, motions
-//   RCServer.LedEar   -> Controller, which owns LEDs and ears
-//   RCServer.Sensor   <- sensor values and the frame number of every answer
+//   RCServer.LedEar   -> Controller, which commands LEDs and ears
+//   RCServer.Sensor   <- sensor values, and the frame number that every answer has
 //   RCServer.SetValue <- state and key frame of JointMover
 //
-// Each client has an endpoint, a shared buffer and at most one operation that runs: listen,
-// receive, send or close.  An error ends that client only.  RequestHandler knows what requests
-// mean; this class transports bytes and messages.
+// Each client has an endpoint (a TCP connection of the robot's network), a buffer in shared memory
+// and at most one operation that runs: listen, receive, send or close.  An error ends the
+// connection of this client only.  RequestHandler knows the meaning of requests; this class
+// transports bytes and messages.
 //
 
 #ifndef RCServer_h_DEFINED
@@ -48,11 +49,12 @@ public:
     void CloseCont(ANTENVMSG msg);
 
 private:
-    // Clients that are served at the same time.
+    // Maximum number of clients that are served at the same time.
     static const int NUM_PLACES = 8;
 
-    // One more client may connect while all places are taken.  It gets the place of a client that
-    // has been silent for long, or an answer that says why not (PlaceWaiting()).
+    // Maximum number of connections.  One more client may connect while all places are taken.  This
+    // client gets the place of a client that has been silent for long, or an answer that says why
+    // it gets no place (PlaceWaiting()).
     static const int NUM_CLIENTS = NUM_PLACES + 1;
 
     enum ClientState {
@@ -70,12 +72,12 @@ private:
         byte* receiveData;
         byte* sendData;
         RcFramer framer;
-        bool isLast;       // whether the connection ends after the answer that is being sent
-        bool isWaiting;    // whether all places were taken when the client came
-        Uint32 lastFrame;  // frame in which the client sent bytes last
+        bool isLast;       // whether the connection ends when the present answer was sent
+        bool isWaiting;    // whether all places were taken when the client connected
+        Uint32 lastFrame;  // frame in which the client last sent bytes
     };
 
-    // RequestPort
+    // Functions of RequestPort
     virtual bool PostMover(const MoverCommand& command);
     virtual void PostLedEar(const LedEarState& change);
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
@@ -100,9 +102,9 @@ private:
     RequestHandler handler_;
     SensorReader sensorReader_;
     SensorValues sensors_;
-    Uint32 retryFrame_;   // frame in which a failed listen was tried last
-    MoverQueue mover_;    // commands that wait for JointMover
-    LedEarState ledEar_;  // changes that wait for Controller
+    Uint32 retryFrame_;   // frame in which listening was last tried again
+    MoverQueue mover_;    // commands that wait until JointMover is ready
+    LedEarState ledEar_;  // changes that wait until Controller is ready
     bool isStopped_;
 };
 

@@ -1,8 +1,9 @@
 //
-// RCServer without OPEN-R: makes the answer to a request (docs/remote-control.md).
+// The part of RCServer that does not use OPEN-R: makes the answer to a request
+// (docs/remote-control.md).
 //
-// All clients share the robot: limits of speed and acceleration that one client sets are those of
-// all, and the last command counts.  The handler has no state for a single connection.
+// All clients share the robot: when one client sets a limit of speed or acceleration, the limit is
+// valid for all, and the last command counts.  The handler has no state of single connections.
 //
 
 #ifndef RequestHandler_h_DEFINED
@@ -15,26 +16,28 @@
 
 class RequestHandler {
 public:
-    // `port` must outlive the handler.
+    // Makes a handler.  `port` must outlive the handler.
     explicit RequestHandler(RequestPort* port);
 
     void Begin(const RobotConstants* robot);
 
-    // Take the newest values of the robot and the newest report of JointMover.
+    // Set the newest sensor values of the robot, and the newest report of JointMover.
     void SetSensors(const SensorValues& values) { sensors_ = values; }
     void SetMover(const SetValueMessage& message);
-    // Tells that JointMover accepts commands.
+    // Called when JointMover accepts commands.
     void MoverIsReady();
 
-    // Writes the answer to the packet in `request`.  REQUIRES: `out` is empty and has room for
-    // RC_MAX_PACKET bytes.
+    // Writes to `out` the answer to the packet in `request`.  REQUIRES: `out` is empty and has room
+    // for RC_MAX_PACKET bytes.
     void Answer(const RcFramer& request, RcWriter* out);
 
-    // Writes the answer to bytes that are no packet.  The connection ends after it.
+    // Writes to `out` the answer to bytes that are no packet; `error` is the reason.  The
+    // connection ends after this answer.
     void AnswerBroken(const std::string& error, RcWriter* out);
 
-    // Writes the answer that all `places` are taken by clients that have sent requests in the last
-    // `seconds`.  The connection ends after it.  `request` is 0 when the client has sent none.
+    // Writes to `out` the answer that all `places` are taken by clients that have sent requests in
+    // the last `seconds`.  The connection ends after this answer.  `request` is 0 when the client
+    // has sent none.
     void AnswerNoPlace(const RcFramer* request, int places, int seconds, RcWriter* out);
 
 private:
@@ -63,10 +66,10 @@ private:
     SensorValues sensors_;
     int state_;  // MoverState in the newest report of JointMover; -1: no report yet
     Sint32 keyFrame_;
-    Sint32 speed_[MAX_JOINTS];  // set last by remote control (Hohl 2004, 5.3.6)
+    Sint32 speed_[MAX_JOINTS];  // limits last set by remote control (Hohl 2004, 5.3.6)
     Sint32 acceleration_[MAX_JOINTS];
     std::string error_;  // error text of the present request
-    MtnFile motion_;     // the motion to check; not a local variable, because its parts are large
+    MtnFile motion_;     // motion file to check; not a local variable, because its parts are large
 };
 
 #endif  // RequestHandler_h_DEFINED

@@ -1,6 +1,6 @@
 //
 // The functions of the robot that RequestHandler needs.  RCServer implements them with OPEN-R
-// calls, tests with a robot of their own.
+// calls; the unit tests implement them with a simulated robot.
 //
 
 #ifndef RequestPort_h_DEFINED
@@ -19,15 +19,16 @@ public:
     // many commands are kept already.
     virtual bool PostMover(const MoverCommand& command) = 0;
 
-    // Sends changes of LEDs and ears to Controller.  Earlier changes that still wait are sent with
-    // them.
+    // Sends changes of LEDs and ears to Controller.  Earlier changes that could not be sent yet are
+    // sent with them.
     virtual void PostLedEar(const LedEarState& change) = 0;
 
-    // Reads a file of the Memory Stick.  Returns false with a reason in `error` on failure.
+    // Reads a file of the Memory Stick.  On failure, returns false and sets `error` to the reason.
     virtual bool ReadFile(const std::string& path, std::vector<Uint8>* bytes,
                           std::string* error) = 0;
 
-    // Reads the remaining capacity in % and the temperature in 0.01 degree Celsius.
+    // Reads the remaining capacity of the battery in percent and its temperature in 0.01 degree
+    // Celsius.
     virtual void ReadBattery(Sint32* capacity, Sint32* temperature) = 0;
 };
 

@@ -1,7 +1,7 @@
 //
-// The two angle units of the objects, and the conversion between them.
+// The two units of angles in the objects, and the conversion between them.
 //
-//   urad   micro-radians: command vectors, sensor vectors, MTN files (Level 2 Reference
+//   urad   microradians: command vectors, sensor vectors, MTN files (Level 2 Reference
 //          Guide 4.2.1; Hohl 2004, appendix A)
 //   cdeg   hundredths of a degree, of a degree/s, of a degree/s^2: the unit of the remote
 //          control (Hohl 2004, table 3.10) and of the speed tables
@@ -15,7 +15,8 @@
 
 #include "FixedTypes.h"
 
-// numerator / denominator, rounded to the nearest, half away from zero.  REQUIRES: denominator > 0.
+// Returns numerator / denominator, rounded to the nearest, half away from zero.  REQUIRES:
+// denominator > 0.
 inline Sint64
 DivideRounded(Sint64 numerator, Sint64 denominator)
 {
@@ -26,11 +27,12 @@ DivideRounded(Sint64 numerator, Sint64 denominator)
 // One cdeg in urad, times 10^9: pi / 18000 x 10^6 x 10^9.
 const Sint64 URAD_PER_CDEG_E9 = 174532925199LL;
 
-// For the radians in which controllers give positions and speeds.
+// Factors for the radians in which controllers give positions and speeds.
 const double URAD_PER_RAD = 1e6;
 const double CDEG_PER_RAD = 5729.577951308232;
 
-// An angle of more than 100 turns counts as 100 turns, so that the result fits 32 bits.
+// Converts 0.01 degree to urad.  An angle of more than 100 turns counts as 100 turns, so that the
+// result fits 32 bits.
 inline Sint32
 UradFromCdeg(Sint32 cdeg)
 {

@@ -1,5 +1,5 @@
 //
-// Little-endian numbers in byte arrays.
+// Reads and writes little-endian numbers in byte arrays.
 //
 // Numbers are read and written byte by byte, because an unaligned access is a CPU exception on the
 // robot, and because this gives the same result on every host.
@@ -22,8 +22,8 @@ GetU32(const Uint8* at)
     return (Uint32)at[0] | ((Uint32)at[1] << 8) | ((Uint32)at[2] << 16) | ((Uint32)at[3] << 24);
 }
 
-// Converts two's complement by arithmetic, because C++98 leaves the result of a cast of a large
-// unsigned value to the compiler.
+// Reads a number in two's complement.  Converts it by arithmetic, because C++98 leaves the result
+// of a cast of a large unsigned value to the compiler.
 inline Sint32
 GetS32(const Uint8* at)
 {

@@ -1,8 +1,8 @@
 //
-// Integers of a fixed width.
+// Integer types of a fixed width.
 //
-// The robot's headers have names for them (byte, longword, int32), but objects/common must also
-// compile without these headers, and the robot's C library has no <stdint.h>.
+// The robot's headers have such types (byte, longword, int32), but objects/common must also compile
+// without these headers, and the robot's C library has no <stdint.h>.
 //
 
 #ifndef FixedTypes_h_DEFINED

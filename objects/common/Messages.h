@@ -2,10 +2,11 @@
 // The messages between the objects.
 //
 // Messages are plain data of fixed width without padding bytes, because a recorded run is compared
-// byte by byte.  A sender begins with a message of zeros: SomeMessage message = {}; or memset().
+// byte by byte.  So a sender first sets all bytes of a message to zero: SomeMessage message = {};
+// or memset().
 //
-// Angles are urad; speeds 0.01 degree/s; accelerations 0.01 degree/s^2.  Joints, LEDs and
-// plungers are named by their index in RobotConstants.
+// Angles are in urad (10^-6 rad), speeds in 0.01 degree/s, accelerations in 0.01 degree/s^2.
+// Joints, LEDs and plungers (ears) are identified by their index in RobotConstants.
 //
 
 #ifndef Messages_h_DEFINED
@@ -16,14 +17,14 @@
 #include "RobotDescription.h"
 
 enum MoverCommandKind {
-    moverkindPOSITION = 1,      // joint, value
-    moverkindSPEED = 2,         // joint, value
-    moverkindACCELERATION = 3,  // joint, value
-    moverkindPLAY = 4,          // file, loops, keyFramesPerVector
+    moverkindPOSITION = 1,      // uses the fields `joint` and `value`
+    moverkindSPEED = 2,         // uses the fields `joint` and `value`
+    moverkindACCELERATION = 3,  // uses the fields `joint` and `value`
+    moverkindPLAY = 4,          // uses the fields `file`, `loops` and `keyFramesPerVector`
     moverkindSTOP = 5           // ends the motion that plays
 };
 
-// RCServer.Mover, Controller.Mover -> JointMover.Mover
+// The command that RCServer.Mover and Controller.Mover send to JointMover.Mover.
 struct MoverCommand {
     Sint32 kind;  // MoverCommandKind
     Sint32 joint;
@@ -35,8 +36,8 @@ struct MoverCommand {
 COMPILE_TIME_CHECK(MoverCommandHasNoPadding, sizeof(MoverCommand) == 5 * 4 + MTN_NAME_SIZE);
 
 enum BatchJointFlags {
-    batchPOSITION_GIVEN = 1,  // `position` is valid; without it the joint stays where it is
-    batchMOTOR_OFF = 2        // gain is off, so that the joint can be moved by hand
+    batchPOSITION_GIVEN = 1,  // `position` is valid; otherwise the joint stays where it is
+    batchMOTOR_OFF = 2        // the gain is off, so that the joint can be moved by hand
 };
 
 struct BatchJoint {
@@ -46,36 +47,36 @@ struct BatchJoint {
     Sint32 flags;  // BatchJointFlags
 };
 
-// Controller.BatchMover -> JointMover.BatchMover: the whole buffer of joint commands, sent when a
-// value in it has changed.  JointMover acts on the differences from the buffer before (Hohl 2004,
-// 5.3.6).  Before the first one, JointMover has start-up speeds, default accelerations and no
-// flags.
+// The message of Controller.BatchMover to JointMover.BatchMover: the whole buffer of joint
+// commands, sent when a value in it has changed.  JointMover acts on the differences from the
+// buffer before (Hohl 2004, 5.3.6).  The first buffer is compared with the values at start-up:
+// highest speeds, default accelerations and no flags.
 struct BatchMoverCommand {
     BatchJoint joint[MAX_JOINTS];
 };
 COMPILE_TIME_CHECK(BatchMoverCommandHasNoPadding, sizeof(BatchMoverCommand) == MAX_JOINTS * 16);
 
-// JointMover.SetValue -> RCServer.SetValue, Controller.SetValue: sent at every vector of a motion,
-// and at every change of state.  One event may carry several messages; the last is the newest.
-// JointMover does not move the ears itself, because Controller has them: Controller moves them as
-// these messages say.
+// The message of JointMover.SetValue to RCServer.SetValue and Controller.SetValue.  It is sent at
+// every vector of a motion, and at every change of state.  One event may carry several messages;
+// the last is the newest.  Because Controller commands the ears, JointMover does not move them
+// itself: Controller moves the ears as these messages say.
 struct SetValueMessage {
     Sint32 state;              // MoverState
-    Sint32 keyFrame;           // reached when the positions were measured; -1: no motion plays
+    Sint32 keyFrame;           // key frame at the time of the positions; -1: no motion plays
     Uint8 isOver;              // 1: the motion of `file` has ended or was refused
-    Uint8 earMask;             // plungers that the motion moves: bit i stands for plunger i
+    Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
     Uint8 earOn;               // bits of earMask whose plungers are on in `keyFrame`
     Uint8 reserved;            // 0
-    char file[MTN_NAME_SIZE];  // the file of the motion; empty: no motion
+    char file[MTN_NAME_SIZE];  // file of the motion; "": no motion
     Sint32 commanded[MAX_JOINTS];
     Sint32 measured[MAX_JOINTS];
 };
 COMPILE_TIME_CHECK(SetValueMessageHasNoPadding,
                    sizeof(SetValueMessage) == 12 + MTN_NAME_SIZE + 2 * MAX_JOINTS * 4);
 
-// RCServer.LedEar -> Controller.LedEar.  Bit i stands for LED or plunger i.
+// The message of RCServer.LedEar to Controller.LedEar.  Bit i stands for LED or plunger (ear) i.
 struct LedEarState {
-    Uint32 ledMask;  // LEDs that were commanded; the others stay as they are
+    Uint32 ledMask;  // LEDs that were commanded; the other LEDs stay as they are
     Uint32 ledOn;
     Uint32 earMask;
     Uint32 earOn;
@@ -83,7 +84,8 @@ struct LedEarState {
 COMPILE_TIME_CHECK(LedEarStateHasNoPadding, sizeof(LedEarState) == 16);
 COMPILE_TIME_CHECK(LedsFitTheirMask, MAX_LEDS <= 32 && MAX_PLUNGERS <= 8);
 
-// JointMover.MainExecution -> Controller.MainExecution: sent once, when the robot stands.
+// The message of JointMover.MainExecution to Controller.MainExecution.  It is sent once, when the
+// robot stands.
 struct MainExecutionMessage {
     Sint32 state;  // MoverState
 };

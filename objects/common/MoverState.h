@@ -8,17 +8,17 @@
 enum MoverState {
     moverFILLING,    // the first command vector has the measured positions
     moverGAINS,      // gains of all joints are enabled and set
-    moverBROADBASE,  // moves to the first start-up posture; the next three states to the others
+    moverBROADBASE,  // moves to the first start-up posture; in the next three states to the others
     moverSLEEPING,
     moverCROUCHING,
     moverSTANDING,
     moverACCEPTING_COMMANDS,
-    moverPREPARE_MTN,  // moves to the first key frame of a motion
+    moverPREPARE_MTN,  // moves to the first key frame (posture) of a motion
     moverMTN,          // plays the motion
     NUM_MOVER_STATES
 };
 
-// The name of a state, such as "accepting-commands"; "unknown" for other numbers.
+// Returns the name of a state, such as "accepting-commands"; "unknown" for other numbers.
 const char* MoverStateName(int state);
 
 #endif  // MoverState_h_DEFINED

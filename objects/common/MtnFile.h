@@ -1,10 +1,13 @@
 //
 // A motion file (MTN), as Hohl 2004, appendix A, describes it and as real files are.
 //
-// The same reader is used on the robot and on the host.  It turns bytes into a motion, or into an
-// error text with section and offset; then the motion is empty.  The length of a file follows from
-// the numbers of its key frames and joints.  A section size that differs from it is only a warning,
-// because real files have such sizes (SITLOS01.MTN).
+// A motion is a sequence of key frames, which are postures of the robot.  The frames between two
+// key frames are interpolated.
+//
+// Robot and host use the same reader.  It converts the bytes to a motion.  When the bytes are no
+// motion, the result is an error text with section and offset, and the motion is empty.  The length
+// of a file follows from the numbers of its key frames and joints.  A section size that differs
+// from this length is only a warning, because real files have such sizes (SITLOS01.MTN).
 //
 
 #ifndef MtnFile_h_DEFINED
@@ -18,21 +21,24 @@
 #include "FixedTypes.h"
 #include "RobotDescription.h"
 
-// Key frames and interpolation counts are multiples of this (section 0, frame rate).
+// Time unit of key frames and interpolation counts, in ms (section 0 of the file, frame rate).
 const Sint32 MTN_FRAME_MS = 16;
 
-// Largest angle of a joint: one full turn.  The mechanical stops lie within +-150 degrees.
+// Largest angle of a joint: one full turn, because the mechanical stops of all joints lie within
+// +-150 degrees.
 const Sint32 MTN_MAX_ANGLE_URAD = 6283186;
 
-// Largest angle of the body's attitude: ten turns, because a motion may turn the body several
-// times.  The attitude is not played.
+// Largest angle of the body's attitude (roll, pitch, yaw): ten turns, because a motion may turn the
+// body several times.  The attitude is not played.
 const Sint32 MTN_MAX_ATTITUDE_URAD = 62831853;
 
-// A key frame index must fit SetValue and the remote control: -1..32767 (Hohl 2004, table 3.6).
+// Largest number of key frames.  The index of a key frame must fit SetValue and the remote control,
+// which have -1 to 32767 (Hohl 2004, table 3.6).
 const Sint32 MTN_MAX_KEYFRAMES = 32767;
 
-// An angle that is beyond a software limit by this or less counts as being at the limit.  The
-// vendor's files have 147 degrees as 2565640, which is 6 micro-radians too much.
+// Tolerance at a software limit: an angle that is beyond the limit by this or less counts as being
+// at the limit.  For example, the vendor's files have 147 degrees as 2565640, which is 6
+// microradians too much.
 const Sint32 MTN_LIMIT_TOLERANCE_URAD = 20;
 
 // Largest number of interpolation frames between two key frames: one minute.  In 3440 known files
@@ -45,27 +51,29 @@ class MtnFile {
 public:
     MtnFile();
 
-    // Reads a whole file.  Returns false, and is an empty motion, when the bytes are no motion.
+    // Reads the bytes of a whole file.  Returns false when the bytes are no motion; then this
+    // object is an empty motion, and Error() has the reason.
     bool Read(const Uint8* bytes, size_t size);
 
-    // Why Read() or MapTo() returned false: "section 3, offset 516: ...".
+    // Returns the reason why Read() or MapTo() returned false: "section 3, offset 516: ...".
     const std::string& Error() const { return error_; }
 
-    // Texts about unusual but harmless content, in the order of the file.
+    // Returns texts about unusual but harmless content, in the order of the file.
     const std::vector<std::string>& Warnings() const { return warnings_; }
 
-    // Finds the joint or plunger of `robot` for each joint of the file, by locator; the design
-    // label is not used.  Returns false with an Error() when the robot has no such joint.  Adds a
-    // warning for each joint that leaves its software limits.  Call after Read().
+    // Finds the joint or plunger (ear) of `robot` for each joint of the file, by its locator
+    // (OPEN-R name); the design label is not used.  Returns false with an Error() when the robot
+    // has no such joint.  Adds a warning for each joint that leaves its software limits.  REQUIRES:
+    // Read() has returned true.
     bool MapTo(const RobotConstants* robot);
 
-    // Index in RobotConstants::joints of the file's joint `j`; -1 when it is a plunger.
-    // Valid after MapTo().
+    // Returns the index in RobotConstants::joints of the file's joint `j`, or -1 when joint `j` is
+    // a plunger.  Valid after MapTo().
     int RobotJoint(int j) const { return robotJoint_[j]; }
 
-    // Index in RobotConstants::plungers of the file's joint `j`; -1 when joint `j` is no plunger.
-    // A plunger, which moves an ear, has two positions: it is on in a key frame when its Angle() is
-    // not 0.  Valid after MapTo().
+    // Returns the index in RobotConstants::plungers of the file's joint `j`, or -1 when joint `j`
+    // is no plunger.  A plunger moves an ear and is either on or off.  In a key frame, an Angle()
+    // of 0 means off; any other value means on.  Valid after MapTo().
     int RobotPlunger(int j) const { return robotPlunger_[j]; }
 
     int NumKeyFrames() const { return numKeyFrames_; }
@@ -77,20 +85,20 @@ public:
     int MajorVersion() const { return majorVersion_; }
     int MinorVersion() const { return minorVersion_; }
 
-    // Angle of the file's joint `j` in key frame `k`, urad.
+    // Returns the angle of the file's joint `j` in key frame `k`, in urad (10^-6 rad).
     Sint32 Angle(int k, int j) const { return angles_[k * NumJoints() + j]; }
 
-    // Roll, pitch, yaw (axis 0, 1, 2) of the body in key frame `k`, urad.
+    // Returns roll, pitch or yaw (`axis` 0, 1 or 2) of the body in key frame `k`, in urad.
     Sint32 Attitude(int k, int axis) const { return attitudes_[k * 3 + axis]; }
 
-    // Number of interpolation frames between key frames k and k + 1.
+    // Returns the number of interpolation frames between key frames `k` and `k` + 1.
     Sint32 Interpolation(int k) const { return interpolations_[k]; }
 
-    // The time of key frame `k`, in ms after key frame 0.  A gap with interpolation count n lasts
-    // (n + 1) x 16 ms.
+    // Returns the time of key frame `k`, in ms after key frame 0.  A gap between two key frames
+    // with interpolation count n lasts (n + 1) x 16 ms.
     Sint32 TimeMs(int k) const;
 
-    // TimeMs() of the last key frame; 0 for an empty motion.
+    // Returns TimeMs() of the last key frame; 0 for an empty motion.
     Sint32 DurationMs() const;
 
 private:

@@ -8,7 +8,8 @@
 #include <string>
 
 // Checks that `given` is an 8+3 file name without a path, and writes it to `name`, in upper case
-// and padded with zeros.  Returns false with a reason in `error` when it is not (Hohl 2004, 5.3.7).
+// and padded with zeros.  When it is not such a name, returns false and sets `error` to the reason
+// (Hohl 2004, 5.3.7).
 const int MTN_NAME_SIZE = 16;
 bool MtnFileName(const char* given, char name[MTN_NAME_SIZE], std::string* error);
 

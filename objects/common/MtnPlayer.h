@@ -2,15 +2,15 @@
 // Splits a motion into command vectors: the play-back algorithm of Hohl 2004, section 4.1.2 and
 // table 4.2.
 //
-// The robot is at key frame 0 when play-back begins.  The gap between two key frames, with
-// interpolation count n, lasts (n + 1) x 16 ms.  It is played in 2 (n + 1) frames of 8 ms on a
-// straight line.  The last frame of a gap is the next key frame itself, so key frames are reached
-// exactly.  Each further loop begins with the first gap again; there is no movement back to key
-// frame 0.  Speed limits are ignored.
+// A motion is a sequence of key frames (postures); a gap is the time between two of them.  The
+// robot is at key frame 0 when play-back begins.  A gap with interpolation count n lasts (n + 1) x
+// 16 ms.  It is played as a straight line in 2 (n + 1) frames of 8 ms.  The last frame of a gap is
+// the next key frame itself, so key frames are reached exactly.  Each further loop begins with the
+// first gap again; the joints do not move back to key frame 0 before.  Speed limits are ignored.
 //
-// A vector has as many whole gaps as fit, but no more than the number asked for.  So it ends at a
-// key frame, where positions are measured.  The last vector of a loop may be short.  Only a gap
-// that is longer than a vector is split.
+// A vector has as many whole gaps as fit, but no more than the number asked for.  So a vector ends
+// at a key frame, where positions are measured.  The last vector of a loop may be short.  Only a
+// gap that is longer than a vector is split.
 //
 
 #ifndef MtnPlayer_h_DEFINED
@@ -19,37 +19,41 @@
 #include "FixedTypes.h"
 #include "MtnFile.h"
 
-// Frames of a command vector (ocommandMAX_FRAMES, Level 2 Reference Guide 4.2.1).
+// Maximum number of frames of a command vector (ocommandMAX_FRAMES, Level 2 Reference Guide 4.2.1).
 const int MAX_VECTOR_FRAMES = 16;
 
-// Two key frames without interpolation make a vector of 32 ms, which is the period of the sensor
-// vectors.  Two vectors are in the effector at any time, so a stop acts within 64 ms.
+// Number of key frames per vector when no number is given.  Two key frames without interpolation
+// make a vector of 32 ms, which is the period of the sensor vectors.  Because two vectors are in
+// the effector, a stop acts within 64 ms.
 const int DEFAULT_KEYFRAMES_PER_VECTOR = 2;
 
 class MtnPlayer {
 public:
     MtnPlayer();
 
-    // Begins at key frame 0.  `motion` must exist until the end.  REQUIRES: loops >= 1.  The number
-    // of key frames per vector is rounded down to an even number from 2 to 8.
+    // Starts playing `motion` from key frame 0.  `motion` must exist until play-back has ended.
+    // `keyFramesPerVector` is rounded down to an even number and limited to 2 to 8.  REQUIRES:
+    // loops >= 1.
     void Start(const MtnFile* motion, int loops, int keyFramesPerVector);
 
     // Ends play-back at the present frame.
     void Stop() { motion_ = 0; }
 
-    // Whether there is a frame left to play.
+    // Returns whether there is a frame left to play.
     bool IsPlaying() const { return motion_ != 0; }
 
-    // How many frames the next vector has: 1 to MAX_VECTOR_FRAMES; 0 when there is none.
+    // Returns the number of frames of the next vector: 1 to MAX_VECTOR_FRAMES; 0 when play-back has
+    // ended.
     int FramesOfNextVector() const;
 
     // Advances one frame.  REQUIRES: IsPlaying().
     void NextFrame();
 
-    // Position of the file's joint `j` in the frame to which NextFrame() advanced, urad.
+    // Returns the position of the file's joint `j` in the frame to which NextFrame() advanced, in
+    // urad (10^-6 rad).
     Sint32 Position(int j) const;
 
-    // The key frame reached last; 0 before the first.
+    // Returns the index of the key frame reached last; 0 before the first one is reached.
     int KeyFrame() const { return keyFrame_; }
 
 private:
@@ -57,12 +61,12 @@ private:
     void EndLoop();
 
     const MtnFile* motion_;  // 0: not playing
-    const MtnFile* shown_;   // motion of Position(), also after the last frame
-    int loopsLeft_;          // this one included
+    const MtnFile* shown_;   // motion that Position() shows, also after the last frame
+    int loopsLeft_;          // number of loops left, with the present loop
     int keyFramesPerVector_;
-    int gap_;    // the gap that plays, from key frame gap_ to gap_ + 1
-    int frame_;  // number of frames of the gap that were played
-    int shownGap_, shownFrame_;  // gap and frame of Position()
+    int gap_;    // index of the gap that plays, from key frame gap_ to gap_ + 1
+    int frame_;  // number of frames of this gap that were played
+    int shownGap_, shownFrame_;  // gap and frame that Position() shows
     int keyFrame_;
 };
 

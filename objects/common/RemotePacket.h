@@ -1,7 +1,7 @@
 //
 // Packets of the remote control: the byte level of docs/remote-control.md.
 //
-// Used by RCServer on the robot and by the client on the host.  No read or write goes beyond its
+// RCServer on the robot and the client on the host use this code.  No read or write goes beyond its
 // buffer: reading after the end of a packet gives zeros and sets a flag.
 //
 
@@ -19,19 +19,19 @@ const int RC_VERSION = 1;
 const int RC_HEADER_SIZE = 8;          // header of a request
 const int RC_ANSWER_HEADER_SIZE = 16;  // header of an answer
 
-// Largest size of a whole packet.  The robot sends 1024 bytes at once; more bytes wait up to 200 ms
-// (BBS 1530, 1592).
+// Largest size of a whole packet, in bytes.  The robot sends 1024 bytes at once; the bytes beyond
+// would wait up to 200 ms (BBS 1530, 1592).
 const int RC_MAX_PACKET = 1024;
 
 // The beginning of requests and answers, without the magic number.
 struct RcHeader {
-    Uint16 size;  // size of the whole packet, bytes
+    Uint16 size;  // size of the whole packet in bytes
     Uint8 version;
     Uint8 command;
     Uint16 tag;
 };
 
-// Writes numbers and strings one after the other into a buffer of the caller.
+// Writes numbers and strings, one after the other, into a buffer of the caller.
 class RcWriter {
 public:
     RcWriter(Uint8* buffer, int capacity);
@@ -41,8 +41,8 @@ public:
     void U32(Uint32 value);
     void S32(Sint32 value) { U32((Uint32)value); }
 
-    // Writes a length byte and the characters.  A string that is too long is cut off.  '?' replaces
-    // all but printable ASCII characters.
+    // Writes a length byte and the characters.  Cuts off a string that is longer than 255
+    // characters.  Writes '?' for every character that is not printable ASCII.
     void String(const std::string& text);
 
     int Size() const { return size_; }
@@ -51,7 +51,7 @@ public:
     // Drops all bytes after the first `size`.
     void Truncate(int size);
 
-    // Writes the first RC_HEADER_SIZE bytes, now that the size is known.
+    // Writes the header into the first RC_HEADER_SIZE bytes, when the size is known.
     void PutHeader(int command, int tag);
 
 private:
@@ -73,9 +73,9 @@ public:
     Uint16 U16();
     Uint32 U32();
     Sint32 S32();
-    std::string String();  // '?' replaces all but printable ASCII characters
+    std::string String();  // has '?' for every character that is not printable ASCII
 
-    // Whether all reads found their bytes and no byte is left over.
+    // Returns whether all reads found their bytes and no byte is left over.
     bool IsComplete() const { return !hasFailed_ && at_ == size_; }
     bool HasFailed() const { return hasFailed_; }
 
@@ -88,40 +88,42 @@ private:
     bool hasFailed_;
 };
 
-// Splits a stream of bytes into packets.  The bytes may come in pieces, or several packets at once.
+// Splits a stream of bytes into packets.  A packet may come in several pieces, and several packets
+// may come at once.
 class RcFramer {
 public:
     enum Result {
-        NEEDS_MORE,  // a packet is not complete yet
+        NEEDS_MORE,  // the next packet is not complete yet
         PACKET,
-        BROKEN  // the bytes are no packet, so later packets cannot be found either
+        BROKEN  // the bytes are no packet, so no later packet can be found either
     };
 
     RcFramer() { Reset(); }
     void Reset();
 
-    // Number of bytes that Take() has room for; at least RC_MAX_PACKET after NEEDS_MORE.
+    // Returns the number of bytes for which Take() has room; at least RC_MAX_PACKET after
+    // NEEDS_MORE.
     int Room() const { return CAPACITY - size_; }
 
-    // Appends bytes.  REQUIRES: size <= Room().
+    // Appends `size` bytes to the stream.  REQUIRES: size <= Room().
     void Take(const Uint8* bytes, int size);
 
-    // Finds the next packet.  Header() and Payload() are those of the packet until the next call of
-    // Next() or Take().
+    // Finds the next packet.  When the result is PACKET, Header() and Payload() return its parts
+    // until the next call of Next() or Take().
     Result Next();
     const RcHeader& Header() const { return header_; }
     const Uint8* Payload() const { return buffer_ + RC_HEADER_SIZE; }
     int PayloadSize() const { return header_.size - RC_HEADER_SIZE; }
 
-    // The reason why Next() returned BROKEN.
+    // Returns the reason why Next() returned BROKEN.
     const std::string& Error() const { return error_; }
 
 private:
     static const int CAPACITY = 2 * RC_MAX_PACKET;
 
     Uint8 buffer_[CAPACITY];
-    int size_;      // bytes in buffer_
-    int consumed_;  // bytes of the packet that Next() found last
+    int size_;      // number of bytes in buffer_
+    int consumed_;  // size of the packet that Next() found last, in bytes
     RcHeader header_;
     std::string error_;
 };

@@ -1,9 +1,9 @@
 //
 // Requests and answers of the remote control (docs/remote-control.md).
 //
-// Positions are 0.01 degree, speeds 0.01 degree/s, accelerations 0.01 degree/s^2.  Each struct
-// has functions to write and to read it, which server and client share.  Read() returns false when
-// bytes are missing or left over.
+// Positions are in 0.01 degree, speeds in 0.01 degree/s, accelerations in 0.01 degree/s^2.  Each
+// struct has functions to write and to read it, which server and client share.  Read() returns
+// false when bytes are missing or left over.
 //
 
 #ifndef RemoteProtocol_h_DEFINED
@@ -27,7 +27,7 @@ enum RcCommand {
     rcSENSORS = 0x30,
     rcMTN_PLAY = 0x40,
     rcMTN_STOP = 0x41,
-    // Reserved; a server of version 1 answers rcerrorNOT_IMPLEMENTED.
+    // The commands below are reserved; a server of version 1 answers rcerrorNOT_IMPLEMENTED.
     rcMTN_LIST = 0x42,
     rcUPLOAD_BEGIN = 0x50,
     rcUPLOAD_DATA = 0x51,
@@ -41,18 +41,18 @@ enum RcCommand {
 enum RcStatus {
     rcOK = 0,
     rcerrorBAD_PACKET = 1,  // the bytes are no packet; the server closes the connection
-    rcerrorVERSION = 2,     // protocol version is not served
+    rcerrorVERSION = 2,     // the server does not know this protocol version
     rcerrorUNKNOWN_COMMAND = 3,
-    rcerrorNOT_IMPLEMENTED = 4,  // reserved command
-    rcerrorMALFORMED = 5,        // payload too short or too long
-    rcerrorNO_SUCH_DEVICE = 6,   // index out of range
+    rcerrorNOT_IMPLEMENTED = 4,  // the command is reserved
+    rcerrorMALFORMED = 5,        // the payload is too short or too long
+    rcerrorNO_SUCH_DEVICE = 6,   // the index is out of range
     rcerrorBUSY = 7,             // the robot cannot do this now
     rcerrorNO_SUCH_FILE = 8,
-    rcerrorBAD_FILE = 9,  // the file is no motion, or none for this robot
+    rcerrorBAD_FILE = 9,  // the file is no motion, or no motion for this robot
     rcerrorBAD_VALUE = 10
 };
 
-// The part of an answer before its payload.
+// The header of an answer.
 struct RcAnswerHeader {
     RcHeader header;
     Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: none yet
@@ -81,7 +81,8 @@ enum RcDeviceKind {
     NUM_RC_DEVICES
 };
 
-// Values of a joint: limits of position, of speed, of acceleration, and default acceleration.
+// Indices of the values of a joint in RcDescription: limits of position, speed and acceleration,
+// and the default acceleration.
 enum RcJointValue {
     rcjointMIN,
     rcjointMAX,
@@ -97,7 +98,7 @@ struct RcDescription {
     std::string name;   // short: "LF_j1"
     std::string title;  // "Left fore leg J1"
     std::string locator;
-    std::vector<Sint32> values;  // joint: RcJointValue; sensors: one, the SensorKind; else none
+    std::vector<Sint32> values;  // joint: see RcJointValue; sensor: its SensorKind; others: empty
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);
@@ -105,21 +106,21 @@ struct RcDescription {
 
 struct RcJointState {
     Sint32 position;  // measured
-    Sint32 speed;     // limits as set last by remote control
+    Sint32 speed;     // limits of speed and acceleration, last set by remote control
     Sint32 acceleration;
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);
 };
 
-// Groups and order of Hohl 2004, table 3.8.
+// The sensor values as sent to the client, grouped and ordered as in Hohl 2004, table 3.8.
 struct RcSensors {
     Uint8 state;                   // MoverState
     std::vector<Sint32> joints;    // 0.01 degree
     std::vector<Sint32> binary;    // 0 or 1
     std::vector<Sint32> other;     // 10^-6 of N, m, degree C, m/s^2; or A/D counts
     std::vector<Sint32> misc;      // battery: capacity %, temperature 0.01 degree C
-    std::vector<Sint32> keyFrame;  // one number: -1 or 0 to 32767
+    std::vector<Sint32> keyFrame;  // one number: the key frame reached last (0 to 32767), or -1
 
     void Write(RcWriter* out) const;
     bool Read(RcReader* in);

@@ -12,8 +12,8 @@
 #include "FixedTypes.h"
 
 // Sizes of arrays in the objects and in their messages, with room for every robot.  ERS-210 and
-// ERS-7 have 18 joints; the ERS-7 has 26 LEDs and 16 sensors that are not joints; no robot has more
-// than 2 plungers.
+// ERS-7 have 18 joints; the ERS-7 has 26 LEDs and 16 sensors that do not measure a joint; no robot
+// has more than 2 plungers (ears).
 const int MAX_JOINTS = 20;
 const int MAX_LEDS = 32;
 const int MAX_PLUNGERS = 4;
@@ -28,13 +28,13 @@ struct JointConstants {
     Sint32 minCdeg;  // software limits in 0.01 degree
     Sint32 maxCdeg;
     Sint32 minSpeedCdeg;  // 0.01 degree/s
-    Sint32 maxSpeedCdeg;  // also the speed after start-up
+    Sint32 maxSpeedCdeg;  // also the speed limit after start-up
     Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
-    Sint16 sensorIndex;   // element of the sensor frame vector
+    Sint16 sensorIndex;   // index of its element in sensor vectors
     Sint16 mtnIndex;      // index of the joint in the vendor's MTN files; -1: in none
 };
 
-enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // OLEDCommandValue2 or 3
+enum LedKind { ledLED2 = 2, ledLED3 = 3 };  // takes OLEDCommandValue2 or 3
 
 struct LedConstants {
     const char* title;
@@ -42,7 +42,7 @@ struct LedConstants {
     Sint32 kind;  // LedKind
 };
 
-enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };  // OJointCommandValue3 or 4
+enum PlungerKind { plungerJOINT3 = 3, plungerJOINT4 = 4 };  // takes OJointCommandValue3 or 4
 
 struct PlungerConstants {
     const char* title;
@@ -50,7 +50,7 @@ struct PlungerConstants {
     Sint32 kind;  // PlungerKind
 };
 
-// Groups of Hohl 2004, table 3.8, as docs/openr/ers210.md 7 reads it.
+// Groups of sensors in Hohl 2004, table 3.8, as docs/openr/ers210.md 7 reads the table.
 enum SensorGroup { sensorBINARY = 1, sensorOTHER = 2 };
 
 enum SensorKind {
@@ -68,19 +68,19 @@ struct SensorConstants {
     const char* locator;
     Sint32 group;        // SensorGroup
     Sint32 kind;         // SensorKind
-    Sint32 touchLimit;   // touched when the value is above this; -1: not a touch sensor
-    Sint16 sensorIndex;  // element of the sensor frame vector
+    Sint32 touchLimit;   // the sensor is touched when its value is above this; -1: no touch sensor
+    Sint16 sensorIndex;  // index of its element in sensor vectors
     Sint16 reserved;
 };
 
 struct CameraConstants {
     const char* locator;
-    Sint32 width;  // size of the largest layer, pixels
+    Sint32 width;  // width of the largest image layer, in pixels
     Sint32 height;
     Sint32 fovUrad;  // field of view from left to right
 };
 
-// Angles in the order of RobotConstants::joints, inside the software limits.
+// A posture: angles in the order of RobotConstants::joints, inside the software limits.
 struct PostureConstants {
     const char* name;  // "stand", "sit", "sleep", "crouch", "broadbase"
     Sint32 urad[MAX_JOINTS];
@@ -94,19 +94,19 @@ struct RobotConstants {
     const LedConstants* leds;
     int numPlungers;
     const PlungerConstants* plungers;
-    int numSensors;                  // without joints
+    int numSensors;                  // number of sensors that do not measure a joint
     const SensorConstants* sensors;  // in order of sensorIndex
-    int numSensorElements;           // elements of a sensor frame vector, joints included
+    int numSensorElements;           // elements of a sensor frame vector, also those of joints
     int numPostures;
     const PostureConstants* postures;
-    Sint32 minAccelerationCdeg;  // 0.01 degree/s^2, of every joint
+    Sint32 minAccelerationCdeg;  // in 0.01 degree/s^2, for every joint
     Sint32 defaultAccelerationCdeg;
     Sint32 maxAccelerationCdeg;
     CameraConstants camera;
 };
 
-// Find a robot, posture or device by name.  Return 0 (an index: -1) when there is none of that
-// name. `robot` must not be 0.
+// Find a robot or posture by its name, or the index of a device by its locator (OPEN-R name).
+// Return 0 (for an index: -1) when there is none with this name.  REQUIRES: `robot` is not 0.
 const RobotConstants* FindRobot(const char* design);
 const PostureConstants* FindPosture(const RobotConstants* robot, const char* name);
 int FindJoint(const RobotConstants* robot, const char* locator);
@@ -114,7 +114,7 @@ int FindLed(const RobotConstants* robot, const char* locator);
 int FindPlunger(const RobotConstants* robot, const char* locator);
 int FindSensor(const RobotConstants* robot, const char* locator);
 
-// Number of sensors of `robot` that belong to `group`.
+// Returns the number of sensors of `robot` that belong to `group`.
 int CountSensors(const RobotConstants* robot, SensorGroup group);
 
 #endif  // RobotDescription_h_DEFINED

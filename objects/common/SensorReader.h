@@ -1,5 +1,6 @@
 //
-// Reads sensor vectors of OVirtualRobotComm into SensorValues.  For use inside of an OPEN-R object.
+// Reads sensor vectors of OVirtualRobotComm into SensorValues, for an OPEN-R object.  A sensor
+// vector is a message with four samples of every sensor.
 //
 
 #ifndef SensorReader_h_DEFINED
@@ -13,10 +14,10 @@ class SensorReader {
 public:
     SensorReader();
 
-    // Opens the primitives of all joints and sensors.  Call in DoInit.
+    // Opens the primitives (devices) of all joints and sensors.  Call this function in DoInit().
     OStatus Open(const RobotConstants* robot);
 
-    // Reads the newest of the frames in `vector`.
+    // Reads the newest sample of every joint and sensor in `vector` into `values`.
     void Read(OSensorFrameVectorData* vector, SensorValues* values);
 
 private:
@@ -26,8 +27,8 @@ private:
     const RobotConstants* robot_;
     OPrimitiveID joint_[MAX_JOINTS];
     OPrimitiveID sensor_[MAX_SENSORS];
-    bool isFound_;                  // whether the elements below are known
-    int jointElement_[MAX_JOINTS];  // element of the vector; -1: not in the vector
+    bool isFound_;                  // whether jointElement_ and sensorElement_ are set
+    int jointElement_[MAX_JOINTS];  // index of the joint's element in a vector; -1: none
     int sensorElement_[MAX_SENSORS];
 };
 

@@ -12,8 +12,8 @@ const Uint32 NO_SENSOR_FRAME = 0xffffffff;
 
 struct SensorValues {
     Uint32 frame;                // frame number of the samples; NO_SENSOR_FRAME: none yet
-    Sint32 joint[MAX_JOINTS];    // urad
-    Sint32 sensor[MAX_SENSORS];  // values in the unit of SensorConstants::kind
+    Sint32 joint[MAX_JOINTS];    // in urad (10^-6 rad)
+    Sint32 sensor[MAX_SENSORS];  // in the unit that SensorConstants::kind says
 };
 
 #endif  // SensorValues_h_DEFINED

@@ -1,5 +1,5 @@
 //
-// Reading a whole file of the Memory Stick.
+// Reads a whole file of the Memory Stick.
 //
 
 #ifndef StickFile_h_DEFINED
@@ -10,11 +10,12 @@
 
 #include "FixedTypes.h"
 
-// Largest file that is read.  The largest known motion has 10 KB; the robot has 32 MB of memory.
+// Largest file that is read, in bytes.  The largest known motion has 10 KB; the robot has 32 MB of
+// memory.
 const long STICK_FILE_MAX = 1024 * 1024;
 
-// Reads the file `path` ("/MS/OPEN-R/...").  On failure returns false, with a reason in `error` and
-// `bytes` empty.
+// Reads the file `path` ("/MS/OPEN-R/...") into `bytes`.  On failure, returns false, sets `error`
+// to the reason and leaves `bytes` empty.
 bool ReadStickFile(const std::string& path, std::vector<Uint8>* bytes, std::string* error);
 
 #endif  // StickFile_h_DEFINED

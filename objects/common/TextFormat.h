@@ -1,5 +1,5 @@
 //
-// printf into a std::string.
+// Formats a text as printf() does, into a std::string.
 //
 
 #ifndef TextFormat_h_DEFINED
@@ -7,8 +7,8 @@
 
 #include <string>
 
-// The result has at most 239 characters, as a line of the robot's log has (Programmer's Guide 5.1).
-// The buffer is on the stack, which is small.
+// Returns the formatted text, cut off after 239 characters like a line of the robot's log
+// (Programmer's Guide 5.1).  The limit is low, because the buffer is on the stack, which is small.
 std::string TextFormat(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif  // TextFormat_h_DEFINED

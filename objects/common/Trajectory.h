@@ -4,14 +4,14 @@
 //
 // This is the "algorithm for manual commands" of Hohl 2004, section 4.1.1.  It is used for the
 // start-up postures, for commands of the remote control and of controllers, and for the movement to
-// the first key frame of a motion.  A new goal may be given at any time; the joint continues with
-// the speed it has.
+// the first key frame (posture) of a motion.  A new goal may be given at any time; the joint then
+// continues with its present speed.
 //
 // Each frame takes the largest step after which the joint can still stop at the goal with its limit
 // of acceleration.  So there is no stored plan that a new goal would make wrong.  Positions are in
-// fixed point (2^-16 micro-radian) instead of floating point, so every compiler, word size and CPU
-// computes the same frames.  No duration is computed, so none can be rounded to zero frames
-// (ers210.md 5, "Arithmetic trap").
+// fixed point (2^-16 microradian) instead of floating point, so every compiler, word size and CPU
+// computes the same frames.  Because no duration is computed, no duration can be rounded to zero
+// frames (ers210.md 5, "Arithmetic trap").
 //
 
 #ifndef Trajectory_h_DEFINED
@@ -23,31 +23,32 @@ class Trajectory {
 public:
     Trajectory();
 
-    // Puts the joint at rest at `urad`, which becomes the goal.  The limits stay.
+    // Puts the joint at rest at `urad` (10^-6 rad), which also becomes its goal.  The limits stay.
     void Reset(Sint32 urad);
 
-    // Sets the limit of speed, 0.01 degree/s, > 0.  A joint that is faster slows down.
+    // Sets the limit of speed, in 0.01 degree/s.  A joint that is faster slows down.  REQUIRES:
+    // speedCdeg > 0.
     void SetSpeed(Sint32 speedCdeg);
 
-    // Sets the limit of acceleration, 0.01 degree/s^2, > 0.  A lower limit that comes while the
-    // joint moves is used after its next stop, because with it the joint could not stop at its
-    // goal.
+    // Sets the limit of acceleration, in 0.01 degree/s^2.  While the joint moves, a lower limit is
+    // used only after its next stop, because with this limit the joint could not stop at its goal.
+    // REQUIRES: accelerationCdeg > 0.
     void SetAcceleration(Sint32 accelerationCdeg);
 
     void SetGoal(Sint32 urad);
 
-    // Stops the joint: its goal becomes the nearest position at which it can stop.
+    // Stops the joint: sets its goal to the nearest position at which it can stop.
     void Halt();
 
-    // Advances one frame and returns the position at its end, in urad.
+    // Advances the joint by one frame and returns its position at the end of the frame, in urad.
     Sint32 Step();
 
-    // The position at the end of the last frame, in urad.
+    // Returns the position at the end of the last frame, in urad.
     Sint32 Position() const;
 
     Sint32 Goal() const { return goal_; }
 
-    // Whether the joint moves or is not at its goal.
+    // Returns whether the joint moves or is not at its goal.
     bool IsMoving() const;
 
 private:
@@ -58,9 +59,9 @@ private:
     Sint32 goal_;              // urad
     Sint64 position_;          // 2^-16 urad
     Sint64 speed_;             // 2^-16 urad per frame
-    Sint64 speedLimit_;        // same unit, > 0
+    Sint64 speedLimit_;        // 2^-16 urad per frame, > 0
     Sint64 acceleration_;      // 2^-16 urad per frame^2, > 0
-    Sint64 nextAcceleration_;  // limit after the next stop
+    Sint64 nextAcceleration_;  // limit of acceleration after the next stop
 };
 
 #endif  // Trajectory_h_DEFINED
