@@ -39,7 +39,7 @@ class IdealBody : public Body {
   const World world_;
   mutable BodyState state_;
   mutable std::vector<Eigen::Isometry3d> X_WL_;  // result of BodyPoses()
-  // Whether X_WL_, and the base and paws in state_, are computed for the present joint angles.
+  // True when X_WL_, and the base and paws in state_, are computed for the present joint angles.
   mutable bool placed_ = false;
 };
 

@@ -1,5 +1,5 @@
 //
-// The functions of include/device/camera.h.
+// Implements the functions of include/device/camera.h.
 //
 
 #include <device/camera.h>
@@ -8,7 +8,7 @@
 
 #include "ControllerApi.h"
 
-static std::vector<Uint8> theImage;  // empty: the camera is disabled
+static std::vector<Uint8> theImage;  // the newest image; empty while the camera is disabled
 static bool theImageIsThere = false;
 
 static const CameraConstants*

@@ -32,8 +32,8 @@ Controller::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover sends reports without waiting for us.  The buffer keeps them, so that none is
-    // lost.
+    // JointMover sends reports without waiting for Controller.  This buffer keeps the reports, so
+    // that none is lost.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -54,7 +54,7 @@ Controller::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     ASSERT_READY_TO_ALL_OBSERVER;
-    observer[obsImage]->DeassertReady();  // camera_enable() asserts it
+    observer[obsImage]->DeassertReady();  // camera_enable() asserts ready
     OSYSLOG1((osyslogINFO, "state: waiting"));
     return oSUCCESS;
 }
@@ -184,8 +184,8 @@ Controller::IsBatchMoverReady()
     return subject[sbjBatchMover]->IsReady() != 0;
 }
 
-// Returns a vector whose region is free, with elements that are not filled yet; 0 when both are in
-// use.
+// Returns a vector with a free region and elements that are not filled yet; 0 when all regions are
+// in use.
 OCommandVectorData*
 Controller::BeginVector(RCRegion** regions, int numElements, RCRegion** region)
 {
@@ -241,8 +241,8 @@ Controller::SendLeds(Uint32 on, int frames)
     FinishVector(sbjLed, region);
 }
 
-// Sends one command frame.  An ear takes 128 ms for it (Hohl 2004, 5.3.4); more frames would only
-// warm its coil.  STATE1 is on, see the robot model.
+// Sends one command frame for each ear.  An ear needs 128 ms for the frame (Hohl 2004, 5.3.4); more
+// frames would only warm its coil.  STATE1 means on (see the robot model).
 void
 Controller::SendEars(Uint32 on)
 {
@@ -294,7 +294,7 @@ Controller::BatteryCapacity()
     return OPENR::GetPowerStatus(&power) == oSUCCESS ? power.remainingCapacity : 0;
 }
 
-// Reports each time step once, not in every iteration.
+// Reports each time step only once, not in every iteration.
 void
 Controller::TimeStepRounded(int askedMs, int usedMs)
 {
@@ -335,7 +335,8 @@ Controller::RunLoop(void (*body)(void*), void* argument)
     LoopStackRun(body, argument);
 }
 
-// Reports the missing stack once, because a controller calls robot_step() many times a second.
+// Reports only once that the second stack is missing, because a program calls robot_step() many
+// times a second.
 bool
 Controller::LeaveLoop()
 {
@@ -350,7 +351,8 @@ Controller::ContinueLoop()
     LoopStackContinue();
 }
 
-// exit() ends the method that runs; the object goes on (Programmer's Guide, appendix A.2).
+// Ends the program by exit(), which ends the method that runs while the object goes on
+// (Programmer's Guide, appendix A.2).
 void
 Controller::EndLoop()
 {

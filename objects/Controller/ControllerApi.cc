@@ -103,7 +103,7 @@ led_set(DeviceTag tag, unsigned char value)
 
 // ---- servo.h -------------------------------------------------------------------------
 
-// The index of the joint with this tag; -1 for other devices.
+// Returns the index of the joint with this tag; -1 for other devices.
 static int
 JointOf(DeviceTag tag)
 {

@@ -8,7 +8,8 @@
 
 #include "ControllerApi.h"
 
-// Asserts or deasserts ready, because images are sent only to an observer that is ready.
+// Switches the reception of images on or off by asserting or deasserting ready, because images are
+// sent only to an observer that is ready.
 void
 Controller::EnableCamera(bool on)
 {
@@ -27,8 +28,8 @@ Clip(int value)
 }
 
 // Converts the image with integers, so that every compiler gives the same picture.  Green is y -
-// 0.51 cr - 0.19 cb.  The last row of Y begins with 16 bytes of other data, so the row above is
-// used in its place.
+// 0.51 cr - 0.19 cb.  Because the last row of the luminance Y begins with 16 bytes of other data,
+// the row above is used instead.
 static void
 Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 {
@@ -54,7 +55,7 @@ Convert(OFbkImageVectorData* vector, int width, int height, Uint8* out)
 void
 Controller::NotifyImage(const ONotifyEvent& event)
 {
-    if (!isCameraOn_) return;  // this image was sent before the camera was disabled
+    if (!isCameraOn_) return;  // because this image was sent before the camera was disabled
     Uint8* out = CameraBuffer();
     if (out != 0) {
         OFbkImageVectorData* vector = (OFbkImageVectorData*)event.Data(event.NumOfData() - 1);

@@ -6,13 +6,14 @@
 
 #include "Angle.h"
 
-// Time step until the controller asks for one, and while no controller runs: 32 ms, the shorter of
-// the two that Hohl 2004, 5.3.4, recommends.
+// Time step, in frames, while no controller program runs and until the program asks for another
+// one: 32 ms, the shorter of the two time steps that Hohl 2004, 5.3.4, recommends.
 static const int DEFAULT_STEP_FRAMES = 4;
 
 static const int FRAME_MS = 8;
 
-// The period of an LED command is a 16-bit number of frames.
+// Longest time step of a program, in frames.  An LED command lasts one time step, and its period is
+// a 16-bit number of frames.
 static const int MAX_STEP_FRAMES = 65535;
 
 ControllerCore::ControllerCore(ControllerPort* port)
@@ -66,7 +67,7 @@ ControllerCore::Execute(int (*controllerMain)())
 
 static const size_t MAX_UNKNOWN = 32;
 
-// Reports each unknown device once, because a run function may ask for it again and again.
+// Reports each unknown device only once, because a run function may ask for it again and again.
 int
 ControllerCore::FindDevice(const char* locator)
 {
@@ -85,8 +86,8 @@ ControllerCore::Live(void (*reset)())
     if (reset != 0) reset();
 }
 
-// A run function may call Run() as well; the function that it names is called from the next
-// iteration on.
+// Sets the run function, and calls it at once if main() sets it.  When a run function calls Run(),
+// the new function is called from the next iteration on.
 void
 ControllerCore::Run(int (*run)(int))
 {
@@ -123,9 +124,9 @@ ControllerCore::SetTimeStep(int askedMs)
     stepFrames_ = frames;
 }
 
-// Returns when the LED vector that is sent now has ended, always with 0 (synchronous mode).  After
-// robot_run() it does not return: in Webots no code runs after robot_run(), and two loops cannot
-// share the LEDs.
+// Returns when the LED vector that is sent now has ended.  The result is always 0, as in Webots'
+// synchronous mode.  After robot_run() this function does not return: in Webots no code runs after
+// robot_run(), and two loops cannot share the LEDs.
 int
 ControllerCore::Step(int ms)
 {
@@ -141,8 +142,8 @@ ControllerCore::Step(int ms)
         port_->Remark("robot_step() after robot_run(): main() ends here, the run function goes on");
     }
     place_ = NOWHERE;
-    // Leaves main() here and comes back when the vector has ended.  Where that is impossible, as on
-    // the robot, the controller ends.
+    // Leaves main() here and returns when the vector has ended.  Where main() cannot be left, as on
+    // the robot, the program ends.
     if (!port_->LeaveLoop()) {
         isStepping_ = false;
         port_->EndLoop();
@@ -151,8 +152,9 @@ ControllerCore::Step(int ms)
     return 0;
 }
 
-// Ends the controller if its code called exit().  exit() ends only the method of the object that
-// runs (Programmer's Guide, appendix A.2), so place_ still says that the code is running.
+// Ends the program if its code called exit().  exit() ends only the method that is running, not the
+// object (Programmer's Guide, appendix A.2).  place_ then still says that the code is running, and
+// this is how the call is recognised here.
 void
 ControllerCore::EndIfItDidNotReturn()
 {
@@ -161,8 +163,8 @@ ControllerCore::EndIfItDidNotReturn()
     run_ = 0;
 }
 
-// Begins the next iteration, because the LED vector sent last has ended.  When the effector is not
-// ready although this event says so, a vector that waited has just been sent, and its end will call
+// Begins the next iteration, because the last LED vector has ended.  The effector may not be ready
+// although this event says so.  Then a vector that waited has just been sent, and its end will call
 // this function again.
 void
 ControllerCore::LedReady()
@@ -192,7 +194,8 @@ ControllerCore::SendBuffers()
     port_->SendLeds(ledOn_, stepFrames_);
 }
 
-// Keeps the change when the effector is not ready; the next iteration tries again.
+// Sends the ears if they have changed.  When the effector is not ready, the change is kept and sent
+// by a later call.
 void
 ControllerCore::SendEarsIfChanged()
 {
@@ -209,8 +212,8 @@ ControllerCore::SendBatchIfChanged()
     port_->SendBatch(batch_);
 }
 
-// Sends ears that could not be sent before.  A controller with a loop does so in its next
-// iteration; one without a loop has no next iteration.
+// Sends ears that could not be sent before.  A program with a loop sends them in its next iteration
+// instead.
 void
 ControllerCore::EarReady()
 {
@@ -230,7 +233,7 @@ ControllerCore::RemoteLights(const LedEarState& change)
     ChangeEars(change.earMask, change.earOn);
     ledOn_ = (ledOn_ & ~change.ledMask) | (change.ledOn & change.ledMask);
     EndIfItDidNotReturn();
-    if (HasLoop()) return;  // the next iteration sends them
+    if (HasLoop()) return;  // the next iteration sends the changes
     ledChanged_ = true;
     if (port_->IsLedReady()) SendBuffers();
 }
@@ -240,7 +243,7 @@ ControllerCore::MotionEars(Uint32 mask, Uint32 on)
 {
     ChangeEars(mask, on);
     EndIfItDidNotReturn();
-    if (!HasLoop()) SendEarsIfChanged();  // otherwise the next iteration sends them
+    if (!HasLoop()) SendEarsIfChanged();  // otherwise the next iteration sends the ears
 }
 
 // ---- Buffers -------------------------------------------------------------------------
@@ -278,8 +281,8 @@ ControllerCore::Change(Sint32* value, Sint32 newValue)
     *value = newValue;
 }
 
-// Returns `value` x `scale`, rounded and limited.  The limits come first, because a number that
-// does not fit an integer must not be converted.
+// Returns `value` x `scale`, rounded and limited to `low` and `high`.  The limits are tested before
+// the conversion, because a number that does not fit an integer must not be converted.
 static Sint32
 Scaled(double value, double scale, Sint32 low, Sint32 high)
 {

@@ -1,5 +1,5 @@
 //
-// LoopStack for the robot, where an object has one stack only.
+// Implements LoopStack.h for the robot, where an object has only one stack.
 //
 
 #include "LoopStack.h"

@@ -1,5 +1,5 @@
 //
-// The functions of include/device/mtn.h (Hohl 2004, section 5.3.7).
+// Implements the functions of include/device/mtn.h (Hohl 2004, section 5.3.7).
 //
 
 #include <device/mtn.h>
@@ -16,10 +16,10 @@ struct MtnMotion {
     Sint32 keyFrame;  // key frame reached last; -1: the motion does not play
 };
 
-static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play(), while it plays
-static std::string theError;       // error text of the last mtn_new(); empty: no error
+static MtnMotion* thePlaying = 0;  // the motion of the last mtn_play() while it plays; otherwise 0
+static std::string theError;       // error text of the last mtn_new(); "": no error
 
-// Reads `motion`.  Returns false with a reason in theError on failure.
+// Reads the file `filename` into `motion`.  On failure, returns false and sets theError.
 static bool
 Load(const char* filename, MtnMotion* motion)
 {
@@ -64,9 +64,10 @@ mtn_delete(MTN* motion)
     delete motion;
 }
 
-// The motion counts as playing from now on, although JointMover may first move to its first key
-// frame.  No motion is sent while another one plays: JointMover would refuse it, and if both are of
-// one file, the refusal would look like the end of the other motion.
+// Plays the motion.  It counts as playing from now on, although JointMover may first move the robot
+// to its first key frame.  No motion is sent while another one plays, because JointMover would
+// refuse it.  If both motions were of the same file, this refusal would look like the end of the
+// motion that plays.
 void
 mtn_play(MTN* motion)
 {
@@ -100,8 +101,9 @@ mtn_get_time(MTN* motion)
     return motion->keyFrame < 0 ? motion->file.DurationMs() : motion->file.TimeMs(motion->keyFrame);
 }
 
-// Decides by key frames instead of time, because gaps of a motion may be long.  A motion of one key
-// frame is over only when JointMover reports it.
+// Returns 1 when the motion has reached its last key frame.  Decides by key frames instead of time,
+// because gaps of a motion may be long.  A motion of one key frame is over only when JointMover
+// reports it.
 int
 mtn_is_over(MTN* motion)
 {
@@ -110,8 +112,8 @@ mtn_is_over(MTN* motion)
     return last > 0 && motion->keyFrame >= last;
 }
 
-// Ignores reports about motions of other files, because the remote control may play motions as
-// well.
+// Stores the progress of the motion that plays.  Ignores reports about motions of other files,
+// because the remote control may play motions as well.
 void
 SetMotionValues(const SetValueMessage& message)
 {

@@ -42,12 +42,13 @@ JointMover::DoStart(const OSystemEvent&)
 {
     ENABLE_ALL_SUBJECT;
     core_.Begin(robot_);
-    SendVectors();  // if the effector is ready; otherwise its ready event does it
+    SendVectors();  // if the effector is ready; otherwise its ready event sends them
     SendReports();
     return oSUCCESS;
 }
 
-// Does not move the joints to rest, because the pause button has cut motor power already (BBS 421).
+// Stops the object.  Does not move the joints to a resting posture, because the pause button has
+// cut motor power already (BBS 421).
 OStatus
 JointMover::DoStop(const OSystemEvent&)
 {
@@ -97,7 +98,8 @@ JointMover::NewRegions()
 
 // ---- Command vectors -----------------------------------------------------------------
 
-// Called when a vector has ended: each gives one ready event, and its region is free by then.
+// Called when a vector has ended, because each vector causes one ready event at its end.  By then
+// the region of the vector is free.
 void
 JointMover::ReadyMove(const OReadyEvent& event)
 {
@@ -108,9 +110,9 @@ JointMover::ReadyMove(const OReadyEvent& event)
     SendReports();
 }
 
-// Sends two vectors at first, then one for each that has ended.  Sends none while the effector is
-// not ready, because a new vector would then replace the one that waits (measured: the latest set
-// wins).
+// Sends two vectors at first, and then one for each vector that has ended.  Sends none while the
+// effector is not ready, because a new vector would then replace the vector that waits (measured:
+// of several vectors, the latest stays).
 void
 JointMover::SendVectors()
 {
@@ -127,7 +129,8 @@ JointMover::SendVectors()
     numUnderWay_ += numSet;
 }
 
-// A region with more than our own reference is still used by the effector.
+// Returns the number of regions that the effector still uses: those with more references than our
+// own.
 int
 JointMover::NumBusyRegions() const
 {
@@ -162,8 +165,8 @@ JointMover::FillRegion(RCRegion* region)
     }
 }
 
-// Lets a controller begin at once when it has replaced another one while the robot stands.  After
-// the start of the robot, this event comes before the posture is reached and has no effect.
+// Lets a controller begin at once when it has replaced another controller while the robot stands.
+// After the start of the robot, this event comes before the robot stands and has no effect.
 void
 JointMover::ReadyMainExecution(const OReadyEvent& event)
 {
@@ -215,7 +218,7 @@ JointMover::NotifyBatchMover(const ONotifyEvent& event)
     SendReports();
 }
 
-// Reports a refused motion as over, because other objects may wait for its end.
+// Plays a motion.  Reports a refused motion as over, because other objects may wait for its end.
 void
 JointMover::Play(const MoverCommand& command)
 {
@@ -269,8 +272,8 @@ JointMover::StateChanged(MoverState state)
     OSYSLOG1((osyslogINFO, "state: %s", MoverStateName(state)));
 }
 
-// Only sets the message.  SendReports() sends all messages of a handler together, because a second
-// NotifyObservers() would replace the messages of the first.
+// Sets the message but does not send it.  SendReports() sends all messages of a handler together,
+// because a second NotifyObservers() would replace the messages of the first.
 void
 JointMover::Report(const SetValueMessage& message)
 {

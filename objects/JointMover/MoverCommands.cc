@@ -1,13 +1,14 @@
 //
-// The commands of MoverCore: single joints, the buffer of a controller, motions.
+// The commands of MoverCore: positions and limits of single joints, the buffer of a controller,
+// motions.
 //
 
 #include "MoverCore.h"
 
 #include <string.h>
 
-// Sets a position now, or after the motion that moves the joint.  `wake` says that the command
-// switches on a joint that is off; without it such a joint stays off.
+// Sets the position of a joint now, or after the motion that moves the joint.  `wake` says that the
+// command switches the joint on if it is off; otherwise such a joint stays off.
 void
 MoverCore::SetPosition(int joint, Sint32 urad, bool wake)
 {
@@ -90,8 +91,8 @@ MoverCore::Play(const MoverCommand& command, const Uint8* bytes, size_t size, st
     return true;
 }
 
-// Whether the robot must first move to key frame 0.  For a motion of one key frame this movement is
-// the whole motion.
+// Returns whether the robot must first move to key frame 0.  For a motion of one key frame, this
+// movement is the whole motion.
 bool
 MoverCore::NeedsPreparation() const
 {

@@ -4,8 +4,8 @@
 
 #include "Angle.h"
 
-// The postures of the start-up, in order, and the state in which the robot moves to each.  A
-// posture that the robot's model does not have is left out (the ERS-7 has no "crouch").
+// The postures of the start-up, in order, and the state in which the robot moves to each of them.
+// A posture that the model of the robot does not have is left out (the ERS-7 has no "crouch").
 struct StartPosture {
     MoverState state;
     const char* name;
@@ -85,7 +85,7 @@ MoverCore::NextVector(VectorPlan* plan)
 }
 
 // Advances all joints by one frame.  Joints that a motion does not move obey their own commands, so
-// the tail can wag while the robot walks.
+// for example the tail can wag while the robot walks.
 void
 MoverCore::MakeFrame(Sint32 urad[MAX_JOINTS])
 {
@@ -114,7 +114,7 @@ MoverCore::Remember(const VectorPlan& plan)
     joints_.VectorMade(record.number);
 }
 
-// Whether the state has done its work with the last frame that was made.
+// Returns whether the present state is completed with the last frame that was made.
 bool
 MoverCore::HasArrived() const
 {
@@ -134,7 +134,8 @@ MoverCore::VectorEnded()
     underWay_[0] = underWay_[1];
     numUnderWay_--;
     joints_.VectorEnded(ended.number);
-    // A vector of an earlier state, such as a motion that was stopped, must not advance this one.
+    // A vector of an earlier state, such as a motion that was stopped, must not advance the present
+    // state.
     if (ended.stateCount != stateCount_) return;
     if (state_ == moverMTN) Report(ended.keyFrame, ended.commanded);
     if (ended.arrived) Advance();
@@ -168,7 +169,8 @@ MoverCore::Advance()
     }
 }
 
-// Begins the movement to the first posture, from `index` on, that the robot has and is not in yet.
+// Begins the movement to the first start-up posture, from `index` on, that the robot's model has
+// and in which the robot is not yet.
 void
 MoverCore::EnterPosture(int index)
 {
@@ -202,8 +204,8 @@ MoverCore::Report(Sint32 keyFrame, const Sint32* commanded)
     port_->Report(message);
 }
 
-// Fills in the positions of the plungers, which are those of the key frame reached last, because
-// plungers are not interpolated.
+// Fills in the states of the plungers (ears).  They are those of the key frame reached last,
+// because plungers are not interpolated.
 void
 MoverCore::FillEars(SetValueMessage* message) const
 {

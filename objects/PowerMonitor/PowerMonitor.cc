@@ -18,8 +18,8 @@ PowerMonitor::DoInit(const OSystemEvent&)
     return oSUCCESS;
 }
 
-// Observes all bits of the power status, but not its numbers, because capacity and temperature
-// change often and have no effect here.
+// Begins to observe all bits of the power status.  Does not observe its numbers, because capacity
+// and temperature change often and have no effect here.
 OStatus
 PowerMonitor::DoStart(const OSystemEvent&)
 {
@@ -58,7 +58,7 @@ PowerMonitor::UpdatePowerStatus(void* msg)
     ShutdownRobot();
 }
 
-// Continues with the next step when a step fails, because the robot must be switched off in any
+// Shuts the robot down.  Continues when a step fails, because the robot must be switched off in any
 // case.
 void
 PowerMonitor::ShutdownRobot()
@@ -74,7 +74,7 @@ PowerMonitor::ShutdownRobot()
         OSYSLOG1((osyslogERROR, "PowerMonitor: cannot switch motor power off, status %u",
                   (unsigned)status));
     }
-    // The robot will boot when the pause button is pressed again.
+    // With this boot condition, the robot boots when the pause button is pressed again.
     status = OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
     if (status != oSUCCESS) {
         OSYSLOG1((osyslogERROR, "PowerMonitor: shutdown failed, status %u", (unsigned)status));
@@ -87,5 +87,5 @@ PowerMonitor::PrintPowerStatus(const OPowerStatus& status)
     OSYSDEBUG(("PowerMonitor: robot %08x battery %04x capacity %d %% temperature %d x 0.1 K\n",
                (unsigned)status.robotStatus, (unsigned)status.batteryStatus,
                (int)status.remainingCapacity, (int)status.temperature));
-    (void)status;  // unused where OSYSDEBUG is empty
+    (void)status;  // because it is unused where OSYSDEBUG is empty
 }

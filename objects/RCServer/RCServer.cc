@@ -31,8 +31,8 @@ RCServer::DoInit(const OSystemEvent&)
     NEW_ALL_SUBJECT_AND_OBSERVER;
     REGISTER_ALL_ENTRY;
     SET_ALL_READY_AND_NOTIFY_ENTRY;
-    // JointMover sends reports without waiting for us.  The buffer keeps them, so that none is
-    // lost.
+    // JointMover sends reports without waiting for RCServer.  This buffer keeps the reports, so
+    // that none is lost.
     observer[obsSetValue]->SetBufCtrlParam(0, 1, MAX_NUM_DATA);
 
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -109,8 +109,7 @@ RCServer::ReadyMover(const OReadyEvent& event)
     SendMover();
 }
 
-// Sends the commands that wait, as many as one event can carry.  The next ready event sends the
-// rest.
+// Sends waiting commands, as many as one event can carry.  The next ready event sends the rest.
 void
 RCServer::SendMover()
 {
@@ -164,8 +163,9 @@ RCServer::ReadFile(const std::string& path, std::vector<Uint8>* bytes, std::stri
     return ReadStickFile(path, bytes, error);
 }
 
-// Converts the temperature.  The robot has 0.1 kelvin from 0 to 5000.  Hohl 2004, table 3.6, ends
-// at 227.00 degrees, so 0 degrees are 273 kelvin here.
+// Reads the battery and converts its temperature.  The robot measures in 0.1 kelvin, from 0 to
+// 5000.  Because the range in Hohl 2004, table 3.6, ends at 227.00 degrees, 0 degrees are 273
+// kelvin here.
 void
 RCServer::ReadBattery(Sint32* capacity, Sint32* temperature)
 {

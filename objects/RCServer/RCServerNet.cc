@@ -10,26 +10,29 @@
 
 #include "entry.h"
 
-// Parts of a client's shared buffer: received bytes, and answers to send.  Answers are collected
-// until they fill a packet, and there must be room for one more of full size.
+// Sizes, in bytes, of the two parts of a client's shared buffer: received bytes, and answers to
+// send.  Answers are collected until they fill a packet, and then one more answer of full size must
+// still fit.
 static const int RECEIVE_SIZE = RC_MAX_PACKET;
 static const int SEND_SIZE = 2 * RC_MAX_PACKET;
 
-// Size below which most answers are.  Requests that arrived together are answered in one send, as
-// long as another answer of this size keeps the send below RC_MAX_PACKET.
+// Size, in bytes, that most answers do not exceed.  Requests that arrived together are answered in
+// one send, as long as another answer of this size keeps the send below RC_MAX_PACKET.
 static const int USUAL_ANSWER_SIZE = 256;
 
-// Twice the largest send, as in Sony's samples (network guide, chapter 1).
+// Memory of an endpoint, in bytes: twice the largest send, as in Sony's samples (network guide,
+// chapter 1).
 static const int ENDPOINT_POOL_SIZE = 2 * SEND_SIZE;
 
-// One second of 8 ms frames between two tries to listen.
+// Time between two tries to listen: one second, in frames of 8 ms.
 static const Uint32 RETRY_FRAMES = 125;
 
-// Frames (ten seconds) after which a client that has sent nothing loses its place to one that
-// waits.
+// Time after which a client that has sent nothing loses its place to a waiting client: ten seconds,
+// in frames of 8 ms.
 static const Uint32 IDLE_FRAMES = 1250;
 
-// The continuation of a network message: the index of the client to which its result belongs.
+// Returns the continuation (user data) of a network message: the index of the client to which the
+// result of the message belongs.
 static void*
 Continuation(int index)
 {
@@ -60,7 +63,8 @@ RCServer::NewBuffer(int index)
     return oSUCCESS;
 }
 
-// Listens for a client.  On failure the client stays closed, and RetryListening() tries again.
+// Listens for a client at place `index`.  On failure the place stays closed, and RetryListening()
+// tries again.
 void
 RCServer::Listen(int index)
 {
@@ -92,7 +96,8 @@ RCServer::RetryListening(Uint32 frame)
     }
 }
 
-// Listens with one more endpoint when all places are taken, so that a further client gets an answer.
+// Listens with one more endpoint when all places are taken, so that a further client gets an
+// answer.
 void
 RCServer::ListenForMore()
 {
@@ -117,8 +122,8 @@ RCServer::NumServed() const
     return count;
 }
 
-// Gives a place to the client that waits: a free one, or that of the client that has been silent
-// for the longest time.  Silent clients keep their places while no client waits.
+// Gives the waiting client a place: a free place, or that of the client that has been silent for
+// the longest time.  Silent clients keep their places while no client waits.
 void
 RCServer::PlaceWaiting(Uint32 frame)
 {
@@ -142,11 +147,12 @@ RCServer::PlaceWaiting(Uint32 frame)
         Close(silent);
         client_[waiting].isWaiting = false;
     } else if (frame - client_[waiting].lastFrame >= IDLE_FRAMES) {
-        TurnAway(waiting, 0);  // it has sent no request, and other clients may want to connect
+        TurnAway(waiting, 0);  // it sent no request, and other clients may want to connect
     }
 }
 
-// Answers that all places are taken, and ends the connection.  `request` is 0 when there is none.
+// Answers client `index` that all places are taken, and ends its connection.  `request` is 0 when
+// the client has sent none.
 void
 RCServer::TurnAway(int index, const RcFramer* request)
 {
@@ -195,7 +201,7 @@ RCServer::ReceiveCont(ANTENVMSG msg)
     const int index = IndexOf(receive);
     if (isStopped_ || client_[index].state != clientRECEIVING) return;
     if (receive->error != TCP_SUCCESS) {
-        Close(index);  // most often the client has closed the connection
+        Close(index);  // usually because the client has closed the connection
         return;
     }
     client_[index].lastFrame = sensors_.frame;
@@ -203,8 +209,8 @@ RCServer::ReceiveCont(ANTENVMSG msg)
     AnswerRequests(index);
 }
 
-// Answers all requests that have arrived completely and sends the answers.  Receives more bytes
-// when there is no complete request.
+// Answers all requests that have arrived completely and sends the answers.  When no request is
+// complete, receives more bytes.
 void
 RCServer::AnswerRequests(int index)
 {
@@ -265,7 +271,7 @@ RCServer::Close(int index)
     client.state = clientCLOSING;
 }
 
-// Listens for the next client with a new endpoint, because an endpoint serves one connection only.
+// Listens for the next client with a new endpoint, because an endpoint serves only one connection.
 void
 RCServer::CloseCont(ANTENVMSG msg)
 {

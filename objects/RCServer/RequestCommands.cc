@@ -1,5 +1,5 @@
 //
-// The requests that make the robot do something.
+// Answers the requests that make the robot do something.
 //
 
 #include "RequestHandler.h"
@@ -10,7 +10,8 @@
 #include "MoverState.h"
 #include "TextFormat.h"
 
-// Returns rcOK when JointMover accepts commands; otherwise the reason becomes the answer.
+// Returns rcOK when JointMover accepts commands.  Otherwise writes the reason to error_ and returns
+// rcerrorBUSY.  `duringMotion` says that the command is also accepted while a motion plays.
 int
 RequestHandler::Busy(bool duringMotion)
 {
@@ -111,8 +112,8 @@ RequestHandler::PlayMotion(RcReader* in, RcWriter* out)
     return rcOK;
 }
 
-// Reads the motion to answer with its length or with what is wrong with it.  JointMover reads it
-// again to play it.
+// Reads the motion, to answer with its length or with the reason why it cannot be played.
+// JointMover reads it again to play it.
 int
 RequestHandler::LoadMotion(const std::string& file, MoverCommand* command, RcPlayAnswer* answer)
 {

@@ -32,9 +32,9 @@ RequestHandler::SetMover(const SetValueMessage& message)
     keyFrame_ = message.keyFrame;
 }
 
-// JointMover reports its state only when the state changes.  So an RCServer that has replaced
-// another one while the robot stands gets no report.  But JointMover becomes ready only when the
-// robot stands.
+// Called when JointMover is ready, which is only when the robot stands.  Because JointMover reports
+// its state only when the state changes, an RCServer that has replaced another RCServer gets no
+// report.  So RCServer learns here that commands are accepted.
 void
 RequestHandler::MoverIsReady()
 {
@@ -43,8 +43,8 @@ RequestHandler::MoverIsReady()
 
 // ---- Answers -------------------------------------------------------------------------
 
-// Leaves room for the header, then writes frame and status.  The header follows when the size is
-// known.
+// Leaves room for the header, then writes frame number and status.  PutHeader() writes the header
+// later, when the size is known.
 void
 RequestHandler::BeginAnswer(RcWriter* out, int status)
 {

@@ -24,7 +24,7 @@ DivideRounded(Sint64 numerator, Sint64 denominator)
     return numerator >= 0 ? (numerator + half) / denominator : -((half - numerator) / denominator);
 }
 
-// One cdeg in urad, times 10^9: pi / 18000 x 10^6 x 10^9.
+// Number of urad in one cdeg, times 10^9: pi / 18000 x 10^6 x 10^9.
 const Sint64 URAD_PER_CDEG_E9 = 174532925199LL;
 
 // Factors for the radians in which controllers give positions and speeds.

@@ -5,8 +5,8 @@
 #include "ByteOrder.h"
 #include "TextFormat.h"
 
-// The place of the reader in the bytes.  REQUIRES for all reads: Has() said that the bytes are
-// there.
+// Reads the bytes of a file one after the other.  REQUIRES for all reads of numbers: Has() has
+// returned true for their size.
 class MtnFile::Cursor {
 public:
     Cursor(const Uint8* bytes, size_t size)
@@ -38,7 +38,7 @@ public:
     }
     Uint32 PeekU32(size_t at) const { return GetU32(bytes_ + at); }
 
-    // A length byte and that many characters; false when the file ends first.
+    // Reads a length byte and this number of characters.  Returns false when the file ends before.
     bool String(std::string* text)
     {
         if (!Has(1) || !Has(1 + (size_t)bytes_[at_])) return false;
@@ -54,9 +54,9 @@ private:
     size_t at_;
 
 public:
-    int section;      // number of the section that is read; -1: before the first
-    size_t start;     // offset at which this section begins
-    Uint32 declared;  // size that this section says it has
+    int section;      // number of the section that is being read; -1: before the first
+    size_t start;     // offset in the file at which this section begins
+    Uint32 declared;  // size that the section itself says, in bytes
 };
 
 MtnFile::MtnFile()
@@ -115,7 +115,7 @@ MtnFile::ReadSections(Cursor* cursor)
     return true;
 }
 
-// Reads number and size of a section, which has at least `smallest` bytes.
+// Reads number and size of section `number`, which has at least `smallest` bytes.
 bool
 MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
 {
@@ -133,8 +133,9 @@ MtnFile::BeginSection(Cursor* cursor, Uint32 number, Uint32 smallest)
     return true;
 }
 
-// Moves to section `next`.  It begins after the padding of this section.  When size and content of
-// this section differ, the next one may begin at two places, and the one with its number is taken.
+// Moves to section `next`, which begins after the padding of the present section.  If the size that
+// the present section says does not match its content, there are two places where the next section
+// may begin.  The place that holds the number `next` is taken.
 bool
 MtnFile::EndSection(Cursor* cursor, Uint32 next)
 {
@@ -259,7 +260,7 @@ MtnFile::ReadKeyFrames(Cursor* cursor)
     return true;
 }
 
-// Reads a key frame.  An interpolation count stands before each key frame except the first.
+// Reads a key frame and the interpolation count before it.  The first key frame has no such count.
 bool
 MtnFile::ReadKeyFrame(Cursor* cursor)
 {
@@ -291,8 +292,8 @@ MtnFile::ReadKeyFrame(Cursor* cursor)
     return true;
 }
 
-// The reason why the robot has no joint or plunger with the name of joint j: the name is unknown,
-// or is that of another device.
+// Returns the reason why the robot has no joint or plunger with the locator of joint `j`: the
+// locator is unknown, or it is that of another device.
 std::string
 MtnFile::WhyNoJoint(const RobotConstants* robot, int j) const
 {

@@ -45,7 +45,7 @@ RcInfo::Read(RcReader* in)
     return in->IsComplete();
 }
 
-// Writes the numbers only.  The caller writes their count.
+// Writes the numbers but not their count, which the caller writes.
 static void
 WriteNumbers(RcWriter* out, const std::vector<Sint32>& numbers)
 {

@@ -10,7 +10,8 @@ ReadStickFile(const std::string& path, std::vector<Uint8>* bytes, std::string* e
 {
     bytes->clear();
     DIR* folder = opendir(path.c_str());
-    // Some systems open a folder as a file, with a size that means nothing.
+    // Folders are refused here, because some systems open a folder as a file, with a size that
+    // means nothing.
     if (folder != 0) {
         closedir(folder);
         *error = path + ": is a folder, not a file";

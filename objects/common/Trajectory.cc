@@ -4,8 +4,9 @@
 
 static const Sint64 ONE_URAD = 65536;
 
-// One 0.01 degree/s is 0.008 x URAD_PER_CDEG urad per frame, here in 2^-16 urad and times 10^6.
-// 0.01 degree/s^2 is 0.008 times as much per frame^2.  Both are rounded to the nearest.
+// Factors from 0.01 degree/s and 0.01 degree/s^2 to 2^-16 urad per frame and per frame^2, times
+// 10^6.  With frames of 0.008 s, 0.01 degree/s is 0.008 x URAD_PER_CDEG urad per frame, and 0.01
+// degree/s^2 is 0.008 times as much per frame^2.  Both factors are rounded to the nearest.
 static const Sint64 SPEED_SCALE_E6 = (URAD_PER_CDEG_E9 * ONE_URAD * 8 + 500000) / 1000000;
 static const Sint64 ACCELERATION_SCALE_E6 = (SPEED_SCALE_E6 * 8 + 500) / 1000;
 COMPILE_TIME_CHECK(SpeedScaleIsExact, SPEED_SCALE_E6 == 91505518287LL);
@@ -70,8 +71,8 @@ Trajectory::Position() const
     return (Sint32)DivideRounded(position_, ONE_URAD);
 }
 
-// Distance that the joint still moves in the frames after this one when it brakes from `speed` >=
-// 0.
+// Returns the distance that the joint still moves in the frames after this one when it brakes from
+// `speed`.  REQUIRES: speed >= 0.
 Sint64
 Trajectory::StoppingDistance(Sint64 speed) const
 {
@@ -79,8 +80,8 @@ Trajectory::StoppingDistance(Sint64 speed) const
     return n * speed - acceleration_ * n * (n + 1) / 2;
 }
 
-// Whole part of the square root, by Newton's method.  The sequence begins above the root and falls
-// until it has reached it.
+// Returns the whole part of the square root, by Newton's method.  The sequence begins above the
+// root and falls until it has reached the root.
 static Sint64
 SquareRoot(Sint64 value)
 {
@@ -94,9 +95,9 @@ SquareRoot(Sint64 value)
     return root;
 }
 
-// The largest step s with s + StoppingDistance(s) <= distance, for distance >= 0.  Braking
-// from s takes n = s / acceleration more frames, so (n + 1) s - a n (n + 1) / 2 = distance,
-// where n is the largest number with a n (n + 1) / 2 <= distance.
+// Returns the largest step s with s + StoppingDistance(s) <= distance.  If a is the acceleration,
+// braking from s takes n = s / a more frames, so (n + 1) s - a n (n + 1) / 2 = distance, where n is
+// the largest number with a n (n + 1) / 2 <= distance.  REQUIRES: distance >= 0.
 Sint64
 Trajectory::LargestStep(Sint64 distance) const
 {
@@ -111,7 +112,7 @@ Trajectory::Step()
         acceleration_ = nextAcceleration_;
         return goal_;
     }
-    // Distance and speed are positive in the direction of the goal.
+    // From here on, distance and speed are positive in the direction of the goal.
     const Sint64 toGoal = goal_ * ONE_URAD - position_;
     const bool forward = toGoal >= 0;
     const Sint64 distance = forward ? toGoal : -toGoal;
@@ -124,6 +125,6 @@ Trajectory::Step()
     if (step < speed - acceleration_) step = speed - acceleration_;
     position_ += forward ? step : -step;
     speed_ = forward ? step : -step;
-    if (step == distance && step <= acceleration_) Rest();  // at the goal, and slow enough to stop
+    if (step == distance && step <= acceleration_) Rest();  // slow enough to stop at the goal
     return Position();
 }

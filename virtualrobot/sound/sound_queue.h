@@ -64,7 +64,7 @@ class SoundQueue {
     SubjectID subject;
   };
 
-  // One sound of the vector that plays.
+  // A sound of the vector that plays.
   struct Sound {
     const byte* data;  // null: silence
     int64_t samples;   // number of samples at the rate of the sink

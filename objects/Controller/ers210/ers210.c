@@ -11,7 +11,7 @@
 #define NUM_EYES 6
 #define TIME_STEP 64   /* ms */
 #define STEPS_PER_WAG 12
-#define WAG 0.26f      /* rad, 15 of the 22 degrees the tail has to each side */
+#define WAG 0.26f      /* rad: 15 of the 22 degrees that the tail can move to each side */
 
 static const char *const EYES[NUM_EYES] = {
     "PRM:/r1/c1/c2/c3/l1-LED2:l1", "PRM:/r1/c1/c2/c3/l2-LED2:l2", "PRM:/r1/c1/c2/c3/l3-LED2:l3",

@@ -1,5 +1,6 @@
 /*
- * Acceleration sensors: an API of later Webots versions, not one of Hohl 2004, table 5.1.
+ * Acceleration sensors.  The functions are those of later versions of Webots; Hohl 2004, table 5.1,
+ * does not have them.
  */
 
 #ifndef DEVICE_ACCELEROMETER_H
@@ -11,14 +12,14 @@
 extern "C" {
 #endif
 
-/* Both do nothing, because the values can always be read. */
+/* Both functions do nothing, because the values can always be read. */
 void accelerometer_enable(DeviceTag sensor, unsigned short ms);
 void accelerometer_disable(DeviceTag sensor);
 
 /*
- * Three values in m/s^2, towards the front, the right and up as the robot has them (its primitives
- * a1, a2, a3; `sensor` may be any of them).  They stay until the next call.  0.0 three times for
- * anything that is no acceleration sensor; never a null pointer.
+ * Returns three values in m/s^2: to the front, to the right and up, measured by the robot's
+ * primitives a1, a2 and a3.  `sensor` may be any of the three.  The values stay valid until the
+ * next call.  For any other device they are 0.0; the result is never a null pointer.
  */
 const float *accelerometer_get_values(DeviceTag sensor);
 

@@ -1,7 +1,7 @@
 /*
  * The camera of the head (wished for in Hohl 2004, section 5.5), with the functions of Webots.
  *
- * An image is rows of pixels from the top left, three bytes each: red, green, blue.
+ * An image is stored row by row from the top left; a pixel has three bytes: red, green, blue.
  */
 
 #ifndef DEVICE_CAMERA_H
@@ -13,20 +13,22 @@
 extern "C" {
 #endif
 
-/* Switches images on, 25 a second for every `ms`, and off.  Images need 76 KB of memory. */
+/* Switch images on and off.  `ms` is ignored: there are always 25 images a second.  Images need 76
+ * KB of memory. */
 void camera_enable(DeviceTag camera, unsigned short ms);
 void camera_disable(DeviceTag camera);
 
-/* Size in pixels: 176 x 144 on the ERS-210; 0 for other devices. */
+/* Return the size of an image in pixels: 176 x 144 on the ERS-210; 0 for other devices. */
 unsigned short camera_get_width(DeviceTag camera);
 unsigned short camera_get_height(DeviceTag camera);
 
-/* Field of view from left to right, radians. */
+/* Returns the field of view from left to right, in radians. */
 float camera_get_fov(DeviceTag camera);
 
 /*
- * The newest image; null before the first one, while disabled and for other devices.  The next
- * image is written to the same memory, between two calls of the run function.
+ * Returns the newest image; null before the first image, while images are switched off, and for
+ * other devices.  The next image is written to the same memory, between two calls of the run
+ * function.
  */
 unsigned char *camera_get_image(DeviceTag camera);
 

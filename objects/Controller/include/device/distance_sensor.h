@@ -11,11 +11,11 @@
 extern "C" {
 #endif
 
-/* Both do nothing, because the value can always be read. */
+/* Both functions do nothing, because the value can always be read. */
 void distance_sensor_enable(DeviceTag sensor, unsigned short ms);
 void distance_sensor_disable(DeviceTag sensor);
 
-/* Millimetres, 100 to 900; 0 for anything that is no distance sensor. */
+/* Returns the distance in millimetres, 100 to 900; 0 for any other device. */
 unsigned short distance_sensor_get_value(DeviceTag sensor);
 
 #ifdef __cplusplus

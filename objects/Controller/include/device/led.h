@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* Switches the LED off for 0, on for other values, with the next command of the control loop. */
+/* Switches the LED off when `value` is 0, otherwise on.  The change is sent with the next command
+ * of the control loop. */
 void led_set(DeviceTag led, unsigned char value);
 
 #ifdef __cplusplus

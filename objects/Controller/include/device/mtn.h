@@ -1,8 +1,8 @@
 /*
  * Motion files (Hohl 2004, section 5.3.7).
  *
- * Motions are in /MS/OPEN-R/MW/DATA/P and are named without this path: mtn_new("WALK.MTN").  All
- * functions accept a null pointer, which is a motion without length that is over.
+ * Motion files are in /MS/OPEN-R/MW/DATA/P and are named without this path: mtn_new("WALK.MTN").
+ * All functions accept a null pointer.  It stands for a motion that has no length and is over.
  */
 
 #ifndef DEVICE_MTN_H
@@ -14,23 +14,25 @@ extern "C" {
 
 typedef struct MtnMotion MTN;
 
-/* Loads a motion; null if that fails.  Lower case letters are converted to upper case. */
+/* Loads a motion file; returns null on failure.  Lower case letters in the name are converted to
+ * upper case. */
 MTN *mtn_new(const char *filename);
 
-/* The reason why the last mtn_new() failed; null if it did not fail. */
+/* Returns the reason why the last mtn_new() failed; null if it did not fail. */
 const char *mtn_get_error(void);
 
-/* Frees the motion; the file stays. */
+/* Frees the memory of the motion; the file stays. */
 void mtn_delete(MTN *mtn);
 
 /* Plays the motion once. */
 void mtn_play(MTN *mtn);
 
-/* Length of the motion, and time since its beginning (the length when it does not play), ms. */
+/* Return, in ms, the length of the motion, and the time since its beginning.  When the motion does
+ * not play, both are the length. */
 int mtn_get_length(MTN *mtn);
 int mtn_get_time(MTN *mtn);
 
-/* 1 when the motion does not play, or no more; else 0. */
+/* Returns 1 when the motion does not play or has ended, otherwise 0. */
 int mtn_is_over(MTN *mtn);
 
 #ifdef __cplusplus

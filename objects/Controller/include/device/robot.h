@@ -2,7 +2,7 @@
  * The robot as a controller sees it (Hohl 2004, table 5.1 and section 5.3.3).
  *
  * A controller's main() calls robot_live() and robot_run() and returns.  Devices are named by
- * their CPC primitive locator, "PRM:/r1/c1/c2/c3/l1-LED2:l1".
+ * their CPC primitive locator (OPEN-R name), such as "PRM:/r1/c1/c2/c3/l1-LED2:l1".
  */
 
 #ifndef DEVICE_ROBOT_H
@@ -21,32 +21,35 @@ void robot_live(void (*reset)(void));
 void robot_die(void (*die)(void));
 
 /*
- * Runs the control loop: `run` is called now with 0, and again, always with 0, each time as many
- * milliseconds later as it returned.  Multiples of 8 are exact, others are rounded.
- * On the robot, robot_run() returns after the first call, and main() goes on.
- * A run function may call robot_run(); from the next time on, the function given there is called.
+ * Runs the control loop: `run` is called now and then again and again, always with argument 0.  Its
+ * result is the time until the next call in milliseconds.  Multiples of 8 are exact; other numbers
+ * are rounded to a multiple of 8.
+ * On the robot, robot_run() returns after the first call of `run`, and main() goes on.
+ * A run function may call robot_run() itself; the new function is called from the next time on.
  */
 void robot_run(int (*run)(int));
 
 /*
- * For a controller that is an endless loop: waits for `ms` milliseconds and returns 0.  A
- * controller on the robot cannot wait, so there robot_step() ends main() with a message in the log.
+ * Waits for `ms` milliseconds and returns 0, for a controller that is an endless loop.  Because a
+ * controller on the robot cannot wait, robot_step() there ends main() with a message in the log.
  * Use robot_run() instead; docs/controllers.md says how.
  */
 int robot_step(int ms);
 
-/* The tag of the device with that name; 0 if there is none.  Functions ignore the tag 0. */
+/* Returns the tag (number) of the device with this name; 0 if there is none.  All functions ignore
+ * the tag 0. */
 DeviceTag robot_get_device(const char *name);
 
-/* Always 1, which means that the controller runs on the robot, not in a simulator. */
+/* Always returns 1, which means that the controller runs on the robot, not in a simulator. */
 int robot_get_mode(void);
 
-/* Remaining capacity in %.  The first two do nothing, because the value can always be read. */
+/* robot_battery_sensor_get_value() returns the remaining capacity in percent.  The other two
+ * functions do nothing, because the value can always be read. */
 void robot_battery_sensor_enable(unsigned short ms);
 void robot_battery_sensor_disable(void);
 float robot_battery_sensor_get_value(void);
 
-/* Prints to the robot's console as printf() does, at most 239 characters. */
+/* Prints a text to the robot's console as printf() does, at most 239 characters. */
 void robot_console_printf(const char *format, ...);
 
 #ifdef __cplusplus

@@ -1,7 +1,8 @@
 /*
  * Joints and, with servo_set_position() only, ears (Hohl 2004, sections 5.3.4 to 5.3.6).
  *
- * Radians, radians/s, radians/s^2.  Values beyond the limits of the robot become the limit.
+ * The units are radians, radians/s and radians/s^2.  A value beyond a limit of the robot becomes
+ * the limit.
  */
 
 #ifndef DEVICE_SERVO_H
@@ -13,14 +14,15 @@
 extern "C" {
 #endif
 
-/* Both do nothing, because positions can always be read. */
+/* Both functions do nothing, because positions can always be read. */
 void servo_enable_position(DeviceTag servo, unsigned short ms);
 void servo_disable_position(DeviceTag servo);
 
-/* Measured position of a joint; 0.0 for ears and other devices. */
+/* Returns the measured position of a joint; 0.0 for ears and other devices. */
 float servo_get_position(DeviceTag servo);
 
-/* Moves a joint; switches its motor on if it was off.  An ear is on for 0.0, else off. */
+/* Moves a joint to `position`, and switches its motor on if it was off.  An ear is switched on when
+ * `position` is 0.0, otherwise off. */
 void servo_set_position(DeviceTag servo, float position);
 void servo_set_velocity(DeviceTag servo, float velocity);
 void servo_set_acceleration(DeviceTag servo, float acceleration);
@@ -28,7 +30,7 @@ void servo_set_acceleration(DeviceTag servo, float acceleration);
 /* Does nothing. */
 void servo_set_force(DeviceTag servo, float force);
 
-/* Lets a joint go limp until servo_set_position(). */
+/* Switches the motor of a joint off until servo_set_position().  The joint becomes limp. */
 void servo_motor_off(DeviceTag servo);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 /*
- * Temperature sensor of the body (wished for in Hohl 2004, section 5.5).  Webots has none; the
- * functions have the form of its other sensors.
+ * The temperature sensor of the body (wished for in Hohl 2004, section 5.5).  Webots has no such
+ * sensor; the functions have the form of those of its other sensors.
  */
 
 #ifndef DEVICE_THERMOMETER_H
@@ -12,11 +12,11 @@
 extern "C" {
 #endif
 
-/* Both do nothing, because the value can always be read. */
+/* Both functions do nothing, because the value can always be read. */
 void thermometer_enable(DeviceTag sensor, unsigned short ms);
 void thermometer_disable(DeviceTag sensor);
 
-/* Degrees Celsius; 0.0 for anything that is no temperature sensor. */
+/* Returns the temperature in degrees Celsius; 0.0 for any other device. */
 float thermometer_get_value(DeviceTag sensor);
 
 #ifdef __cplusplus

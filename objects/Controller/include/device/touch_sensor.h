@@ -11,13 +11,13 @@
 extern "C" {
 #endif
 
-/* Both do nothing, because the value can always be read. */
+/* Both functions do nothing, because the value can always be read. */
 void touch_sensor_enable(DeviceTag sensor, unsigned short ms);
 void touch_sensor_disable(DeviceTag sensor);
 
 /*
- * 1 when touched, else 0.  The head sensors count as touched when the force exceeds half of their
- * upper limit.  0 for anything that is no touch sensor.
+ * Returns 1 when the sensor is touched, otherwise 0.  The head sensors count as touched when the
+ * force exceeds half of their upper limit.  Returns 0 for any other device.
  */
 unsigned short touch_sensor_get_value(DeviceTag sensor);
 
