@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-constexpr uint32_t kEarFrames = 16;  // 128 ms
+constexpr uint32_t kEarFrames = 16;  // duration of a command frame of an ear: 128 ms
 
 ODataType CommandTypeOf(const Primitive& primitive) {
   switch (primitive.type) {

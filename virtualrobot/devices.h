@@ -74,7 +74,7 @@ class Devices {
 
  private:
   ObjectId commander_ = kNoObject;
-  std::vector<bool> on_face_;  // [light]
+  std::vector<bool> on_face_;  // [light]: see OnFace()
   std::vector<JointCommand> commands_;
 };
 

@@ -46,7 +46,7 @@ class JsonReader {
   double Number() const;  // fails for a number that is not finite
   double NumberAbove(double floor) const;
   int64_t Whole(int64_t min, int64_t max) const;
-  Eigen::Vector3d Vector() const;  // [x, y, z]
+  Eigen::Vector3d Vector() const;  // reads [x, y, z]
   std::vector<double> Numbers(size_t count) const;
 
  private:

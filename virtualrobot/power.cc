@@ -14,7 +14,7 @@ namespace openr_host {
 namespace {
 
 constexpr word kTemperature = 3031;      // 30 degrees Celsius, in 0.1 K; our choice
-constexpr word kFullCapacityMah = 2000;  // chosen
+constexpr word kFullCapacityMah = 2000;  // our choice
 constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
 // Negative, because the battery discharges.  The sign is inferred; the number is our choice.
 constexpr sword kCurrentMa = -1300;

@@ -22,7 +22,7 @@ class Hasher;
 
 class SensorSource {
  public:
-  static constexpr int kFramesPerVector = 4;  // Level 2 Reference Guide, 3.1
+  static constexpr int kFramesPerVector = 4;  // source: Level 2 Reference Guide, 3.1
 
   // Makes the sensors of a robot.  `noise` is the random generator of their noise.  `model` and
   // `primitives` must outlive this object.

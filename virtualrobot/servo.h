@@ -68,10 +68,10 @@ class Servo {
   PidGains gains_;
   double target_rad_ = 0;
   double target_speed_rad_s_ = 0;
-  double p_ = 0;         // PWM counts per rad
-  double i_ = 0;         // PWM counts per rad and frame, because the servo integrates once a frame
-  double d_ = 0;         // PWM counts per rad/s
-  double integral_ = 0;  // PWM counts
+  double p_ = 0;         // in PWM counts per rad
+  double i_ = 0;         // in PWM counts per rad and frame; the servo integrates once a frame
+  double d_ = 0;         // in PWM counts per rad/s
+  double integral_ = 0;  // in PWM counts
 };
 
 }  // namespace openr_host

@@ -39,7 +39,7 @@ const Sint32 PREPARE_LIMIT_URAD = 785398;
 
 // The positions for the next command vector, for every joint of the robot, in urad (10^-6 rad).
 struct VectorPlan {
-    int numFrames;  // 1 to MAX_VECTOR_FRAMES
+    int numFrames;  // number of frames: 1 to MAX_VECTOR_FRAMES
     Sint32 urad[MAX_VECTOR_FRAMES][MAX_JOINTS];
 };
 
@@ -126,7 +126,7 @@ private:
     BatchJoint batch_[MAX_JOINTS];  // the buffer that was received last
     Sint32 numVectors_;             // number of vectors made so far
     int numUnderWay_;
-    UnderWay underWay_[MAX_VECTORS_UNDER_WAY];  // oldest first
+    UnderWay underWay_[MAX_VECTORS_UNDER_WAY];  // vectors in the effector, oldest first
 };
 
 #endif  // MoverCore_h_DEFINED

@@ -26,11 +26,11 @@ enum MoverCommandKind {
 
 // The command that RCServer.Mover and Controller.Mover send to JointMover.Mover.
 struct MoverCommand {
-    Sint32 kind;  // MoverCommandKind
+    Sint32 kind;  // a MoverCommandKind
     Sint32 joint;
     Sint32 value;
-    Sint32 loops;               // >= 1
-    Sint32 keyFramesPerVector;  // 0: JointMover chooses
+    Sint32 loops;               // how many times the motion is played, >= 1
+    Sint32 keyFramesPerVector;  // 0: JointMover chooses the number
     char file[MTN_NAME_SIZE];   // "WALK.MTN"
 };
 COMPILE_TIME_CHECK(MoverCommandHasNoPadding, sizeof(MoverCommand) == 5 * 4 + MTN_NAME_SIZE);
@@ -44,7 +44,7 @@ struct BatchJoint {
     Sint32 position;
     Sint32 speed;
     Sint32 acceleration;
-    Sint32 flags;  // BatchJointFlags
+    Sint32 flags;  // bits of BatchJointFlags
 };
 
 // The message of Controller.BatchMover to JointMover.BatchMover: the whole buffer of joint
@@ -66,7 +66,7 @@ struct SetValueMessage {
     Uint8 isOver;              // 1: the motion of `file` has ended or was refused
     Uint8 earMask;             // plungers (ears) that the motion moves: bit i stands for plunger i
     Uint8 earOn;               // bits of earMask whose plungers are on in `keyFrame`
-    Uint8 reserved;            // 0
+    Uint8 reserved;            // always 0
     char file[MTN_NAME_SIZE];  // file of the motion; "": no motion
     Sint32 commanded[MAX_JOINTS];
     Sint32 measured[MAX_JOINTS];

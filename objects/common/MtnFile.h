@@ -124,9 +124,9 @@ private:
     std::string name_, creator_, designLabel_;
     std::vector<std::string> locators_;
     std::vector<size_t> locatorAt_;       // offset of each locator in the file
-    std::vector<Sint32> angles_;          // [key frame][joint]
-    std::vector<Sint32> attitudes_;       // [key frame][roll, pitch, yaw]
-    std::vector<Sint32> interpolations_;  // [gap]
+    std::vector<Sint32> angles_;          // [key frame][joint], in urad
+    std::vector<Sint32> attitudes_;       // [key frame][roll, pitch, yaw], in urad
+    std::vector<Sint32> interpolations_;  // [gap]: number of interpolation frames
     std::vector<int> robotJoint_, robotPlunger_;
 };
 

@@ -7,10 +7,11 @@
 
 #include <string>
 
-// Checks that `given` is an 8+3 file name without a path, and writes it to `name`, in upper case
-// and padded with zeros.  When it is not such a name, returns false and sets `error` to the reason
-// (Hohl 2004, 5.3.7).
+// Size of a buffer for a file name, in bytes.
 const int MTN_NAME_SIZE = 16;
+// Checks that `given` is an 8+3 file name without a path, and writes it to `name`, in upper case
+// and padded with zeros.  When `given` is not such a name, returns false and sets `error` to the
+// reason (Hohl 2004, 5.3.7).
 bool MtnFileName(const char* given, char name[MTN_NAME_SIZE], std::string* error);
 
 // The folder of motions on the Memory Stick (Hohl 2004, 5.3.7).

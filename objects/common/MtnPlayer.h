@@ -60,7 +60,7 @@ private:
     int FramesOfGap(int gap) const { return 2 * (motion_->Interpolation(gap) + 1); }
     void EndLoop();
 
-    const MtnFile* motion_;  // 0: not playing
+    const MtnFile* motion_;  // motion that plays; 0: none plays
     const MtnFile* shown_;   // motion that Position() shows, also after the last frame
     int loopsLeft_;          // number of loops left, with the present loop
     int keyFramesPerVector_;

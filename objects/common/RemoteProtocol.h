@@ -56,7 +56,7 @@ enum RcStatus {
 struct RcAnswerHeader {
     RcHeader header;
     Uint32 frame;   // frame number of the newest sensor values; 0xffffffff: none yet
-    Uint16 status;  // RcStatus
+    Uint16 status;  // a RcStatus
 
     // Reads the header from a packet.  Returns false when the packet is too short for an answer.
     bool Read(const RcFramer& packet);
@@ -65,7 +65,7 @@ struct RcAnswerHeader {
 struct RcInfo {
     Uint8 numJoints, numLeds, numEars, numBinary, numOther, numMisc;
     Uint8 state;           // MoverState
-    std::string design;    // "ERS-210"
+    std::string design;    // such as "ERS-210"
     std::string software;  // "openr-host RCServer"
 
     void Write(RcWriter* out) const;
@@ -105,7 +105,7 @@ struct RcDescription {
 };
 
 struct RcJointState {
-    Sint32 position;  // measured
+    Sint32 position;  // measured position
     Sint32 speed;     // limits of speed and acceleration, last set by remote control
     Sint32 acceleration;
 
@@ -116,10 +116,10 @@ struct RcJointState {
 // The sensor values as sent to the client, grouped and ordered as in Hohl 2004, table 3.8.
 struct RcSensors {
     Uint8 state;                   // MoverState
-    std::vector<Sint32> joints;    // 0.01 degree
-    std::vector<Sint32> binary;    // 0 or 1
-    std::vector<Sint32> other;     // 10^-6 of N, m, degree C, m/s^2; or A/D counts
-    std::vector<Sint32> misc;      // battery: capacity %, temperature 0.01 degree C
+    std::vector<Sint32> joints;    // measured positions, in 0.01 degree
+    std::vector<Sint32> binary;    // values of binary sensors, 0 or 1
+    std::vector<Sint32> other;     // in 10^-6 N, m, degree C or m/s^2, or in A/D counts
+    std::vector<Sint32> misc;      // battery: capacity in %, temperature in 0.01 degree C
     std::vector<Sint32> keyFrame;  // one number: the key frame reached last (0 to 32767), or -1
 
     void Write(RcWriter* out) const;
@@ -127,7 +127,7 @@ struct RcSensors {
 };
 
 struct RcPlayRequest {
-    std::string file;          // "WALK.MTN"
+    std::string file;          // such as "WALK.MTN"
     Uint16 loops;              // >= 1
     Uint8 keyFramesPerVector;  // 0: the robot chooses
 

@@ -23,11 +23,11 @@ struct JointConstants {
     const char* name;     // "LF_j1"
     const char* title;    // "Left fore leg J1"
     const char* locator;  // "PRM:/r2/c1-Joint2:j1"
-    Sint32 minUrad;       // software limits
+    Sint32 minUrad;       // software limits in urad (10^-6 rad)
     Sint32 maxUrad;
     Sint32 minCdeg;  // software limits in 0.01 degree
     Sint32 maxCdeg;
-    Sint32 minSpeedCdeg;  // 0.01 degree/s
+    Sint32 minSpeedCdeg;  // speed limits in 0.01 degree/s
     Sint32 maxSpeedCdeg;  // also the speed limit after start-up
     Uint16 gain[6];       // P, I, D gain, then P, I, D shift, as OPENR::SetJointGain() takes them
     Sint16 sensorIndex;   // index of its element in sensor vectors
@@ -54,19 +54,19 @@ struct PlungerConstants {
 enum SensorGroup { sensorBINARY = 1, sensorOTHER = 2 };
 
 enum SensorKind {
-    sensorkindSWITCH,        // 0 or 1
-    sensorkindFORCE,         // 10^-6 N
-    sensorkindLENGTH,        // 10^-6 m
-    sensorkindTEMPERATURE,   // 10^-6 degree Celsius
-    sensorkindACCELERATION,  // 10^-6 m/s^2
-    sensorkindRAW            // A/D counts
+    sensorkindSWITCH,        // value is 0 or 1
+    sensorkindFORCE,         // value in 10^-6 N
+    sensorkindLENGTH,        // value in 10^-6 m
+    sensorkindTEMPERATURE,   // value in 10^-6 degree Celsius
+    sensorkindACCELERATION,  // value in 10^-6 m/s^2
+    sensorkindRAW            // value in A/D counts
 };
 
 // A sensor that is not the position of a joint.
 struct SensorConstants {
     const char* title;
     const char* locator;
-    Sint32 group;        // SensorGroup
+    Sint32 group;        // a SensorGroup
     Sint32 kind;         // SensorKind
     Sint32 touchLimit;   // the sensor is touched when its value is above this; -1: no touch sensor
     Sint16 sensorIndex;  // index of its element in sensor vectors
@@ -95,7 +95,7 @@ struct RobotConstants {
     int numPlungers;
     const PlungerConstants* plungers;
     int numSensors;                  // number of sensors that do not measure a joint
-    const SensorConstants* sensors;  // in order of sensorIndex
+    const SensorConstants* sensors;  // in the order of sensorIndex
     int numSensorElements;           // elements of a sensor frame vector, also those of joints
     int numPostures;
     const PostureConstants* postures;

@@ -56,11 +56,11 @@ private:
     Sint64 StoppingDistance(Sint64 speed) const;
     void Rest();
 
-    Sint32 goal_;              // urad
-    Sint64 position_;          // 2^-16 urad
-    Sint64 speed_;             // 2^-16 urad per frame
-    Sint64 speedLimit_;        // 2^-16 urad per frame, > 0
-    Sint64 acceleration_;      // 2^-16 urad per frame^2, > 0
+    Sint32 goal_;              // in urad
+    Sint64 position_;          // in 2^-16 urad
+    Sint64 speed_;             // in 2^-16 urad per frame
+    Sint64 speedLimit_;        // in 2^-16 urad per frame, > 0
+    Sint64 acceleration_;      // limit of acceleration, in 2^-16 urad per frame^2, > 0
     Sint64 nextAcceleration_;  // limit of acceleration after the next stop
 };
 

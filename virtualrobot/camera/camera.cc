@@ -13,9 +13,9 @@ namespace {
 // root of the ratio of colour temperatures (our choice, because no measurement is known).  The
 // index of the tables is the parameter of the request; their unit is 1/256.
 constexpr int kOne = 256;
-constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // 0, 0, 6 dB
-constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // 1/50, 1/100, 1/200 s
-constexpr int kRed[] = {0, 207, 327, kOne};                // 2800, 7000, 4300 K
+constexpr int kGain[] = {0, kOne, kOne, 2 * kOne};         // for 0 dB, 0 dB and 6 dB
+constexpr int kShutter[] = {0, 2 * kOne, kOne, kOne / 2};  // for 1/50, 1/100 and 1/200 s
+constexpr int kRed[] = {0, 207, 327, kOne};                // for 2800, 7000 and 4300 K
 constexpr int kBlue[] = {0, 317, 201, kOne};
 
 bool Known(longword parameter) { return parameter >= 1 && parameter <= 3; }

@@ -14,7 +14,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kSideMax = 8192;  // pixels
+constexpr int kSideMax = 8192;  // largest width and height of a picture, in pixels
 
 [[noreturn]] void Fail(const std::string& file, const std::string& why) {
   throw std::runtime_error(file + ": " + why);

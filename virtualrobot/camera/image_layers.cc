@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int kFrequencyUnit = 16;  // pixels
-constexpr int kTagSize = 16;        // bytes
+constexpr int kFrequencyUnit = 16;  // unit of the pixel counts in a tag, in pixels
+constexpr int kTagSize = 16;        // size of a tag, in bytes
 constexpr OFbkImageLayer kColourLayers[] = {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L};
 
 byte Offset(int value) { return static_cast<byte>(std::clamp(value + 128, 0, 255)); }

@@ -41,7 +41,7 @@ struct BodyPart {
 
 // The ball at the end of a leg.  The ball belongs to part `body` and has no mass of its own.
 struct Paw {
-  std::string leg;  // "LF", "LH", "RF", "RH"
+  std::string leg;  // one of "LF", "LH", "RF", "RH"
   int body = -1;
   Eigen::Vector3d centre_m{0, 0, 0};
   double radius_m = 0;
@@ -60,7 +60,7 @@ struct JointModel {
   Range soft_rad;              // limits for set points
   Range hard_rad;              // mechanical stops
   Range speed_rad_s;           // lowest and highest speed of planned movements
-  PidGains gains;              // the vendor's standard gains
+  PidGains gains;              // the standard gains of the vendor
   double stall_torque_nm = 0;  // torque at full drive and speed 0, in N m; 0: not known
   int sensor = -1;             // index in RobotModel::sensors
   int mtn = -1;                // index in the key frames (postures) of motion files; -1: in none
@@ -124,7 +124,7 @@ struct Camera {
 
 struct Posture {
   std::string name;
-  std::vector<double> angles_rad;  // order of RobotModel::joints
+  std::vector<double> angles_rad;  // in the order of RobotModel::joints
 };
 
 struct RobotModel {

@@ -23,7 +23,7 @@ struct ContactPoint {
   int paw = -1;   // index in RobotModel::paws; -1 when the part's box touches
   Eigen::Vector3d p_W{0, 0, 0};
   Eigen::Vector3d normal_W{0, 0, 1};  // unit vector out of the floor or static box
-  double depth_m = 0;                 // >= 0
+  double depth_m = 0;                 // penetration depth, >= 0
 };
 
 class ContactFinder {

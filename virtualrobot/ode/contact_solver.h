@@ -24,7 +24,7 @@ namespace openr_host {
 class Hasher;
 
 struct ContactSettings {
-  double friction = 0.6;  // Coulomb coefficient
+  double friction = 0.6;  // Coulomb friction coefficient
   double erp = 0.2;       // share of the penetration depth that is corrected in one step
   double cfm = 2e-3;      // softness, in m/s per N, along the normal and along the ground
   bool hold = true;       // false: no contact is held, all are bounded

@@ -10,7 +10,7 @@
 namespace openr_host {
 
 constexpr int kSoundRate = 16'000;  // in Hz; in sound of 8 kHz, every sample is played twice
-constexpr int kSoundSamplesPerFrame = 128;  // samples of 8 ms
+constexpr int kSoundSamplesPerFrame = 128;  // number of samples in 8 ms
 
 // Samples of one frame of 8 ms, mono.
 using SoundFrame = std::array<int16_t, kSoundSamplesPerFrame>;
