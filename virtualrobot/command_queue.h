@@ -1,11 +1,11 @@
 // The command vectors that one subject (the sending end of a connection) sent to the robot's
 // Effector service.  They are played one after the other.
 //
-// A command vector has an element for each joint or light that it moves, and each element has up to
-// 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms, that of a light its
-// own period, that of an ear 128 ms (robot.md, sections 9.4 and 10).  A vector lasts as long as its
-// longest element; shorter elements hold their last value.  The next vector starts in the frame
-// after the last frame of the vector before.
+// A command vector has an element for each joint, light or ear that it sets, and each element has
+// up to 16 command frames.  A command frame of a joint lasts one robot frame of 8 ms, that of a
+// light its own period, that of an ear 128 ms (ERS-7: its own period; robot.md, sections 9.4 and
+// 10).  A vector lasts as long as its longest element; shorter elements hold their last value.  The
+// next vector starts in the frame after the last frame of the vector before.
 #pragma once
 
 #include <OPENR/ODataFormats.h>
