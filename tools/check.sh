@@ -81,6 +81,14 @@ python3 tools/conformance_table.py --check |
   rule 'docs/conformance.md is made of tests/conformance/statements.tsv'
 python3 tools/citations.py |
   rule 'citations of docs/openr and docs/report.md lead to a place that exists (tools/citations.py)'
+# paths FILE...: the sources that documents name in backticks, as FILE:LINE:PATH.
+paths() {
+  grep -noE '`(runtime|virtualrobot|distribution|cli|kit|openr|testing|objects|tools|tests|bench)/[A-Za-z0-9_./-]+\.(h|cc|py|sh|idl)`' "$@" |
+    tr -d '`'
+}
+paths README.md CONTRIBUTING.md docs/*.md docs/*/*.md | while IFS=: read -r file line path; do
+  [ -e "$path" ] || echo "$file:$line: $path"
+done | rule 'sources that documents name exist'
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
