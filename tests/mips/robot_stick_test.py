@@ -220,7 +220,7 @@ def test_forms_of_main(kit):
     write(folder / "main.cc", "int helper() { return 0; }\n")
     kit.refuses("a controller without main()", "forms: no source has a main()", "--controller", "forms")
     write(folder / "main.cc", "int main(char*) { return 0; }\n")
-    kit.refuses("a main() that nobody can call", "main() has arguments that nobody gives", "--controller", "forms")
+    kit.refuses("a main() that nobody can call", "main() has arguments, and the robot gives none", "--controller", "forms")
 
 
 def test_controller(kit):
