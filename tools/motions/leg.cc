@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "angles.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host::motions {
 namespace {

@@ -7,8 +7,6 @@
 namespace openr_host::motions {
 namespace {
 
-constexpr double kDeg = Radians(1);
-
 // Key frames on the way, each `interpolation` + 1 ticks of 16 ms after the one before.
 void Go(const Dog& dog, const Dog::Pose& from, const Dog::Pose& to, int count, int interpolation,
         const std::string& what, std::vector<KeyFrame>* frames) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "angles.h"
+#include "virtualrobot/det_math.h"
 
 namespace openr_host::motions {
 namespace {
