@@ -9,8 +9,8 @@ using namespace openr_host;
 
 namespace {
 
-// Returns sSUCCESS if the current object may request one more later message, of `size` bytes to
-// `oid`.
+// Checks whether the current object may order one more event that sends a message of `size` bytes
+// to `oid`.  Returns sSUCCESS, or the error that the caller of the SDK's function gets.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;

@@ -1,9 +1,9 @@
 // ROBOTGW.CFG and HOSTGW.CFG: the services that TCPGateway carries over the network.
 //
 // Each service has a port and carries exactly one connection; the robot's side listens, the host's
-// side connects.  Services with the same port belong together: an observer (.O) on the robot's side
-// sends all data that robot subjects notify to a subject (.S) on the host's side, and the other
-// way round.  (core.md, 5.4)
+// side connects.  An observer (.O) on one side and a subject (.S) on the other side belong together
+// if they have the same port: TCPGateway sends the data that the observer receives over the
+// network, and the subject notifies them on the other side. (core.md, 5.4)
 #pragma once
 
 #include <cstdint>

@@ -175,7 +175,8 @@ void StubParser::CheckWhole(const std::string& file) {
 void StubParser::CheckCount(const std::string& file, const Side& side) {
   const int found = static_cast<int>(side.services->size());
   const std::string& object = result_.config.object_name;
-  // The SDK's stub needs a service on both sides, so an object without one gets a dummy service.
+  // The SDK's stub needs at least one subject and at least one observer.  So an object that has
+  // none of a kind must declare a dummy service of that kind.
   const std::string dummy =
       found > 0 ? ""
                 : fmt::format(

@@ -3,9 +3,10 @@
 // Programs send addresses: many put the address of a region into a message, and padding that was
 // never set may hold a pointer.  The kernel maps memory at random addresses, so the messages of
 // such a program would differ from process to process.  Therefore this plan gives the memory of
-// objects fixed addresses.  An address follows from the number of the object or region and is the
-// same in every process and on every machine.  All of them lie in a part of the address space that
-// Linux on x86-64 leaves empty:
+// objects fixed addresses.  Each object has a place, that is, a number that selects its part of
+// each range below.  So the address of memory follows from the number of the object or region and
+// is the same in every process and on every machine.  All ranges lie in a part of the address space
+// that Linux on x86-64 leaves empty:
 //
 //     2 TiB   heaps, 128 MiB for each place
 //     6 TiB   images, 16 MiB for each place
@@ -14,12 +15,13 @@
 //    10 TiB   read-only copies of received regions, 128 MiB for each place (guard_pages.h)
 //    14 TiB   the end
 //
-// Memory is mapped when it is needed and not reserved before, so a limit on address space (ulimit
-// -v) counts only used memory.
+// Memory is mapped only when it is needed, and not reserved before.  So a limit on address space
+// (ulimit -v) counts only used memory.
 //
-// Addresses are not planned with AddressSanitizer or ThreadSanitizer, because their own tables lie
-// in this range, nor if the range was not empty at the start (address_plan.cc).  Objects then
-// share the host's heap, and the kernel chooses the address of every mapping.
+// Addresses are not planned with AddressSanitizer or ThreadSanitizer, because the tables of these
+// tools lie in the same part of the address space, nor if that part was not empty at the start
+// (address_plan.cc).  Objects then share the host's heap, and the kernel chooses the address of
+// every mapping.
 #pragma once
 
 #include <cstddef>
@@ -28,54 +30,54 @@
 
 namespace openr_host {
 
-// The memory areas of one object that was loaded from a file.
+// The place of one object that was loaded from a file: its memory area in each range.
 class AddressPlace {
  public:
   static constexpr int kPlaces = 1 << 15;
   static constexpr size_t kHeapBytes = size_t{128} << 20;
-  static constexpr size_t kThunkBytes = size_t{256} << 10;  // imported_calls.h
+  static constexpr size_t kThunkBytes = size_t{256} << 10;  // for the thunks of imported_calls.h
   static constexpr size_t kImageBytes = (size_t{16} << 20) - kThunkBytes;
-  static constexpr size_t kStackBytes = size_t{1} << 20;  // stack_memory.h
+  static constexpr size_t kStackBytes = size_t{1} << 20;  // for the stacks of stack_memory.h
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
-  // Takes one of the two places that each `id` has.  The second is for an object that replaces
-  // another one, or for an object of a second System in this process, while the first place is in
-  // use.  If both are in use, takes the last free place of the plan.
+  // Takes one of the two places that each `id` has.  The second place is used while the first is
+  // taken: by an object that this one replaces, or by an object of another System in this process.
+  // If both are taken, takes the last free place of the plan.
   explicit AddressPlace(ObjectId id);
   ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
   AddressPlace(const AddressPlace&) = delete;
   AddressPlace& operator=(const AddressPlace&) = delete;
 
-  // Return the begin of each area; null if addresses are not planned.
+  // Return the first address of each area, or null if addresses are not planned.
   char* heap() const;
   char* image() const;
   char* thunks() const;
-  char* stack(int number) const;  // 0: for handlers; 1: for a controller's endless loop
+  char* stack(int number) const;  // number 0: for handlers; 1: for a controller's endless loop
   char* copies() const;
 
-  // Returns the number of the place with the heap in which `address` lies; -1 if there is none.
+  // Returns the number of the place in whose heap area `address` lies, or -1 if there is none.
   static int OfHeap(const void* address);
 
  private:
   int index_ = -1;  // the number of the place; -1: addresses are not planned
 };
 
-// Takes the area for the regions of one System.  Null if all are taken or addresses are not
-// planned.
+// Takes an area for the regions of one System and returns its first address.  Returns null if all
+// areas are taken or addresses are not planned.
 char* TakeRegionArea();
-// Gives back an area of TakeRegionArea().
+// Gives back an `area` that TakeRegionArea() returned.
 void GiveRegionArea(char* area);
 constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB
 
-// Maps `bytes` zeros at `address`, readable and writable.  False if there is no memory or the
-// addresses are in use.
+// Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no
+// memory or the addresses are in use.
 bool MapAt(char* address, size_t bytes);
 
 // Returns whether `address` lies in the range of the plan.
 bool IsPlanned(const void* address);
 
-// Moves the plan to another range of addresses.  Two runs with different ranges show whether a
-// program depends on addresses.  REQUIRES: no System has been made in this process.
+// Moves the plan to another range of addresses.  If two runs with different ranges give different
+// results, the program depends on addresses.  REQUIRES: no System has been made in this process.
 void UseOtherAddresses();
 
 }  // namespace openr_host

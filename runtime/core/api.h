@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// The OID of object 0.  In the object tables that robots printed, application objects began near
-// this number.
+// The OID of object 0, near the OIDs of the first application objects in the object tables that
+// robots printed.
 constexpr uintptr_t kFirstOid = 0x80000042;
 
 inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_t>(id); }

@@ -1,12 +1,12 @@
 // The heap of one object, freed as a whole when the object is destroyed.
 //
 // Memory comes in spans of 64 KiB from the heap area of the object's place (address_plan.h).  The
-// owner of a block follows from its address in O(1), so free() may be called in any context.
-// Small blocks are in size classes with free lists; each large block has spans of its own.
-// A block is filled with zeros when it is allocated, because the bytes of an earlier block may be
-// an address of the C library, and no run may depend on such an address.
-// Two limits hold: the memory of the robot, which all its objects share, and the size of the
-// place's heap area.  The heap size in the .ocf file is a step of growth on the robot, no limit.
+// arena of a block follows from the block's address in O(1), so free() works whichever object is
+// running.  Small blocks belong to size classes with free lists; each large block has spans of its
+// own.  A block is filled with zeros when it is allocated.  Otherwise the block could still hold an
+// address of the C library from an earlier use, and no run may depend on such an address.  Two
+// limits hold: the memory of the robot, which all its objects share, and the size of the place's
+// heap area.  The heap size in the .ocf file is no limit: on the robot it is a step of growth.
 #pragma once
 
 #include <cstddef>
@@ -17,38 +17,40 @@
 
 namespace openr_host {
 
-// The memory of one robot.
+// The memory that all objects of one robot share.
 struct MemoryBudget {
   size_t limit_bytes = SIZE_MAX;
   size_t used_bytes = 0;
-  int allocations_until_failure = -1;  // for tests: 1 fails the next; < 0: never
+  int allocations_until_failure = -1;  // for tests: 1 fails the next allocation; < 0: none fails
 };
 
 class Arena {
  public:
-  // Makes an empty heap in the heap area of `place`, which no other arena may use.  With a null
-  // `budget` there is no limit; otherwise `budget` must outlive the arena.  REQUIRES: place.heap()
-  // is not null.
+  // Makes an empty heap in the heap area of `place`, which no other arena may use.  If `budget` is
+  // null, the memory is limited only by the area; otherwise `budget` must outlive the arena.
+  // REQUIRES: place.heap() is not null.
   explicit Arena(const AddressPlace& place, MemoryBudget* budget = nullptr);
-  ~Arena();  // every block is gone afterwards
+  ~Arena();  // frees all blocks
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  // Returns a block of zeros; null if the budget or the heap area is exhausted.  The block is
-  // aligned to 16, or to `alignment` (rounded up to a power of two) if that is larger.
+  // Returns a block of zeros, or null if the budget or the heap area is exhausted.  The address of
+  // the block is a multiple of 16, or of `alignment` (rounded up to a power of two) if that is
+  // larger.
   void* Allocate(size_t size, size_t alignment = 16);
 
   size_t bytes_in_use() const { return in_use_; }
   size_t bytes_in_use_max() const { return in_use_max_; }
 
-  // Returns the arena that `block` was allocated from; null if no arena has this address.
+  // Returns the arena that `block` was allocated from, or null if `block` lies in no arena.
   static Arena* OwnerOf(const void* block);
   // Frees a block of an arena.  REQUIRES: OwnerOf(block) is not null.
   static void Free(void* block);
-  // Frees a block of an arena or of the host's heap.  Code that calls Allocate() directly frees
-  // with this function, because under Valgrind free() is Valgrind's and does not know arenas.
+  // Frees a block of an arena or of the host's heap.  Code that calls Allocate() directly must free
+  // with this function, because under Valgrind free() is Valgrind's function, which does not know
+  // arenas.
   static void FreeAny(void* block);
-  // REQUIRES: OwnerOf(block) is not null.
+  // Returns the number of bytes that may be used in `block`.  REQUIRES: OwnerOf(block) is not null.
   static size_t UsableSize(const void* block);
 
  private:
@@ -56,10 +58,10 @@ class Arena {
   static constexpr size_t kSpanBytes = size_t{64} << 10;
   static constexpr size_t kSpans = AddressPlace::kHeapBytes / kSpanBytes;
 
-  // A span holds small blocks of one class, or is the first span of a large block, or a later span
+  // A span of the heap.  It holds small blocks of one size class, or is the first or a later span
   // of a large block.
   struct Span {
-    int16_t use = kFree;      // a size class, or one of the numbers below
+    int16_t use = kFree;      // the index of a size class, or one of the numbers below
     uint16_t span_count = 0;  // in the first span of a large block: the number of its spans
   };
   static constexpr int16_t kFree = -1, kLarge = -2, kInside = -3;
@@ -83,10 +85,10 @@ class Arena {
 
   char* const base_;
   std::vector<Span> spans_;
-  size_t first_free_ = 0;    // no free span lies before it
-  size_t mapped_spans_ = 0;  // the first so many spans are mapped
+  size_t first_free_ = 0;    // all spans before this one are in use
+  size_t mapped_spans_ = 0;  // number of mapped spans, counted from the first span
   FreeBlock* free_[kClasses] = {};
-  char* bump_[kClasses] = {};  // the next block of the class that was never used
+  char* bump_[kClasses] = {};  // for each class, the next block that was never used
   char* bump_end_[kClasses] = {};
   size_t in_use_ = 0;
   size_t in_use_max_ = 0;

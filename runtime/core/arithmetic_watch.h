@@ -10,34 +10,36 @@ namespace openr_host {
 
 class ArithmeticWatch {
  public:
-  // Says whether this process has a handler for SIGFPE (CrashLog); at first it has none.
+  // Sets whether this process has a signal handler for SIGFPE (CrashLog).  At first it has none.
   static void SetCatches(bool on);
-  // Returns whether operations may raise SIGFPE: there is a handler for it.  Always false with
-  // AddressSanitizer and under Valgrind; the processor that Valgrind emulates raises no SIGFPE.
+  // Returns whether operations may raise SIGFPE, that is, whether a signal handler exists.  Always
+  // false with AddressSanitizer, and under Valgrind, because the processor that Valgrind emulates
+  // raises no SIGFPE.
   static bool Catches();
 
-  // Called when a handler begins: from now on, operations that raise one of the flags `kinds`
-  // (FpFlag) raise SIGFPE.
+  // Begins the watch at the begin of a handler: from now on, operations that raise one of the flags
+  // `kinds` (FpFlag) raise SIGFPE.
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Operations that raise the flag `kind` raise no more SIGFPE.  Called by the signal handler,
-  // which changes the MXCSR of the interrupted code itself.
+  // Excludes the flag `kind` from the watch, so that operations which raise this flag raise no more
+  // SIGFPE.  Called by the signal handler, which itself changes the MXCSR of the interrupted code.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Called before and after code of the image calls a function that is not its own.  Such calls may
-  // be nested.
+  // Pause and resume the watch.  Called before and after the image's code calls a function that is
+  // not its own.  Such calls may be nested.
   void Enter();
   void Leave();
 
-  // Called when the handler has ended.
+  // Ends the watch at the end of the handler.
   void End();
 
  private:
   bool has_begun_ = false;
-  unsigned kinds_ = 0;     // the flags that raise SIGFPE
-  int calls_ = 0;          // depth of calls of functions that are not the image's own
-  unsigned saved_fp_ = 0;  // MXCSR of the image during a call
+  unsigned kinds_ = 0;  // the flags that raise SIGFPE
+  // how many calls of functions that are not the image's own are nested now
+  int calls_ = 0;
+  unsigned saved_fp_ = 0;  // the image's MXCSR during such a call
 };
 
 }  // namespace openr_host

@@ -1,7 +1,7 @@
 // Objects built in code: parts of the robot, test probes, load generators.
 //
-// They use the same subjects, observers and messages as objects from images.  The difference is
-// the entry table: an image has one from its stub, a CodeObject makes its own.
+// They use the same subjects, observers and messages as objects from images.  Only the entry table
+// differs: an image gets its table from its stub, a CodeObject makes its own.
 //
 //   class Blinker : public CodeObject {
 //    public:
@@ -31,7 +31,7 @@ class CodeObject : public OObject {
   CodeObject();
   ~CodeObject() override;
 
-  // See Object::HashState().
+  // Adds the state that decides the future; see Object::HashState().
   virtual void HashState(Hasher*) const {}
 
   Object& host() const { return *host_; }
@@ -42,9 +42,9 @@ class CodeObject : public OObject {
   using Notify = std::function<void(const ONotifyEvent&)>;
   using Extra = std::function<void(void* message)>;
 
-  // Add a subject or an observer and register it as `service`, a full name of four parts.  The
-  // function is called for each ready or notification and may be empty.  This object owns the
-  // result.  Called in the constructor.
+  // Add a subject or an observer and register it as `service`, a full name of four parts.  `ready`
+  // or `notify` is called for each ready or notification and may be empty.  This object owns the
+  // returned subject or observer.  REQUIRES: called in the constructor.
   OSubject* AddSubject(const std::string& service, Ready ready = {});
   OObserver* AddObserver(const std::string& service, Notify notify = {});
 
@@ -56,12 +56,12 @@ class CodeObject : public OObject {
   using EntryFunction = std::function<void(void*)>;
 
   Object* const host_;
-  std::vector<EntryFunction> entries_;  // by selector - oentryBASE
+  std::vector<EntryFunction> entries_;  // entry functions; the index is selector - oentryBASE
   std::vector<std::unique_ptr<OSubject>> own_subjects_;
   std::vector<std::unique_ptr<OObserver>> own_observers_;
 };
 
-// The system's side of a CodeObject.
+// The runtime's Object for a CodeObject.
 class CodeHost : public Object {
  public:
   using Object::Object;

@@ -1,27 +1,30 @@
-// Names of places in the code of objects, for findings: "Talker.cc:57".
+// Names of places in the code of objects, as findings show them: "Talker.cc:57".
 //
-// The name of a place comes from the debug information of an image.  This library does not read
-// debug information, so the program gives it a function that does (openr/).
+// A name comes from the debug information of an image.  The runtime cannot read debug information,
+// so the program provides a function that can (openr/).
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// A function that returns the place of the instruction at `address`; "" if it is not known.
+// A function that returns the name of the place of the instruction at `address`, or "" if the name
+// is not known.
 using PlaceNamer = std::string (*)(const void* address);
 
-// Sets the function that names places; null, as at the start: places have no names.
+// Sets the function that names places.  With null, which is the initial value, places have no
+// names.
 void SetPlaceNamer(PlaceNamer namer);
 
-// Returns the place of the instruction at `address` ("Talker.cc:57"); "" if it is not known.
+// Returns the name of the place of the instruction at `address` ("Talker.cc:57"), or "" if the name
+// is not known.
 std::string NameOfPlace(const void* address);
 
-// Searches the stack for the innermost call that was made by code of the current object's image,
-// and returns the address of the call; null if no code of that image is on the stack.
+// Searches the stack for the innermost call made by code of the current object's image, and returns
+// the address of the call.  Returns null if no code of that image is on the stack.
 const void* CallerInImage();
 
-// Returns ", at Talker.cc:57" for CallerInImage(); "" if its place is not known.
+// Returns ", at Talker.cc:57" for the place of CallerInImage(), or "" if its name is not known.
 std::string AtCaller();
 
 }  // namespace openr_host

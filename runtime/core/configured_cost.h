@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-// Takes the cost of each handler from the rules of a cost file.  Jitter is uniform and drawn from a
-// generator that is derived from the seed and the word "cost".
+// Takes the cost of each handler from the rules of a cost file.  Jitter is uniform.  It is drawn
+// from a generator that is derived from the seed and the word "cost".
 class ConfiguredCost : public CostModel {
  public:
   ConfiguredCost(CostConfig config, uint64_t seed);
@@ -22,13 +22,13 @@ class ConfiguredCost : public CostModel {
   int64_t FrameUs() const override { return config_.frame_us; }
   void HashState(Hasher* hasher) const override;
 
-  // Returns the rules whose pattern matches no handler called so far.  A rule that matches is used,
-  // even where a later rule overrides it.
+  // Returns the rules whose pattern matches no handler called so far.  A rule that matches counts
+  // as used, even if a later rule overrides it.
   std::vector<FilePosition> Unused() const;
 
  protected:
-  // Returns the time to add to the cost of this call, from -range_us to range_us.
-  // REQUIRES: range_us > 0.
+  // Returns the jitter to add to the cost of this call, from -range_us to range_us.  REQUIRES:
+  // range_us > 0.
   virtual int64_t JitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
  private:
@@ -39,10 +39,10 @@ class ConfiguredCost : public CostModel {
   Cost Find(const Object& object, uint32_t selector);
 
   const CostConfig config_;
-  std::vector<bool> used_;  // by rule
+  std::vector<bool> used_;  // by index of the rule: whether its pattern has matched a handler
   Rng rng_;
-  // The result of Find() by object and selector.  It can be kept, because an entry does not change
-  // its name after its first call.
+  // The results of Find(), by object and selector.  A result stays valid, because an entry does not
+  // change its name after its first call.
   std::map<std::pair<ObjectId, uint32_t>, Cost> known_;
 };
 

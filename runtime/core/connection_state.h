@@ -1,6 +1,6 @@
-// The runtime's state of an OSubject and an OObserver.
+// The runtime's state of a subject (OSubject) and of an observer (OObserver).
 //
-// The state is on the host's heap, not on the object's, and only handlers of the object touch it.
+// The state lies on the host's heap, not on the object's.  Only handlers of the object change it.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -22,59 +22,61 @@ class System;
 
 // Operations on regions that only the runtime may do.
 struct RegionAccess {
-  // Makes the observer's region for one received from `source`, with one reference.
+  // Makes a region of the observer for the region `source` that it has received, with one
+  // reference.
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
-  // Deletes a region made by Receive().
+  // Deletes a region that Receive() has made.
   static void GiveBack(RCRegion* received);
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Returns whether the message that `object` handles was sent by the library with a payload of this
-// `kind`.  False, with an error finding, if an object sent bytes of its own to the entry of a
-// subject or observer: such bytes must not be read as a notification or a ready.
+// Returns whether the library sent the message that `object` handles, with a payload of this
+// `kind`.  If an object sent bytes of its own to the entry of a subject or observer, adds an error
+// finding and returns false: such bytes must not be read as a notification or a ready.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
-// The type of a deassert that the runtime sends for a lost observer.
+// The type of a deassert that the runtime itself sends because an observer is lost.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
-// Sends `subject` a deassert in the name of the observer of `object` with entry `selector`, and
-// gives back `regions` that the subject had sent it, at most MAX_NUM_DATA.
+// Sends `subject` a deassert in the name of the observer at entry `selector` of `object`.  Also
+// gives back `regions`, which the subject had sent to this observer, at most MAX_NUM_DATA.
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
                   const std::vector<RCRegion*>& regions);
-// Calls SendDeassert() for a notification to `object` that will not be delivered, with its regions.
+// Refuses the notification `message` to `object`, which will not be delivered: calls SendDeassert()
+// with the regions of `message`.
 void RefuseNotification(Object* object, const Message& message);
 
 // A subject's record of one observer.
 struct ObserverLink {
   ObserverID observer;
-  std::string name;  // name of the observer's object, for messages to the user
+  std::string name;  // the name of the observer's object, for messages to the user
   size_t skip = 0;
   size_t min = 1;
   size_t max = 1;
 
-  // 1: ready.  0: not asserted yet, or data were sent since.  -1: deasserted.  Two asserts in a row
-  // count as one, as on the robot.
+  // The observer's readiness.  1: ready.  0: not asserted yet, or data were sent since. -1:
+  // deasserted.  Two asserts in a row count as one, as on the robot.
   int ready = 0;
-  size_t skipped = 0;  // notifications skipped since the last one that was kept
+  size_t skipped = 0;  // notifications skipped since the last kept notification
 
-  std::vector<RCRegion*> fresh;  // regions set since the last notify; at most MAX_NUM_DATA
+  std::vector<RCRegion*> fresh;  // regions set since the last notify, at most MAX_NUM_DATA
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
   };
-  std::vector<RCRegion*> pending;  // regions notified and not sent, oldest first
-  std::vector<Unit> units;         // notifications in `pending`, oldest first
+  std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
+  std::vector<Unit> units;         // notifications whose regions are in `pending`, oldest first
   int64_t waiting_since_us = -1;   // virtual time of the oldest pending unit
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
-  uint64_t replaced = 0;           // units dropped for newer ones
-  bool is_lost = false;            // the runtime has deasserted for an observer that is lost
-  bool told_deasserted = false;    // a notify after a deassert has been reported
+  uint64_t replaced = 0;           // number of units dropped because newer units replaced them
+  bool is_lost = false;            // the observer is lost, and the runtime has deasserted for it
+  bool told_deasserted = false;    // a finding about a notify after a deassert has been added
 };
 
 struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
-  // Returns null if the observer is not connected.
+  // Returns the link to the observer `id`, or null if that observer is not connected.
   ObserverLink* Find(const ObserverID& id);
 
   // Adds `region`, with one reference, to the data of the next notify.
@@ -83,9 +85,9 @@ struct SubjectState {
   OStatus Notify(ObserverLink* link);
   // Sends pending units if the observer is ready and has at least `min` of them.
   void Flush(ObserverLink* link);
-  // Releases all data that were not sent.
+  // Releases all data that have not been sent.
   void Clear(ObserverLink* link);
-  // REQUIRES: a unit is pending.
+  // Drops the oldest pending unit and releases its regions.  REQUIRES: a unit is pending.
   void DropOldestUnit(ObserverLink* link);
 
   void HashState(Hasher* hasher) const;
@@ -103,9 +105,11 @@ struct SubjectState {
 struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
-  // Sends `command` to `subject`, with the regions of `subject` that this object no longer uses.
+  // Sends `command` to `subject`, together with the regions of `subject` that this object no longer
+  // uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Counts the readies in `asserted`.  Adds a finding if an observer asserts again and again.
+  // Counts the readies in `asserted`.  Adds a finding if an observer asserts again and again
+  // without a notification.
   void CountReady(const SubjectID& subject, ObjcommCommand command);
 
   System* const system;
@@ -116,15 +120,15 @@ struct ObserverState {
   size_t min = 1;
   size_t max = 1;
   std::list<OSubjectInfo> subjects;
-  // Received regions that have not been given back, by subject, oldest first.
+  // Regions received from one subject that have not been given back, oldest first.
   struct Held {
     SubjectID subject;
     std::vector<RCRegion*> regions;
   };
   std::vector<Held> held;
-  // Readies asserted to a subject since the last notification from any subject.  Notifications of
-  // other subjects count too, because an AssertReady() without argument, once per notification,
-  // asserts to all subjects.
+  // The number of readies asserted to one subject since the last notification from any subject.
+  // Notifications of other subjects reset the number too, because a program that calls
+  // AssertReady() without argument, once per notification, asserts to all subjects each time.
   struct Asserted {
     SubjectID subject;
     int times;

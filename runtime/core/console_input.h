@@ -1,9 +1,9 @@
 // Console input: the lines that people type for the objects of a robot.  Each robot has one
 // terminal.
 //
-// An object that reads the console waits until a line is there; other objects go on
-// (field-notes.md, section 6).  Text can be read from the next frame boundary on, as all input from
-// outside.
+// An object that reads the console waits until a line has been typed; other objects go on meanwhile
+// (field-notes.md, section 6).  Like all input from outside, typed text can be read from the next
+// frame boundary on.
 #pragma once
 
 #include <cstddef>
@@ -27,38 +27,41 @@ class ConsoleInput {
  public:
   explicit ConsoleInput(System* system) : system_(system) {}
 
-  // Adds text that was typed; a missing newline at its end is added.  Not called from a handler.
+  // Adds `text`, which was typed on the terminal of `robot`.  Adds a newline if `text` does not end
+  // with a newline.  REQUIRES: not called in a handler.
   void Feed(int robot, std::string_view text);
 
-  // Registers a `listener` that Feed() calls at once with the text that was typed.
+  // Registers a `listener` that Feed() calls at once with the typed text.
   using Listener = std::function<void(int robot, std::string_view text)>;
   void OnFeed(Listener listener) { listeners_.push_back(std::move(listener)); }
 
-  // Returns the frame boundary at which typed text becomes readable; INT64_MAX if there is none.
+  // Returns the next frame boundary at which typed text becomes readable, or INT64_MAX if no text
+  // is waiting.
   int64_t NextUs() const;
-  // Makes the text readable that was typed before this frame boundary, and wakes a reader.
+  // Makes text readable whose frame boundary has come, and wakes a reader.
   void EnterDue();
 
-  // Called in a handler: waits for a line, copies at most `size` bytes of it to `buffer` and
-  // returns their number.  The rest of the line comes with the next call.  Echoes the bytes.  If
-  // `is_gone` holds after the wait, because the reader was lost meanwhile, returns 0 and leaves the
-  // line to the next reader.
+  // Waits for a line, copies at most `size` bytes of it to `buffer`, echoes these bytes and returns
+  // their number.  The next call returns the rest of the line.  If `is_gone` returns true after the
+  // wait, because the reader was lost meanwhile, returns 0 and leaves the line to the next reader.
+  // REQUIRES: called in a handler.
   size_t Read(char* buffer, size_t size, const std::function<bool()>& is_gone = {});
 
-  // Switches the echo off if the user's terminal has already shown the typed text.
+  // Sets whether Read() echoes the text.  The echo is switched off if the user's terminal has
+  // already shown the typed text.
   void set_echo(bool echo) { echo_ = echo; }
 
-  // HandlerState::blocked_why of a reader.
+  // The text of HandlerState::blocked_why while an object reads the console.
   static constexpr std::string_view kWhy = "a line from the console";
 
   void HashState(Hasher* hasher) const;
 
  private:
   struct Terminal {
-    std::string coming;             // typed, and not readable before `enters_us`
+    std::string coming;             // text that was typed and becomes readable at `enters_us`
     int64_t enters_us = INT64_MAX;  // the frame boundary at which `coming` becomes readable
-    std::string text;               // readable, and not read
-    // The objects that wait for a line, each with the reply box it waits for.
+    std::string text;               // text that is readable and has not been read yet
+    // The objects that wait for a line, each with the reply box that will end its wait.
     std::deque<std::pair<ObjectId, uint64_t>> readers;
   };
 
@@ -66,7 +69,7 @@ class ConsoleInput {
   void GiveUp(Terminal* terminal, ObjectId reader, uint64_t box);
 
   System* const system_;
-  std::map<int, Terminal> terminals_;  // by robot
+  std::map<int, Terminal> terminals_;  // by index of the robot
   std::vector<Listener> listeners_;
   bool echo_ = true;
 };

@@ -1,10 +1,10 @@
 // The processor of a robot: handlers that take time.
 //
-// Without a CostModel handlers take no time.  With one, one handler at a time has the processor; a
-// handler of higher priority interrupts it, a handler of equal or lower priority waits.  The code
-// of a handler runs when it gets the processor.  Its object is busy until the cost of the handler
-// has passed: messages that the handler posts leave at that time, and messages to the object are
-// held. Objects of the system run without the processor.
+// Without a CostModel, handlers take no time.  With a CostModel, one handler at a time has the
+// processor; a handler of higher priority interrupts it, a handler of equal or lower priority
+// waits.  The code of a handler runs when the handler gets the processor.  Its object is busy until
+// the cost of the handler has passed: messages that the handler posts leave at that time, and
+// messages to the object are held until then.  Objects of the system run without the processor.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@ class CostModel {
  public:
   virtual ~CostModel() = default;
   // Returns the processor time of one call of entry `selector`, >= 0.  Called once per delivery and
-  // in order of delivery, so a model may draw random numbers from a generator of its own.
+  // in order of delivery, so a model may draw random numbers from its own generator.
   virtual int64_t CostUs(const Object& object, uint32_t selector) = 0;
-  // Returns how long a frame of the robot's devices lasts by this clock.
+  // Returns how long a frame of the robot's devices lasts on the virtual clock.
   virtual int64_t FrameUs() const;
-  // Adds the state that decides future costs.
+  // Adds the state of the model that decides future costs.
   virtual void HashState(Hasher*) const {}
 };
 
@@ -36,21 +36,21 @@ class Cpu {
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
-  // Returns whether `object` may run a handler now.  REQUIRES: `object` is one of this robot.
+  // Returns whether `object` may run a handler now.  REQUIRES: `object` belongs to this robot.
   bool IsFreeFor(const Object& object) const;
 
-  // A wait for the processor that is longer than this becomes a finding.
+  // The longest wait for the processor that is normal; a longer wait becomes a finding.
   static constexpr int64_t kStarvedUs = 1'000'000;
 
-  // A handler that takes longer than this becomes a finding, because it takes more than the time
-  // between two sensor vectors (field-notes.md, 1.12).
+  // The longest time of a handler that is normal.  A longer handler becomes a finding, because it
+  // takes more than the time between two sensor vectors (field-notes.md, 1.12).
   static constexpr int64_t kLongHandlerUs = 32'000;
 
-  // Keeps `message` to `object` until the processor is free.
+  // Keeps `message`, which is for `object`, until the processor is free.
   void Wait(Object* object, Message* message, int64_t now_us);
 
-  // Returns the messages that wait here for object `id`, oldest first.  The caller owns them from
-  // now on.
+  // Returns the messages that wait here for object `id`, oldest first.  The caller then owns these
+  // messages.
   std::vector<Message*> TakeMessagesTo(ObjectId id);
 
   // Ends the wait of `object` for the processor.  Adds a finding if the wait was long.
@@ -60,7 +60,8 @@ class Cpu {
   // IsFreeFor(*object).
   void Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_us);
 
-  // Returns when the running handler ends if no other interrupts it; INT64_MAX if none runs.
+  // Returns when the running handler ends unless another handler interrupts it; INT64_MAX if none
+  // runs.
   int64_t EndUs() const;
 
   // Ends the running handler, whose time is over: sends the messages that it posted, and lets other
@@ -73,11 +74,11 @@ class Cpu {
   struct Job {
     Object* object;
     int64_t left_us;   // processor time that the handler still needed at `since_us`
-    int64_t since_us;  // when the handler got the processor last
+    int64_t since_us;  // when the handler last got the processor
   };
 
   System* const system_;
-  std::vector<Job> jobs_;          // the last job runs, the others were interrupted
+  std::vector<Job> jobs_;          // the last job runs; those before it were interrupted
   std::vector<Message*> waiting_;  // messages whose receiver waits for the processor, oldest first
 };
 

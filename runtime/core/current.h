@@ -1,8 +1,8 @@
-// Which object is running on this thread, if any.
+// The object that is running on this thread, if any.
 //
 // The SDK's functions have no argument for the object that calls them, so they read it from
-// t_current.  The dispatcher sets t_current around every handler, the loader sets it while the
-// constructors of an image run.
+// t_current.  The dispatcher sets t_current around every handler, and the loader sets t_current
+// while the constructors of an image run.
 #pragma once
 
 #include "runtime/core/arithmetic_watch.h"
@@ -15,18 +15,20 @@ class System;
 struct Current {
   System* system = nullptr;
   Object* object = nullptr;
-  // Code of an image is running, not a function of the runtime that it has called.  While this is
-  // true, malloc() takes memory from the object's heap and fopen() opens files of the Memory Stick.
+  // True while code of an image is running, and not a function of the runtime that this code has
+  // called.  While true, malloc() takes memory from the object's heap and fopen() opens files of
+  // the Memory Stick.
   bool image_code = false;
   // The watch over the arithmetic of the running handler; null if there is none.
   ArithmeticWatch* watch = nullptr;
 };
 
-// Constant-initialised and trivially destroyed: safe before main() and in malloc().
+// The object that runs on this thread.  The variable is constant-initialised and trivially
+// destroyed, so it can be used before main() and in malloc().
 extern thread_local constinit Current t_current;
 
-// First statement of every function of the SDK that may allocate memory or open files.  Within the
-// scope, the runtime uses the host's heap and the host's files.
+// Switches to the host's heap and the host's files for a scope.  The first statement of every
+// function of the SDK that may allocate memory or open files makes an ApiScope.
 class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
@@ -44,8 +46,9 @@ class ApiScope {
   const bool image_code_;
 };
 
-// First statement of a function of the C library that this library defines.  Within the scope,
-// memory and files are still the object's, but operations raise no SIGFPE.
+// Keeps operations from raising SIGFPE for a scope, while memory and files are still the object's.
+// The first statement of every function of the C library that the runtime defines makes a
+// LibraryScope.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {
@@ -61,7 +64,7 @@ class LibraryScope {
   ArithmeticWatch* const watch_;
 };
 
-// Makes `object` of `system` the current one for a scope.
+// Makes `object` of `system` the current object for a scope.
 class CurrentScope {
  public:
   CurrentScope(System* system, Object* object, bool image_code = false) : saved_(t_current) {

@@ -20,21 +20,22 @@ class Dispatcher {
   ~Dispatcher();
 
   struct Limits {
-    int64_t time_us = INT64_MAX;                   // deliver nothing due after it
-    uint64_t messages = UINT64_MAX;                // deliver no more than this
-    const std::function<bool()>* until = nullptr;  // stop as soon as this returns true
+    int64_t time_us = INT64_MAX;     // no message that is due later is delivered
+    uint64_t messages = UINT64_MAX;  // the largest number of messages to deliver
+    // delivery stops as soon as this function returns true
+    const std::function<bool()>* until = nullptr;
   };
 
-  // Delivers messages until a limit is met or no message is left, and returns how many it
-  // delivered.  Leaves the clock at limits.time_us if the time was the limit.  REQUIRES: not called
-  // in a handler.
+  // Delivers messages until a limit is reached or no message is left, and returns the number of
+  // delivered messages.  If the time was the limit, leaves the clock at limits.time_us.  REQUIRES:
+  // not called in a handler.
   uint64_t Run(const Limits& limits);
 
-  // Called in a handler: the handler waits until a reply to `box` arrives.  Returns the reply,
-  // which the caller releases.
+  // Suspends the running handler until a reply to `box` arrives.  Returns the reply, which the
+  // caller releases.  REQUIRES: called in a handler.
   Message* WaitFor(uint64_t box);
 
-  // Ends the handler that runs; see System::AbandonHandler().
+  // Ends the running handler; see System::AbandonHandler().
   [[noreturn]] void Abandon();
 
   // Returns the time to add to a message posted now: 1 us if more messages were delivered at this
@@ -59,9 +60,9 @@ class Dispatcher {
   System* const system_;
   MainFiber caller_;
   std::vector<std::unique_ptr<Fiber>> fibers_;
-  std::vector<Fiber*> idle_;  // each stopped in Loop(), or prepared to enter Loop()
+  std::vector<Fiber*> idle_;  // free fibers, each stopped in Loop() or prepared to enter Loop()
   Fiber* running_ = nullptr;
-  Fiber* abandoned_ = nullptr;  // was left by Abandon(); the next fiber puts it into idle_
+  Fiber* abandoned_ = nullptr;  // the fiber that Abandon() left; the next fiber puts it into idle_
   Limits limits_;
   uint64_t delivered_ = 0;
   const int64_t free_deliveries_;

@@ -22,7 +22,7 @@ class Fiber {
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
-  // Drops the stack's content: the next switch to this fiber calls main(argument) on an
+  // Drops the stack's content, so that the next switch to this fiber calls main(argument) on an
   // empty stack.  REQUIRES: this fiber is not running and has a stack of its own.
   void Prepare(Main main, void* argument);
 
@@ -34,16 +34,17 @@ class Fiber {
  private:
   friend class MainFiber;
   struct NoStack {};
-  explicit Fiber(NoStack);  // the thread's own stack
+  explicit Fiber(NoStack);  // for the thread's own stack
 
   void FinishSwitch();
 
-  void* context_ = nullptr;             // the state of the stack, while it is not running
+  void* context_ = nullptr;             // the state of the stack while the fiber is not running
   std::unique_ptr<StackMemory> stack_;  // null for the thread's own stack
   Main main_ = nullptr;
   void* argument_ = nullptr;
-  void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while not running
-  void* fake_stack_ = nullptr;                // AddressSanitizer's
+  void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while the fiber is not running
+  // the fake stack that AddressSanitizer uses for this fiber
+  void* fake_stack_ = nullptr;
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;
 };

@@ -14,27 +14,30 @@ const char* SeverityName(Severity severity);  // "note", "warning", "error"
 struct Finding {
   Severity severity = Severity::kWarning;
   int robot = 0;
-  std::string object;    // empty: not about one object
-  uint64_t message = 0;  // number of the message that was handled when it was first added
-  int64_t time_us = 0;   // virtual time when it was first added
+  std::string object;  // empty: the finding is not about one object
+  // number of the message that was being handled when the finding was first added
+  uint64_t message = 0;
+  int64_t time_us = 0;  // virtual time when the finding was first added
   std::string text;
-  uint64_t count = 1;  // how often it was added
-  // Findings with the same cause are kept as one, for example all lines of CONNECT.CFG that name
-  // one missing object.  Empty: findings with the same text are kept as one.
+  uint64_t count = 1;  // how often the finding was added
+  // The cause of the finding.  Findings with the same cause are kept as one, for example all lines
+  // of CONNECT.CFG that name the same missing object.  If empty, findings with the same text are
+  // kept as one.
   std::string cause = {};
-  std::string place = {};                 // "CONNECT.CFG:4"; set only if there is a cause
-  std::vector<std::string> also_at = {};  // places of later findings of this cause; <= kPlacesMax
+  std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
+  // places of later findings with this cause, at most kPlacesMax
+  std::vector<std::string> also_at = {};
 };
 
-// Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)", or "" for a finding that
-// was added once.
+// Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)", or "" if `finding` was
+// added only once.
 std::string HowOften(const Finding& finding);
 
-// Findings in order of first appearance.  The same text, or the same cause, about the same object
-// is kept once and counted.
+// Findings in order of first appearance.  Findings about one object with the same text, or with the
+// same cause, are kept as one and counted.
 class Findings {
  public:
-  // The number of different findings that are kept; further ones are only counted.
+  // The largest number of different findings that are kept; further findings are only counted.
   static constexpr size_t kMax = 1000;
   static constexpr size_t kPlacesMax = 5;
 

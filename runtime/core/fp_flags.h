@@ -1,7 +1,7 @@
-// Floating-point flags: the kinds of operations since the flags were last cleared.
+// Floating-point flags: which kinds of operations happened since the flags were last cleared.
 //
-// On x86-64 only the flags of SSE2 are read, with one instruction.  fetestexcept() reads the old
-// coprocessor's flags too, which takes longer than a short handler.
+// On x86-64 only the flags of SSE2 are read, with one instruction. fetestexcept() is not used,
+// because it also reads the flags of the old coprocessor, which takes longer than a short handler.
 #pragma once
 
 #if defined(__SSE2__)
@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// Bits of MXCSR.
+// Bits of MXCSR, each raised by one kind of operation.
 enum FpFlag : unsigned {
   kFpInvalid = 0x01,    // a NaN was made, or a number does not fit its integer type
   kFpDenormal = 0x02,   // an operand was denormal
@@ -22,15 +22,15 @@ enum FpFlag : unsigned {
 };
 constexpr unsigned kFpAll = 0x1f;
 constexpr int kFpKinds = 5;  // number of bits in kFpAll
-// The flags of operations that would stop the robot.  The instruction that raises one can be found
-// with SIGFPE (arithmetic_watch.h).
+// The flags of operations that would stop the robot.  SIGFPE can find the instruction that raises
+// one of these flags (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// The mask bit of a kind in MXCSR, which keeps the kind from raising SIGFPE, is this many bits left
-// of its flag.
+// The distance, in bits, from the flag of a kind in MXCSR to its mask bit on the left, which keeps
+// the kind from raising SIGFPE.
 constexpr int kFpMaskShift = 7;
 
-// FpState() and SetFpState() save and restore MXCSR.  CatchFp() lets exactly `kinds` raise SIGFPE,
-// and clears their flags.  Without SSE2 these functions do nothing.
+// FpState() and SetFpState() save and restore MXCSR.  CatchFp() lets exactly the flags `kinds`
+// raise SIGFPE, and clears these flags.  Without SSE2 these functions do nothing.
 #if defined(__SSE2__)
 inline unsigned FpState() { return _mm_getcsr(); }
 inline void SetFpState(unsigned state) { _mm_setcsr(state); }

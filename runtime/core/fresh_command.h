@@ -1,8 +1,9 @@
 // The first word of every command in a new command vector, until the program sets the command.
 //
 // On the robot a new vector holds the bytes that the memory held before, so joints whose commands
-// are not set shiver or go to extremes (field-notes.md, 7.5).  Here the word is a number that no
-// program sends on purpose, so the host can tell a command that was never set from a 0.
+// are not set shiver or move to extreme positions (field-notes.md, 7.5).  Here the first word is a
+// number that no program sends on purpose, so the host can distinguish a command that was never set
+// from a command of 0.
 #pragma once
 
 #include <OPENR/formats/commands.h>

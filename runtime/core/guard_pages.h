@@ -1,13 +1,15 @@
-// Guard pages: copies of received data on pages of their own, to find two mistakes of observers.
+// Guard pages: read-only copies of received data on pages of their own, which reveal two mistakes
+// of observers.
 //
 // 1. An observer writes to received data.  On a robot with memory protection a region is read-only
 //    for its observer (field-notes.md, 3.1), so the write is a fault.
 // 2. An observer reads data after the AssertReady() that gave them back.  On the robot this is no
 //    fault; the observer reads data of a later message (field-notes.md, 2.11).
 //
-// Objects of one process share regions without a copy, so both mistakes would go unseen.  A copy is
-// read-only, so the first mistake is a fault at the instruction that makes it.  The second is one
-// only with GivenBack::kGone.
+// Objects of one process share regions without a copy, so both mistakes would go unseen.  Because a
+// copy is read-only, the first mistake causes a fault at the instruction that writes.  The second
+// mistake causes a fault only with GivenBack::kGone, which makes the copy unreadable after
+// AssertReady().
 #pragma once
 
 #include <cstddef>
@@ -22,33 +24,33 @@ namespace openr_host {
 class GuardPages {
  public:
   enum class GivenBack {
-    kGone,    // an access to data that were given back is a fault
-    kReused,  // data that were given back can be read; later copies replace them, as on the robot
+    kGone,    // an access to data that the observer has given back is a fault
+    kReused,  // such data can still be read; later copies replace them, as on the robot
   };
   explicit GuardPages(GivenBack given_back) : given_back_(given_back) {}
   ~GuardPages();
   GuardPages(const GuardPages&) = delete;
   GuardPages& operator=(const GuardPages&) = delete;
 
-  // Returns a read-only copy of `size` bytes in the area for copies of `place`, the place of the
-  // object that receives the data; null for an object without one.  Returns null if there is no
-  // memory.
+  // Returns a read-only copy of the `size` bytes at `data`, or null if there is no memory.  The
+  // copy lies in the area of `place`, the place of the object that receives the data.  `place` is
+  // null for an object without a place; such objects share one area.
   char* NewCopy(const AddressPlace* place, const char* data, size_t size);
 
-  // Called when the observer gives back `copy`.  With kReused, the next copy may use its addresses.
-  // With kGone, an address is used again only after 128 MiB of copies, when the area has been used
-  // up.  Does nothing if `copy` is not from NewCopy().
+  // Ends the use of `copy`, which the observer has given back.  With kReused, the next copy may lie
+  // at the same addresses.  With kGone, addresses are used again only after 128 MiB of copies, when
+  // the area is used up.  Does nothing if NewCopy() did not make `copy`.
   void Retire(const char* copy);
 
-  // Returns why the access to `address` was a fault; "" if `address` is not in an area for copies.
-  // For signal handlers.
+  // Returns the mistake that made the access to `address` a fault, or "" if `address` is in no area
+  // for copies.  May be called in a signal handler.
   const char* WhyFault(const void* address) const;
 
  private:
   char* MapPages(char* area, size_t bytes);
 
-  // A copy in use: the area in which it lies, null if addresses are not planned, and the bytes of
-  // its pages.
+  // A copy in use: its area (null if addresses are not planned), and the number of bytes of its
+  // pages.
   struct Copy {
     char* area;
     size_t bytes;
@@ -57,12 +59,13 @@ class GuardPages {
   char* TakePages(char* area, size_t bytes);
 
   const GivenBack given_back_;
-  const AddressPlace shared_place_{kNoObject};  // for the objects without a place of their own
-  // The maps are keyed by addresses, so they are only looked up: their order must not decide
-  // anything in a run.
+  const AddressPlace shared_place_{kNoObject};  // the area of objects that have no place
+  // The keys of the three maps are addresses, which may differ from run to run.  So the maps are
+  // only looked up, and their order decides nothing.
   std::map<const char*, Copy> copies_;
-  std::map<char*, size_t> next_in_;  // offset of the next copy, by area
-  std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;  // given back, by area and bytes
+  std::map<char*, size_t> next_in_;  // offset of the next copy in each area
+  // pages that were given back, by area and number of bytes
+  std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;
 };
 
 }  // namespace openr_host

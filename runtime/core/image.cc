@@ -22,8 +22,9 @@
 #include "runtime/core/system.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// Leaks of objects are not reported.  An object's heap is normally freed as a whole, so objects
-// need not free their memory; but with AddressSanitizer they use the host's heap.
+// Keeps LeakSanitizer from reporting leaks of objects.  Without sanitizers an object's heap is
+// freed as a whole, so objects need not free their memory; with AddressSanitizer objects use the
+// host's heap, where this memory would be a leak.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:openr_host::ImageObject::Dispatch\nleak:openr_host::ImageObject::Load\n";
 }
@@ -41,7 +42,7 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
     return "";
   };
   const fs::path source(file);
-  // Each copy gets a new folder of its own, because forks of this process use the same RunFolder.
+  // Each copy gets a folder of its own, because forks of this process use the same RunFolder.
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
@@ -99,8 +100,8 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
 }
 
 // Takes planned addresses for the image, its heap and its stack.  Returns the bytes to load.  An
-// image that cannot be moved is loaded where the kernel chooses; its heap and stack are planned
-// even so.
+// image that cannot be moved is loaded at an address that the kernel chooses, but its heap and
+// stack still get planned addresses.
 std::string ImageObject::TakePlace(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
@@ -116,8 +117,9 @@ std::string ImageObject::TakePlace(const std::string& original) {
   return bytes;
 }
 
-// Redirects imported calls to a stack of their own.  Does nothing if the image does not lie at its
-// planned address, because thunks need it there, or if a tool watches the stack.
+// Makes imported calls run on a stack of their own.  Does nothing if a tool watches the stack, or
+// if the image is not at its planned address, because thunks work only there.  Returns "" or the
+// reason of a failure.
 std::string ImageObject::TakeImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
   if (place == nullptr || IsStackWatched() || info < place->image() ||
@@ -199,7 +201,7 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
-  if (FpFlags() != 0) ClearFpFlags();  // flags of code that ran before this handler
+  if (FpFlags() != 0) ClearFpFlags();  // code that ran before this handler may have left flags
   has_reported_cast = false;
   ArithmeticWatch* const watch = t_current.watch;
   if (watch != nullptr && !watch->has_begun()) watch->Begin(kFpCaught & ~fp_seen_);
@@ -207,11 +209,12 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   return true;
 }
 
-// Reports floating-point operations that would stop the robot's processor (field-notes.md, 4.4),
-// each kind once per object.
+// Adds findings about floating-point operations that would stop the robot's processor
+// (field-notes.md, 4.4).  Each kind of operation is reported once per object.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  // A conversion that checked_code.cc has reported also sets kFpInvalid; we do not report it twice.
+  // A conversion that checked_code.cc has reported also sets kFpInvalid, so kFpInvalid is not
+  // reported again here.
   const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;
@@ -234,8 +237,8 @@ void ImageObject::ReportFpFlags(uint32_t selector) {
          "a floating-point operation made an infinity (division by 0, log(0), a result too large)",
          "the robot is said to stop when it is used");
   }
-  // The robot turns denormal results into 0.  So an object that makes denormals itself would not
-  // have them on the robot, and we do not report their use.
+  // The robot turns denormal results into 0, so an object that makes denormals here would not have
+  // them on the robot.  Therefore the use of denormals by such an object is not reported.
   if ((fresh & kFpDenormal) && !makes_denormals) {
     warn(kFpDenormal,
          "a denormal number was used in a floating-point operation (an int taken for a float, "

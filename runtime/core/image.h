@@ -1,4 +1,4 @@
-// Images: objects loaded from files, each instance with statics of its own.
+// Images: objects loaded from files.  Each instance of an image has statics of its own.
 //
 // On the host such a file is a shared object built from the object's sources and
 // its stub (cmake/OpenrObject.cmake).  Every instance is loaded from a copy in the
@@ -22,21 +22,22 @@ namespace openr_host {
 struct ImageInfo {
   uint32_t version;  // kImageVersion
   uint32_t reserved;
-  const char* ocf;  // text of the .ocf file
+  const char* ocf;  // the text of the .ocf file
 };
 constexpr uint32_t kImageVersion = 1;
 
 // A temporary folder for copies of images; its destructor removes the folder.
 class RunFolder {
  public:
-  // Writes `bytes`, the content of `file`, to a new file and returns its path.  If a debug file
-  // (NAME.DBG) lies beside `file`, a link to it is made beside the copy.  Returns "", and sets
-  // `*problem`, if the copy cannot be written.
+  // Writes `bytes`, the content of `file`, to a new file and returns the new file's path.  If a
+  // debug file (NAME.DBG) lies beside `file`, makes a link to the debug file beside the copy.  If
+  // the copy cannot be written, returns "" and sets `*problem`.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
-  // Writes `bytes` to a new file under the name of `copy`, which has been loaded.  The mapping of
-  // the loaded file stays as it is.  Debuggers then read symbols from the original bytes; if the
-  // new file cannot be written, they read wrong addresses.
+  // Replaces the file `copy`, which has been loaded, by a new file with `bytes`, the bytes of the
+  // original image.  Debuggers then read correct addresses of symbols, because the bytes that were
+  // loaded had been changed.  The memory of the loaded image stays.  If the new file cannot be
+  // written, debuggers show wrong addresses; the run is not affected.
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:
@@ -49,19 +50,19 @@ class ImageObject : public Object {
   ~ImageObject() override;  // unloads the image
 
   // Loads a copy of `file` and runs the constructors of its global objects as code of this object.
-  // Returns "", or the problem if the image cannot be loaded.
+  // Returns "", or the reason why the image cannot be loaded.
   std::string Load(const std::string& file, RunFolder* folder);
 
   bool HasCode(const void* address) const override;
   bool HasEntry(uint32_t selector) const override;
   bool Dispatch(uint32_t selector, void* payload) override;
 
-  // Returns the bytes of stack that the image's own functions used in the running handler, or in
-  // the last one if none runs.  0 if they are not known.
+  // Returns the bytes of stack that the image's own functions have used in the running handler, or
+  // used in the last handler if none runs.  Returns 0 if the number is not known.
   size_t StackUsed() const { return stack_ == nullptr ? 0 : stack_->UsedBytes(); }
 
-  // Called after a handler has ended in any way: adds a finding if the handler did an operation
-  // that would stop the robot's floating-point unit.
+  // Adds a finding if the handler that has just ended did an operation that would stop the robot's
+  // floating-point unit.  Called however the handler ended.
   void CheckNumbers(uint32_t selector) {
     if ((FpFlags() & ~fp_seen_) != 0) ReportFpFlags(selector);
   }
@@ -77,8 +78,9 @@ class ImageObject : public Object {
   std::unique_ptr<HandlerStack> stack_;  // null if addresses are not planned
   void* handle_ = nullptr;
   bool has_thunks_ = false;
-  std::vector<Entry> entries_;  // by selector; null: no such entry
-  unsigned fp_seen_ = 0;        // FpFlags() of the handlers so far; each is reported once
+  std::vector<Entry> entries_;  // entry functions by selector; null: the image has no such entry
+  // the FpFlags() that handlers have raised so far; each flag is reported once
+  unsigned fp_seen_ = 0;
 };
 
 }  // namespace openr_host

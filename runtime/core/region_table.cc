@@ -12,7 +12,8 @@ namespace {
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr size_t kGuardBytes = 0;
-constexpr bool kReusesCopies = false;  // freed, so that reads of a copy after its end are found
+// memory of a copy is freed, so that later reads of the copy are found
+constexpr bool kReusesCopies = false;
 #else
 constexpr size_t kGuardBytes = 16;
 constexpr bool kReusesCopies = true;
@@ -26,8 +27,8 @@ RegionTable::~RegionTable() {
   for (char* const block : outlived_) memory_.Free(block);
 }
 
-// Gives `slot` new memory, that of number `index`.  Returns null and changes nothing if there is no
-// memory.
+// Gives `slot` new memory of `size` bytes and a few guard bytes, at the address planned for slot
+// number `index`.  If there is no memory, returns null and leaves `slot` unchanged.
 char* RegionTable::Fill(Slot* slot, uint32_t index, size_t size) {
   const size_t bytes = size + kGuardBytes;
   char* const base = bytes < size ? nullptr : memory_.New(index, bytes);
@@ -58,8 +59,8 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
 }
 
-// Makes the slot of `id` empty for a block that another process has named; null if the slot has a
-// live block.
+// Empties the slot that `id` names, for a block whose id another process has given out.  Returns
+// null if the slot has a live block.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
   if (index >= 0xffff) return nullptr;
@@ -85,8 +86,8 @@ char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   return slot->base;
 }
 
-// Uses the memory of the last copy again if it can, because a subject sends the same few regions
-// again and again.
+// Uses the memory of the block's last copy again if that memory suffices, because a subject sends
+// the same few regions again and again.
 char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
@@ -162,7 +163,7 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // In order of slots, because an order of addresses would differ from run to run.
+  // Counts in order of slots, because an order of addresses would differ from run to run.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

@@ -1,11 +1,12 @@
 // The calls of a handler to its System: everything that a handler does and others can see.
 //
-// There are three kinds.  LocalCalls works on the tables of the System itself.  In a worker
-// process, the calls go to the master (distribution/worker_calls.h).  The master executes them with
-// calls that check what a worker asks for (distribution/checked_calls.h).  The functions of the SDK
-// use System::calls() and do not depend on the kind.
+// There are three kinds of SystemCalls.  LocalCalls works on the tables of the System itself.  In a
+// worker process, WorkerCalls sends the calls to the master (distribution/worker_calls.h).  The
+// master executes them with CheckedCalls, which checks what the worker asks for
+// (distribution/checked_calls.h).  The functions of the SDK use System::calls() and work with every
+// kind.
 //
-// The caller is the current object (t_current), or none while objects are loaded.
+// The caller is the current object (t_current).  While objects are loaded, there may be no caller.
 #pragma once
 
 #include <MemoryRegion.h>
@@ -30,22 +31,24 @@ class SystemCalls {
 
   // ---- Messages and replies
 
-  // Queues `message`, `delay_us` from now, and returns an sError.  Takes the message.
+  // Queues `message`, due `delay_us` from now, and returns an sError.  Becomes the owner of
+  // `message`.
   virtual int32_t Post(Message* message, int64_t delay_us) = 0;
 
   // OpenBox() lets the caller receive a reply to `box`.  CloseBox() ends that, and releases a reply
-  // that has arrived.
+  // that has already arrived.
   virtual void OpenBox(uint64_t box) = 0;
   virtual void CloseBox(uint64_t box) = 0;
 
   // Returns whether object `asker` accepts a reply to `box`, as far as this process knows.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
-  // Called before the caller waits for the reply to `box`, at most `timeout_us` (< 0: for ever).
-  // Returns the message that will end the wait at that time; null if none was posted here.
+  // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us` (< 0: without
+  // limit).  Returns the message that will end the wait at that time, or null if this process
+  // posted no such message.
   virtual Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
-  // Waits for a line of the console; see ConsoleInput::Read().
+  // Waits for a line of the console and copies it to `buffer`; see ConsoleInput::Read().
   virtual size_t ReadLine(char* buffer, size_t size) = 0;
 
   // Sets the number of messages that may wait for the caller (Object::queue_max).
@@ -55,22 +58,23 @@ class SystemCalls {
 
   virtual uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
                                  int64_t period_us) = 0;
-  // REQUIRES: the box is open.  The reply may have arrived already.
+  // Adds an event for the reply to `box`, which may have arrived already.  REQUIRES: `box` is open.
   virtual uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) = 0;
   virtual bool CancelEvent(uint32_t event) = 0;
   virtual int CountEvents() = 0;
 
   // ---- Names
 
-  // Register(), Find() and Unregister() of MCOOP.h for the caller's robot.  Return an sError.
+  // Do the work of Register(), Find() and Unregister() of MCOOP.h for the caller's robot.  Return
+  // an sError.
   virtual int32_t RegisterName(ObjectId object, std::string_view name) = 0;
   virtual int32_t FindName(std::string_view name, ObjectId* object) = 0;
   virtual int32_t UnregisterName(std::string_view name) = 0;
 
-  // Makes entry `selector` of `object` the service `name` of the caller's robot.
+  // Registers entry `selector` of `object` as the service `name` of the caller's robot.
   virtual OStatus RegisterService(ObjectId object, uint32_t selector, std::string_view name) = 0;
 
-  // The text that traces and messages show for the caller's entry `selector`.
+  // Sets `name` as the text that traces and messages show for the caller's entry `selector`.
   virtual void NameEntry(uint32_t selector, std::string_view name) = 0;
 
   // ---- Shared memory; see RegionTable and RegionShares
@@ -78,31 +82,32 @@ class SystemCalls {
   virtual uint32_t NewRegion(size_t size, ObjectId owner) = 0;
   virtual bool DeleteRegion(uint32_t region) = 0;
   virtual bool ResizeRegion(uint32_t region, size_t size) = 0;
-  // Return false if there is no such region; UnpinRegion() also if the region is not pinned.
+  // Return false if there is no such region.  UnpinRegion() also returns false if the region is not
+  // pinned.
   virtual bool PinRegion(uint32_t region) = 0;
   virtual bool UnpinRegion(uint32_t region) = 0;
 
-  // Access rights of RegionShares.  Return an sError.
+  // Change or check access rights as RegionShares does.  Return an sError.
   virtual int32_t AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
                               bool giving_ownership) = 0;
   virtual int32_t Attach(uint32_t region, MemoryProtectionInfo info) = 0;
   virtual int32_t Detach(uint32_t region) = 0;
   virtual int32_t CheckAccess(uint32_t region, MemoryProtectionInfo info) = 0;
 
-  // Notes that the caller has mapped or unmapped a buffer of the IPStack.
+  // Notes that the caller has mapped (`is_mapped`) or unmapped a buffer of the IPStack.
   virtual void NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) = 0;
 
   // ---- The run and its stick
 
-  // `about` may be null: a finding about the system.
+  // Adds a finding about the object `about`, or about the system if `about` is null.
   virtual void AddFinding(const Object* about, Severity severity, std::string_view text) = 0;
 
-  // See System::Shutdown() and System::PowerOff().
+  // Do what System::Shutdown() and System::PowerOff() do.
   virtual void Shutdown(int robot, const RunEnd& why) = 0;
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
-  // Called before the caller changes the file `path` of its stick.  Returns after all processes
-  // that use the stick have been told.
+  // Tells all processes that use the caller's stick that the file `path` is about to change, and
+  // returns when all of them know.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

@@ -142,7 +142,8 @@ void DnsEndpoint::AnswerReady() {
 // take this name for an address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
-  // Both questions have the same fields, but are different types.
+  // The messages of the two questions (by name, by address) have the same fields but different
+  // types, so one generic lambda fills both.
   const auto fill = [&](auto& message) {
     message.n_address = static_cast<int32>(host_.addresses.size());
     message.n_alias = 1 + static_cast<int32>(host_.aliases.size());

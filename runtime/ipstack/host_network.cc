@@ -285,7 +285,8 @@ void HostNetwork::Read(NetHandle handle, Connection* connection) {
   events_.push_back(std::move(event));
 }
 
-// Reads and drops what arrives on a closing connection until its end, a bounded amount in one call.
+// Reads and drops data that still arrive on a closing connection.  One call reads a bounded amount;
+// the calls of later polls continue until the connection ends.
 void HostNetwork::Discard(NetHandle handle, Connection* connection) {
   std::string bytes;
   for (size_t total = 0; total < kReadBytesMax * 4; total += bytes.size()) {
