@@ -3,9 +3,9 @@
 // (imported_calls.h).
 //
 // Programs send bytes of their stack that they never set: padding, and members that a constructor
-// forgot.  On a stack that the runtime and the C library also use, such bytes would be addresses
-// that differ from process to process.  A second use: the bytes used on this stack are those that
-// the object itself uses.
+// forgot.  If the runtime and the C library also used this stack, such bytes would be addresses
+// that differ from process to process.  The stack has a second use: the number of bytes written on
+// it is the stack that the object itself needs.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,19 @@ namespace openr_host {
 
 class HandlerStack {
  public:
-  // Maps the stack at `address` of the plan (address_plan.h); null: the kernel chooses.
+  // Maps the stack at `address` of the plan (address_plan.h).  If `address` is null, the kernel
+  // chooses the address.
   explicit HandlerStack(char* address) : memory_(address) {}
 
   // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because
   // an object calls an entry of its own, calls the function directly.
   //
-  // Afterwards the written bytes are cleared.  The search for them ends at a gap of zeros.  A wide
-  // gap takes longer to search, so the first 64 calls and every 16th one search until a gap of 32
-  // KiB, the others until a gap of 4 KiB.
+  // Afterwards clears the written bytes.  The search for them ends at a gap of zeros.  A wide gap
+  // takes longer to search, so the first 64 calls and every 16th call search until a gap of 32 KiB,
+  // the other calls until a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
-  // Returns how many bytes the last call used, or the running call has used so far.  0 with
+  // Returns how many bytes the last call used, or the running call has used so far.  Returns 0 with
   // AddressSanitizer and under Valgrind, where the number is not known.
   size_t UsedBytes() const;
 
@@ -38,7 +39,9 @@ class HandlerStack {
   StackMemory memory_;
   uint64_t calls_ = 0;
   size_t used_bytes_ = 0;
-  bool is_dirty_ = false;  // a handler runs, or has ended without a return, for example by exit()
+  // true while a handler runs, and after a handler that did not return, for example because of
+  // exit()
+  bool is_dirty_ = false;
 };
 
 }  // namespace openr_host

@@ -1,10 +1,10 @@
 // Finds host addresses in messages: addresses of the C library, of the program or of the host's
 // heap.
 //
-// Host addresses differ from process to process, so a payload that holds one changes the hashes of
-// the run.  The memory of objects has planned addresses (address_plan.h), which do not differ.  A
-// host address is, for example, that of a function of the C library.  Another one is in the first
-// bytes of every C++ object with virtual functions of a library class.
+// Host addresses differ from process to process, so a payload that holds a host address changes the
+// hashes of the run.  The memory of objects has planned addresses (address_plan.h), which do not
+// differ.  Examples of host addresses are the address of a function of the C library, and the first
+// bytes of every C++ object of a library class with virtual functions.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,11 @@ namespace openr_host {
 
 class HostAddresses {
  public:
-  // Returns the offset in `data` of the first 8 aligned bytes that are a host address; -1 if there
-  // is none, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES: data is aligned to 8.
+  // Returns the offset in `data` of the first 8 aligned bytes that are a host address.  Returns -1
+  // if there is no such address, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES:
+  // `data` is aligned to 8.
   //
-  // Some data look like addresses and are none.  After 64 numbers that were in the range of host
+  // Some numbers look like addresses but are none.  After 64 numbers that were in the range of host
   // addresses but not mapped, this function returns -1 for the rest of the run, because a later
   // number that is mapped would probably be no address either.
   int64_t FindIn(const void* data, size_t size);
@@ -30,7 +31,7 @@ class HostAddresses {
   bool IsMapped(uint64_t address);
 
   int misses_ = 0;
-  // Begin and end of mapped ranges outside the address plan, ascending.
+  // The mapped ranges outside the address plan, each as first address and end, in ascending order.
   std::vector<std::pair<uint64_t, uint64_t>> ranges_;
 };
 

@@ -12,11 +12,11 @@ struct ImageFile {
   bool is_compressed =
       false;                  // compressed with gzip, as Makefiles of programs do when they install
   bool is_for_robot = false;  // a MIPS binary
-  std::string problem;        // the reason why the file cannot be loaded; "" if there is none
+  std::string problem;        // the reason why the file cannot be loaded; "" if it can be loaded
 };
 
-// Reads the file `path` and checks everything that can be checked without loading it: whether it is
-// an image, is for this machine, and is complete.
+// Reads the file `path` and checks everything that can be checked without loading the file: whether
+// it is an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
 // Returns the .ocf text in the bytes of a host image; "" if there is none.

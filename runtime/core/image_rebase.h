@@ -1,10 +1,10 @@
-// Changes to the copy of an image before it is loaded: its address, and that the loader does not
-// run its constructors.
+// Changes to the copy of an image before it is loaded: moves the image to another address, and
+// keeps the loader from running its constructors.
 //
-// The kernel chooses the address of a shared object, unless the file was linked for an address:
-// glibc from 2.36 on asks the kernel for that address.  An image is linked once and loaded many
-// times, so the copy in the run folder is changed as if it had been linked for the address of the
-// object's place.
+// The kernel chooses the address of a shared object, unless the file was linked for a certain
+// address: then glibc from 2.36 on asks the kernel for that address.  An image is linked once and
+// loaded many times.  So the copy in the run folder is changed as if it had been linked for the
+// address of the object's place.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ namespace openr_host {
 // changes nothing if `bytes` are not such a shared object or need more than `size_max` bytes of
 // memory.  REQUIRES: `address` is a multiple of 64 KiB.
 //
-// Sections, the table of all symbols and debug information are not changed, because gdb finds out
-// from the address of the dynamic section how far the image was moved.
+// Section headers, the table of all symbols and debug information are not changed, because gdb
+// computes from the address of the dynamic section how far the image was moved.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 
 // Changes the shared object `bytes` so that the loader does not run the constructors of its global
 // objects.  Does nothing if `bytes` are no shared object of this processor.
 void HoldConstructors(std::string* bytes);
 
-// Returns the constructors that HoldConstructors() has held back in the shared object that was
-// loaded as `handle` (dlopen), in the order in which they must be called.
+// Returns the constructors that HoldConstructors() has held back, in the order in which they must
+// be called.  `handle` is the handle of the loaded shared object (dlopen).
 std::vector<void (*)()> HeldConstructors(void* handle);
 
 }  // namespace openr_host

@@ -18,18 +18,18 @@
 
 namespace openr_host {
 
-// Makes thunks for the image that was loaded at `image`, the address it was linked for, in `bytes`
-// of memory at `thunks`.  Returns "", or the problem if it cannot.  Does nothing on processors
-// other than x86-64.  REQUIRES: nothing is mapped at `thunks`.
+// Makes thunks for the image at `image`, which is also the address for which it was linked.  The
+// thunks take at most `bytes` of memory at `thunks`.  Returns "", or the reason of a failure.  Does
+// nothing on processors other than x86-64.  REQUIRES: nothing is mapped at `thunks`.
 std::string RedirectImports(char* image, char* thunks, size_t bytes);
 
-// Returns whether `address` lies in the code that thunks use to change the stack.  Readers of a
-// backtrace do not need such a frame.
+// Returns whether `address` lies in the code with which thunks change the stack.  Backtraces leave
+// out such a frame, because it tells their readers nothing.
 bool IsStackChange(uintptr_t address);
 
 // Returns the address in the image to which the running function will return.  A function that was
-// called by a thunk needs this, because its own return address is in the code of the thunks.  `own`
-// is __builtin_return_address(0), which is returned if no thunk was used.
+// called by a thunk needs this function, because its own return address lies in the code of the
+// thunks.  `own` is __builtin_return_address(0); it is returned if no thunk was used.
 const void* ReturnAddressInImage(const void* own);
 
 }  // namespace openr_host

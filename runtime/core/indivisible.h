@@ -1,7 +1,7 @@
 // Sections of code that a signal handler must not interrupt to end the process.
 //
-// The code holds a lock that the end of the process takes too, so an end in the middle of the code
-// would wait for ever.
+// Such code holds a lock that the end of the process takes too, so an end in the middle of this
+// code would wait for ever.
 #pragma once
 
 namespace openr_host {
@@ -11,12 +11,13 @@ namespace openr_host {
 class Indivisible {
  public:
   Indivisible();
-  ~Indivisible();  // does not return if it ends the process
+  ~Indivisible();  // does not return if the destructor ends the process
   Indivisible(const Indivisible&) = delete;
   Indivisible& operator=(const Indivisible&) = delete;
 
-  // Called in a signal handler of that thread.  Returns true if an Indivisible exists; its
-  // destructor will call `end`.  False: the signal handler may end the process itself.
+  // Returns true if an Indivisible exists, whose destructor will then call `end`.  Returns false if
+  // the signal handler may end the process itself.  Called in a signal handler of the thread that
+  // runs handlers.
   static bool PutOff(void (*end)());
 };
 

@@ -17,7 +17,8 @@ class System;
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
                                        const std::string& path, const std::string& where);
 
-// Loads the image `path` as a new object of `system`; otherwise like OpenImage().
+// Loads the image `path` as a new object of `system`.  Returns null and adds a finding in the same
+// cases as OpenImage().
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where);
 
 }  // namespace openr_host

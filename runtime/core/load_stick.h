@@ -9,8 +9,9 @@ namespace openr_host {
 
 class System;
 
-// Functions that are called in place of loading an image, by the name of its object ("JointMover")
-// or of its file ("JOINTMOV.BIN").  A function gets the path of the image and may add objects.
+// Functions that are called instead of loading an image.  The key is the name of the image's object
+// ("JointMover") or file ("JOINTMOV.BIN").  A function gets the path of the image and may add
+// objects.
 using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
 
 // Loads the images of OBJECT.CFG and takes the connections of CONNECT.CFG and the keywords of

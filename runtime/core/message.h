@@ -35,20 +35,21 @@ enum class PayloadKind : uint8_t {
 
 struct Message {
   int64_t due_us = 0;
-  uint64_t number = 0;  // from 1, in order of posting
-  uint64_t cause = 0;   // number of the message whose handler posted it; 0 at boot
+  uint64_t number = 0;  // number of the message, from 1, in order of posting
+  uint64_t cause = 0;   // number of the message whose handler posted this message; 0 at boot
   ObjectId sender = kNoObject;
   ObjectId target = kNoObject;
   uint32_t selector = 0;
   uint32_t size = 0;          // bytes of payload
-  uint64_t reply_box = 0;     // the box for the reply; 0: no reply is expected
-  uint64_t payload_hash = 0;  // for kHashed
+  uint64_t reply_box = 0;     // the box that receives the reply; 0: no reply is expected
+  uint64_t payload_hash = 0;  // the hash that is used for kHashed
   Message* next = nullptr;    // the next message in a list of MessageQueue
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
-  bool is_reply = false;  // a reply to `reply_box` of the target; calls no entry
+  bool is_reply = false;  // a reply to `reply_box` of the target, which calls no entry
 
-  // The most bytes that a message can carry: more than an ONotifyMessage of a 64-bit host.
+  // The largest number of bytes that a message can carry.  An ONotifyMessage of a 64-bit host needs
+  // less.
   static constexpr size_t kPayloadMax = 384;
   alignas(16) unsigned char payload[kPayloadMax];
 };
@@ -61,21 +62,22 @@ class MessageQueue {
   MessageQueue(const MessageQueue&) = delete;
   MessageQueue& operator=(const MessageQueue&) = delete;
 
-  // Returns a message from the pool with all fields reset but the payload, sender, target, selector
-  // and due time.  Release() gives it back to the pool.
+  // Returns a message from the pool.  All fields are reset except the payload, sender, target,
+  // selector and due time.  Release() gives the message back to the pool.
   Message* Allocate();
   void Release(Message* message);
 
-  // Queues a message whose due time, class and number are set.  `priority` is that of its receiver,
-  // 0..255.  REQUIRES: message->due_us is not before the clock.
+  // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
+  // receiver, 0 to 255.  REQUIRES: message->due_us is not before the clock.
   void Push(Message* message, int priority);
 
-  // Queues a message that is due now in front of those of its class and priority.  To put back
-  // several messages in their order, begin with the last.
+  // Queues `message`, which is due now, in front of the other messages of its class and priority.
+  // To put back several messages in their order, begin with the last of them.
   void PushFront(Message* message, int priority);
 
-  // Takes the first message that is due now; null if there is none.  A schedule may choose another
-  // receiver: one with a message of the same class and priority as the first message.
+  // Takes the first message that is due now, or returns null if none is due.  A `schedule` may
+  // choose another receiver instead, which must have a message of the same class and priority as
+  // the first message.
   Message* Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
   // Returns the message that Pop() without a schedule would take; null if none is due.
@@ -90,8 +92,8 @@ class MessageQueue {
 
   size_t size() const { return due_count_ + later_.size(); }
 
-  // Takes out every queued message that `matches`, calls `dispose` for the message, and releases
-  // it.
+  // Removes every queued message for which `matches` returns true: calls `dispose` for the message,
+  // then releases it.
   void RemoveIf(const std::function<bool(const Message&)>& matches,
                 const std::function<void(const Message&)>& dispose);
 
@@ -111,7 +113,8 @@ class MessageQueue {
     int level;
     uint64_t number;
     Message* message;
-    bool operator<(const Later& other) const;  // true if `other` is due first, for a heap
+    // true if `other` is due first, as the functions for heaps need it
+    bool operator<(const Later& other) const;
   };
 
   // A level is a class and a priority; level 0 is delivered first.
@@ -126,11 +129,12 @@ class MessageQueue {
   int64_t now_us_ = 0;
   size_t due_count_ = 0;
   std::vector<List> levels_;              // messages that are due now
-  uint64_t occupied_[kLevels / 64] = {};  // a bit for each level whose list is not empty
+  uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   std::vector<Later> later_;              // messages that are not due yet; a heap
   std::vector<Message*> free_;            // the pool
-  std::vector<Message*> chunks_;          // arrays that the messages of the pool belong to
-  std::vector<ObjectId> candidates_;      // of ChooseTarget()
+  std::vector<Message*> chunks_;          // the arrays in which the messages of the pool lie
+  // the receivers among which ChooseTarget() lets a schedule choose
+  std::vector<ObjectId> candidates_;
 };
 
 }  // namespace openr_host

@@ -1,9 +1,9 @@
 // The object manager and the service manager of the system, in one object: boot,
 // connections, shutdown.
 //
-// The object manager has the lowest priority, so its handlers go on only when no message of an
-// object is due.  Therefore readies that a system service asserts in its DoStart are delivered
-// before the first DoStart of the application (architecture.md, "Settled" 5).
+// The object manager has the lowest priority, so its handlers continue only when no message of
+// another object is due.  Therefore readies that a system service asserts in its DoStart are
+// delivered before the first DoStart of the application (architecture.md, "Settled" 5).
 #pragma once
 
 #include <deque>
@@ -23,14 +23,15 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Post the work of System::Boot(), Shutdown(), Reload() and PostTask() as messages of the object
-  // manager to itself.
+  // Post messages of the object manager to itself, which do the work of System::Boot(), Shutdown(),
+  // Reload() and PostTask().
   void PostBoot();
   void PostShutdown(int robot);
   void PostReload(ObjectId id);
   void PostTask(std::function<void()> task);
-  // Replaces the objects that have the ids of `fresh`, and boots the new objects.  All are replaced
-  // before the first of them runs.  REQUIRES: called in a handler of the object manager.
+  // Replaces the objects that have the ids of `fresh` by the objects in `fresh`, and boots these.
+  // All objects are replaced before the first new object runs.  REQUIRES: called in a handler of
+  // the object manager.
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
   // Returns whether `message` must be held because of the boot of its receiver.
@@ -45,16 +46,17 @@ class ObjectManager : public CodeObject {
     if (message.kind == PayloadKind::kReady) return true;
     return !found->second && !HoldsUpBoot(message);
   }
-  // Returns whether `message` is a request from the DoInit of another object.  It is not held: that
-  // DoInit waits for the reply, and the DoInit of the receiver may come only after it.
+  // Returns whether `message` is a request from the DoInit of another object.  Such a message must
+  // not be held: that DoInit waits for the reply, and the receiver's own DoInit may come only after
+  // it.
   bool HoldsUpBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
-  // Called when the DoInit of object `id` begins.
+  // Notes that the DoInit of object `id` begins.
   void Begins(ObjectId id);
 
-  // The virtual time after which a DoXxx that has not returned becomes a finding.  The robot's
-  // value is not known.
+  // The virtual time after which a DoXxx that has not returned becomes a finding.  This is our
+  // choice, because the robot's value is not known.
   static constexpr int64_t kReplyTimeoutUs = 10'000'000;
 
  private:
@@ -67,7 +69,8 @@ class ObjectManager : public CodeObject {
   void RunTask();
   // Calls a DoXxx entry of `object` and waits until it has returned.
   void Send(Object* object, Selector entry, OReason reason);
-  // Calls Send() for all system objects, or for all others, of `robot` or of all robots.
+  // Calls Send() for all system objects or, if `system_objects` is false, for all other objects, of
+  // `robot` or of all robots.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
   void ReleaseEarlyMessages();
@@ -80,14 +83,17 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  std::multiset<std::pair<Selector, int>> due_;  // selectors and values of PostWith(), not done yet
+  // selectors and values that PostWith() has posted and that are not done yet
+  std::multiset<std::pair<Selector, int>> due_;
   std::deque<std::function<void()>> tasks_;
-  std::set<int> shutting_down_;        // robots
-  std::set<ObjectId> uninitialised_;   // objects to which DoInit could not be sent
-  std::map<ObjectId, bool> starting_;  // objects in their boot; true: their DoInit has begun
-  bool are_connected_ = true;          // false: the connections of this boot are not made yet
-  // Services that were unknown while an object was lost, by connection.  They become a finding only
-  // if they are still unknown when objects have returned.  Keyed by addresses, so only looked up.
+  std::set<int> shutting_down_;       // indices of robots whose shutdown has begun
+  std::set<ObjectId> uninitialised_;  // objects to which DoInit could not be sent
+  // objects in their boot; the value tells whether their DoInit has begun
+  std::map<ObjectId, bool> starting_;
+  bool are_connected_ = true;  // false while the connections of this boot are not made yet
+  // Services that were unknown while an object was lost, with their connections.  They become a
+  // finding only if they are still unknown when the lost objects have returned.  The keys are
+  // addresses, so the set is only looked up.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

@@ -20,13 +20,13 @@ class RegionMemory {
 
   static constexpr uint32_t kSlots = 1 << 16;
 
-  // Returns a block of `bytes` zeros for `slot`; null if there is no memory.  The block has a
-  // planned address, with these exceptions, where it comes from the host's heap: it is larger than
-  // 16 MiB (half of the robot's memory), an earlier block of this slot and size is still in use,
-  // its planned memory cannot be mapped, or addresses are not planned.  REQUIRES: slot < kSlots.
+  // Returns a block of `bytes` zeros for `slot`, or null if there is no memory.  The block has a
+  // planned address, unless it is larger than 16 MiB (half of the robot's memory), an earlier block
+  // of this slot and size is still in use, the planned memory cannot be mapped, or addresses are
+  // not planned.  In these cases the block comes from the host's heap.  REQUIRES: slot < kSlots.
   char* New(uint32_t slot, size_t bytes);
 
-  // Frees a block of New(); does nothing if `block` is null.
+  // Frees `block`, which New() returned.  Does nothing if `block` is null.
   void Free(char* block);
 
  private:
@@ -39,8 +39,9 @@ class RegionMemory {
   char* MappedCell(int size_class, uint32_t slot);
 
   struct Cells {
-    std::vector<bool> in_use;     // by slot
-    std::vector<bool> is_mapped;  // by number of the step; a step is mapped as a whole
+    std::vector<bool> in_use;  // by slot
+    // by number of the mapping step, because a step is mapped as a whole
+    std::vector<bool> is_mapped;
   };
 
   char* area_;  // null when addresses are not planned

@@ -1,9 +1,9 @@
 // Access rights to shared memory: AllowToAttachMemoryRegion() and similar functions (MCOOP.h).
 //
 // The rules are those of the robot's memory-protected configuration: a region belongs to the object
-// that made it, and another object needs the owner's permission, else it gets error 44
-// (field-notes.md, 3.1).  The rights decide only what these functions return.  As on a robot
-// without protection, every object can still read and write every region.
+// that made it, and another object needs the owner's permission.  Without the permission it gets
+// error 44 (field-notes.md, 3.1).  The rights decide only what these functions return.  As on a
+// robot without protection, every object can still read and write every region.
 #pragma once
 
 #include <MemoryRegion.h>
@@ -22,7 +22,7 @@ class RegionShares {
  public:
   explicit RegionShares(RegionTable* regions) : regions_(regions) {}
 
-  // All return an sError.  `self` is the object that calls.
+  // All these functions return an sError.  `self` is the object that calls.
   int32_t Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info, ObjectId other,
                 bool giving_ownership);
   int32_t Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info);
@@ -40,7 +40,7 @@ class RegionShares {
     bool attached = false;
   };
 
-  // Returns sSUCCESS if `self` may use `region` with the rights `info`.
+  // Returns sSUCCESS if `self` may use `region` with the rights `info`, otherwise an sError.
   int32_t Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const;
 
   RegionTable* const regions_;

@@ -1,9 +1,9 @@
 // Shared memory of one System: every block that objects pass to each other.
 //
-// A MemoryRegionID is (generation << 16 | slot + 1).  The id of a deleted block names no later
-// block in the same slot, because the generation differs.  Ids and addresses (region_memory.h) are
+// A MemoryRegionID is (generation << 16 | slot + 1).  A later block in the same slot has another
+// generation, so the id of a deleted block never names it.  Ids and addresses (region_memory.h) are
 // the same in every run.  New blocks are filled with zeros.  A few known bytes follow every block,
-// so that a write behind its end can be found.
+// so that a write beyond the end of the block can be found.
 #pragma once
 
 #include <cstddef>
@@ -28,34 +28,35 @@ class RegionTable {
 
   static constexpr uint32_t kNoRegion = 0;
 
-  // In a run with several processes, the master's table gives out the ids.  A worker calls these
-  // functions to make blocks with such an id in its own table.
-  // AdoptOwn() makes the block of an object in this process.  AdoptCopy() makes a copy of a block
-  // of another process; the copy must be pinned at once with KeepCopy(), and is free after the last
-  // DropCopy().  A copy is not always filled with zeros: it may have the bytes of an earlier copy
-  // of the same block.  Both return null if there is no memory.
+  // Make a block with a given `id` in the table of a worker.  In a run with several processes, the
+  // master's table gives out the ids.  AdoptOwn() makes the block of an object in this process.
+  // AdoptCopy() makes a copy of a block of another process; the copy must be pinned at once with
+  // KeepCopy(), and is free after the last DropCopy().  A copy is not always filled with zeros: it
+  // may hold the bytes of an earlier copy of the same block.  Both functions return null if there
+  // is no memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id);
   void DropCopy(uint32_t id);
-  // Called for a block of AdoptOwn() that the master has deleted.
+  // Removes a block of AdoptOwn() that the master has deleted.
   void Lose(uint32_t id);
 
-  // Finds the block in which `address` lies; false if there is none.
+  // Finds the block in which `address` lies, and sets `*id` and `*offset`.  Returns false if there
+  // is no such block.
   bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
-  // Makes a block of `size` bytes that `owner` owns, and returns its id; kNoRegion if there is no
-  // memory or no free slot.
+  // Makes a block of `size` bytes that `owner` owns, and returns the id of the block.  Returns
+  // kNoRegion if there is no memory or no free slot.
   uint32_t New(size_t size, ObjectId owner);
 
-  // Notes the instruction that made the block, for MostCommonPlace().
+  // Records `address`, the instruction that made block `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
-  // Returns the instruction that made the most live blocks, and their number; null if no
-  // instruction was noted.
+  // Returns the instruction that made the most live blocks, and the number of these blocks.
+  // Returns null if no instruction was recorded.
   std::pair<const void*, int> MostCommonPlace() const;
 
-  // Deletes a block; false if `id` names no live block.  The memory stays while the block is
-  // pinned.
+  // Deletes block `id`.  Returns false if `id` names no live block.  The memory stays while the
+  // block is pinned.
   bool Delete(uint32_t id);
 
   // Deletes all blocks of an object that is being unloaded.
@@ -65,25 +66,28 @@ class RegionTable {
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
   ObjectId OwnerOf(uint32_t id) const;
-  // Returns the object that made the block, even if another object owns the block now: the bytes
-  // are in the process of the maker.  kNoObject if the block was deleted or its maker was unloaded.
+  // Returns the object that made the block, even if another object owns the block now, because the
+  // bytes are in the process of the maker.  Returns kNoObject if the block was deleted or its maker
+  // was unloaded.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
-  // Changes the size of a block.  Returns false, and changes nothing, if `size` is 0 or more than
-  // the block was made with: a block keeps its address, so it cannot grow beyond its memory.
+  // Changes the size of a block.  If `size` is 0 or more than the size with which the block was
+  // made, returns false and changes nothing.  A block keeps its address, so it cannot grow beyond
+  // its memory.
   bool Resize(uint32_t id, size_t size);
 
-  // Returns whether the bytes behind the end of a block were changed.  Always false with
+  // Returns whether the bytes after the end of a block were changed.  Always false with
   // AddressSanitizer, which reports such a write itself.
   bool WrittenBeyond(uint32_t id) const;
 
-  // Pin() keeps the memory of a block that is still read, until Unpin().  Both return false for an
-  // unknown id, because a region may refer to memory that is not in this table.
+  // Pin() keeps the memory of a block that is still being read, until Unpin().  Both functions
+  // return false for an unknown id.  This is no error, because a region may refer to memory that is
+  // not in this table.
   bool Pin(uint32_t id);
   bool Unpin(uint32_t id);
 
-  // Returns the number of live blocks of one owner.
+  // Returns the number of live blocks that `owner` owns.
   int CountOf(ObjectId owner) const;
   int live_count() const { return live_count_; }
 
@@ -91,7 +95,7 @@ class RegionTable {
   void ForEachOf(ObjectId owner,
                  const std::function<void(uint32_t id, char* base, size_t size)>& visit) const;
 
-  // Adds ids, owners, sizes and bytes of all live blocks.
+  // Adds the ids, owners, sizes and bytes of all live blocks.
   void HashState(Hasher* hasher) const;
 
  private:
@@ -103,11 +107,11 @@ class RegionTable {
     const void* made_at = nullptr;  // see NotePlace()
     int pins = 0;
     uint16_t generation = 0;
-    bool live = false;         // not deleted; false for copies
+    bool live = false;         // true until the block is deleted; false for copies
     size_t capacity = 0;       // the size with which the block was made
     bool is_reusable = false;  // New() chose this slot, so New() may choose it again
     bool is_copy = false;      // made by AdoptCopy()
-    bool is_idle = false;      // a copy that is not pinned: its memory is kept for the next copy
+    bool is_idle = false;      // a copy that is not pinned, whose memory is kept for the next copy
   };
 
   Slot* FindMemory(uint32_t id);  // finds idle copies too
@@ -120,10 +124,10 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // Memory of copies that were still pinned when another block got their slot.  This is rare: a
-  // subject is replaced while an observer in this process still reads its data.
+  // The memory of copies that were still pinned when another block got their slot.  This happens
+  // only if a subject is replaced while an observer in this process still reads its data.
   std::vector<char*> outlived_;
-  std::vector<uint32_t> free_;  // indices of slots that New() may use
+  std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live slots
 };
 

@@ -14,43 +14,46 @@ namespace openr_host {
 
 class System;
 
-// The right to reply to a request: the object that sent the request, and its box. Requests::Reply()
-// refuses an empty ticket.
+// The right to reply to a request: the object that sent the request, and its reply box.
+// Requests::Reply() refuses an empty ticket.
 struct ReplyTicket {
   ObjectId to = kNoObject;
   uint64_t box = 0;
 };
 
-// The functions act for the current object, the caller.  An int32_t result is an sError.
+// Sends requests and replies for the current object, the caller.  An int32_t result is an sError.
 class Requests {
  public:
   explicit Requests(System* system) : system_(system) {}
 
   // Sends a request with `size` bytes at `data`, waits for the reply, and copies at most
-  // `reply_size` bytes of the reply to `reply`.  Returns sTIMEOUT after `timeout_us`; < 0: never.
+  // `reply_size` bytes of the reply to `reply`.  Returns sTIMEOUT if no reply came within
+  // `timeout_us`.  If `timeout_us` < 0, waits without limit.
   int32_t Call(ObjectId target, uint32_t selector, const void* data, size_t size, void* reply,
                size_t reply_size, int64_t timeout_us = -1);
 
-  // Send() posts the request `message` with a new box for the reply; Wait() then waits for the
-  // reply like Call().  Wait() sets `*got`, if it is not null, to the number of bytes copied.
+  // Send() posts the request `message` and sets `*box` to a new box for the reply.  Wait() then
+  // waits for the reply as Call() does.  If `got` is not null, Wait() sets `*got` to the number of
+  // copied bytes.
   int32_t Send(Message* message, uint64_t* box);
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);
 
-  // Returns a new box of the caller.  Wait() and Await() close the box when they have a reply.
+  // Opens a new box of the caller and returns its number.  Wait() and Await() close the box when
+  // they have received a reply.
   uint64_t OpenBox();
 
-  // Waits for the reply to `box` and returns it; the caller releases the message.  After
-  // `timeout_us`, returns an empty message and sets `*timed_out`.  `why` names for people what the
-  // handler waits for: "the answer of IPStack (Send)".
+  // Waits for the reply to `box` and returns the reply, which the caller releases.  After
+  // `timeout_us`, returns an empty message and sets `*timed_out`.  `why` describes for users what
+  // the handler waits for: "the answer of IPStack (Send)".
   Message* Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
 
   // Takes the right to reply to the request that the caller handles.  Returns an empty ticket if
-  // the message is no request or its ticket was taken before.
+  // the message is no request, or if its ticket was already taken.
   ReplyTicket TakeTicket();
 
-  // Sends a reply of `size` bytes.  `payload_hash` is the hash of the bytes for the trace; 0: the
-  // hash is computed.
+  // Sends a reply with the `size` bytes at `data`.  `payload_hash` is the hash of these bytes for
+  // the trace.  If it is 0, the hash is computed.
   int32_t Reply(const ReplyTicket& ticket, const void* data, size_t size,
                 uint64_t payload_hash = 0);
 

@@ -9,8 +9,8 @@ namespace openr_host {
 // 4 bytes".  The process gets SIGILL while the code that made the fault is still on the stack.
 [[noreturn]] void StopAsTheRobotDoes(const std::string& what);
 
-// Returns the text of the call of StopAsTheRobotDoes(), for the handler of SIGILL; "" if it was not
-// called.
+// Returns the description of the fault that StopAsTheRobotDoes() has announced, for the handler of
+// SIGILL.  Returns "" if that function was not called.
 const char* AnnouncedFault();
 
 }  // namespace openr_host

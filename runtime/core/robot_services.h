@@ -1,7 +1,7 @@
 // The interface between the OPENR:: functions and the simulated robot.
 //
-// Every function has the meaning and the results of the function of the same name in
-// OPENRAPI.h.  The base class is a robot without devices: it answers that a primitive or a key does
+// Every function has the meaning and the results of the function of the same name in OPENRAPI.h.
+// The base class is a robot without devices: its functions return that a primitive or a key does
 // not exist, or oNOT_SUPPORTED.  The functions are called in handlers of objects, and memory that
 // they allocate comes from the host's heap.
 #pragma once
@@ -23,7 +23,7 @@ class RobotServices {
   virtual OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param,
                                    size_t param_size, void* result, size_t result_size);
 
-  // Gains in the order P, I, D gain, P, I, D shift.
+  // The gains are in the order P, I, D gain, then P, I, D shift.
   virtual OStatus EnableJointGain(OPrimitiveID id);
   virtual OStatus DisableJointGain(OPrimitiveID id);
   virtual OStatus SetJointGain(OPrimitiveID id, const word gains[6]);
@@ -54,7 +54,7 @@ class RobotServices {
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
 
-  // Sets the state of random generators to that of a new robot with this seed.  Called before
+  // Sets the state of random generators to the state of a new robot with this seed.  Called before
   // System::Boot().
   virtual void Reseed(uint64_t) {}
 

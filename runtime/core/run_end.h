@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// docs/cli.md explains each value.  The numbers are part of the protocol of distribution/, so new
-// values come last.
+// The reason why a run or a robot ends; docs/cli.md explains each value.  The numbers are part of
+// the protocol of distribution/, so new values must be added at the end.
 enum class EndKind : uint8_t {
   kTime,          // the virtual time that was asked for is over
   kIdle,          // no object has sent anything for long enough
@@ -15,7 +15,7 @@ enum class EndKind : uint8_t {
   kBattery,       // an object shut the robot down while the battery was low
   kPowerOff,      // an object shut the robot down for a reason of its own
   kFatal,         // an object called OPENR::Fatal()
-  kStrict,        // a limit of the robot that --strict enforces
+  kStrict,        // the run reached a limit of the robot that --strict enforces
   kCrash,         // an object crashed
   kHandlerLimit,  // a handler did not return
   kLostProcess,   // a process with objects of the run was lost

@@ -1,5 +1,5 @@
-// A Schedule chooses among the orders of messages that the robot allows.  A Gate holds messages
-// back.
+// Schedule, which chooses among the orders of messages that the robot allows, and Gate, which holds
+// messages back.
 //
 // Without a schedule the order is the canonical one: objects start in the order of OBJECT.CFG, and
 // messages that are due at the same time are delivered in the order of their numbers.  A schedule
@@ -24,16 +24,17 @@ class Schedule {
     kNext,   // the object that gets its message next, among those with a message due now
   };
 
-  // Returns the index of the candidate to take; 0 is the canonical choice.  Called only with two or
-  // more candidates.
+  // Returns the index of the candidate to take; index 0 is the canonical choice.  Called only with
+  // two or more candidates.
   virtual size_t Choose(Question question, const std::vector<ObjectId>& candidates) = 0;
 
-  // Called when `message` is posted, due `delay_us` from now.  Returns the time to add to its due
-  // time.  A schedule that delays one message must also delay the later messages of that sender to
-  // that receiver, so that they do not overtake it.
+  // Returns the time to add to the due time of `message`, which is being posted and is due
+  // `delay_us` from now.  A schedule that delays one message must also delay the later messages of
+  // the same sender to the same receiver, so that they do not overtake the first.
   virtual int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us);
 
-  // Returns whether to refuse `message` to the sender, as the robot does if a queue is full.
+  // Returns whether the sender's call to post `message` fails, as on the robot when a queue is
+  // full.
   virtual bool Refuses(const Message& message);
 };
 
@@ -41,8 +42,8 @@ class Schedule {
 class Gate {
  public:
   virtual ~Gate() = default;
-  // Returns true to deliver `message` now.  False: the gate keeps the message, and gives it back
-  // later with System::Readmit().
+  // Returns true if `message` may be delivered now.  If false, the gate keeps `message` and gives
+  // it back later with System::Readmit().
   virtual bool Admit(Message* message) = 0;
 };
 

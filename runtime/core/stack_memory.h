@@ -1,4 +1,5 @@
-// Memory for a stack, with a guard page below it: an overflow of the stack is a fault.
+// Memory for a stack, with a guard page below it.  An overflow of the stack touches the guard page,
+// which is a fault.
 //
 // A stack at a planned address (address_plan.h) is for code of one image.  Below it lies a second
 // stack, for the functions that the image imports (imported_calls.h):
@@ -6,8 +7,8 @@
 //     guard page | 752 KiB for imported functions | guard page | 256 KiB for the image | 4 KiB
 //
 // The last 4 KiB are only read.  A call of an imported function copies a fixed number of bytes of
-// arguments from the stack, which may be more than there are; near the top the copy reads these 4
-// KiB.
+// arguments from the stack, even if there are fewer.  Near the top of the stack this copy reads the
+// last 4 KiB.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace openr_host {
 
 class StackMemory {
  public:
-  // Size of the stack.  Memory is used only for pages that were touched.
+  // The size of the stack.  Only the pages that were touched use memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
   // Offsets from a planned address.
@@ -36,32 +37,32 @@ class StackMemory {
   char* bottom() const { return bottom_; }
   char* top() const { return bottom_ + kBytes; }  // the stack grows down from here
 
-  // Returns whether `address` lies on this stack or on that for imported functions.
+  // Returns whether `address` lies on this stack or on the stack for imported functions.
   bool Contains(const void* address) const {
     return address >= mapping_ && address < mapping_ + mapped_bytes_;
   }
 
-  // Returns how many bytes of the stack were written to, counted from the top.  Searches from the
-  // top down for bytes that are not zero, and ends the search after `gap_bytes` of zeros.  So it
-  // misses bytes that lie below an unused array of this size.  Returns 0 with AddressSanitizer and
-  // under Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
+  // Returns how many bytes of the stack were written to, counted from the top.  The search goes
+  // from the top down and ends after `gap_bytes` of zeros.  So bytes below an unused array of this
+  // size are missed.  Returns 0 with AddressSanitizer and under Valgrind, which do not allow these
+  // reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
-  // Sets the bytes that UsedBytes() counts to zero, and returns their number.
+  // Sets the bytes that UsedBytes() counts to zero, and returns the number of these bytes.
   size_t Clear(size_t gap_bytes);
 
   static constexpr size_t kWideGapBytes = size_t{32} << 10;
   static constexpr size_t kSmallGapBytes = size_t{4} << 10;
 
-  // Returns whether `address` lies in a guard page of a stack of this thread.  If an access to
-  // `address` was a fault, that stack has overflowed.
+  // Returns whether `address` lies in a guard page of a stack of this thread.  If so, and if an
+  // access to `address` was a fault, that stack has overflowed.
   static bool AnyGuardContains(const void* address);
 
  private:
   char* mapping_;
   size_t mapped_bytes_ = kGuardBytes + kBytes;
   char* bottom_;
-  StackMemory* older_;  // the next one in the list of this thread's stacks
+  StackMemory* older_;  // the next stack in the list of this thread's stacks
   unsigned valgrind_id_ = 0;
 };
 

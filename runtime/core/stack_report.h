@@ -12,12 +12,12 @@ namespace openr_host {
 class Object;
 class System;
 
-// Called after a handler of `object` that has used `bytes` of stack.  With --strict, more than
-// twice the size of the .ocf file is an error finding and stops the robot.
+// Records that a handler of `object` has used `bytes` of stack.  With --strict, if this is more
+// than twice the size in the .ocf file, adds an error finding and stops the robot.
 void NoteStackUse(Object* object, size_t bytes);
 
-// Called at the end of a run: adds a warning for every object with a handler that used more stack
-// than the .ocf file gives.
+// Adds a warning for every object with a handler that used more stack than the .ocf file gives.
+// Called at the end of a run.
 void ReportStacks(System* system);
 
 }  // namespace openr_host

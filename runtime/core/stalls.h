@@ -16,16 +16,16 @@ class System;
 
 struct Stall {
   ObjectId object = kNoObject;  // the object that waits, or the subject's object
-  int64_t since_us = 0;         // virtual time
+  int64_t since_us = 0;         // virtual time when the wait began
   std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
   const char* advice = "";      // what the author of the program can do
-  // The observer has asserted no ready since its last notification, and no data wait for it.  It
-  // may have forgotten to assert, or want no more data.  We report this only if no object of the
-  // run sends messages any more.
+  // The observer has asserted no ready since its last notification, and no data wait for it.  The
+  // observer may have forgotten to assert, or may want no more data.  So this stall is reported
+  // only if no object of the run sends messages any more.
   bool may_be_done = false;
-  // The observer has probably stopped on purpose, so we report a note and not a warning.  There are
-  // two cases.  The observer has taken two notifications or more, so it has asserted ready again
-  // before.  Or the subject belongs to the robot, whose services do not need the ready.
+  // The observer has probably stopped on purpose, so the report has a note and not a warning.  This
+  // is assumed in two cases: the observer has taken two notifications or more, so it has asserted
+  // ready again before; or the subject belongs to the robot, whose services do not need the ready.
   bool is_chosen = false;
 };
 
@@ -37,9 +37,9 @@ constexpr int64_t kStallUs = 1'000'000;
 // before they assert.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
-// Called at the end of a run: makes a finding of every stall that has lasted for kStallUs or
-// longer. It is a note if `is_chosen`, else a warning.  Stalls with `may_be_done` are left out
-// unless the run `is_silent`.
+// Adds a finding for every stall that has lasted for kStallUs or longer: a note if `is_chosen`,
+// otherwise a warning.  Stalls with `may_be_done` are left out unless the run `is_silent`.  Called
+// at the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

@@ -25,25 +25,25 @@ class TimeEvents {
     std::vector<unsigned char> bytes;
   };
 
-  // Adds an event that posts `letter` after `first_us` and then every `period_us`; period 0: only
-  // once.  Returns the id of the event, from 1.
+  // Adds an event that posts `letter` after `first_us` and then every `period_us`.  With a period
+  // of 0 the event posts only once.  Returns the id of the event, from 1.
   uint32_t AddTimed(Letter letter, int64_t first_us, int64_t period_us);
   // Adds an event that posts `letter` once, when the reply to `box` of the owner has arrived.
   // REQUIRES: box != 0.
   uint32_t AddReply(Letter letter, uint64_t box);
 
-  // Cancels an event; false if `owner` has no event `id`.
+  // Cancels event `id`.  Returns false if `owner` has no such event.
   bool Cancel(ObjectId owner, uint32_t id);
   // Returns the number of events of `owner`.
   int CountOf(ObjectId owner) const;
   // Removes all events of object `id` and all events that post to it.
   void ForgetObject(ObjectId id);
 
-  // Returns when the next event is due; INT64_MAX if there is none.
+  // Returns when the next event is due, or INT64_MAX if no event has a time.
   int64_t NextUs() const;
-  // Posts the messages of events that are due now, in order of their ids.
+  // Posts the messages of events that are due now, in the order of the events' ids.
   void PostDue();
-  // Posts the messages of events that wait for a reply to `box`.
+  // Posts the messages of events that wait for the reply to `box` of `owner`, which has arrived.
   void ReplyArrived(ObjectId owner, uint64_t box);
 
   void HashState(Hasher* hasher) const;
@@ -53,7 +53,7 @@ class TimeEvents {
     Letter letter;
     int64_t due_us = INT64_MAX;  // INT64_MAX: the event waits for a reply
     int64_t period_us = 0;
-    uint64_t box = 0;    // the box of the reply; 0: a timed event
+    uint64_t box = 0;    // the box whose reply the event waits for; 0: a timed event
     uint64_t cause = 0;  // number of the message whose handler has ordered the event
   };
 

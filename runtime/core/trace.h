@@ -1,4 +1,4 @@
-// The trace: every message delivered, in order, and its hash.
+// The trace: every delivered message in order, and the hash of all of them.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace openr_host {
 
-// One delivered message.  Its bytes are hashed, so it has no address and no padding.
+// A delivered message.  Its bytes are present only as a hash, so the record has no address and no
+// padding.
 struct TraceRecord {
   uint64_t number;
   uint64_t cause;
@@ -29,7 +30,7 @@ class Trace {
  public:
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
-  // Adds the message to the hash and gives it to the sinks.
+  // Adds `message` to the hash and passes it to the sinks.
   void Deliver(const Message& message, int64_t now_us);
 
   // Adds a function that is called for every delivered message, after the sinks that were added
@@ -37,8 +38,8 @@ class Trace {
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
-  // Switches hashing off: messages are only counted.  For benchmarks that measure the cost of
-  // hashing.
+  // Switches hashing on or off.  If off, messages are only counted, which benchmarks use to measure
+  // the cost of hashing.
   void set_hashing(bool on) { hashing_ = on; }
   uint64_t hash() const;
   uint64_t count() const { return count_; }
@@ -55,9 +56,9 @@ class Trace {
   mutable TraceRecord buffer_[kBuffered];
 };
 
-// Returns the hash of the content of a message without addresses: of a notification the bytes of
+// Returns the hash of the content of `message` without addresses: of a notification the bytes of
 // its regions, of a ready its command and counts, of any other message its bytes.  Sets `*size` to
-// the number of these bytes.
+// the number of hashed bytes.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 
 // Returns the bytes that PayloadHash() hashes; "" for a message of kind kHashed.
