@@ -37,7 +37,7 @@ static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <=
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
 static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
 
-// Which places and region areas are taken.  Used from the one thread that makes Systems.
+// Records which places and region areas are taken.  Used only on the thread that makes Systems.
 struct Plan {
   uintptr_t area = 0;  // 0: addresses are not planned
   std::array<bool, AddressPlace::kPlaces> taken = {};
@@ -50,8 +50,8 @@ constexpr bool kIsPlanned = false;
 constexpr bool kIsPlanned = true;
 #endif
 
-// Returns whether nothing is mapped in the kAreaBytes from `area` on.  Tools that run the program
-// in their own way may have mappings there; addresses are not planned then.
+// Returns whether nothing is mapped in the kAreaBytes from `area` on.  A tool that runs the program
+// in its own way may have mappings there; then addresses are not planned.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -66,8 +66,8 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Returns whether the first and the last page of the area can be mapped.  On machines whose
-// addresses have fewer bits they cannot.
+// Returns whether the first and the last page of the area can be mapped.  They cannot on machines
+// whose addresses have fewer bits.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -78,7 +78,7 @@ bool IsReachable(uintptr_t area) {
   return true;
 }
 
-// A copy of Plan::area, which is fast to read because free() needs it for every block.  0 until the
+// A copy of Plan::area that can be read fast, because free() needs it for every block.  0 until the
 // first System is made.
 constinit uintptr_t g_area = 0;
 
@@ -159,7 +159,8 @@ bool MapAt(char* address, size_t bytes) {
       mmap(address, bytes, PROT_READ | PROT_WRITE,
            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
   if (mapped == address) return true;
-  // A kernel before Linux 4.17 takes the address for a hint and may map elsewhere.
+  // A kernel before Linux 4.17 takes `address` only for a hint, so the memory may be mapped
+  // elsewhere.
   if (mapped != MAP_FAILED) munmap(mapped, bytes);
   return false;
 }

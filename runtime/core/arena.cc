@@ -15,7 +15,7 @@ namespace {
 constexpr size_t kLargest = 32 << 10;  // larger blocks get whole spans
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
-// The arena of each place.
+// The arena of each place, by the place's number.
 constinit Arena* g_arenas[AddressPlace::kPlaces] = {};
 
 // Returns the block size of a class.  Classes 0 to 15 are multiples of 16 up to 256; after them,
@@ -53,14 +53,15 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  // The rounded end lies in the heap area, because the area's size is a multiple of a step.
+  // The rounded end still lies in the heap area, because the area's size is a multiple of the step.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
   return true;
 }
 
-// Takes the first run of `count` free spans, which are full of zeros; null if there is none.
+// Takes the first `count` free spans in a row, which are full of zeros, for `use`.  Returns null if
+// there are none.
 char* Arena::TakeSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {
@@ -98,7 +99,8 @@ void Arena::Account(size_t size) {
 }
 
 void* Arena::Allocate(size_t size, size_t alignment) {
-  // Blocks of a power-of-two size class are aligned to their size within a span.
+  // Blocks whose size class is a power of two are aligned to their size within a span, so `size` is
+  // rounded up to such a class.
   if (alignment > 16) size = std::bit_ceil(std::max(size, alignment));
   if (!MayTake(size)) return nullptr;
   if (alignment > kSpanBytes) return nullptr;

@@ -2,10 +2,11 @@
 // division by zero, numbers too large for an integer.  The robot's processor stops at these faults
 // (core.md 8.2, field-notes.md 4), the host's does not.
 //
-// The compiler inserts a call of a function of UndefinedBehaviorSanitizer's runtime, which is made
-// when a check fails.  This file defines these functions, so LLVM defines their names and arguments
-// (lib/ubsan/ubsan_handlers.h of compiler-rt).  Code of the host does not call them: it has no
-// checks, or, in a build with sanitizers, checks that call other functions (-fno-sanitize-recover).
+// When a check fails, the code that the compiler inserted calls a function of
+// UndefinedBehaviorSanitizer's runtime.  This file defines these functions, so their names and
+// arguments are those of LLVM (lib/ubsan/ubsan_handlers.h of compiler-rt).  Code of the host does
+// not call them: it has no checks, or, in a build with sanitizers, its checks call other functions
+// (-fno-sanitize-recover).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,8 +63,8 @@ std::string Render(const SourcePlace& place) {
   return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), place.line);
 }
 
-// Handles a fault of the running object.  With --strict the object crashes; otherwise a finding is
-// added once for each place.
+// Reports a fault of the running object.  With --strict the object crashes; otherwise a finding is
+// added, once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;  // not in an object
   if (t_current.system->options().strict)
@@ -75,7 +76,7 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
 }
 
 // Returns the alignment that the robot's processor needs for the access.  On the robot pointers and
-// long have 4 bytes, so types that are aligned to 8 here are aligned to 4 there.  Only double and
+// long have 4 bytes, so a type that is aligned to 8 here is aligned to 4 there.  Only double and
 // long long are aligned to 8 on both.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
@@ -105,8 +106,8 @@ double ValueOf(const TypeText& type, uintptr_t value) {
 }
 
 // Returns whether the robot's processor stops at the conversion.  It converts to 32 bits first,
-// also for smaller types and for negative numbers that become unsigned.  long long is converted by
-// a library function, which stops for NaN only.
+// even if the type is smaller or the number is negative and becomes unsigned.  A library function
+// converts to long long, and stops only for NaN.
 bool TrapsOnTheRobot(const CastData& data, double number) {
   const TypeText& to = *data.to;
   const bool is_long_long =
@@ -133,8 +134,8 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
          "exception 4 or 5");
 }
 
-// Stops the object with and without --strict, because the host's processor stops at an integer
-// division by zero too.
+// Stops the object even without --strict, because the host's processor also stops at an integer
+// division by zero.
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;

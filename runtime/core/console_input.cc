@@ -16,7 +16,7 @@ void ConsoleInput::Feed(int robot, std::string_view text) {
   for (const Listener& listener : listeners_) listener(robot, typed);
   Terminal& terminal = terminals_[robot];
   terminal.coming += typed;
-  // The next frame boundary, or now if this is one.
+  // The text becomes readable at the next frame boundary, or at once if this instant is one.
   const int64_t frame_us = system_->frame_us();
   terminal.enters_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
 }
@@ -37,8 +37,7 @@ void ConsoleInput::EnterDue() {
   }
 }
 
-// Wakes the first reader that still waits.  Readers whose object was reloaded meanwhile are
-// skipped.
+// Wakes the first reader that still waits.  Skips readers whose object was reloaded meanwhile.
 void ConsoleInput::WakeNext(Terminal* terminal) {
   while (!terminal->readers.empty()) {
     const auto [id, box] = terminal->readers.front();
@@ -60,8 +59,8 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
   }
 }
 
-// Removes a reader that is gone.  If it was no longer in the list, it had been woken for a line, so
-// the line goes to the next reader.
+// Removes a reader that was lost.  If the reader was no longer in the list, it had been woken for a
+// line, so the next reader is woken for this line.
 void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
   if (!waited && !terminal->text.empty()) WakeNext(terminal);
@@ -71,7 +70,7 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   Object* const self = t_current.object;
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
-  // A loop, because another reader may have taken the line before this one ran.
+  // The wait is in a loop, because another reader may have taken the line before this reader ran.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

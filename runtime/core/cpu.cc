@@ -53,7 +53,7 @@ void Cpu::Begin(Object* object, uint32_t selector, int64_t cost_us, int64_t now_
                     "parts",
                     object->EntryName(selector), kLongHandlerUs / 1000));
   }
-  // The new handler interrupts the one that runs, which has used the time since it got the
+  // The new handler interrupts the running handler, which has used the time since it last got the
   // processor.
   if (!jobs_.empty()) jobs_.back().left_us -= now_us - jobs_.back().since_us;
   jobs_.push_back({object, cost_us, now_us});
@@ -70,13 +70,13 @@ void Cpu::End(int64_t now_us) {
   jobs_.pop_back();
   if (!jobs_.empty()) jobs_.back().since_us = now_us;
   object->processor.is_busy = false;
-  // Post() must not put the messages back into the outbox, so no object is current.
+  // Without a current object, Post() does not put the messages back into the outbox.
   const CurrentScope nobody(system_, nullptr);
   for (const ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
     system_->Post(outgoing.message, outgoing.delay_us);
   }
-  // Messages that wait are older than those due now, so they go to the front of the queue.  The
-  // newest is put there first, so the oldest comes out first.
+  // Messages that wait are older than messages due now, so they go to the front of the queue.  The
+  // newest of them is put there first, so that the oldest comes out first.
   system_->ReturnHeld(object);
   while (!waiting_.empty()) {
     system_->Readmit(waiting_.back());

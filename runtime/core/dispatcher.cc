@@ -53,7 +53,7 @@ void Dispatcher::SwitchTo(Fiber* fiber) {
   Recycle();
 }
 
-// Returns from Run(); a later Run() may continue this fiber.
+// Makes Run() return to its caller.  A later Run() may continue this fiber.
 void Dispatcher::ToCaller() {
   Fiber* const from = running_;
   idle_.push_back(from);
@@ -61,7 +61,7 @@ void Dispatcher::ToCaller() {
   Recycle();
 }
 
-// Prepares a fiber that Abandon() has left for a new use.  Abandon() cannot do this itself, because
+// Prepares the fiber that Abandon() left for a new use.  Abandon() cannot do this itself, because
 // it runs on that fiber.
 void Dispatcher::Recycle() {
   if (abandoned_ == nullptr) return;
@@ -100,7 +100,7 @@ void Dispatcher::Loop() {
 }
 
 void Dispatcher::AdvanceTo(int64_t time_us) {
-  // A step of 1 us is that of creep_us(), so it counts as the same instant.
+  // A step of 1 us may come from creep_us(), so it counts as the same instant.
   if (time_us > system_->now_us_ + 1) deliveries_at_instant_ = 0;
   system_->queue_.Advance(time_us);
   system_->now_us_ = time_us;
@@ -112,8 +112,8 @@ void Dispatcher::Deliver(Message* message) {
     system_->queue_.Release(message);
     return;
   }
-  // A handler runs to its end before the next one of its object begins, and a boot begins with
-  // DoInit.  Replies are for the handler that waits, so they are never held.
+  // A handler runs to its end before the next handler of its object begins, and a boot begins with
+  // DoInit.  Replies are never held, because the handler that waits needs them.
   if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
                              system_->manager_->IsTooEarly(*message))) {
     object->handler.held.push_back(message);
@@ -139,7 +139,7 @@ void Dispatcher::Deliver(Message* message) {
 }
 
 // Gives `object` the processor for `message` and returns true.  If the processor is not free, keeps
-// the message until then and returns false.
+// `message` until it is free, and returns false.
 bool Dispatcher::MayRun(Object* object, Message* message) {
   if (object->is_system) return true;
   Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
@@ -156,7 +156,7 @@ bool Dispatcher::MayRun(Object* object, Message* message) {
 void Dispatcher::DeliverReply(Object* object, Message* message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
-  // The box is closed if this is a time-out and the reply came first.
+  // The box is already closed if `message` is a time-out and the reply came before it.
   if (!object->boxes.open.contains(message->reply_box)) {
     system_->queue_.Release(message);
     return;
@@ -170,7 +170,7 @@ void Dispatcher::DeliverReply(Object* object, Message* message) {
   Fiber* const waiting = object->handler.blocked;
   object->handler.blocked = nullptr;
   t_current = {system_, object, object->is_image};
-  idle_.push_back(running_);  // TakeFiber() may continue this loop later
+  idle_.push_back(running_);  // so that TakeFiber() may continue this loop later
   SwitchTo(waiting);
 }
 
@@ -230,8 +230,8 @@ Message* Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
-    // This fiber stays with the handler.  Another one goes on with Loop(), until DeliverReply()
-    // switches back.
+    // This fiber keeps the handler's stack.  Another fiber continues Loop(), until DeliverReply()
+    // switches back to this fiber.
     const Current saved = t_current;
     object->handler.blocked = running_;
     object->handler.blocked_box = box;

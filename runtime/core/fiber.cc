@@ -26,13 +26,12 @@ namespace context = boost::context::detail;
 
 namespace {
 
-// The two fibers of a switch.  Local variables cannot pass them, because the switch changes the
-// stack.
+// The two fibers of a switch.  They are not local variables, because the switch changes the stack.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
-// Tells AddressSanitizer that a stack is empty.  Functions that never returned have left marks in
-// its shadow memory, and the next use of these addresses would be reported as an error.
+// Tells AddressSanitizer that a stack is empty.  Otherwise the marks that functions without a
+// return have left in its shadow memory would make the next use of these addresses an error.
 void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
 #ifdef OPENR_ASAN
   __asan_unpoison_memory_region(bottom, bytes);
@@ -69,7 +68,7 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // Receives the state of stacks that are given up; nothing reads it.
+  // Receives the state of stacks that are given up, which nothing reads.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;
@@ -83,7 +82,7 @@ void Fiber::SwitchFrom(Fiber* from) {
                                  stack_bytes_);
 #endif
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
-  // From here on, another fiber has switched back to `from`.
+  // This code runs after another fiber has switched back to `from`.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }
@@ -93,7 +92,7 @@ void Fiber::FinishSwitch() {
   const void* bottom = nullptr;
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
-  // The bounds of the thread's own stack are known only from here.
+  // The bounds of the thread's own stack become known only here.
   if (t_left->stack_ == nullptr) {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;

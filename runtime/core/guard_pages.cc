@@ -26,7 +26,8 @@ GuardPages::~GuardPages() {
   }
 }
 
-// Maps new pages in `area`, or where the kernel chooses if `area` is null.  Null if there are none.
+// Maps new pages in `area`, or where the kernel chooses if `area` is null.  Returns null if no
+// pages could be mapped.
 char* GuardPages::MapPages(char* area, size_t bytes) {
   if (area == nullptr) {
     void* const pages =
@@ -34,8 +35,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // When the area is used again from its begin, a copy that is still in use may lie there, so the
-  // next pages are tried.
+  // When the area is used again from its begin, copies that are still in use may lie there.  So the
+  // following pages are tried too.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -45,7 +46,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
-// Returns writable pages: those that were given back last (with kReused only), or new ones.
+// Returns writable pages: with kReused the pages that were given back last, if any; otherwise new
+// pages.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
@@ -56,8 +58,8 @@ char* GuardPages::TakePages(char* area, size_t bytes) {
 }
 
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
-  // The copy keeps the low bits of the address, so data that are aligned at the sender are aligned
-  // here too.
+  // The copy keeps the low bits of the address, so that data have the same alignment as at the
+  // sender.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
@@ -81,8 +83,8 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // The pages stay mapped without access.  After munmap() the kernel would give these addresses
-    // to the next mapping, and a later access would be no fault.
+    // The pages stay mapped, but without access.  After munmap() the kernel could use these
+    // addresses for another mapping, and a later access would be no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

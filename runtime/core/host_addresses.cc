@@ -15,7 +15,7 @@ namespace {
 constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 
-// With these tools there is no search.  They reserve so much memory that many numbers look like
+// There is no search with these tools.  They reserve so much memory that many numbers look like
 // addresses in it, and the memory of objects is not planned.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSearched = false;

@@ -49,7 +49,7 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   return IsWhole(bytes, header) ? "" : kCutOff;
 }
 
-// Reads a value of type T at offset `at`; false if the file ends before.
+// Reads a value of type T at offset `at` into `*value`.  Returns false if the file is too short.
 template <typename T>
 bool ReadAt(const std::string& bytes, uint64_t at, T* value) {
   if (at > bytes.size() || sizeof(T) > bytes.size() - at) return false;

@@ -18,8 +18,8 @@ constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATI
 constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE;
 #endif
 
-// Tags that replace DT_INIT_ARRAY and DT_INIT_ARRAYSZ.  Loaders ignore them, so they do not run the
-// constructors.
+// Tags that replace DT_INIT_ARRAY and DT_INIT_ARRAYSZ.  Because loaders ignore these tags, they do
+// not run the constructors.
 constexpr int64_t kHeldArray = 0x60006f70, kHeldArraySize = 0x60006f71;
 
 // Returns whether the value of a dynamic tag is an address in the image.
@@ -50,16 +50,16 @@ class Rebase {
  public:
   Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
 
-  // Returns the changed file; "" if it cannot be changed.
+  // Returns the changed file, or "" if the file cannot be changed.
   std::string Run(uint64_t size_max);
 
  private:
-  // Returns `count` values of type T at `offset`.  If the file does not have them, returns null and
-  // sets is_bad_.
+  // Returns `count` values of type T at `offset`.  If the file is too short, returns null and sets
+  // is_bad_.
   template <typename T>
   T* At(uint64_t offset, uint64_t count);
-  // Returns the offset in the file of the bytes that are loaded at `address`; sets is_bad_ if there
-  // are none.
+  // Returns the offset in the file of the bytes that are loaded at `address`.  Sets is_bad_ if
+  // there are no such bytes.
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
   void MoveSegments(const Elf64_Ehdr& header);
@@ -134,8 +134,8 @@ void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   }
 }
 
-// Moves the dynamic symbols, the only ones that the loader reads.  Their number is known only from
-// the header of their section.
+// Moves the dynamic symbols, the only symbols that the loader reads.  Their number is found in the
+// header of their section.
 void Rebase::MoveDynamicSymbols(const Elf64_Ehdr& header) {
   const auto* const sections = At<Elf64_Shdr>(header.e_shoff, header.e_shnum);
   bool has_symbols = false;
@@ -174,8 +174,8 @@ std::string Rebase::Run(uint64_t size_max) {
     if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address already
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
-  // Relocations in the formats REL and RELR are not supported; the linkers of Debian write RELA for
-  // this processor.
+  // Relocations in the formats REL and RELR are not supported, because the linkers of Debian write
+  // RELA for this processor.
   const bool is_strange = ValueOf(DT_REL) != 0 || ValueOf(DT_RELR) != 0;
   if (is_bad_ || end > size_max || is_strange) return "";
   MoveRelocations(DT_RELA, DT_RELASZ);

@@ -16,8 +16,8 @@
 namespace openr_host {
 namespace {
 
-// Returns "; did you mean 'JOINTMOV.BIN'?" after the files in the folder of `path`, a file of the
-// host that does not exist; "" if no name is near.
+// Returns "; did you mean 'JOINTMOV.BIN'?" with the most similar name in the folder of `path`, a
+// file of the host that does not exist.  Returns "" if no name is similar.
 std::string NearestName(const std::string& path) {
   namespace fs = std::filesystem;
   std::vector<std::string> names;

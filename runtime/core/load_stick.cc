@@ -57,7 +57,7 @@ class StickLoader {
   const StandIns& stand_ins_;
 };
 
-// Returns "FILE: " and kMissing, or the reason why the file cannot be read.
+// Returns "FILE: " followed by kMissing, or by the reason why the file cannot be read.
 std::string StickLoader::WhyNoConfig(const char* name) {
   const int error = stick_ == nullptr ? ENOENT : stick_->WhyUnread(kConfFolder + std::string(name));
   const std::string why =
@@ -79,7 +79,8 @@ std::string StickLoader::NameInImage(const std::string& path) {
 StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
   if (stand_ins_.empty()) return stand_ins_.end();
   const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
-  // Reading the image for the name of its object takes time, so it comes second.
+  // The search by file name comes first, because reading the image for the name of its object takes
+  // time.
   return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 
@@ -115,7 +116,8 @@ void StickLoader::LoadConnections() {
   const bool is_strict = system_.options().strict;
   const auto text = ReadConfig("CONNECT.CFG");
   if (!text) {
-    // Programs that use no service of another object came without the file; the robot starts them.
+    // Programs that use no service of another object came without CONNECT.CFG, and the robot starts
+    // them.  So a missing file may be only a note.
     const std::string why = WhyNoConfig("CONNECT.CFG");
     const Severity severity = why.ends_with(kMissing) ? Severity::kNote
                               : is_strict             ? Severity::kError

@@ -59,7 +59,7 @@ void MessageQueue::Push(Message* message, int priority) {
   std::push_heap(later_.begin(), later_.end());
 }
 
-// Appends a message that is due now.
+// Appends `message`, which is due now, to the list of `level`.
 void MessageQueue::Append(Message* message, int level) {
   List& list = levels_[level];
   message->next = nullptr;
@@ -81,7 +81,7 @@ void MessageQueue::PushFront(Message* message, int priority) {
   ++due_count_;
 }
 
-// Returns the first level with a message; -1 if no message is due.
+// Returns the first level with a message, or -1 if no message is due.
 int MessageQueue::FirstLevel() const {
   for (int word = 0; word < kLevels / 64; ++word) {
     if (occupied_[word] != 0) return word * 64 + std::countr_zero(occupied_[word]);
@@ -93,7 +93,8 @@ const Message* MessageQueue::First() const {
   return due_count_ == 0 ? nullptr : levels_[static_cast<size_t>(FirstLevel())].head;
 }
 
-// Lets `schedule` choose among the receivers of the messages in `list`, which is not empty.
+// Lets `schedule` choose among the receivers of the messages in `list`.  REQUIRES: `list` is not
+// empty.
 ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   candidates_.clear();
   for (const Message* m = list.head; m != nullptr; m = m->next) {
@@ -107,7 +108,7 @@ ObjectId MessageQueue::ChooseTarget(const List& list, Schedule* schedule) {
   return candidates_[chosen];
 }
 
-// Takes the first message for `target` in the list of `level`.  REQUIRES: the list has such a
+// Takes the first message for `target` from the list of `level`.  REQUIRES: the list has such a
 // message.
 Message* MessageQueue::TakeFirst(int level, ObjectId target) {
   List& list = levels_[level];

@@ -18,8 +18,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the message of a DoXxx entry.  No document says which parameters belong to which reason;
-// we infer it from the names (core.md, 1.4).
+// Returns the message of a DoXxx entry.  Which parameters belong to which reason is inferred from
+// the names (core.md, 1.4), because no document says it.
 OReasonMessage MessageOf(const Object& object, OReason reason) {
   if (reason != oreasonBOOT) {
     const OShutdownParam param(true);
@@ -85,9 +85,9 @@ void ObjectManager::PostWith(Selector selector, int value) {
   system().Post(message);
 }
 
-// Returns whether the object manager has posted this message itself, and counts it as done.  Every
-// object can send a message to the object manager; one that was not posted by PostWith() or
-// PostXxx() becomes an error finding.
+// Returns whether PostWith() or PostXxx() has posted the message with this selector and value, and
+// counts the message as done.  If not, adds an error finding, because every object can send a
+// message to the object manager.
 bool ObjectManager::IsDue(Selector selector, int value) {
   const auto found = due_.find({selector, value});
   if (found != due_.end()) {
@@ -108,8 +108,8 @@ void ObjectManager::Begins(ObjectId id) {
   if (are_connected_) starting_.erase(found);
 }
 
-// Puts held messages back into the queue, now that the connections are made.  Objects whose DoInit
-// has not begun take no part in the run, so their messages stay held.
+// Puts held messages back into the queue, now that the connections are made.  Messages of objects
+// whose DoInit has not begun stay held, because these objects take no part in the run.
 void ObjectManager::ReleaseEarlyMessages() {
   are_connected_ = true;
   for (auto next = starting_.begin(); next != starting_.end();) {
@@ -137,7 +137,7 @@ void ObjectManager::RunBoot() {
 }
 
 // Ends the boot with --strict because of an error, for example a connection to an unknown service.
-// Services are known only after all DoInit, so this cannot be checked earlier.
+// Services are known only after all objects have run DoInit, so the error cannot be found earlier.
 void ObjectManager::RefuseToStart() {
   for (int robot = 0; robot < system().robot_count(); ++robot) {
     system().PowerOff(robot,
@@ -157,7 +157,7 @@ void ObjectManager::RunShutdown(int robot) {
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
   if (old == nullptr || !old->is_image)
-    return;  // its code is in another process, or in this program
+    return;  // the code of `old` is in another process, or in this program
   std::unique_ptr<Object> fresh = OpenImage(&system(), old->robot, old->id, old->path, "reload");
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);
@@ -176,7 +176,8 @@ void ObjectManager::RunTask() {
 
 void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   std::map<ObjectId, std::vector<StandingReady>> readies;
-  // All are marked first, so that messages which one leaves behind are not sent to another.
+  // All old objects are marked first, so that messages which one of them leaves behind are not sent
+  // to another.
   for (const auto& object : fresh) system().object(object->id)->is_leaving = true;
   for (const auto& object : fresh)
     readies[object->id] = system().EndMessagesTo(system().object(object->id));
@@ -187,7 +188,7 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
   // Makes the connections of the new objects.  Services that were unknown while an object was lost
-  // are reported now, if they do not belong to a new object.
+  // are reported now, unless they belong to one of the new objects.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {
@@ -204,7 +205,8 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
-  // An observer that is itself replaced asserts in its own boot, so its ready is not sent again.
+  // An observer that is itself replaced asserts ready in its own boot, so its old ready is not sent
+  // again.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().AssertAgain(id, standing);
@@ -233,7 +235,7 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id))
     return;                    // without DoInit it has no subjects or observers
-  if (object->is_off) return;  // its robot was switched off meanwhile
+  if (object->is_off) return;  // the robot of `object` was switched off meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
   const sError error = system().requests().Call(object->id, entry, &message, sizeof message, &reply,
@@ -260,8 +262,8 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
 }
 
 // Returns whether `service` may be unknown because its object is lost.  The first part of a
-// service's name is not always the name of its object, so services of the same prefix are compared
-// too.
+// service's name is not always the name of its object.  So `service` is also compared with the
+// services of lost objects that have the same first part.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;

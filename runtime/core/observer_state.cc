@@ -9,10 +9,10 @@
 
 namespace openr_host {
 
-// Readies wait in the message queue of the subject's object; the robot refuses the 33rd message.
-// So an observer that asserts again and again would fail there.
+// Readies wait in the message queue of the subject's object, and the robot refuses the 33rd
+// message.  So on the robot an observer that asserts again and again would fail.
 void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
-  constexpr int kTimesMax = 8;  // chosen: no program asserts that often on purpose
+  constexpr int kTimesMax = 8;  // our choice: no program asserts that often on purpose
   auto entry = std::find_if(asserted.begin(), asserted.end(),
                             [&](const Asserted& each) { return each.subject == subject; });
   if (entry == asserted.end()) entry = asserted.insert(asserted.end(), {subject, 0});
@@ -36,8 +36,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   ready.observerID = id;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  // Regions without a reference in this object go back.  Those that do not fit into this ready wait
-  // for the next one.
+  // Regions to which this object has no reference go back.  If there are more than fit into this
+  // ready, the others wait for the next ready.
   RCRegion* returned[MAX_NUM_DATA];
   std::vector<RCRegion*>* regions = nullptr;
   for (Held& entry : held) {
@@ -51,7 +51,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
     }
   }
   const int count = ready.numOfData;
-  // Posted first: if the message is refused, this object keeps the regions.
+  // The message is posted before the regions are given up, because this object keeps them if the
+  // message is refused.
   const sError error = system->Post(message);
   if (error != sSUCCESS) {
     system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
@@ -88,7 +89,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   message->kind = PayloadKind::kReady;
   if (system->Post(message) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  const bool is_here = !sender->subjects.empty();  // the regions of a stand-in belong to a worker
+  // if false, a worker owns the regions of this stand-in
+  const bool is_here = !sender->subjects.empty();
   for (RCRegion* const region : regions) {
     if (is_here) {
       region->RemoveReference();

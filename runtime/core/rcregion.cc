@@ -19,10 +19,11 @@ using openr_host::t_current;
 
 namespace {
 
-// A free list for the memory of RCRegions, which are small, many and short-lived.
+// A free list for the memory of RCRegions.  They are small, many and short-lived.
 struct Pool {
   std::vector<void*> free;
-  // Kept until the end, so that a leaked region is reported as a region and not as memory.
+  // All chunks, kept until the end, so that a leaked region is reported as a region and not as
+  // memory.
   std::vector<void*> chunks;
   static constexpr size_t kChunk = 64;
 
@@ -47,7 +48,8 @@ Pool& ThePool() {
   return *pool;
 }
 
-// Describes where most regions were made: ", 65000 of them made at Talker.cc:57", or "".
+// Returns where most regions were made: ", 65000 of them made at Talker.cc:57".  Returns "" if that
+// is not known.
 std::string MadeWhere(const RegionTable& table) {
   const auto [address, count] = table.MostCommonPlace();
   const std::string place = openr_host::NameOfPlace(address);
@@ -134,7 +136,8 @@ RCRegion::~RCRegion() {
 
 void RCRegion::AddReference() { ++count_; }
 
-// Too many calls are a mistake of the object and no assertion: they become a finding.
+// Too many calls of RemoveReference() are a mistake of the object, so they become a finding and not
+// a failed assertion.
 
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;

@@ -12,10 +12,11 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kMapBytes = 64 << 10;    // memory is mapped in steps of this size or of a cell
+// the mapping step is this size or a cell, whichever is larger
+constexpr size_t kMapBytes = 64 << 10;
 constexpr size_t kKeepBytes = 256 << 10;  // larger cells are unmapped when they are freed
 
-// Sets a flag.  A list of flags is only as long as the highest flag that was set needs.
+// Sets flag `index`.  The list grows only as far as the highest flag that was set needs.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;
@@ -28,7 +29,7 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // The sum of the cells of all smaller classes, which are a geometric series.
+  // All smaller classes come first; their cells are a geometric series.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 
@@ -42,7 +43,8 @@ RegionMemory::~RegionMemory() {
   GiveRegionArea(area_);
 }
 
-// Returns the cell of `slot`, and maps its memory if that has not been done; null if there is none.
+// Returns the cell of `slot`, and maps its memory if that has not been done.  Returns null if there
+// is no memory.
 char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
   const size_t cell = CellBytes(size_class);
   const size_t step = std::max(cell, kMapBytes);

@@ -16,8 +16,8 @@ namespace {
 bool IsOf(const OServiceEntry& entry, ObjectId id) { return ObjectIdOf(entry.GetOID()) == id; }
 
 // Gives up the regions that `observer` has received from the subjects for which `ends` is true.
-// They cannot go back with a ready, because one of the two objects is being replaced.  So `release`
-// is called with the subject's region.
+// The regions cannot go back with a ready, because either the observer's or the subject's object is
+// being replaced.  So `release` is called with the subject's region.
 void ReleaseHeld(ObserverState* observer, const std::function<bool(const SubjectID&)>& ends,
                  const std::function<void(RCRegion*)>& release) {
   for (ObserverState::Held& held : observer->held) {
@@ -95,9 +95,9 @@ std::vector<StandingReady> Object::StandingReadies() const {
   return readies;
 }
 
-// Takes and returns all messages to `object`: those that are held, wait for the processor, or are
-// due now or later, and those in outboxes of objects whose handler's time is not over.  Replies in
-// the queue are released, because the handler that waits for them ends.
+// Takes and returns all messages to `object`: messages that are held, that wait for the processor,
+// that are due now or later, and those in outboxes of objects whose handler's time is not over.
+// Replies in the queue are released, because the handler that waits for them ends.
 std::vector<Message> System::TakeMessagesTo(Object* object) {
   std::vector<Message> messages;
   const auto take = [&](Message* message) {
@@ -113,7 +113,8 @@ std::vector<Message> System::TakeMessagesTo(Object* object) {
                   [&](const Message& message) {
                     if (!message.is_reply) messages.push_back(message);
                   });
-  // Messages in an outbox are not counted as waiting, so this comes before they are taken.
+  // This subtraction comes before the outboxes are searched, because messages in an outbox do not
+  // count as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   const auto take_outgoing = [&](const std::unique_ptr<Object>& sender) {
@@ -168,8 +169,9 @@ void System::Replace(std::unique_ptr<Object> fresh) {
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
-  fresh->waiting = old->waiting;  // messages that a gate keeps will be delivered to `fresh`
-  // A handler that waits, or that still has the processor, will end later and needs its object.
+  fresh->waiting = old->waiting;  // messages that a gate keeps will reach `fresh`
+  // A handler that waits, or that still has the processor, ends later and needs its object until
+  // then.
   if (old->handler.running != nullptr || old->processor.is_busy)
     outlived_.push_back(std::move(objects_[static_cast<size_t>(id)]));
   objects_[static_cast<size_t>(id)] = std::move(fresh);

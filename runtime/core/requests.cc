@@ -37,7 +37,7 @@ Message* Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why,
   self->handler.blocked_why.clear();
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // the box stays open, because the reply may still come
-  // The reply came first, so the message that would end the wait is removed.
+  // The reply came before the time-out, so the message that would end the wait is removed.
   if (wake != nullptr)
     system_->queue().RemoveIf([wake](const Message& m) { return &m == wake; },
                               [](const Message&) {});
@@ -68,7 +68,8 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // Virtual time does not count for a callee that runs in another process by the wall clock.
+  // If the callee runs in another process, wall time passes and virtual time does not count, so the
+  // wait goes on after a time-out.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;

@@ -18,7 +18,8 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-constexpr size_t kWordsAtATime = 32;  // IsZero() tests so many words without a branch
+// number of words that IsZero() tests together, without a branch
+constexpr size_t kWordsAtATime = 32;
 constexpr size_t kStepBytes = kWordsAtATime * sizeof(uint64_t);
 
 bool IsZero(const char* bytes) {

@@ -1,5 +1,5 @@
-// How a subject sends data: ready, notify, pending, and the order in which references are released.
-// See measured.md, section 1.
+// Sends the data of a subject: ready, notify, pending data, and the order in which references are
+// released.  See measured.md, section 1.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace openr_host {
 
 bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // A test may call the entry directly, without a message.
+  // No message is running if a test calls the entry directly.
   if (object.handler.running == nullptr || object.handler.running->kind == kind) return true;
   object.system->AddFinding(
       Severity::kError,
@@ -33,7 +33,7 @@ ObserverLink* SubjectState::Find(const ObserverID& observer) {
 OStatus SubjectState::SetData(ObserverLink* link, RCRegion* region) {
   region->AddReference();
   link->fresh.push_back(region);
-  // A message holds MAX_NUM_DATA data; as on the robot the oldest is dropped.
+  // A message holds at most MAX_NUM_DATA data, so the oldest data are dropped, as on the robot.
   if (link->fresh.size() <= MAX_NUM_DATA) return oSUCCESS;
   link->fresh.front()->RemoveReference();
   link->fresh.erase(link->fresh.begin());
@@ -54,11 +54,11 @@ void SubjectState::DropOldestUnit(ObserverLink* link) {
 
 namespace {
 
-// Reports that data were replaced before the observer was ready.  The robot prints nothing.  No
-// finding is added if one of the two objects is a system service.  If the sender is, replacing is
-// intended: a slow program sees the newest sensor values.  If the observer is, it is common:
-// programs send command vectors and sounds without asking whether the robot is ready, and work
-// (docs/body.md).  Both cases still count as dropped.
+// Reports data that were replaced before the observer was ready, because the robot prints nothing.
+// No finding is added if one of the two objects is a system service.  If the sender is a system
+// service, replacing is intended: a slow program sees the newest sensor values.  If the observer is
+// a system service, replacing is common: programs that work send command vectors and sounds without
+// asking whether the robot is ready (docs/body.md).  In both cases the data still count as dropped.
 void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
   if (subject.object->is_system) return;
   const Object* const observer = subject.system->object(ObjectIdOf(link.observer.GetOID()));
@@ -75,8 +75,8 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 
 namespace {
 
-// Reports a notify to an observer that has deasserted.  For a lost observer the loss itself is
-// reported.
+// Reports a notify to an observer that has deasserted.  If the observer is lost, nothing is
+// reported, because the loss itself is a finding.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
   link->told_deasserted = true;
@@ -103,7 +103,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
   link->fresh.clear();
   Flush(link);
-  // After Flush(), so that data are not dropped which the observer can take now.
+  // Old units are dropped only after Flush(), so that data which the observer can take now are not
+  // lost.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     ++object->dropped_count;
@@ -115,7 +116,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 
 void SubjectState::Flush(ObserverLink* link) {
   if (link->ready <= 0 || link->units.empty() || link->units.size() < link->min) return;
-  // Whole units are sent, oldest first, as many as fit into one message.
+  // One message carries as many whole units as fit, oldest first.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&

@@ -42,8 +42,8 @@ std::string RunContext() {
       system->options().seed);
 }
 
-// The C library allocates the buffer of stdout when it is first used.  That must not be on the heap
-// of the object that happens to print first, which goes with the object.
+// Makes the C library allocate the buffer of stdout now.  Otherwise it would do so at the first
+// print, on the heap of the object that prints, and the buffer would go with that object.
 void AllocateStandardOutput() {
   if (__fbufsize(stdout) > 0) return;
   setvbuf(stdout, nullptr, _IOFBF, 0);
@@ -204,8 +204,8 @@ Message* System::NewMessage(ObjectId target, uint32_t selector) {
   return message;
 }
 
-// Refuses a message to an entry that the target does not have.  This happens with old objects whose
-// stub was made from another stub.cfg than their sources.
+// Refuses a message to an entry that the target does not have.  Such messages come from old objects
+// whose stub was made from another stub.cfg than their sources.
 int32_t System::RefuseSelector(Message* message, const Object& target) {
   AddFindingAbout(&target, Severity::kError,
                   fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "
@@ -237,8 +237,7 @@ int32_t System::Enqueue(Message* message, int64_t delay_us) {
   }
   if (!message->is_reply) {
     if (!target->HasEntry(message->selector)) return RefuseSelector(message, *target);
-    // Messages that a part of the system sends to itself are its clock, so a schedule does not
-    // refuse them.
+    // A part of the system uses messages to itself as a clock, so a schedule must not refuse them.
     const bool is_clock =
         target->is_system && (message->sender == target->id || message->sender == kNoObject);
     if (schedule_ != nullptr && !is_clock && schedule_->Refuses(*message)) {

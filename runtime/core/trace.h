@@ -33,8 +33,8 @@ class Trace {
   // Adds `message` to the hash and passes it to the sinks.
   void Deliver(const Message& message, int64_t now_us);
 
-  // Adds a function that is called for every delivered message, after the sinks that were added
-  // before.  Returns its number for RemoveSink().  REQUIRES: not called in a sink.
+  // Adds a `sink`, a function that is called for every delivered message, after the sinks that were
+  // added before.  Returns the number to give to RemoveSink().  REQUIRES: not called in a sink.
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
