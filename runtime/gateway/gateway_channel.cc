@@ -34,7 +34,7 @@ void OutgoingChannel::Notify(const ONotifyEvent& event) {
 
 void OutgoingChannel::SendHeld() {
   if (!peer_is_ready_ || held_.empty() || connection_.is_sending()) return;
-  peer_is_ready_ = false;  // each ready of the peer is good for one set
+  peer_is_ready_ = false;  // each ready of the peer is valid for one set only
   const std::string bytes = std::exchange(held_, "");
   connection_.Send(bytes);
   observer_->AssertReady();
@@ -102,7 +102,7 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // A peer that ignores ready is only warned of, because the local subject can keep the data.
+    // A peer that ignores ready only causes a warning, because the local subject can keep the data.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

@@ -1,8 +1,9 @@
 // One service of the gateway: carries the notifications of a subject to an observer of the peer.
 //
-// Ready goes in the other direction, as measured.  On the side of the subject, the gateway asserts
-// ready to it when the connection is made, holds one set of data until the peer is ready, sends the
-// set and asserts again.  On the side of the observer, its readies are sent to the peer.
+// Readies go in the other direction, as measured.  On the side of the subject, the gateway asserts
+// ready to the subject when the connection is made, holds one set of data until the peer is ready,
+// sends the set and asserts ready again.  On the side of the observer, the gateway sends the
+// observer's readies to the peer.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -50,10 +51,10 @@ class OutgoingChannel : public GatewayChannel {
   TcpGateway* const gateway_;
   OObserver* observer_ = nullptr;
   bool peer_is_ready_ = false;
-  std::string held_;  // one encoded set that waits for the peer's ready; "": none
+  std::string held_;  // the encoded set that waits for the peer's ready; "": none
 };
 
-// Receives data of the peer and notifies a local observer of them, as its subject.
+// Receives data of the peer and, as a subject, notifies a local observer of the data.
 class IncomingChannel : public GatewayChannel {
  public:
   IncomingChannel(TcpGateway* gateway, int index, const GatewayRecord& record)
@@ -69,14 +70,15 @@ class IncomingChannel : public GatewayChannel {
   void HashState(Hasher* hasher) const override;
 
  private:
-  // Sends a ready word to the peer, now or when the one before has been sent.
+  // Sends the ready word `word` to the peer, now or when the word before has been sent.
   void Tell(uint32_t word);
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
-  // The ready word to send next; 0: none.  One place is enough, because only the last ready counts.
+  // The ready word to send next; 0: none.  One word is enough, because only the last ready counts.
   uint32_t waiting_word_ = 0;
-  bool asked_ = false;  // we sent "ready" and the peer has not sent data since
+  // true if "ready" was sent to the peer, and the peer has not sent data since
+  bool asked_ = false;
 };
 
 }  // namespace openr_host

@@ -20,8 +20,9 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// Returns advice for a HOSTGW.CFG of the period: its address of a robot may belong to no computer
-// of today, while the robot is a run on this one.  Returns "" if the advice does not apply.
+// Returns advice for a HOSTGW.CFG of the period.  The robot's address in that file may belong to no
+// computer of today, because the robot is a run on this computer.  Returns "" if the advice does
+// not apply.
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";
@@ -81,7 +82,8 @@ void GatewayConnection::Open() {
   }
 }
 
-// Warns early, because a connect to an address that drops packets fails only after minutes.
+// Warns before the connect itself fails, because a connect to an address that drops packets fails
+// only after minutes.
 void GatewayConnection::LookForAnswer() {
   const std::string hint = HintFor(IPAddress(record_.host.c_str()));
   if (had_answer_ || hint.empty()) return;
@@ -99,7 +101,7 @@ void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
     Warn(fmt::format("cannot listen, error {}", static_cast<int>(answer.error)));
     return;
   }
-  // The endpoint that listened has become the connection, so another one has to listen.
+  // The endpoint that listened has become the connection, so another endpoint has to listen.
   const antModuleRef client = listener_;
   Listen();
   if (is_up_) {
@@ -163,7 +165,8 @@ void GatewayConnection::Refuse(const std::string& why) {
   Lose();
 }
 
-// Closes our end of the connection.  The next client, or the next try, begins a new connection.
+// Closes our end of the connection.  The next client, or the next attempt to connect, begins a new
+// connection.
 void GatewayConnection::Lose() {
   ASSERT(is_up_, "service {}", index_);
   Close(endpoint_);

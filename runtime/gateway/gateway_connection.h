@@ -25,23 +25,23 @@ class GatewayConnection {
     virtual ~Owner() = default;
     virtual void Up() = 0;
     virtual void Received(std::string_view bytes) = 0;
-    virtual void Sent() = 0;  // all bytes given to Send() have been sent
+    virtual void Sent() = 0;  // called when all bytes given to Send() have been sent
     virtual void Down() = 0;
   };
 
   static constexpr int64_t kRetryUs = 1'000'000;
-  // After this time without an answer, a warning names the address of a robot on this computer.
+  // The time without an answer after which a warning names the address of a robot on this computer.
   static constexpr int64_t kHintUs = 5'000'000;
 
-  // `index` is the number of the service within the gateway.  Functions of `owner` are called in
-  // handlers of the gateway.
+  // `index` is the number of the service within the gateway.  The functions of `owner` are called
+  // in handlers of the gateway.
   GatewayConnection(TcpGateway* gateway, int index, const GatewayRecord& record, Owner* owner);
 
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Listens or connects.  REQUIRES: a handler of the gateway runs.  The same holds for all
-  // functions below.
+  // Listens or connects.  REQUIRES: a handler of the gateway runs.  All functions below require
+  // this too.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
   // Ends the connection because the peer broke the protocol, and adds a finding.
@@ -49,7 +49,7 @@ class GatewayConnection {
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
-  // Warns if the peer has not answered; called kHintUs after the first try to connect.
+  // Warns if the peer has not answered.  Called kHintUs after the first try to connect.
   void LookForAnswer();
 
   void HashState(Hasher* hasher) const;
@@ -81,7 +81,7 @@ class GatewayConnection {
   bool is_up_ = false;
   bool had_answer_ = false;  // a connect has succeeded or failed
   bool is_sending_ = false;
-  std::string out_;  // bytes to send that are not yet given to the stack
+  std::string out_;  // bytes to send that were not given to the stack yet
 };
 
 }  // namespace openr_host

@@ -1,9 +1,10 @@
 // Encodes and decodes the bytes between two gateways, as measured (measured.md, "TCPGateway wire
 // format").
 //
-// All words have 32 bits, little-endian.  From subject to observer goes a set of data: the number
-// of bytes that follow, the number of items, then the size and bytes of each item.  From observer
-// to subject goes a single word: assert or deassert.
+// All words have 32 bits, little-endian.  A set of data goes from the subject's side to the
+// observer's side: the number of bytes that follow, the number of items, then the size and bytes of
+// each item.  A single word goes from the observer's side to the subject's side: assert or
+// deassert.
 #pragma once
 
 #include <cstddef>
@@ -20,22 +21,23 @@ using GatewaySet = std::vector<std::string>;
 inline constexpr uint32_t kGatewayAssert = 3;
 inline constexpr uint32_t kGatewayDeassert = 4;  // from the SDK's header, not measured
 
-// Our own limit, which bounds the memory that a peer can make us use.  Two of the largest camera
-// images of a robot fit.
+// Our own limit for the size of a set, which bounds the memory that a peer can make us use.  Two of
+// the largest camera images of a robot fit into a set.
 inline constexpr uint32_t kGatewaySetBytesMax = 1 << 20;
 
 std::string EncodeWord(uint32_t word);
 std::string EncodeSet(const GatewaySet& set);
 
-// The bytes of a stream that were received and not decoded yet.
+// The bytes of a stream that were received but not decoded yet.
 class GatewayStream {
  public:
   enum class Result { kNeedsMore, kTaken, kBroken };
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Takes the next word, or the next whole set.  kBroken: the rest of the stream cannot be decoded;
-  // error() returns the reason.  Announced sizes are checked against limits before they are used.
+  // Take the next word, or the next whole set. kBroken means that the rest of the stream cannot be
+  // decoded; error() then returns the reason.  Announced sizes are checked against limits before
+  // they are used.
   Result NextWord(uint32_t* word);
   Result NextSet(GatewaySet* set);
 

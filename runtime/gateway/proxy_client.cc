@@ -30,7 +30,8 @@ void ProxyClient::Take(const void* payload, size_t size) {
   SendNext();
 }
 
-// One timer is enough, because the first request is the oldest.
+// Posts the message that calls Expire(), unless one is posted.  One timer is enough, because the
+// first request is the oldest.
 void ProxyClient::WatchTime() {
   if (watches_ || requests_.empty()) return;
   watches_ = true;
@@ -67,7 +68,7 @@ void ProxyClient::Down() {
 void ProxyClient::SendNext() {
   if (waits_ || requests_.empty() || !connection_.is_up()) return;
   waits_ = true;
-  // The robot's number of the object must be found by name before the first call to the object.
+  // Before the first call to an object, the robot must be asked by name for the object's OID.
   const Request& request = requests_.front();
   ProxyFrame frame;
   if (const auto known = oids_.find(request.object); known == oids_.end()) {

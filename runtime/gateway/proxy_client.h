@@ -1,9 +1,9 @@
 // Sends OPEN-R calls of objects that run on a PC (a stick with !ROBOT_PROXY in HOSTGW.CFG) to the
 // robot.
 //
-// A call is a message to the gateway; only its sender waits for the answer, other objects run on.
-// The client sends a call only after the answer to the call before, because answers on the wire
-// have no number that names their call.
+// A call is a message to the gateway.  Only the sender of the message waits for the answer; other
+// objects run on.  The client sends a call only after the answer to the call before, because
+// answers on the wire have no number that identifies their call.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace openr_host {
 
-// The head of a message to the gateway that asks for a call; the message of the call follows.
+// The head of a message that asks the gateway for a call.  The message of the call itself follows.
 struct ProxyRequest {
   char object[16];      // name of the system object to call
   uint32_t selector;    // entry of that object
@@ -27,15 +27,15 @@ struct ProxyRequest {
 
 class ProxyClient : public GatewayChannel {
  public:
-  // The time limit for an answer of the robot; SelectProxyPort() of the original has the same
+  // The time limit for an answer of the robot, the same as in SelectProxyPort() of the original
   // (core.md, 5.4).
   static constexpr int64_t kPatienceUs = 10'000'000;
 
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)
       : GatewayChannel(gateway, index, record), gateway_(gateway) {}
 
-  // Queues the ProxyRequest that the running handler received.  The answer to it is a word with an
-  // sError, then the bytes of the reply.
+  // Queues the ProxyRequest that the running handler received.  The answer to this request is a
+  // word with an sError, then the bytes of the reply.
   void Take(const void* payload, size_t size);
   // Fails all requests if the first one has waited for kPatienceUs.
   void Expire();
@@ -66,9 +66,10 @@ class ProxyClient : public GatewayChannel {
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // the robot's objects; valid while the connection lasts
-  bool waits_ = false;                    // the first request was sent and is not answered
-  bool gave_up_ = false;                  // a call had no answer; calls fail until a new connection
-  bool watches_ = false;                  // a message that calls Expire() is posted
+  bool waits_ = false;                    // the first request was sent but not answered yet
+  // a call had no answer, so calls fail until a new connection is made
+  bool gave_up_ = false;
+  bool watches_ = false;  // a message that calls Expire() is posted
 };
 
 }  // namespace openr_host

@@ -14,7 +14,8 @@
 namespace openr_host {
 namespace {
 
-// The system objects that can be called.  A program gets the OID kFirstSystemOid + index for each.
+// The system objects that can be called.  For each of them a program gets the OID kFirstSystemOid +
+// index.
 constexpr const char* kNames[] = {kVirtualRobot, kPowerManager, kDesignedRobot};
 constexpr uint32_t kFirstSystemOid = 0x80000001;
 

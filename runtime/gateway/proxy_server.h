@@ -1,8 +1,9 @@
 // Answers OPEN-R calls from a program on a PC: the robot's side, which is the service
 // TCPGateway.Proxy.AperiosMessage.P of ROBOTGW.CFG.
 //
-// A program finds a system object by its name and calls it; this robot answers (system_messages.h).
-// Objects of the stick cannot be called, because their messages contain addresses of memory.
+// A program finds a system object by its name and calls the object; this robot answers
+// (system_messages.h).  Objects of the stick cannot be called, because their messages contain
+// addresses of memory.
 #pragma once
 
 #include "runtime/gateway/gateway_channel.h"
@@ -21,7 +22,8 @@ class ProxyServer : public GatewayChannel {
   void Down() override { stream_ = {}; }
 
  private:
-  // Returns the answer to a frame; its command is kUndefined if `frame` is no call but an answer.
+  // Returns the answer to `frame`.  The command of the answer is kUndefined if `frame` is no call
+  // but itself an answer.
   ProxyFrame AnswerTo(const ProxyFrame& frame);
   ProxyFrame AnswerCall(const ProxyFrame& frame);
 

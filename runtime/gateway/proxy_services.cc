@@ -18,7 +18,8 @@ namespace {
 constexpr size_t kGainsBytes = 6 * sizeof(word);
 
 // Returns whether `object` can wait for the network.  Only a handler that runs on a fiber of this
-// process can; an object in another process cannot, because the master would have to wait for it.
+// process can wait.  An object in another process cannot, because the master would have to wait for
+// it.
 bool CanWait(const Object* object) {
   return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||
@@ -204,7 +205,7 @@ OStatus ProxyServices::GetVolumeSwitch(OVolumeSwitch* volume) {
   return LocalInstead("GetVolumeSwitch").GetVolumeSwitch(volume);
 }
 
-// Shuts down this run, not the robot that is called.
+// Shuts down this run, not the robot to which calls go.
 OStatus ProxyServices::Shutdown(const OBootCondition& condition) {
   return local_->Shutdown(condition);
 }

@@ -18,7 +18,7 @@ class System;
 
 class ProxyServices : public RobotServices {
  public:
-  // Calls go to entry `selector` of the object `gateway` (proxy_client.h); `local` answers all
+  // Sends calls to entry `selector` of the object `gateway` (proxy_client.h).  `local` executes all
   // functions that are not carried.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
@@ -56,11 +56,12 @@ class ProxyServices : public RobotServices {
   void HashState(Hasher* hasher) const override { local_->HashState(hasher); }
 
  private:
-  // Sends `message` to a system object of the robot and waits for a reply of `reply_size` bytes.
-  // Returns false without a reply; a finding then says why.
+  // Sends `message` to entry `selector` of the robot's system object `object`, and waits for a
+  // reply of `reply_size` bytes.  If no reply comes, returns false and adds a finding with the
+  // reason.
   bool Ask(const char* object, uint32_t selector, const std::string& message, size_t reply_size,
            std::string* reply);
-  // Sends a control request to OVirtualRobot; `result` may be null.
+  // Sends a control request to OVirtualRobot.  `result` may be null if the result is not needed.
   OStatus Control(ControlRequest request, const std::string& param, std::string* result = nullptr);
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
   OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);

@@ -29,7 +29,7 @@ enum class ProxyCommand : uint32_t {
   kReply = 8,
 };
 
-// Our limit, larger than any message of a system object (binary.md, 4).
+// Our limit for the bytes of a call, larger than any message of a system object (binary.md, 4).
 inline constexpr uint32_t kProxyBytesMax = 256;
 
 struct ProxyFrame {
@@ -38,14 +38,14 @@ struct ProxyFrame {
   uint32_t error = 0;       // answers: an sError
   uint32_t oid = 0;         // kFindReply, kSend, kCall
   uint32_t selector = 0;    // kSend, kCall
-  uint32_t reply_size = 0;  // kCall: how many bytes of the answer are taken
+  uint32_t reply_size = 0;  // kCall: the largest number of bytes of the answer that are taken
   std::string bytes = {};   // kSend, kCall, kCallReply
 };
 
 std::string EncodeProxyFrame(const ProxyFrame& frame);
 
-// Decodes an item that GatewayStream::NextSet() returned.  Returns "" or the reason why it is
-// invalid.
+// Decodes `item`, which GatewayStream::NextSet() returned, into `*frame`.  Returns "" or the reason
+// why `item` is invalid.
 std::string DecodeProxyFrame(const std::string& item, ProxyFrame* frame);
 
 }  // namespace openr_host

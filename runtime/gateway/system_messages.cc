@@ -32,8 +32,8 @@ std::string Open(RobotServices* services, const std::string& message) {
   return EncodeWord(kOpenReplyType) + EncodeWord(static_cast<uint32_t>(status)) + EncodeWord(id);
 }
 
-// Carries out the request.  Returns the status and puts the other results into `result`.  Sets
-// `is_known` to false if no such request is known.
+// Executes `request`.  Returns its status and puts its other results into `*result`.  Sets
+// `*is_known` to false if `request` is unknown.
 OStatus Control(RobotServices* services, ControlRequest request, const std::string& param,
                 std::string* result, bool* is_known) {
   const OPrimitiveID id = WordIn(param, 0);

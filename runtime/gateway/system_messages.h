@@ -56,15 +56,15 @@ inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close re
 inline constexpr uint32_t kControlType = 1027;
 inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, never read here
 
-// Returns the word at `offset`; 0 beyond the end.
+// Returns the word at `offset`, or 0 beyond the end of `bytes`.
 uint32_t WordIn(const std::string& bytes, size_t offset);
 
-// Returns the message for a request of kControlSelector.  REQUIRES: `param`, the parameter, fits
-// into kControlBytes - kControlParamAt bytes.
+// Returns the message for the request `request` of kControlSelector.  REQUIRES: `param`, the
+// parameter, fits into kControlBytes - kControlParamAt bytes.
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
-// Returns the answer of the object `name` to a message.  Returns "" with the reason in `*why` if
-// the object or entry is not carried, or if the message is too short.
+// Returns the answer of the system object `name` to a message.  If the object or entry is not
+// carried, or the message is too short, returns "" and sets `*why` to the reason.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

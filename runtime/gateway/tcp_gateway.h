@@ -45,15 +45,14 @@ class TcpGateway : public CodeObject {
   // ---- for channels
 
   const antStackRef& stack() const { return stack_; }
-  // Sends a message to IPStack.  The answer goes to the channel whose number is the continuation of
-  // the message.
+  // Sends `message` to IPStack.  The answer goes to the channel whose number is the message's
+  // continuation.
   void PostToStack(antEnvMsg* message, int size);
-  // The next three functions post a message that calls a function after `delay_us`: OpenLater()
-  // calls GatewayConnection::Open().
+  // Posts a message that calls GatewayConnection::Open() of `channel` after `delay_us`.
   void OpenLater(int channel, int64_t delay_us);
-  // Calls GatewayConnection::LookForAnswer().
+  // Posts a message that calls GatewayConnection::LookForAnswer() of `channel` after `delay_us`.
   void LookLater(int channel, int64_t delay_us);
-  // Calls ProxyClient::Expire().
+  // Posts a message that calls ProxyClient::Expire() after `delay_us`.
   void ExpireLater(int64_t delay_us);
   void Warn(const std::string& text);
 
@@ -72,8 +71,8 @@ class TcpGateway : public CodeObject {
   std::vector<std::unique_ptr<GatewayChannel>> channels_;
 };
 
-// LoadStick(), with the gateway where the stick asks for one: OBJECT.CFG names TCPGW.BIN,
-// or CONNECT.CFG a service of TCPGateway.
+// Does what LoadStick() does, and adds the gateway if the stick asks for it: OBJECT.CFG names
+// TCPGW.BIN, or CONNECT.CFG names a service of TCPGateway.
 bool LoadStickAndGateway(System* system, int robot, StandIns stand_ins = {});
 
 }  // namespace openr_host

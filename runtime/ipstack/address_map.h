@@ -15,18 +15,20 @@ class AddressMap {
  public:
   explicit AddressMap(std::vector<AddressPair> pairs) : pairs_(std::move(pairs)) {}
 
-  // Returns whether the configuration has an entry for a program's address.
+  // Returns whether the configuration has an entry for the address `robot`, as programs know it.
   bool Has(uint32_t robot) const;
 
-  // Returns the host's address for a program's `address`; the same address if there is no entry.
+  // Returns the host's address for `address`, which a program uses, or `address` itself if it has
+  // no entry.
   uint32_t ToHost(uint32_t address) const;
 
-  // Does the same for a peer that a program talks to, and remembers the peer: several addresses of
-  // programs may map to one of the host, and FromHost() tells them apart by the port.
+  // Translates the address of `peer`, to which a program talks, and remembers the peer.  Several
+  // addresses of programs may map to one address of the host, and FromHost() distinguishes them by
+  // the port.
   NetAddress ToHost(NetAddress peer);
 
-  // Returns the address under which programs know `host`: the one that a program last used for it,
-  // else the first entry for it, else the same address.
+  // Returns the address under which programs know `host`: the address that a program last used for
+  // this peer, else that of the first entry with `host`, else `host` itself.
   NetAddress FromHost(NetAddress host) const;
   uint32_t FromHost(uint32_t host) const { return FromHost(NetAddress{host, 0}).ip; }
 
@@ -34,7 +36,8 @@ class AddressMap {
   static constexpr size_t kPeersMax = 1024;
 
   const std::vector<AddressPair> pairs_;
-  std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;  // key: address and port on the host
+  // key: the peer's address and port on the host
+  std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;
 };
 
 }  // namespace openr_host

@@ -26,8 +26,8 @@ std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
   return static_cast<std::conditional_t<std::is_const_v<M>, const T, T>&>(m);
 }
 
-// Finds the type of a TCP message and calls visit(message cast to this type, its name).  The other
-// Visit functions do the same for other messages.
+// Finds the type of the TCP message `m` and calls visit(`m` cast to this type, the type's name).
+// The other Visit functions do the same for other protocols.
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {

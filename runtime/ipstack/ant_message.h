@@ -1,8 +1,8 @@
 // Properties of messages to the network stack: size, name, and the fields that are hashed.
 //
-// The reference of an endpoint contains the number of its protocol, where the robot has a pointer
-// (MakeModuleRef).  So the type of a message is known without a table, and no message contains an
-// address of the host.
+// The reference of an endpoint contains the number of the endpoint's protocol, where the robot has
+// a pointer (MakeModuleRef).  So the type of a message is known without a table, and no message
+// contains an address of the host.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -14,36 +14,39 @@ namespace openr_host {
 
 antModuleRef MakeModuleRef(int32_t protocol, uint32_t index);
 
-// Returns EndpointType_...; 0 for the null reference and for references that no stack has made.
+// Returns the protocol of `ref` (EndpointType_...), or 0 for the null reference and for references
+// that no stack has made.
 int32_t ProtocolOf(const antModuleRef& ref);
 
 // Returns the size of the struct that selector, protocol and operation of `message` stand for.  The
-// size given to Send() and Call() is not trusted, because Sony's samples pass that of another
-// struct.  Unknown operations have the base and the error field only.
+// size given to Send() and Call() is not trusted, because Sony's samples pass the size of another
+// struct.  For unknown operations, counts only the base and the error field.
 size_t AntMessageSize(const antEnvMsg& message);
 
 // Returns a name such as "TCP Listen", for messages to the user.
 const char* AntMessageName(const antEnvMsg& message);
 
-// Sets the error field, whose position depends on the type of the message.
+// Sets the error field of `message`; its position depends on the type of `message`.
 void SetAntError(antEnvMsg* message, int32_t error);
 
-// Sets the counts in an error answer to 0: programs look at counts without checking the error.
+// Sets the counts in an error answer to 0, because programs look at counts without checking the
+// error.
 void ClearCounts(antEnvMsg* message);
 
-// Returns the XXH3 hash of the fields that have a meaning, without addresses, continuation and
-// padding, and of the bytes transferred.  Never 0.
+// Returns the XXH3 hash of the transferred bytes at `data` and of the fields that have a meaning,
+// without addresses, continuation and padding.  Never returns 0.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
-// The bytes that a Send of TCP or UDP refers to; size 0 for other messages.
+// The bytes that a Send of TCP or UDP refers to; the size is 0 for other messages.
 struct AntData {
   const byte* begin = nullptr;
   int size = 0;
 };
 AntData DataToSend(const antEnvMsg& message);
 
-// The pointer field of `message` that points into a shared buffer; null if it has none.  `sent` and
-// `received` are the bytes there that belong to the request and to the answer.
+// The pointer field of `message` that points into a shared buffer, or null if `message` has no such
+// field.  `sent` and `received` are the numbers of bytes there that belong to the request and to
+// the answer.
 struct AntBuffer {
   byte** pointer = nullptr;
   int sent = 0;

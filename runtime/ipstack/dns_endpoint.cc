@@ -90,7 +90,8 @@ DNSEndpointError DnsEndpoint::GetAddress(DNSEndpointGetAddressMsg* message) cons
   return DNS_SUCCESS;
 }
 
-// Returns an alias by index.  Alias 0 is the official name, so there is one more than HostInfo has.
+// Finds an alias by its index.  Alias 0 is the official name, so there is one more alias than in
+// HostInfo.
 DNSEndpointError DnsEndpoint::GetAlias(DNSEndpointGetAliasMsg* message) const {
   const auto index = static_cast<size_t>(message->index);
   const size_t count = host_.addresses.empty() ? 0 : 1 + host_.aliases.size();
@@ -138,8 +139,8 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the query.  A failed answer keeps the name of the question, because NTP programs then
-// take this name for an address.
+// Answers the query.  A failed answer keeps the name of the question, because NTP programs take
+// that name for an address after a failure.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
   // The messages of the two questions (by name, by address) have the same fields but different

@@ -1,8 +1,8 @@
 // A DNS endpoint: answers questions for names and addresses of hosts.
 //
-// The answers come from the Network: the host's resolver or a table.  The list of DNS servers is
-// kept only for programs that set and read it; the first one is named as the server that has
-// answered.
+// The answers come from the Network: from the host's resolver or from a table.  The list of DNS
+// servers is kept only because programs set and read it; answers name its first server as the
+// server that has answered.
 #pragma once
 
 #include <DNSEndpointMsg.h>
@@ -19,9 +19,9 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // Limit for the addresses kept of one answer, and for its aliases.
+  // The largest number of addresses kept of one answer, and of aliases.
   static constexpr size_t kAddressesMax = 16;
-  // The time limit for an answer, in virtual time; the error after it is DNS_TRY_AGAIN.
+  // The time limit for an answer, in virtual time.  After it the query fails with DNS_TRY_AGAIN.
   static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;
@@ -41,15 +41,16 @@ class DnsEndpoint : public Endpoint {
   void FinishQuery(DNSEndpointError error);
   void Refuse(Operation operation, DNSEndpointError error);
 
-  // Completes a program's name: without its final dot, or with the default domain.
+  // Returns a program's `name` in its complete form: without a final dot, or with the default
+  // domain.
   std::string FullName(const std::string& name) const;
 
-  std::string domain_;    // default domain; "": none
-  NetHandle socket_ = 0;  // handle for the question that is being answered
+  std::string domain_;    // the default domain; "": none
+  NetHandle socket_ = 0;  // the handle for the question that is being answered
   int64_t asked_us_ = 0;
-  std::optional<Operation> query_;  // GetHostByName or GetHostByAddr
+  std::optional<Operation> query_;  // the pending GetHostByName or GetHostByAddr
   std::optional<NetworkEvent> answer_;
-  HostInfo host_;  // the last host found
+  HostInfo host_;  // the host that was found last
 };
 
 }  // namespace openr_host

@@ -11,24 +11,24 @@ namespace openr_host {
 class Hasher;
 class IpStack;
 
-// An owner of sockets of the Network, which receives their events.
+// The owner of sockets of the Network.  It receives the events of its sockets.
 class EventSink {
  public:
   virtual ~EventSink() = default;
 
-  // Stores the event.  No operation is answered here.
+  // Stores `event`.  Answers no operation.
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
-// An endpoint.  Start() stores operations, Take() stores events, and AnswerReady() answers the
-// operations that can be answered.  So the order of answers does not depend on the order of events:
-// it is by endpoint, then open, send, receive, close.
+// An endpoint of a program.  Start() stores operations, Take() stores events, and AnswerReady()
+// answers the operations that can be answered.  So the order of answers does not depend on the
+// order of events: answers are ordered by endpoint, then open, send, receive, close.
 class Endpoint : public EventSink {
  public:
   Endpoint(IpStack* stack, int32_t protocol, ObjectId owner, int32_t pool_bytes)
       : stack_(stack), protocol_(protocol), owner_(owner), pool_bytes_(pool_bytes) {}
 
-  // Stores an operation, or answers it at once if it is not possible.
+  // Stores `operation`, or answers it at once with an error if it is not possible.
   virtual void Start(const Operation& operation) = 0;
 
   virtual void AnswerReady() = 0;
@@ -36,7 +36,7 @@ class Endpoint : public EventSink {
   // Returns whether an operation waits for the network, so that the stack has to poll.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Called at the beginning of each poll.
+  // Prepares the endpoint for a new poll.  Called at the beginning of each poll.
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering operations.
@@ -46,13 +46,14 @@ class Endpoint : public EventSink {
 
   int32_t protocol() const { return protocol_; }
   ObjectId owner() const { return owner_; }
-  bool dead() const { return dead_; }  // Close has been answered; the endpoint can be deleted
+  // true if Close was answered, so that the endpoint can be deleted
+  bool dead() const { return dead_; }
 
  protected:
   IpStack* const stack_;
   const int32_t protocol_;  // EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
-  // Limit of the bytes that are sent and not yet accepted by the network; > 0.
+  // The largest number of bytes that are sent but not yet accepted by the network; > 0.
   const int32_t pool_bytes_;
   bool dead_ = false;
 };

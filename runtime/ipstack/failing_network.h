@@ -1,4 +1,4 @@
-// A Network for tests: wraps another one and lets its n-th command fail.
+// A Network for tests, which passes commands to another Network and lets one of them fail.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace openr_host {
 
-// Counts the commands Listen, Accept, Connect, Send, Receive, Bind, SendTo, ReceiveFrom, Resolve
-// and ResolveAddress, from 1.  Command number `nth` is not passed to the wrapped network; the next
-// Poll() reports that it has failed with `error`.
+// Lets command number `nth` fail.  The commands Listen, Accept, Connect, Send, Receive, Bind,
+// SendTo, ReceiveFrom, Resolve and ResolveAddress are counted from 1.  The failing command is not
+// passed to the wrapped network; the next Poll() reports its failure with `error`.
 class FailingNetwork : public Network {
  public:
   FailingNetwork(std::unique_ptr<Network> inner, int nth, NetError error)
@@ -37,13 +37,13 @@ class FailingNetwork : public Network {
   }
 
  private:
-  // Counts a command; returns whether it is the one that has to fail.
+  // Counts a command of `handle`.  Returns whether this command has to fail.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;
   int left_;
   const NetError error_;
-  NetHandle failed_ = 0;  // handle of the failed command until Poll() reports it; 0: none
+  NetHandle failed_ = 0;  // handle of the failed command until Poll() reports the failure; 0: none
 };
 
 }  // namespace openr_host

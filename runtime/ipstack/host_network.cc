@@ -77,7 +77,8 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // The robot does not listen on this port, and a program of the host with that port is no peer.
+  // If the robot does not listen on this port, there is no peer: a program of the host with that
+  // port is none.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -132,8 +133,8 @@ void HostNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
-// Gives the host as many of the waiting bytes as it accepts, and ends the stream after the last
-// one.
+// Gives the host as many of the waiting bytes as it accepts.  Ends the stream after the last byte
+// if this side has ended it.
 void HostNetwork::Push(NetHandle handle, Connection* connection) {
   std::string& out = connection->out;
   size_t done = 0;
@@ -173,8 +174,8 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // A port that the stack has chosen belongs to a client.  The client must reach other hosts, which
-  // a socket bound to 127.0.0.1 cannot; so it is bound to any address.
+  // If the stack has chosen the port, it belongs to a client, which must reach other hosts.  A
+  // socket bound to 127.0.0.1 cannot do that, so the socket is bound to any address.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 
@@ -213,7 +214,7 @@ void HostNetwork::ResolveAddress(NetHandle handle, uint32_t ip) {
              error != NetError::kNone) {
     event = FailedEvent(handle, error);
   } else if (!event.host.addresses.empty()) {
-    event.host.addresses = {ip};  // the address as the program has asked for it
+    event.host.addresses = {ip};  // the same address that the program has asked about
   }
   events_.push_back(std::move(event));
 }
@@ -235,7 +236,7 @@ void HostNetwork::AcceptAll(Listener* listener) {
     NetAddress remote;
     Fd fd = AcceptFrom(listener->fd, &remote);
     if (!fd.valid()) {
-      // The client has closed its connection before we accepted it; another client may wait.
+      // The client has closed its connection before it was accepted, but another client may wait.
       if (errno == ECONNABORTED) continue;
       if (!MustWait(errno)) {
         events_.push_back(NoteEvent(fmt::format("a connection waits: {}", std::strerror(errno))));

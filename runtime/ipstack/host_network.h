@@ -1,13 +1,13 @@
 // The robot's network over sockets of the host.
 //
-// Server ports: a port of the robot is bound to 127.0.0.1, or to the address in the options.  It
-// keeps its number if that is free on the host (host_ports.h).
+// Server ports: a port of the robot is bound to 127.0.0.1, or to the address in the options.  The
+// port keeps its number if that number is free on the host (host_ports.h).
 //
 // Addresses in programs of the robot: the robot's own address reaches only ports on which the robot
-// listens.  127.0.0.1 means the robot for these ports, and this computer for all others.  Programs
-// of this computer have the address 127.0.0.1 for objects, so answers and the data connections of
-// FTP reach them.  Other addresses are translated in both directions as the options say; an entry
-// for the robot's own address selects the address at which server ports are bound.
+// listens.  127.0.0.1 means the robot for these ports, and this computer for all other ports.
+// Objects see programs of this computer at 127.0.0.1, so answers and the data connections of FTP
+// reach these programs.  Other addresses are translated in both directions as the options say.  An
+// entry for the robot's own address selects the address at which server ports are bound.
 #pragma once
 
 #include <cstdint>
@@ -26,21 +26,22 @@ namespace openr_host {
 
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0: every interface
-  // Robot's port -> host's port that it must get; 0: any free port.  Other ports keep their number
-  // if it is free.
+  // The host's port that each robot's port in the map must get; 0: any free port.  Other ports keep
+  // their number if it is free.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
-  // Addresses in programs and the host's addresses in their place.  An address of the host in
-  // several pairs is translated back by the first of them (address_map.h).
+  // Pairs of an address in programs and the host's address in its place.  If several pairs have the
+  // same address of the host, the first pair translates it back (address_map.h).
   std::vector<AddressPair> addresses;
-  // Names that are answered without the host's resolver, which may be slow.
+  // Answers for names that must not be looked up with the host's resolver, which may be slow.
   std::map<std::string, HostInfo> names;
 };
 
 class HostNetwork : public Network {
  public:
-  static constexpr int kBacklog = 8;              // connections held until they are accepted
-  static constexpr size_t kReadBytesMax = 65536;  // limit for one connection in one Poll()
+  static constexpr int kBacklog = 8;  // connections held until they are accepted
+  // limit of the bytes read from one connection in one Poll()
+  static constexpr size_t kReadBytesMax = 65536;
 
   explicit HostNetwork(HostNetworkOptions options = {});
 
@@ -77,9 +78,9 @@ class HostNetwork : public Network {
     bool failed = false;  // the failure has been reported
   };
 
-  // Translates the address of a peer; port 0: there is no such peer.
+  // Translates the address of a peer for the host.  Returns port 0 if there is no such peer.
   NetAddress ToHost(NetAddress remote, const HostPorts& ports);
-  // Translates the host's address `remote` to the one programs know.
+  // Translates the host's address `remote` to the address that programs know.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
   void AcceptAll(Listener* listener);
@@ -89,9 +90,11 @@ class HostNetwork : public Network {
   void Discard(NetHandle handle, Connection* connection);
   void Fail(NetHandle handle, Connection* connection, int error);
 
-  // Returns whether the address is one of the robot's: its own, loopback, or one of a bound socket.
+  // Returns whether `ip` is an address of the robot: its own address, loopback, or the address of a
+  // bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns and forgets the host's address that At() set for the next server socket.
+  // Returns the address of the host at which the server socket `handle` is to be bound, and forgets
+  // what At() has set for it.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if `error` means that the host has no such address.
   void NoteBindError(uint32_t ip, int error);
@@ -101,7 +104,8 @@ class HostNetwork : public Network {
   uint32_t ip_ = 0;
   uint32_t bind_ip_;                  // host's address for server ports at the robot's own address
   std::map<NetHandle, uint32_t> at_;  // addresses set by At(), until the socket is bound
-  std::map<uint32_t, uint32_t> bound_;  // bound addresses: the robot's -> the host's
+  // bound addresses: key is the robot's address, value the host's
+  std::map<uint32_t, uint32_t> bound_;
   HostPorts tcp_ports_;
   HostUdp udp_;
   std::map<NetHandle, Listener> listeners_;

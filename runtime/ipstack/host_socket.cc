@@ -86,7 +86,7 @@ int BindSocket(const Fd& fd, NetAddress local) {
 }
 
 int ListenOn(const Fd& fd, NetAddress local, int backlog) {
-  // Without this option the port could not be bound while connections of the last run are in state
+  // With this option the port can be bound even while connections of the last run are in state
   // TIME_WAIT.
   SetOption(fd.get(), SOL_SOCKET, SO_REUSEADDR);
   if (const int error = BindSocket(fd, local)) return error;
@@ -108,8 +108,8 @@ int ConnectResult(const Fd& fd) {
 }
 
 Fd AcceptFrom(const Fd& listener, NetAddress* remote) {
-  // accept() creates a socket before it finds out that no connection waits.  Mostly none does, so
-  // we ask poll() first.
+  // accept() creates a socket before it finds out that no connection waits.  Usually no connection
+  // waits, so poll() is asked first.
   pollfd waiting{listener.get(), POLLIN, 0};
   if (poll(&waiting, 1, 0) == 0) {
     errno = EAGAIN;

@@ -9,7 +9,7 @@
 
 namespace openr_host {
 
-// Owns a file descriptor; -1: none.
+// The owner of a file descriptor, which is -1 if there is none.
 class Fd {
  public:
   Fd() = default;
@@ -32,24 +32,26 @@ class Fd {
 // Converts an errno to an error of the stack.
 NetError NetErrorOf(int error);
 
-// Opens a socket; returns an invalid one, with errno set, on failure.
+// Opens a socket.  On failure returns an invalid Fd and sets errno.
 Fd OpenSocket(NetProtocol protocol);
 
-// The functions below return 0 or an errno.
+// Change a socket.  The functions below return 0 or an errno.
 int BindSocket(const Fd& fd, NetAddress local);
 int ListenOn(const Fd& fd, NetAddress local, int backlog);  // binds as well
 int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see ConnectResult()
 
-// Returns EINPROGRESS while the connection is being established.
+// Returns the result of ConnectTo(): EINPROGRESS while the connection is being established, then 0
+// or an errno.
 int ConnectResult(const Fd& fd);
 
-// Returns the next connection; an invalid one, with errno set, if there is none.
+// Returns the next connection.  If there is none, returns an invalid Fd and sets errno.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
-// Returns the number of bytes sent, or -1 with errno set.
+// Send bytes.  Return the number of bytes sent, or -1 with errno set.
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
-// Receives at most `size_max` bytes into `bytes`, which is resized to what has arrived.
+// Receives at most `size_max` bytes and resizes `bytes` to the bytes that have arrived.  Returns
+// their number, or -1 with errno set.
 int64_t ReceiveBytes(const Fd& fd, size_t size_max, std::string* bytes,
                      NetAddress* remote = nullptr);
 

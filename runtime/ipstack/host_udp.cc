@@ -54,13 +54,14 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       NetworkEvent event;
       event.kind = NetworkEvent::Kind::kDatagram;
       event.handle = handle;
-      // An error here is about an earlier send (port unreachable).  In UDP that datagram is just
+      // An error here concerns an earlier send (port unreachable).  In UDP such a datagram is just
       // lost, so the error is ignored.
       if (ReceiveBytes(socket.fd, kDatagramMax, &event.bytes, &event.remote) < 0) break;
       any = true;
       events->push_back(std::move(event));
     }
-    if (any) socket.want = 0;  // the request is answered, also with fewer datagrams than it allows
+    // one answer is enough, even with fewer datagrams than the request allows
+    if (any) socket.want = 0;
   }
 }
 

@@ -12,15 +12,16 @@
 
 namespace openr_host {
 
-// Addresses of this class are those of the host; HostNetwork translates them.
+// The UDP sockets of the host.  Addresses in this class are addresses of the host; HostNetwork
+// translates them.
 class HostUdp {
  public:
-  // `ports`: robot's port -> host's port, see HostPorts.
+  // `ports` maps the robot's ports to ports of the host; see HostPorts.
   explicit HostUdp(std::map<uint16_t, uint16_t> ports)
       : ports_(NetProtocol::kUdp, std::move(ports)) {}
 
-  // All commands append their events to `events`.  `local` has an address of the host and a port of
-  // the robot.  Returns 0 or an errno.
+  // Binds `local`, an address of the host and a port of the robot.  Returns 0 or an errno.  Like
+  // all commands of this class, appends its events to `events`.
   int Bind(NetHandle handle, NetAddress local, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
@@ -33,7 +34,8 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    size_t want = 0;  // limit of the pending ReceiveFrom(); 0: none is pending
+    // largest number of datagrams for the pending ReceiveFrom(); 0: none is pending
+    size_t want = 0;
   };
 
   HostPorts ports_;

@@ -23,7 +23,7 @@ MemoryStick* StickOf(const Object& object) {
   return object.system->robot(object.robot).stick.get();
 }
 
-// Returns the error of operations on a closed endpoint; DNS has its own numbers.
+// Returns the error of operations on a closed endpoint.  DNS has error numbers of its own.
 int32_t ClosedError(int32_t protocol) {
   return protocol == EndpointType_DNS ? int32_t{DNS_CONNECTION_CLOSED}
                                       : int32_t{TCP_CONNECTION_CLOSED};
@@ -219,8 +219,8 @@ void IpStack::HandleEndpointMessage(Operation* operation) {
   const int32_t protocol = ProtocolOf(ref);
   const auto found = endpoints_.find(ref.index);
   if (found == endpoints_.end() || found->second->protocol() != protocol) {
-    // Indexes are given out in order, so an unknown one up to the last belonged to a closed
-    // endpoint.
+    // Indexes are given out in order.  So an index that is unknown, but not larger than the last
+    // one, belonged to a closed endpoint.
     const bool was_closed = found == endpoints_.end() && ref.index != 0 && ref.index <= last_index_;
     return Answer(operation,
                   was_closed && protocol != 0 ? ClosedError(protocol) : InvalidError(protocol));
@@ -245,7 +245,7 @@ void IpStack::Answer(Operation* operation, int32_t error, const void* data, size
   answer->size = operation->size;
   answer->kind = PayloadKind::kHashed;
   answer->payload_hash = hash;
-  system().Post(answer);  // the object may have ended; then the answer is dropped
+  system().Post(answer);  // if the asking object has ended, the answer is dropped
 }
 
 void IpStack::PollNetwork() {
@@ -274,8 +274,8 @@ void IpStack::KeepPolling() {
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Post() adds creep_us() to the delay.  It is subtracted here, because the boundary must be met
-  // exactly.
+  // Post() adds creep_us() to the delay.  The message must be due exactly at the boundary, so
+  // creep_us() is subtracted here.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

@@ -1,8 +1,8 @@
 // IPStack, the object through which programs use TCP, UDP and DNS.
 //
-// Its name is "IPStack".  Programs send it the messages of TCPEndpointMsg.h and similar headers
-// with Call() and Send() of antEnvMsg.  These functions post to entries of the stack of their own
-// (EntryFor), because selectors 0 to 3 belong to DoInit to DoDestroy.
+// The name of the object is "IPStack".  Programs send messages of TCPEndpointMsg.h and similar
+// headers to it with Call() and Send() of antEnvMsg.  These functions post the messages to entries
+// that only IPStack has (EntryFor), because selectors 0 to 3 belong to DoInit to DoDestroy.
 //
 // Time: operations that concern only the stack (creating, binding, a send that fits) are answered
 // at the instant of the request.  Input from outside enters only at multiples of kFrameUs of
@@ -34,9 +34,9 @@ struct IpStackOptions {
   // The state of the network card that the functions of ERA201D1.h report.
   enum class Card { kPresent, kNoCard, kNoDriver };
 
-  std::string address;  // the robot's dotted address; "": ETHER_IP of its WLANCONF.TXT
+  std::string address;  // the robot's dotted address; "": ETHER_IP of the robot's WLANCONF.TXT
   Card card = Card::kPresent;
-  // Further addresses, to which programs may bind as to the robot's own (address_config.h).
+  // Further addresses, to which programs may bind as well as to the robot's own (address_config.h).
   std::vector<AddressPair> addresses = {};
 };
 
@@ -48,19 +48,21 @@ class IpStack : public CodeObject {
   // memory.
   static constexpr size_t kEndpointsMax = 256;  // endpoints that exist at the same time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
-  // The pool of an endpoint created with poolSize 0; the meaning of 0 is not documented.
+  // The pool of an endpoint that was created with poolSize 0.  This is our choice, because the
+  // meaning of 0 is not documented.
   static constexpr int32_t kPoolBytesDefault = 1 << 20;
 
   IpStack(std::unique_ptr<Network> network, IpStackOptions options);
   ~IpStack() override;
 
-  // Returns the stack of the current object's robot; null if it has none.
+  // Returns the stack of the current object's robot, or null if the robot has none.
   static IpStack* OfCurrent();
 
   // Returns the entry of this object for a documented selector (Entry_antEnv_...), 0 to 2.
   Selector EntryFor(Selector selector) const { return first_entry_ + selector; }
 
-  // Returns the host's port for the robot's port, for messages to the user; 0: none (yet).
+  // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 if the
+  // port has no port of the host (yet).
   uint16_t HostPort(NetProtocol protocol, uint16_t port) const {
     return network_->HostPort(protocol, port);
   }
@@ -82,34 +84,34 @@ class IpStack : public CodeObject {
   TcpPorts& tcp_ports() { return tcp_ports_; }
   uint32_t address() const { return address_; }
 
-  // Returns whether a program may use `ip` as its own address: any, loopback, the robot's or a
-  // further one (IpStackOptions::addresses).
+  // Returns whether a program may use `ip` as its own address: the any address, loopback, the
+  // robot's own address, or a further address (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
-  // Returns `ip` if it is a further address; 0, the robot's own one, if not.
+  // Returns `ip` if it is a further address, otherwise 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
   // Returns the local address that a program sees after it has bound to `ip`.
   uint32_t LocalAddress(uint32_t ip) const { return FurtherAddress(ip) == 0 ? address_ : ip; }
 
-  // Makes a handle whose events go to `sink`; Drop() ends it.
+  // Makes a handle whose events go to `sink`.  Drop() ends the use of the handle.
   NetHandle Open(EventSink* sink);
   void Drop(NetHandle handle, bool reset);
 
   // Returns a port of 1024 to 4999 (IPPORT_RESERVED, IPPORT_USERRESERVED) that no UDP endpoint has
-  // bound; 0 if all are taken.
+  // bound, or 0 if all these ports are taken.
   uint16_t ChoosePort();
   bool TakeUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
   void ReturnUdpPort(uint16_t port) { udp_ports_.erase(port); }
 
-  // Sends the message back with `error` in its error field.  `data` are the bytes that were
-  // transferred, for the hash.
+  // Sends the message of `operation` back with `error` in its error field.  `data` are the
+  // transferred bytes, which the hash of the answer includes.
   void Answer(Operation* operation, int32_t error, const void* data = nullptr, size_t size = 0);
 
   // Adds a finding about the object that has sent `operation`.
   void Warn(const Operation& operation, const std::string& text);
 
-  // Adds a finding if `data`, which are sent now, differ from the bytes at the moment of Send().
+  // Adds a finding if `data`, which are sent now, differ from the bytes that were there at Send().
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
   // The DNS servers, common to all objects.
@@ -131,7 +133,7 @@ class IpStack : public CodeObject {
   uint32_t address_ = 0;
   SharedBuffers buffers_;
   TcpPorts tcp_ports_;
-  std::set<uint16_t> udp_ports_;  // bound ports
+  std::set<uint16_t> udp_ports_;  // ports that UDP endpoints have bound
   std::vector<uint32_t> dns_servers_;
   std::map<uint32_t, std::unique_ptr<Endpoint>> endpoints_;  // key: index of the reference
   std::map<NetHandle, EventSink*> sinks_;
@@ -143,8 +145,8 @@ class IpStack : public CodeObject {
   bool poll_posted_ = false;
 };
 
-// Adds the object IPStack to a robot; must be called before System::Boot().  The System owns the
-// stack, which owns `network`.
+// Adds the object IPStack to `robot`.  The System owns the returned stack, and the stack owns
+// `network`.  REQUIRES: before System::Boot().
 IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
                     IpStackOptions options = {});
 

@@ -1,4 +1,4 @@
-// Networks inside the process: without sockets of the host, so every run is the same.
+// Networks inside the process.  They use no sockets of the host, so every run is the same.
 //
 //   auto hub = std::make_shared<LoopbackHub>();
 //   AddIpStack(&system, 0, std::make_unique<LoopbackNetwork>(hub));
@@ -19,10 +19,10 @@ namespace openr_host {
 
 class LoopbackNetwork;
 
-// The connection between all LoopbackNetworks of a test, and their table of names.
+// The hub that connects all LoopbackNetworks of a test, and their table of names.
 class LoopbackHub {
  public:
-  // Answers to questions for a name; the name has no final dot.
+  // The answers to questions for names, by name without a final dot.
   std::map<std::string, HostInfo> names;
 
  private:
@@ -30,20 +30,21 @@ class LoopbackHub {
   std::map<uint32_t, LoopbackNetwork*> hosts_;  // key: address
 };
 
-// A host at a hub.  Sent data arrive at once, and the receiver gets them from its next Poll().  If
-// a peer does not read, its sender stops after kWindowBytes.
+// A host at a hub.  Sent data arrive at once, and the receiver gets these data from its next
+// Poll().  If a peer does not read, its sender stops after kWindowBytes.
 class LoopbackNetwork : public Network {
  public:
   static constexpr size_t kWindowBytes = 65536;
   static constexpr size_t kBacklog = 8;  // connections held until they are accepted
-  // Datagrams held until they are received; further ones are lost.
+  // The number of datagrams that are held until they are received; further datagrams are lost.
   static constexpr size_t kDatagrams = 32;
 
-  // Without a hub the host has a hub of its own and no peers.
+  // Makes a host at `hub`.  Without the argument, the host gets a new hub, where it has no peers.
   explicit LoopbackNetwork(std::shared_ptr<LoopbackHub> hub = std::make_shared<LoopbackHub>());
   ~LoopbackNetwork() override;
 
-  // If two hosts have the same address, others reach the one attached last.
+  // Gives the host the address `ip`.  If several hosts have the same address, peers reach the host
+  // that was attached last.
   void Attach(uint32_t ip) override;
   void At(NetHandle, uint32_t) override {}  // a robot has only one address at a hub
   void Listen(NetHandle listener, uint16_t port) override;
@@ -60,7 +61,7 @@ class LoopbackNetwork : public Network {
   void Drop(NetHandle handle, bool reset) override;
   std::vector<NetworkEvent> Poll() override;
 
-  // Returns the same port: nothing is translated.
+  // Returns `port`, because nothing is translated.
   uint16_t HostPort(NetProtocol, uint16_t port) const override { return port; }
 
  private:
@@ -107,7 +108,7 @@ class LoopbackNetwork : public Network {
   void Add(NetworkEvent::Kind kind, NetHandle handle, NetError error = NetError::kNone);
   void MatchAccepts(Listener* listener);
   void Push(NetHandle handle, Connection* connection);
-  // Appends the events of the connection; returns false if it can be deleted.
+  // Appends the events of `connection`.  Returns false if `connection` can be deleted.
   bool PollConnection(NetHandle handle, Connection* connection);
 
   const std::shared_ptr<LoopbackHub> hub_;

@@ -2,12 +2,12 @@
 //
 // The stack gives commands, which return nothing and never wait.  All input from outside is
 // returned by Poll(), which IpStack calls at one place only, at frame boundaries.  So a run can be
-// replayed exactly: a recording contains all results of Poll() with their virtual time, and a
-// Network for the replay ignores commands and returns the recorded results.
+// replayed exactly: a recording contains all results of Poll() with their virtual time, and for a
+// replay another Network ignores commands and returns the recorded results.
 //
-// Handles are small integers that the stack chooses, from 1 up, each used once, so they are the
-// same in every run.  Ports and addresses are those of the robot; a Network that uses other ones on
-// the host translates them.
+// Handles are small integers that the stack chooses, from 1 up.  Each is used only once, so handles
+// are the same in every run.  Ports and addresses are those of the robot.  A Network that uses
+// other ports and addresses on the host translates them.
 #pragma once
 
 #include <cstddef>
@@ -77,34 +77,37 @@ class Network {
   // Called once, before all other functions, with the robot's own address.
   virtual void Attach(uint32_t ip) = 0;
 
-  // Selects the address for the next Listen() or Bind() of `handle`, one of the robot's further
-  // addresses (IpStackOptions::addresses).
+  // Selects `ip` as the address for the next Listen() or Bind() of `handle`.  `ip` is one of the
+  // robot's further addresses (IpStackOptions::addresses).
   virtual void At(NetHandle handle, uint32_t ip) = 0;
 
   // ---- TCP
 
-  // Accepts connections to `port` from now on, and holds a few until Accept().
+  // Accepts connections to `port` from now on, and holds a few of them until Accept().
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
-  // Gives `handle` to the next connection to `listener`; several calls are served in their order.
+  // Gives `handle` to the next connection to `listener`.  Several calls get connections in the
+  // order of the calls.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
-  // Connects to `remote`.  A Network may use another local port than `local_port`.
+  // Connects to `remote`.  A Network may use another local port than `local_port` on the host.
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
-  // Copies the bytes and sends them as fast as the peer accepts them.
+  // Copies the bytes at `data` and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
-  // Requests the bytes that are there, at most `size_max`; one event answers.  Replaces a request
-  // that has no answer yet.
+  // Requests the bytes that have arrived or will arrive next, at most `size_max`.  One event
+  // answers.  Replaces an earlier request that has no answer yet.
   virtual void Receive(NetHandle handle, size_t size_max) = 0;
-  // Ends the stream after the bytes already sent; input is discarded from now on.
+  // Ends the stream after the bytes that were given to Send().  Input is discarded from now on.
   virtual void Close(NetHandle handle) = 0;
 
   // ---- UDP
 
-  // Binds `port`.  `any_port`: the stack has chosen the port, so no peer expects this number.
+  // Binds `port`.  If `any_port` is true, the stack has chosen the port, so no peer expects this
+  // number.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
-  // Copies the bytes.  A datagram that cannot be sent is lost; a kNote may report it.
+  // Copies the bytes at `data` and sends them.  A datagram that cannot be sent is lost; a kNote may
+  // report it.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
-  // Requests the datagrams that are there, at most `count_max`; one Poll() returns them.  Replaces
-  // a request that has no answer yet.
+  // Requests datagrams, at most `count_max`.  One Poll() returns all datagrams that have arrived.
+  // Replaces an earlier request that has no answer yet.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
   // ---- Names
@@ -116,15 +119,15 @@ class Network {
 
   // ---- All handles
 
-  // Forgets `handle`, which gets no more events.  `reset`: the peer sees a broken connection
-  // instead of an ended one.  Unknown handles are ignored.
+  // Forgets `handle`, which gets no more events.  If `reset` is true, the peer sees a broken
+  // connection instead of an end of the stream.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
 
   // Returns the events since the last call, without waiting.
   virtual std::vector<NetworkEvent> Poll() = 0;
 
-  // Returns the host's port for the robot's `port`; 0: none.  For messages to the user; the run
-  // must not depend on it.
+  // Returns the host's port for the robot's `port`, or 0 if there is none.  The port is for
+  // messages to the user; the run must not depend on it.
   virtual uint16_t HostPort(NetProtocol protocol, uint16_t port) const = 0;
 };
 

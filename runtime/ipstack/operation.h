@@ -15,7 +15,7 @@ struct Operation {
   uint32_t size = 0;                                           // size of the message struct
   ObjectId sender = kNoObject;
   uint64_t request_hash = 0;  // AntMessageHash() of the request, including its data
-  ReplyTicket ticket;         // of a Call(); empty for a Send()
+  ReplyTicket ticket;         // the ticket of a Call(); empty for a Send()
 
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }

@@ -21,15 +21,16 @@ class MemoryStick;
 
 class Parameters {
  public:
-  // Reads WLANCONF.TXT of the stick, else WLANDFLT.TXT.  Without either, or without a stick (null),
-  // the values of Sony's file hold.  `address` replaces ETHER_IP unless it is empty.
+  // Reads WLANCONF.TXT of `stick`, or WLANDFLT.TXT if there is no WLANCONF.TXT.  Without both
+  // files, or if `stick` is null, the values of Sony's file hold.  `address` replaces ETHER_IP
+  // unless it is "".
   Parameters(MemoryStick* stick, const std::string& address);
 
-  // Puts the value for the key of `message` into it.  Returns ANT_REGISTRY_NO_KEY for an unknown
-  // key.  Text is cut to ANTENV_VALUE_LENGTH_MAX.
+  // Puts the value of the key in `message` into `message`.  Returns ANT_REGISTRY_NO_KEY for an
+  // unknown key.  A text is cut to ANTENV_VALUE_LENGTH_MAX.
   antError Get(antEnvInitGetParamMsg* message) const;
 
-  // Sets the value for a key.  Returns ANT_REGISTRY_WRONG_TYPE for an unknown type.
+  // Sets the value of the key in `message`.  Returns ANT_REGISTRY_WRONG_TYPE for an unknown type.
   antError Set(const antEnvInitSetParamMsg& message);
 
   const WlanConfig& wlan() const { return wlan_; }
@@ -42,7 +43,7 @@ class Parameters {
   std::map<std::string, std::variant<int32_t, std::string>> values_;
 };
 
-// Converts "10.0.1.2" to 0x0a000102; returns 0 if the text is no address.
+// Converts "10.0.1.2" to 0x0a000102.  Returns 0 if `text` is no address.
 uint32_t IpFromText(const std::string& text);
 
 }  // namespace openr_host

@@ -1,6 +1,7 @@
 // The shared buffers: memory that objects share with the IPStack.
 //
-// Buffers are regions of the System's table.  Their owner is the object that has asked for them.
+// Buffers are regions of the System's table.  The owner of a buffer is the object that has asked
+// for it.
 #pragma once
 
 #include <antSharedBuffer.h>
@@ -19,18 +20,19 @@ class SharedBuffers {
   explicit SharedBuffers(RegionTable* regions) : regions_(regions) {}
 
   static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to pages
-  // The limit for all buffers together.  The robot's limit is not known; ours is more than all its
-  // memory.
+  // The largest size of all buffers together.  This is our choice, more than all memory of the
+  // robot, because the robot's limit is not known.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;
 
-  // Makes a buffer.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the limit.
+  // Makes a buffer of `bytes` bytes.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the
+  // limit.
   antError Create(uint32_t bytes, ObjectId owner, antSharedBuffer* buffer);
 
   // Deletes a buffer.  Returns ANT_INVALIDPTR for an unknown buffer, and ANT_FAIL while the buffer
   // is mapped.
   antError Destroy(const antSharedBuffer& buffer);
 
-  // Maps or unmaps a buffer; a second call changes nothing.  `base` becomes the address of the
+  // Map or unmap a buffer.  A second call changes nothing.  `*base` becomes the address of the
   // first byte.
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
@@ -39,7 +41,7 @@ class SharedBuffers {
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 
-  // Returns whether `size` > 0 bytes from `begin` on are inside one mapped buffer.
+  // Returns whether `size` bytes from `begin` on lie inside one mapped buffer, and `size` > 0.
   bool Contains(const void* begin, int64_t size) const;
 
   // Deletes all buffers of an object that has ended.
@@ -56,7 +58,7 @@ class SharedBuffers {
     bool mapped = false;
   };
 
-  // Returns null for an unknown buffer.
+  // Returns null if `buffer` is unknown.
   Buffer* Find(const antSharedBuffer& buffer);
 
   RegionTable* const regions_;

@@ -139,7 +139,7 @@ void TcpEndpoint::Connect(const Operation& operation) {
 }
 
 // Checks the conditions of Send and Receive.  If one is not met, answers with an error and returns
-// true.  `busy`: an operation of the same kind is pending.
+// true.  `busy` tells whether an operation of the same kind is pending.
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {
@@ -185,7 +185,7 @@ void TcpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a finding for a send that is fast here and would be slow on the robot.  The delay is not
+// Adds a finding for a send that is fast here but slow on the robot.  The delay itself is not
 // imitated, because programs must not depend on it.
 void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
   if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
@@ -294,7 +294,8 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
-  // The program waits for another peer, so this connection is broken and the next one awaited.
+  // The program waits for another peer, so this connection is broken off and the next connection is
+  // awaited.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);

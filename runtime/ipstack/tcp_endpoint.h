@@ -15,13 +15,13 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // Close waits for this virtual time until the peer ends its side, after all bytes are sent.
+  // The virtual time that Close waits for the peer to end its side, after all bytes were sent.
   static constexpr int64_t kPeerEndUs = 1'000'000;
-  // While bytes are left to be sent, Close waits for this virtual time without progress.
+  // The virtual time that Close waits without progress while bytes are left to be sent.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
-  // The bytes read from the network at a time, even if a Receive asks for fewer: otherwise the
-  // header of a message and its body would take a frame each.
+  // The number of bytes read from the network at a time, even if a Receive asks for fewer.
+  // Otherwise the header of a message and its body would take a frame each.
   static constexpr size_t kReadAheadBytes = 16384;
 
   // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
@@ -30,11 +30,11 @@ class TcpEndpoint : public Endpoint {
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
-  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the one
+  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the send
   // before, with nothing received in between.  On the robot Nagle's algorithm holds the next small
-  // send back until the peer acknowledges, and the peer may delay that by kRobotAcknowledgeUs.  It
-  // is our choice that a send of more than kRobotSmallBytes is not small: it would not fit with
-  // another one into what the robot sends at once.
+  // send back until the peer acknowledges, and the peer may delay its acknowledgement by
+  // kRobotAcknowledgeUs.  A send of more than kRobotSmallBytes does not count as small.  This is
+  // our choice: two such sends would not fit together into what the robot sends at once.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -69,7 +69,7 @@ class TcpEndpoint : public Endpoint {
   void FinishSend();
   void FinishReceive();
   void FinishClose();
-  // Answers the operation with `error` and clears it.
+  // Answers `operation` with `error` and clears it.
   void Finish(std::optional<Operation>* operation, TCPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 
@@ -77,13 +77,13 @@ class TcpEndpoint : public Endpoint {
   NetHandle socket_ = 0;
   uint32_t local_ip_ = 0;  // the address that the program gave; 0: none
   uint16_t local_port_ = 0;
-  bool own_port_ = false;  // the stack has chosen local_port_ for a Listen
+  bool own_port_ = false;  // true if the stack has chosen local_port_ for a Listen
   NetAddress remote_;
   NetAddress wanted_;                     // the only peer that a Listen accepts; 0: any
   TCPEndpointError error_ = TCP_SUCCESS;  // the error that broke the connection
 
   std::string in_;          // bytes received and not yet delivered
-  bool asked_ = false;      // a Network::Receive() has not been answered
+  bool asked_ = false;      // a Network::Receive() that has not been answered is pending
   bool ended_ = false;      // the peer has ended the stream
   bool closed_ = false;     // both sides have ended
   int64_t unsent_ = 0;      // number of bytes given to the network that it has not accepted yet

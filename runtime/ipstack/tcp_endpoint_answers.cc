@@ -19,7 +19,8 @@ void TcpEndpoint::FinishOpening() {
   if (state_ == State::kListening || state_ == State::kConnecting) return;
   LeavePort();
   if (state_ == State::kFailed) return Finish(&opening_, error_);
-  // Listen and Connect have the same fields at the same places, but are different types.
+  // The messages of Listen and Connect have the same fields but different types, so one generic
+  // lambda fills both.
   const auto fill = [this](auto& message) {
     message.lAddress = stack_->LocalAddress(local_ip_);
     message.lPort = local_port_;
@@ -56,7 +57,7 @@ void TcpEndpoint::FinishReceive() {
   auto& message = receive_->As<TCPEndpointReceiveMsg>();
   const auto min = static_cast<size_t>(message.sizeMin);
   const auto max = static_cast<size_t>(message.sizeMax);
-  // After the end of the stream fewer bytes than sizeMin are delivered too, because no more come.
+  // After the end of the stream no more bytes come, so fewer bytes than sizeMin are delivered too.
   const bool enough = in_.size() >= min || (ended_ && !in_.empty());
   if (!enough && state_ != State::kFailed && !ended_) {
     if (!asked_) {

@@ -1,8 +1,8 @@
 // The ports on which TCP endpoints listen.
 //
-// Any number of endpoints may listen on one port; connections go to them in the order of their
-// Listen messages.  The socket of a port stays open between two Listens, so a client that connects
-// in between is not refused; it waits until an endpoint listens again.
+// Any number of endpoints may listen on one port; connections go to these endpoints in the order of
+// their Listen messages.  The socket of a port stays open between two Listens.  So a client that
+// connects in between is not refused; the client waits until an endpoint listens again.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@ class TcpPorts {
  public:
   explicit TcpPorts(IpStack* stack) : stack_(stack) {}
 
-  static constexpr size_t kPortsMax = 64;  // limits the sockets of the host
+  static constexpr size_t kPortsMax = 64;  // limits the number of sockets on the host
 
-  // Lets `endpoint` wait for a connection to `port`, whose handle becomes `socket`.  `ip` is the
-  // address at which the port is opened if it is not open yet; 0: the robot's own.  Returns false
-  // if too many ports are open.
+  // Lets `endpoint` wait for a connection to `port`.  `socket` becomes the handle of the
+  // connection.  `ip` is the address at which the port is opened if it is not open yet; 0: the
+  // robot's own address.  Returns false if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
-  // Removes `endpoint` from the endpoints that wait, whether it got a connection or not.
+  // Removes `endpoint` from the waiting endpoints of `port`, whether it got a connection or not.
   void Forget(uint16_t port, const EventSink* endpoint);
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }

@@ -206,7 +206,8 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// Drops datagrams of other peers if the endpoint is connected.  Returns whether a datagram is left.
+// Drops datagrams of other peers if the endpoint is connected.  Returns whether any datagram is
+// left.
 bool UdpEndpoint::DropStrangers() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
     waiting_.pop_front();

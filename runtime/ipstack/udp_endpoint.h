@@ -1,4 +1,4 @@
-// A UDP endpoint: one port, which exchanges datagrams with one peer or with all.
+// A UDP endpoint: one port that exchanges datagrams with one peer or with all peers.
 #pragma once
 
 #include <UDPEndpointMsg.h>
@@ -16,7 +16,8 @@ class UdpEndpoint : public Endpoint {
   UdpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
   static constexpr int kRobotDatagramMax =
-      18'500;                                 // the robot crashes above it (field-notes.md, 11.7)
+      // the robot crashes at larger datagrams (field-notes.md, 11.7)
+      18'500;
   static constexpr int kDatagramMax = 65507;  // bytes that fit into an IPv4 packet
   static constexpr size_t kReadAhead = 16;    // datagrams read from the network at a time
 
@@ -37,7 +38,7 @@ class UdpEndpoint : public Endpoint {
   void Close(Operation operation);
   void Address(Operation operation);
 
-  // Returns the address to which a Send goes; ip 0: none.
+  // Returns the address to which a Send goes; ip 0: the Send has no destination.
   NetAddress DestinationOf(const UDPEndpointSendMsg& message) const;
   bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
   void Refuse(Operation operation, UDPEndpointError error);
@@ -50,11 +51,13 @@ class UdpEndpoint : public Endpoint {
   NetHandle socket_ = 0;   // 0: not bound
   uint32_t local_ip_ = 0;  // the address that the program gave; 0: any
   uint16_t port_ = 0;
-  NetAddress peer_;                       // set by Connect; ip 0: none
-  UDPEndpointError error_ = UDP_SUCCESS;  // the error since which the socket cannot be used
-  bool asked_ = false;                    // a Network::ReceiveFrom() has not been answered
-  std::deque<NetworkEvent> waiting_;      // datagrams received and not yet delivered
-  int64_t sent_in_frame_ = 0;             // bytes sent in this frame, which the pool limits
+  NetAddress peer_;  // set by Connect; ip 0: none
+  // the error after which the socket cannot be used any more
+  UDPEndpointError error_ = UDP_SUCCESS;
+  // a Network::ReceiveFrom() that has not been answered is pending
+  bool asked_ = false;
+  std::deque<NetworkEvent> waiting_;  // received datagrams that are not delivered yet
+  int64_t sent_in_frame_ = 0;         // bytes sent in this frame; the pool limits their number
 
   std::optional<Operation> send_;
   std::optional<Operation> receive_;
