@@ -13,8 +13,8 @@ using namespace openr_host;
 
 namespace {
 
-// Returns the stack that `target` names; null if the robot has none or no object runs.  Sets the
-// error field of `message` to "failed", which holds until an answer arrives.
+// Returns the stack that `target` names, or null if the robot has no such stack or no object runs.
+// Sets the error field of `message` to "failed", which holds until an answer arrives.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   SetAntError(message, ANT_FAIL);  // the value 1, which means "failed" in every protocol
   IpStack* const stack = IpStack::OfCurrent();
@@ -87,8 +87,8 @@ antError antEnvMsg::Call(antStackRef target, int size) {
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
-// Answers the request of the running handler.  For objects that stand in for a network stack;
-// IPStack itself uses IpStack::Answer(), often in a later handler.
+// Answers the request of the running handler.  Objects that stand in for a network stack call this
+// function; IPStack itself uses IpStack::Answer(), often in a later handler.
 antError antEnvMsg::Reply() {
   const ApiScope scope;
   if (t_current.object == nullptr) return ANT_FAIL;

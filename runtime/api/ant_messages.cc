@@ -9,7 +9,7 @@
 
 namespace {
 
-// Copies a text, which is cut if it is too long, and fills the rest of `to` with at least one NUL.
+// Copies `from`, cut if it is too long, and fills the rest of `to` with at least one NUL.
 template <size_t N>
 void CopyText(char (&to)[N], const char* from) {
   std::memset(to, 0, N);

@@ -11,17 +11,17 @@ struct CivilDate {
   int day = 1;          // 1..31
 };
 
-// Returns the days from 2000-01-01 to the first of a month.  `month` may be any number: 13 is
-// January of the next year.
+// Returns the number of days from 2000-01-01 to the first day of a month.  `month` may be any
+// number: 13 is January of the next year.
 int64_t DaysToMonth(int64_t year, int64_t month);
 
 // Returns the number of days of a month.  REQUIRES: 1 <= month <= 12.
 int DaysInMonth(int64_t year, int month);
 
-// Returns the date `days` after 2000-01-01; before it if `days` is negative.
+// Returns the date that is `days` after 2000-01-01, or before it if `days` is negative.
 CivilDate DateOfDay(int64_t days);
 
-// Returns the day of the week, 0 for Sunday, of the day `days` after 2000-01-01, a Saturday.
+// Returns the day of the week (0: Sunday) of the day that is `days` after 2000-01-01, a Saturday.
 int WeekdayOfDay(int64_t days);
 
 }  // namespace openr_host

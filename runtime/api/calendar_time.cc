@@ -102,7 +102,7 @@ void OCalendarTime::Sprint(char* text) const {
 
 void OCalendarTime::RFC2822(char* text) const {
   if (!ProperDate()) return Write(text, "improper date");
-  // The zone "-0000" means that the zone is unknown (RFC 2822, 3.3).
+  // The zone "-0000" says that the zone is unknown (RFC 2822, 3.3).
   const std::string zone =
       timeDif_ == otimeTIME_DIF_UNDEF
           ? "-0000"

@@ -29,8 +29,9 @@ BandPlace PlaceOf(ODataType type, OFbkImageBand band) {
   }
 }
 
-// The tag, which replaces the first pixels of the image's last row: the field counter, the
-// frequencies of colour detection channels 4..7, then those of channels 0..3.
+// The size of the tag, which replaces the first pixels of the image's last row.  The tag has the
+// field counter, the frequencies of colour detection channels 4 to 7, then the frequencies of
+// channels 0 to 3.
 constexpr int kTagSize = 16;
 constexpr int kFrequencies4To7 = 4;
 constexpr int kFrequencies0To3 = 8;

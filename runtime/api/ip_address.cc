@@ -13,7 +13,8 @@ const IPAddress IP_ADDR_BROADCAST(0xffffffffu);
 
 namespace {
 
-// Parses four numbers of 0..255 with dots between them; nullopt if `text` is anything else.
+// Parses four numbers of 0 to 255 with dots between them.  Returns nullopt if `text` is anything
+// else.
 std::optional<uint32> Parse(const char* text) {
   const char* const end = text + std::strlen(text);
   uint32 address = 0;

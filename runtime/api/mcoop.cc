@@ -80,8 +80,8 @@ sError Unregister(const char* name) {
   return t_current.system->calls().UnregisterName(name);
 }
 
-// Finds an extra entry of the calling object by name.  That is our choice, because no source says
-// which names the robot searches.
+// Finds an extra entry of the calling object by name.  Only extras are searched.  This is our
+// choice, because no source says which names the robot searches.
 sError FindSelector(const char* name, Selector* selector) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;
@@ -140,7 +140,7 @@ sError Reply(void* msg, size_t size) {
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
 }
 
-// Passes the request of the running handler on to another object, which answers it instead.
+// Passes the request of the running handler to another object, which answers the request instead.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;
@@ -184,5 +184,6 @@ sError Wait(longword nanosec) {
 
 }  // extern "C"
 
-// The entry that the robot runs to construct global objects; on the host the loader has done that.
+// Does nothing.  The robot runs this entry to construct global objects; on the host the loader has
+// done that.
 extern "C" void Prologue(InitInfo*) {}

@@ -16,8 +16,8 @@ namespace {
 
 constexpr size_t kPageBytes = 4096;  // page size of a robot with memory protection
 
-// Changes the size of a region that the current object owns.  `grows`: the new size must not be
-// smaller, else it must not be larger.
+// Changes the size of a region that the current object owns.  If `grows` is true, the new size must
+// not be smaller, otherwise it must not be larger.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();
@@ -36,7 +36,7 @@ sError NewRegion(size_t size, void** base) {
   if (t_current.object == nullptr || base == nullptr) return sINVALIDARG;
   *base = nullptr;
   if (size > kRobotMemoryBytes) return sNOMEMORY;
-  // The memory is from the object's heap, because its addresses are the same in every run.
+  // The memory comes from the object's heap, where addresses are the same in every run.
   Arena* const arena = t_current.object->arena.get();
   *base = arena == nullptr ? std::calloc(1, std::max<size_t>(size, 1)) : arena->Allocate(size);
   if (*base == nullptr) return sNOMEMORY;

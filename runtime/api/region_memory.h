@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// Makes a region for the current object and returns its address.  Returns null and sets `*id` to 0
-// if there is no memory, or if `bytes` is more than the robot has.
+// Makes a region for the current object and returns the region's address.  If there is no memory,
+// or `bytes` is more than the robot has, returns null and sets `*id` to 0.
 inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
   ASSERT(t_current.object != nullptr && id != nullptr);
   *id = RegionTable::kNoRegion;

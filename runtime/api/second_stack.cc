@@ -28,8 +28,9 @@ struct OpenrSecondStack {
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
   std::optional<ArithmeticWatch> watch;  // for `stack`; the watch of handlers does not cover it
-  unsigned fp_flags = 0;                 // floating-point flags raised since the last switch to it
-  bool has_left = false;                 // the body waits to be continued
+  // floating-point flags raised since the last switch to `stack`
+  unsigned fp_flags = 0;
+  bool has_left = false;  // true while the body waits to be continued
 
   static char* Address() {
     const auto& place = t_current.object->place;
@@ -45,16 +46,16 @@ struct OpenrSecondStack {
     __builtin_unreachable();  // an ended body is not continued
   }
 
-  // Switches to the handler.  Because a switch saves and restores floating-point flags for each
-  // stack, those raised here are stored for GoThere().
+  // Switches to the handler.  A switch saves and restores floating-point flags for each stack, so
+  // the flags raised on `stack` are stored for GoThere().
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack` until the body goes home.  The bytes that it uses count as stack of the
-  // object, because on the robot there is only one stack.
+  // Switches to `stack` until the body goes home.  The bytes that the body uses count as stack of
+  // the object, because on the robot there is only one stack.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -16,7 +16,7 @@ namespace {
 // The number of regions at which a robot stopped, whose program had made a vector for every command
 // (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
-// Our limit for a warning; samples need two regions per service.
+// Our limit of regions for a warning.  Samples need two regions per service.
 constexpr int kRegionsOfObject = 64;
 
 int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) {
@@ -50,8 +50,8 @@ void WatchForLeak() {
   system.Shutdown(self.robot, {EndKind::kStrict, self.name + " had too much shared memory"});
 }
 
-// Makes a vector of `bytes` bytes with a header for `count` elements.  Without memory `*base`
-// becomes null.
+// Makes a vector of `bytes` bytes with a header for `count` elements.  If there is no memory,
+// `*base` becomes null.
 template <typename Vector>
 OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, MemoryRegionID* id,
                   Vector** base) {
@@ -70,7 +70,7 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
   return oSUCCESS;
 }
 
-// Deletes a vector; returns `unknown` if `id` is no vector of that type.
+// Deletes a vector.  Returns `unknown` if `id` is no vector of type `type`.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
@@ -78,8 +78,9 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
-// Returns the size of `count` elements of `each` bytes.  If that is more than a robot's memory,
-// returns the size of that memory, which with a header no region can have.
+// Returns the size of `count` elements of `each` bytes.  If the size is more than a robot's memory,
+// returns the size of that memory.  With a header this is too much for any region, so the call
+// fails.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }

@@ -1,4 +1,4 @@
-// ASSERT checks conditions that only a mistake in our own code can break, in every build.
+// ASSERT, which checks in every build a condition that only a mistake in our own code can break.
 //
 // A failed ASSERT prints the condition, the values given and the state of the run (virtual time,
 // object, message, seed), then aborts.
@@ -13,9 +13,9 @@ namespace openr_host {
 [[noreturn]] void AssertFailed(const char* file, int line, const char* condition,
                                const std::string& details);
 
-// Returns the state of the run as lines of text, each with its newline; null while no run exists.
-// The function also marks the object's code as left: inside of it, abort() would end only the
-// handler and not the process.
+// Returns the state of the run as lines of text, each with its newline.  The pointer is null while
+// no run exists.  The function also marks the object's code as left.  Otherwise abort() would end
+// only the handler and not the process.
 extern std::string (*assert_context)();
 
 }  // namespace openr_host

@@ -1,8 +1,8 @@
 #include "runtime/base/hasher.h"
 
 #include <xxhash.h>
-// This header computes the same hashes with the widest vector registers of the processor at hand.
-// Without it, Debian's library uses the narrowest ones: at 64 kB it is 15 times slower.
+// This header computes the same hashes with the widest vector registers of the processor.  Without
+// it, Debian's library uses the narrowest registers, which at 64 kB takes 15 times as long.
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
 #include <xxh_x86dispatch.h>
 #endif

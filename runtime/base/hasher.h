@@ -17,7 +17,8 @@ namespace openr_host {
 class Hasher {
  public:
   Hasher();
-  // Also appends all added bytes to `*copy`, so that another process can add them to its hash.
+  // Makes a hasher that also appends all added bytes to `*copy`, so that another process can add
+  // them to its hash.
   explicit Hasher(std::string* copy) : Hasher() { copy_ = copy; }
   ~Hasher();
   Hasher(const Hasher&) = delete;
@@ -29,7 +30,8 @@ class Hasher {
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Add(T value) { AddBytes(&value, sizeof value); }
 
-  // Adds the length first, so that ("ab", "c") and ("a", "bc") have different hashes.
+  // Adds the length of `text`, then `text`, so that ("ab", "c") and ("a", "bc") have different
+  // hashes.
   void AddText(std::string_view text);
 
   // Returns the 64-bit hash of all bytes added so far; more may be added afterwards.

@@ -6,11 +6,12 @@
 
 namespace openr_host {
 
-// Returns the bytes of the file `path`, or nullopt with errno set if it cannot be read to its end.
-// Reading a folder fails with EISDIR.
+// Returns the bytes of the file `path`.  If the file cannot be read to its end, returns nullopt and
+// sets errno.  For a folder, errno is EISDIR.
 std::optional<std::string> ReadFile(const std::string& path);
 
-// Throws std::runtime_error "PATH: the system's reason" instead.
+// Returns the bytes of the file `path`.  If the file cannot be read, throws std::runtime_error with
+// the text "PATH: the system's reason".
 std::string ReadFileOrThrow(const std::string& path);
 
 }  // namespace openr_host

@@ -8,16 +8,17 @@
 
 namespace openr_host {
 
-// True iff the two are equal when the case of ASCII letters is ignored.
+// Returns true if `a` and `b` are equal when the case of ASCII letters is ignored.
 bool EqualsIgnoringCase(std::string_view a, std::string_view b);
 
 // Returns how many insertions, deletions, replacements and swaps of neighbours turn `a` into `b`
 // (optimal string alignment).  The case of ASCII letters does not count.
 int EditDistance(std::string_view a, std::string_view b);
 
-// Returns the candidate nearest to `word`, the first of equally near ones.  Returns nullopt if no
-// candidate is near enough, or if `word` is itself a candidate.  Near enough is a third of the
-// length of `word` in edits, but at least 1 and at most 3.
+// Returns the candidate nearest to `word`, the first of several equally near candidates.  Returns
+// nullopt if no candidate is near enough, or if `word` is itself a candidate.  A candidate is near
+// enough if the number of edits is at most a third of the length of `word`, but at least 1 and at
+// most 3 edits are allowed.
 std::optional<std::string> ClosestMatch(std::string_view word,
                                         const std::vector<std::string>& candidates);
 

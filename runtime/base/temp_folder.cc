@@ -27,8 +27,8 @@ std::string Prefix() {
   return fmt::format("openr-host-run-{}-", space);
 }
 
-// Removes the folders of processes that no longer exist: each name has a process id behind
-// `prefix`.
+// Removes the folders of processes that no longer exist.  The name of a folder is `prefix` and a
+// process id.
 void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {

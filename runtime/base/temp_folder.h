@@ -5,11 +5,13 @@
 
 namespace openr_host {
 
-// The destructor removes the folder, but only in the process that made it, not in its forks.
-// Because a killed process leaves its folder behind, the constructor removes such folders.
+// A temporary folder.  The destructor removes the folder, but only in the process that made it, not
+// in its forks.  A killed process leaves its folder behind, so the constructor removes the folders
+// of killed processes.
 class TempFolder {
  public:
-  // Throws std::runtime_error with the place and the system's reason if no folder can be made.
+  // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's
+  // reason.
   TempFolder();
   ~TempFolder();
   TempFolder(const TempFolder&) = delete;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr char kForm[] = "write ROBOT=HOST, such as 10.0.1.2=127.0.0.1";
 
-// Parses four numbers of 0 to 255 with dots between them; nullopt if `text` is anything else.
+// Parses four numbers of 0 to 255 with dots between them.  Returns nullopt if `text` is anything
+// else.
 std::optional<uint32_t> AddressOf(std::string_view text) {
   uint32_t ip = 0;
   const char* at = text.data();
@@ -32,7 +33,7 @@ std::optional<uint32_t> AddressOf(std::string_view text) {
 
 bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }  // any, multicast, broadcast
 
-// Fills `pair`; returns "" or the reason why the two texts are no pair.
+// Fills `pair` from two texts.  Returns "" or the reason why the texts are no pair.
 std::string ReadPair(std::string_view robot, std::string_view host, AddressPair* pair) {
   for (const auto& [text, ip] : {std::pair{robot, &pair->robot}, std::pair{host, &pair->host}}) {
     const std::optional<uint32_t> address = AddressOf(text);

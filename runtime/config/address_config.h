@@ -1,8 +1,9 @@
 // Replaces the IP addresses that programs contain by addresses of today.
 //
-// A program of the period knows its peers as 10.0.1.2 and itself as 10.0.1.100.  A pair says which
-// address to use instead.  Pairs come from the command line (openr run --ip ROBOT=HOST) and from
-// the file HOSTADDR.CFG beside CONNECT.CFG, one pair a line.  The robot ignores that file.
+// A program of the period knows its peers as 10.0.1.2 and itself as 10.0.1.100.  A pair tells which
+// address to use instead of such an address.  Pairs come from the command line (openr run --ip
+// ROBOT=HOST) and from the file HOSTADDR.CFG beside CONNECT.CFG, which has one pair per line.  The
+// robot ignores that file.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ inline constexpr char kAddressFile[] = "HOSTADDR.CFG";
 // A pair of IPv4 addresses in the host's byte order: 10.0.1.2 is 0x0a000102.
 struct AddressPair {
   uint32_t robot = 0;  // the address that programs use
-  uint32_t host = 0;   // the address that the host uses in its place
+  uint32_t host = 0;   // the address that the host uses instead
   bool operator==(const AddressPair&) const = default;
 };
 
@@ -31,10 +32,11 @@ struct AddressConfig {
 // Returns an address as text, such as "10.0.1.2".
 std::string AddressText(uint32_t ip);
 
-// Parses a pair such as "10.0.1.2=127.0.0.1"; returns "" or the reason why it is invalid.
+// Parses a pair such as "10.0.1.2=127.0.0.1".  Returns "" or the reason why `text` is invalid.
 std::string ParseAddressPair(std::string_view text, AddressPair* pair);
 
-// Appends `pair` to `pairs`; returns "" or, if its robot address is in `pairs` already, an error.
+// Appends `pair` to `pairs` and returns "".  If the robot address of `pair` is in `pairs` already,
+// returns an error text.
 std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pairs);
 
 // Parses the text of a HOSTADDR.CFG, one "ROBOT HOST" per line, for the robot design `design`

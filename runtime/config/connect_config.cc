@@ -44,8 +44,8 @@ bool HasTwoNames(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {
   return false;
 }
 
-// Returns true if data can flow from `subject` to `observer`, which are the two words of the line;
-// otherwise reports an error.
+// Returns true if data can flow from `subject` to `observer`, the two words of `line`.  Otherwise
+// reports an error.
 bool FitTogether(const RecordLine& line, const ServiceName& subject, const ServiceName& observer,
                  std::vector<Diagnostic>* diagnostics) {
   if (!subject.is_subject() && observer.is_subject()) {

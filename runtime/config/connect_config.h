@@ -1,4 +1,4 @@
-// CONNECT.CFG: which subject sends to which observer.
+// CONNECT.CFG: the file that names for each subject the observers to which it sends.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace openr_host {
 
 struct ConnectRecord {
   ServiceName subject;         // direction 'S'
-  ServiceName observer;        // direction 'O', same data type as the subject
+  ServiceName observer;        // direction 'O', same data type as that of the subject
   std::string section;         // the robot design for which the line holds; "" for every robot
   FilePosition subject_place;  // lets a later message point to the subject's name
   FilePosition observer_place;
@@ -23,11 +23,11 @@ struct ConnectConfig {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the text of CONNECT.CFG, "subject observer" per line, for one robot design ("ERS-210",
-// or kEveryDesign).  A bad line (a name that is not of four parts, a wrong direction, data types
-// that differ) is reported and skipped, all others hold, as measured on the original library.
-// The same pair twice is connected once, with a warning.  The parser does not check whether the
-// services exist; the service directory does.  `consequence` is appended to each error message.
+// Parses the text of CONNECT.CFG, one "subject observer" per line, for one robot design ("ERS-210",
+// or kEveryDesign).  A bad line (a name without four parts, a wrong direction, data types that
+// differ) is reported and skipped; all other lines hold, as measured on the original library.  A
+// pair that is listed twice is connected once, with a warning.  Whether the services exist is
+// checked not here but by the service directory.  `consequence` is appended to each error message.
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
                                  std::string_view design,
                                  std::string_view consequence = " (the line is skipped)");

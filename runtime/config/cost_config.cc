@@ -15,7 +15,7 @@ constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
 constexpr char kForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";
 
-// Parses a whole number; nullopt if `text` is no number or not within `min`..`max`.
+// Parses a whole number.  Returns nullopt if `text` is no number or not within `min` to `max`.
 std::optional<int64_t> NumberOf(std::string_view text, int64_t min, int64_t max) {
   int64_t value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -104,7 +104,8 @@ CostResult ParseCostConfig(const std::string& file, std::string_view text) {
 
 bool MatchesPattern(std::string_view pattern, std::string_view text) {
   size_t p = 0, t = 0;
-  // On a mismatch the last '*' is made to cover one more character, and the match goes on behind.
+  // On a mismatch the last '*' is made to cover one more character, and matching continues after
+  // that character.
   size_t star = std::string_view::npos;  // position of the last '*' in `pattern`
   size_t resume = 0;                     // end of the text that this '*' covers
   while (t < text.size()) {

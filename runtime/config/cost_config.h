@@ -1,4 +1,4 @@
-// A cost file says how long the robot's processor takes for each handler.
+// A cost file: the time that the robot's processor takes for each handler.
 //
 //   # OBJECT     ENTRY                                   MICROSECONDS [+-JITTER%]
 //   *            *                                       50
@@ -8,8 +8,8 @@
 //
 // OBJECT and ENTRY are the names that traces show (Object::EntryName); '*' stands for any text.
 // The last line that matches a handler decides, so general lines come first; a handler without a
-// matching line costs nothing.  `frame` says how long a frame of the robot's devices, nominally
-// 8 ms, lasts by the clock that programs read.  A line that begins with '#' is a comment.
+// matching line costs nothing.  `frame` gives the length of a frame of the robot's devices,
+// nominally 8 ms, on the clock that programs read.  A line that begins with '#' is a comment.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct CostRule {
   std::string object;
   std::string entry;
   int64_t cost_us = 0;
-  int jitter_percent = 0;  // 0..100; the cost varies by up to this share of cost_us, up and down
+  int jitter_percent = 0;  // 0 to 100; the cost varies by up to this share of cost_us, up and down
 };
 
 struct CostConfig {
@@ -42,7 +42,7 @@ struct CostResult {
 // Parses the text of a cost file.  A bad line is reported and skipped.
 CostResult ParseCostConfig(const std::string& file, std::string_view text);
 
-// Returns whether `text` matches `pattern`, in which '*' stands for any text, also for none.
+// Returns whether `text` matches `pattern`, in which '*' stands for any text, even for none.
 bool MatchesPattern(std::string_view pattern, std::string_view text);
 
 }  // namespace openr_host

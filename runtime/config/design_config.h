@@ -13,7 +13,7 @@ namespace openr_host {
 inline constexpr int kDesignKeywordBytesMax = 127;
 
 struct DesignRecord {
-  std::string keyword;  // case counts
+  std::string keyword;  // upper and lower case differ
   std::string path;     // as written, e.g. /MS/OPEN-R/MW/DATA/P/BOW.MTN; any case
   std::string section;  // the robot design for which the line holds; "" for every robot
   FilePosition keyword_place;
@@ -25,9 +25,10 @@ struct DesignConfig {
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the text of DESIGNDB.CFG, "keyword path" per line, for one robot design ("ERS-210", or
-// kEveryDesign).  A bad line is reported and skipped, all others hold.  A keyword given twice keeps
-// its first path, with a warning (no source says which path the robot takes).
+// Parses the text of DESIGNDB.CFG, one "keyword path" per line, for one robot design ("ERS-210", or
+// kEveryDesign).  A bad line is reported and skipped; all other lines hold.  A keyword given twice
+// keeps its first path, with a warning.  This is our choice, because no source says which path the
+// robot takes.
 DesignConfig ParseDesignConfig(const std::string& file, std::string_view text,
                                std::string_view design);
 

@@ -12,8 +12,8 @@ enum class Severity {
   kNote,     // nothing is wrong; information only
 };
 
-// A position in a text file.  A record keeps the position it was read from, so that a later
-// finding about it ("no such service") names the right line and has a caret.
+// A position in a text file.  A record keeps the position from which it was read, so that a later
+// finding about the record ("no such service") can name the right line and show a caret.
 struct FilePosition {
   std::string file;  // the name that the caller gave
   int line = 0;      // counted from 1; 0 means the file as a whole
@@ -44,7 +44,8 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 // the caret in place, UTF-8 sequences count as one character, control bytes are shown as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
-// Returns the same without "warning: " or "note: ", for findings, whose own text says the severity.
+// Returns what Render() returns, but without "warning: " or "note: ".  Findings use this text,
+// because they show their severity themselves.
 std::string RenderWithoutKind(const Diagnostic& diagnostic);
 
 // Returns all diagnostics as text, each followed by a newline.

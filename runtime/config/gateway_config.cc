@@ -142,7 +142,7 @@ class GatewayReader {
     return false;
   }
 
-  // Returns true if no earlier record has the same service or port; otherwise reports an error.
+  // Returns true if no earlier record has the same service or port.  Otherwise reports an error.
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);

@@ -40,19 +40,19 @@ struct GatewayRecord {
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in the order of the file
-  // The record TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
+  // The record for OPEN-R calls: TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  A bad line is reported and
-// skipped, and so is a line whose port or service an earlier line has.
+// Parses one "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  A bad line is reported
+// and skipped, and so is a line with the port or service of an earlier line.
 GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
                                  std::string_view design, GatewaySide side);
 
 // Reports wires (lines of CONNECT.CFG) that do not fit the gateway: a wire to a service that the
-// gateway does not have, a second wire to the same service.  Messages call the gateway's
-// configuration file `file`.
+// gateway does not have, or a second wire to the same service.  `file` is the name of the gateway's
+// configuration file in the messages.
 std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const GatewayConfig& gateway,
                                           const std::string& file);
 

@@ -96,8 +96,8 @@ void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& 
   }
 }
 
-// Reports the first control byte of a record.  Comments are not checked: they may contain any byte,
-// as comments in Japanese do.
+// Returns whether a record has a control byte, and reports the first of them.  Comments are not
+// checked: they may contain any byte, as comments in Japanese do.
 bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
     const unsigned char byte = static_cast<unsigned char>(place.text[i]);

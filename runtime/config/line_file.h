@@ -1,10 +1,11 @@
 // Reads lines and words, the common form of all text files of a Memory Stick.
 //
-// Lines end in LF or CR LF, the last line may end without; blanks and tabs separate words and may
-// trail.  A line that begins with '#' is a comment.  Because no source knows comments after a
-// record, such a comment is skipped with a warning.  "[ERS-210]" alone on a line opens a section
-// for that robot design; records before the first section are for every robot.  (Programmer's Guide
-// 4.2, and the configuration files of Sony's samples, 16 of which have CR LF.)
+// Lines end in LF or CR LF, which may be missing after the last line.  Blanks and tabs separate
+// words and may follow the last word.  A line that begins with '#' is a comment.  A comment after a
+// record is skipped with a warning, because no source says that the robot allows such a comment.
+// "[ERS-210]" alone on a line opens a section for that robot design; records before the first
+// section hold for every robot. (Programmer's Guide 4.2, and the configuration files of Sony's
+// samples, 16 of which have CR LF.)
 #pragma once
 
 #include <string>
@@ -15,10 +16,11 @@
 
 namespace openr_host {
 
-// Our own limit; the longest record that makes sense is two service names of 127 characters.
+// Our own limit for the length of a line.  The longest record that makes sense is two service names
+// of 127 characters.
 inline constexpr int kLineBytesMax = 1024;
 
-// Given in place of a robot design, selects the records of every section.
+// A value that selects the records of every section when given instead of a robot design.
 inline constexpr std::string_view kEveryDesign = "*";
 
 struct Word {
@@ -38,13 +40,13 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 struct RecordLine {
   FilePosition place;       // position of the first word
   std::vector<Word> words;  // never empty
-  std::string section;      // its name as written, "" before the first section
+  std::string section;      // the section's name as written; "" before the first section
 
   FilePosition At(const Word& word) const { return AtColumn(place, word.column); }
 };
 
 // Returns the records of a file that hold for `design` ("ERS-210", or kEveryDesign).  Section names
-// are compared without regard to case, with a warning if the case differs.  Of sections of other
+// are compared without regard to case, with a warning if the case differs.  In sections of other
 // designs only the header is checked.
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);

@@ -43,7 +43,7 @@ class FieldReader {
   FieldReader(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics)
       : fields_(fields), diagnostics_(diagnostics) {}
 
-  // REQUIRES: not all fields are taken.
+  // Returns the next field without taking it.  REQUIRES: not all fields are taken.
   const Field& Peek() const {
     ASSERT(next_ < fields_.size(), "field {} of {}", next_, fields_.size());
     return fields_[next_];
@@ -142,7 +142,8 @@ bool FieldReader::TakeCache() {
   return field.text == "cache";
 }
 
-// REQUIRES: `fields` is the word "object" and the fields of the short or of the long form.
+// Reads the record in `fields`.  REQUIRES: `fields` is the word "object" and the fields of the
+// short or of the long form.
 Ocf ReadOcf(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics) {
   const bool is_long = fields.size() == kLongFieldCount + 1;
   FieldReader reader(fields, diagnostics);

@@ -18,7 +18,7 @@ inline constexpr int kObjectNameBytesMax = 63;
 // which the short form implies; the other defaults are the values of Sony's samples.
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
-  std::string module;  // the name again in the short form
+  std::string module;  // the name again if the file has the short form
   // The next five fields and install_selector exist in the long form only.  They are kept as
   // written and mean nothing to the host.
   std::string metaspace = "mCOOP";
@@ -37,12 +37,12 @@ struct Ocf {
 };
 
 struct OcfResult {
-  std::optional<Ocf> ocf;  // nullopt iff diagnostics hold an error
+  std::optional<Ocf> ocf;  // nullopt exactly if `diagnostics` has an error
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses the text of an .ocf file.  '#' starts a comment anywhere in a line.  The ends of lines
-// count as blanks, so the record may span several lines.  It has one of two forms:
+// Parses the text of an .ocf file. '#' starts a comment anywhere in a line.  The ends of lines
+// count as blanks, so the record may span several lines.  The record has one of two forms:
 //   object NAME STACK HEAP PRIORITY CACHE TLB MODE
 //   object NAME MODULE METASPACE PIC PID HEAPLIB STACK HEAP SAMESPACE INSTALLSEL PRIORITY CACHE
 //          TLB MODE

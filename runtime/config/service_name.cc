@@ -25,7 +25,8 @@ std::vector<Part> SplitAtDots(std::string_view text) {
   }
 }
 
-// Returns the first fault of `text`, given its parts; its message is empty if there is no fault.
+// Returns the first fault of `text`, whose parts are `parts`.  The message of the fault is empty if
+// `text` has no fault.
 ServiceNameFault FindFault(std::string_view text, const std::vector<Part>& parts) {
   if (parts.size() != kPartCount) {
     return {fmt::format("'{}' has {} part{}, a service name has 4: Object.Service.Data.S for a "

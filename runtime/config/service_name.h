@@ -27,8 +27,9 @@ struct ServiceNameFault {
   int offset = 0;  // bytes from the start of the text, for a caret
 };
 
-// Parses a service name; case counts.  On failure returns nullopt and fills `fault` unless that is
-// null.  Does not check the length: callers compare it with kServiceNameBytesMax.
+// Parses the service name `text`; upper and lower case differ.  On failure returns nullopt and
+// fills `fault` unless `fault` is null.  Does not check the length, which callers compare with
+// kServiceNameBytesMax.
 std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFault* fault);
 
 // Returns the name as text, the inverse of ParseServiceName().

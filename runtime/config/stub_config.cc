@@ -20,7 +20,7 @@ struct Side {
   std::vector<StubService>* services;
 
   bool has_count = false;
-  StubLine count_line = {};  // valid iff has_count
+  StubLine count_line = {};  // set only if has_count
   int count = -1;            // -1: not given, or not a number
 };
 
@@ -92,8 +92,9 @@ void StubParser::ReadLine(const FilePosition& place) {
   }
 }
 
-// Keeps in_block_comment_ up to date.  A stub.cfg for the robot cannot have such comments, although
-// Sony's tool for hosts knows them; so lines in them hold, with a warning.
+// Tracks whether the lines are inside a block comment.  Only Sony's tool for hosts knows such
+// comments, and a stub.cfg for the robot cannot have them.  So lines inside them hold, with a
+// warning.
 void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");
   const size_t close = place.text.rfind("*/");

@@ -27,7 +27,8 @@ struct StubExtra {
   FilePosition place;
 };
 
-// Subjects and observers are numbered independently, each in file order.
+// The content of a stub.cfg.  Subjects and observers are numbered independently, each in file
+// order.
 struct StubConfig {
   std::string object_name;  // C++ class of the object
   std::vector<StubService> subjects;
@@ -35,12 +36,12 @@ struct StubConfig {
   std::vector<StubExtra> extras;
   FilePosition object_name_place;
 
-  // Returns 4 for the life cycle, plus two per service and one per extra.
+  // Returns the number of selectors: 4 for the life cycle, two per service and one per extra.
   int NumOfSelectors() const;
 };
 
 struct StubConfigResult {
-  StubConfig config;  // fit for GenerateStub iff !HasErrors(diagnostics)
+  StubConfig config;  // valid for GenerateStub() exactly if !HasErrors(diagnostics)
   std::vector<Diagnostic> diagnostics;
 };
 

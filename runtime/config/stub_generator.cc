@@ -133,7 +133,7 @@ std::string MakeStubHeader(const StubConfig& config, const std::string& source) 
 
 // <ObjectName>Stub.cc
 
-// Returns for instance StubFuncDefine_Ready(0, Resend), or StubFuncDefine_Ready_nofunc(0) if
+// Returns for instance "StubFuncDefine_Ready(0, Resend)", or "StubFuncDefine_Ready_nofunc(0)" if
 // `function` is "".
 std::string ServiceDefinition(const char* kind, size_t index, const std::string& function) {
   return function.empty() ? fmt::format("StubFuncDefine_{}_nofunc({})\n", kind, index)
@@ -167,8 +167,9 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
 }
 
 // Returns the definition of openr_extra_names.  The generated text first declares the array extern,
-// because a const array would otherwise have internal linkage, even in extern "C"; the macro stands
-// there, because g++ takes the visibility from the first declaration only.
+// because a const array would otherwise have internal linkage, even in extern "C".  The macro for
+// the visibility is in this declaration, because g++ takes the visibility only from the first
+// declaration.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);

@@ -9,7 +9,7 @@
 namespace openr_host {
 
 struct GeneratedFile {
-  std::string name;  // without its folder
+  std::string name;  // the file's name without its folder
   std::string text;
 };
 

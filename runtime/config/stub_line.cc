@@ -47,7 +47,7 @@ struct Piece {
   void TrimEnd() {
     while (!text.empty() && IsBlank(text.back())) text.remove_suffix(1);
   }
-  // Returns the characters of a C++ name with which the text begins; "" if there are none.
+  // Returns the characters of a C++ name with which the text begins, or "" if it begins with none.
   std::string_view NameAtStart() const {
     const auto end = std::find_if_not(text.begin(), text.end(), IsNameCharacter);
     return text.substr(0, static_cast<size_t>(end - text.begin()));
@@ -112,8 +112,8 @@ void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter
   reporter->Warning(rest.column, fmt::format("line ignored: no keyword '{}'{}", word, remedy));
 }
 
-// Takes a service name in quotes, such as "A.b.C.S", from the start of `rest`.  Returns nullopt
-// with a warning if there is none.
+// Takes a service name in quotes, such as "A.b.C.S", from the start of `rest`.  If there is no such
+// name, warns and returns nullopt.
 std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   const char* const form = "Service : \"Object.Service.Data.S\", Function(), Function()";
   if (!StartsWith(rest->text, "\"")) {
@@ -163,7 +163,7 @@ const char* RemedyForRest(std::string_view rest) {
 }
 
 struct Fault {
-  std::string message;  // "" if there is none
+  std::string message;  // "" if there is no fault
   size_t offset = 0;
 };
 
@@ -189,7 +189,8 @@ Fault FindBracketFault(std::string_view rest, std::string_view name) {
   return {fmt::format("'{1}' after '{0}'; write {0}(), or null for no function", name, rest)};
 }
 
-// Parses "Name()" or "null" between two commas.  Returns the name; "" for null and after an error.
+// Parses "Name()" or "null" between two commas.  Returns the name, or "" for null and after an
+// error.
 std::string ParseFunction(Piece piece, Reporter* reporter) {
   piece.SkipBlanks();
   piece.TrimEnd();

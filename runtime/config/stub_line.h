@@ -21,23 +21,23 @@ struct StubLine {
   std::string value;   // the text after the colon, without blanks at both ends
 };
 
-// Splits a line at its colon.  Returns nullopt if the line is ignored, with a warning if it looks
-// like a misspelt keyword.
+// Splits `line` at its colon.  Returns nullopt if the line is ignored, and warns if an ignored line
+// looks like a misspelt keyword.
 std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
                                           std::vector<Diagnostic>* diagnostics);
 
-// Returns the C++ name in an ObjectName line; "" after an error.  The rest of the line is ignored.
+// Returns the C++ name in an ObjectName line, or "" after an error.  Ignores the rest of the line.
 std::string ParseObjectName(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// Returns the number in a NumOf... line; -1 after an error.  The rest of the line is ignored.
+// Returns the number in a NumOf... line, or -1 after an error.  Ignores the rest of the line.
 int ParseCount(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// Parses a Service line.  A line without a valid service name gives nullopt with a warning, because
-// stubgen2 ignores such lines.  A line with other errors still gives a service, so that the number
-// of services is right and causes no further error.
+// Parses a Service line.  For a line without a valid service name returns nullopt with a warning,
+// because stubgen2 ignores such lines.  For a line with other errors still returns a service, so
+// that the number of services is right and causes no further error.
 std::optional<StubService> ParseService(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
-// Returns the function of an Extra line; nullopt after an error.  The rest of the line is ignored.
+// Returns the function of an Extra line, or nullopt after an error.  Ignores the rest of the line.
 std::optional<StubExtra> ParseExtra(const StubLine& line, std::vector<Diagnostic>* diagnostics);
 
 }  // namespace openr_host

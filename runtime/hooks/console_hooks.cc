@@ -1,9 +1,9 @@
 // Functions that read from the console: gets(), getchar(), scanf(), fgets(stdin), std::cin,
 // read(0).
 //
-// Each object that calls one of them gets a standard input of its own.  A read waits for a line and
-// stops only this object; all others run on.  std::cin needs no function here, because it calls
-// getc(), ungetc() and fread().
+// Each object that calls one of these functions gets a standard input of its own.  A read waits for
+// a line and stops only the object that reads; all others run on. std::cin needs no hook here,
+// because it calls getc(), ungetc() and fread().
 #include <stdarg.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ namespace {
 
 ssize_t ReadConsole(char* buffer, size_t size) {
   const ApiScope scope;
-  std::fflush(stdout);  // a prompt
+  std::fflush(stdout);  // shows a prompt that the object has printed
   if (t_current.object->handler.running == nullptr) {
     t_current.system->AddFinding(Severity::kError,
                                  "the console is read in a constructor: only a handler can wait "
@@ -65,7 +65,8 @@ int fgetc(FILE* file) {
   return next(Resolve(file));
 }
 
-// <stdio.h> defines these two as inline functions, which clang does not let anybody replace.
+// <stdio.h> defines these two functions inline, and clang accepts no second definition of them.  So
+// they are defined under other names.
 int OpenrGetchar() __asm__("getchar");
 ssize_t OpenrGetline(char** line, size_t* size, FILE* file) __asm__("getline");
 

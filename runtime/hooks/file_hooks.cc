@@ -1,7 +1,8 @@
-// File functions for objects: paths lead to the Memory Stick; all else is as on the robot or fails.
+// File functions for objects: paths lead to the Memory Stick.  Everything else behaves as on the
+// robot, or fails.
 //
-// Every caller in the process reaches these definitions before those of the C library, also
-// std::ifstream.  They change something only while code of an image runs.
+// A call from anywhere in the process, even in std::ifstream, reaches these definitions before
+// those of the C library.  They change something only while code of an image runs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>
@@ -43,8 +44,8 @@ bool HasShortNames(std::string_view path) {
   return true;
 }
 
-// Adds a finding if a part of `path` is not an 8.3 name.  Returns false, with errno set, if the
-// call has to fail because of that; without --strict it goes on.
+// Adds a finding if a part of `path` is not an 8.3 name.  With --strict, also sets errno and
+// returns false, because the call has to fail.
 bool CheckNames(const std::string& path) {
   if (HasShortNames(path)) return true;
   openr_host::System* const system = t_current.system;
@@ -73,8 +74,8 @@ StickUse UseOf(const char* mode) {
                                              : StickUse::kRead;
 }
 
-// Returns whether the current object may open the file; if not, sets errno.  A file that is open
-// can be opened again only if all of its users read it (Programmer's Guide, appendix A).
+// Returns whether the current object may open the file; if not, sets errno.  A file that is already
+// open can be opened again only if all its users read it (Programmer's Guide, appendix A).
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;
@@ -130,8 +131,9 @@ mode_t ModeOf(int flags, va_list arguments) {
   return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
 }
 
-// Removes a descriptor from the object that has opened it; returns false if no object has.  All
-// objects are searched, because descriptors are common to them and any of them may close one.
+// Removes `descriptor` from the object that has opened it.  Returns false if no object has opened
+// it.  All objects are searched, because descriptors are common to them and any object may close a
+// descriptor.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
     if (object != nullptr && object->files.descriptors.erase(descriptor) == 1) return true;

@@ -99,7 +99,7 @@ DIR* opendir(const char* path) {
       names.resize(kEntriesMax);
     }
   }
-  // Outside of ApiScope, so that malloc() takes the memory from the object's heap.
+  // No ApiScope is open here, so malloc() takes the memory from the object's heap.
   auto* const folder = static_cast<Folder*>(malloc(sizeof(Folder)));
   if (folder != nullptr) {
     folder->count = names.size();

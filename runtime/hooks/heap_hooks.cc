@@ -1,5 +1,6 @@
-// malloc(), free() and their family: code of an image allocates from the heap of its object, all
-// other code from the C library.  free() recognises by the address which heap a block is from.
+// malloc(), free() and similar functions: code of an image allocates from the heap of its object,
+// all other code from the C library. free() finds out from a block's address to which heap the
+// block belongs.
 //
 // Every caller in the process reaches these definitions before those of the C library.  Sanitizers
 // have definitions of their own; with a sanitizer, objects share the host's heap.
@@ -110,7 +111,8 @@ void* realloc(void* block, size_t size) {
     free(block);
     return nullptr;
   }
-  // A block moves even from one heap to the other: it goes to the heap of the code that asks.
+  // A block may even move from one heap to the other, because the new block is on the heap of the
+  // code that calls.
   const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
   if (from_arena && size <= old_size && size > old_size / 2) return block;
   void* const moved = malloc(size);

@@ -1,7 +1,7 @@
 // The common base of hooks, functions of the C library that this folder defines once more.
 //
-// Every caller in the process reaches a hook before the function of the C library.  A hook acts
-// only while code of an image runs, and calls the C library's function otherwise.  docs/hooks.md
+// A call from anywhere in the process reaches a hook before the function of the C library.  A hook
+// acts only while code of an image runs; otherwise it calls the C library's function. docs/hooks.md
 // lists the hooks.
 #pragma once
 

@@ -68,7 +68,7 @@ void abort() noexcept {
   __builtin_unreachable();
 }
 
-// Called by assert() when its condition does not hold.
+// Ends the handler of an object. assert() calls this function when its condition does not hold.
 void __assert_fail(const char* condition, const char* file, unsigned line,
                    const char* function) noexcept {
   static const auto next =
@@ -85,9 +85,9 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
   __builtin_unreachable();
 }
 
-// Registers destructors.  The C library's list of destructors exists longer than any object, so its
-// memory must not come from the heap of an object (ApiScope).  atexit(), which calls this function
-// with a null `argument`, does nothing on the robot.
+// Registers a destructor.  The C library's list of destructors exists longer than any object, so
+// its memory must not come from the heap of an object (ApiScope).  With a null `argument`, the
+// caller is atexit(), which does nothing on the robot.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
   if (argument == nullptr && InObject()) return 0;

@@ -22,7 +22,7 @@ namespace {
 
 using openr_host::t_current;
 
-// Returns whether code of an object makes the call; adds a finding if so.
+// Returns whether code of an object makes the call.  If so, adds a finding.
 bool Refuses(const char* name) {
   if (!openr_host::InObject()) return false;
   const openr_host::ApiScope scope;
@@ -85,7 +85,8 @@ OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
-// Passes on the third argument as a pointer, because on this ABI all types of it are passed alike.
+// Passes on the third argument as a pointer, because this ABI passes all types of this argument
+// alike.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;

@@ -11,8 +11,8 @@ enum class StickUse {
   kCreate,  // changes a file or folder, and creates it if it does not exist
 };
 
-// Returns the host's path for `path` on the stick of the current object.  Returns "" with errno
-// set, and in some cases with a finding, if the object may not use the file in this way.
+// Returns the host's path for `path` on the stick of the current object.  If the object may not use
+// the file in this way, returns "" and sets errno, in some cases with a finding.
 std::string HostPath(const char* path, StickUse use);
 
 }  // namespace openr_host

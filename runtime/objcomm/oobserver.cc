@@ -107,7 +107,7 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->handler.self_reply = &self;
-  // The entry is code of the object again, as when the dispatcher calls it.
+  // As when the dispatcher calls the entry, the running code is now code of the object.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -120,7 +120,7 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
-  // The findings of this observer name the service, which is known only from now on.
+  // The findings of this observer name its service, whose name is known only from now on.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -151,7 +151,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 
 namespace {
 
-// Adds a finding if the data differ from those that were sent (SystemOptions::guard_regions).
+// Adds a finding if the data in `notify` differ from the data that were sent
+// (SystemOptions::guard_regions).
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running;
   uint32_t size = 0;
@@ -171,7 +172,7 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
-  // Readies are counted anew from each notification on, from whichever subject it comes.
+  // Every notification, from whichever subject, starts the count of readies anew.
   state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

@@ -12,7 +12,7 @@ using namespace openr_host;
 
 namespace {
 
-// Calls `set` with a region of `size` bytes at `offset` in memory that a program has made; the
+// Calls `set` with a region of `size` bytes at `offset` in `memory`, which a program has made.  The
 // memory is not copied.  Returns oINVALID_ARG if there is no such memory.
 template <typename Set>
 OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
@@ -29,7 +29,8 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   return status;
 }
 
-// Returns the bytes from the locator to the end of its region; 0 if there are none.
+// Returns the number of bytes from the locator to the end of its region, or 0 if there is no such
+// region.
 size_t SizeFrom(const OMemoryLocator& locator) {
   const ApiScope scope;
   if (t_current.system == nullptr) return 0;
@@ -80,7 +81,7 @@ size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
 
 OStatus OSubject::SetData(const void* buf, size_t size) {
   const ApiScope scope;
-  // Without observers the region would be made and deleted at once.
+  // Without observers the region would be deleted as soon as it is made, so it is not made.
   if (state_->links.empty()) return oSUCCESS;
   RCRegion* const region = new RCRegion(size);
   if (region->Base() == nullptr) return oNO_MEMORY;
@@ -171,7 +172,7 @@ OStatus OSubject::NotifyObserver(const ObserverID& id) {
 
 namespace {
 
-// Returns how many more data fit into the subject's buffer for one observer.
+// Returns how many more data for one observer fit into the subject's buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
   // Like the robot's ring buffer, the buffer holds one entry less than its size.

@@ -9,8 +9,8 @@ bool IsGzip(const std::string& bytes);
 
 enum class GzipResult { kWhole, kCutOff, kDamaged };
 
-// Unpacks `packed` and appends the result to `bytes`.  A file that is cut off or damaged gives the
-// bytes before the fault.
+// Unpacks `packed` and appends the result to `bytes`.  If the file is cut off or damaged, appends
+// the bytes before the fault.
 GzipResult Gunzip(const std::string& packed, std::string* bytes);
 
 }  // namespace openr_host

@@ -33,8 +33,8 @@ std::string UpperCase(std::string_view text) {
 }
 
 // Returns the entry of `folder` whose name is `part` in any case: an exact match if there is one,
-// else the first in the order of bytes.  Returns "" if there is none.  Sets `error` if the folder
-// may not be read.
+// otherwise the first match in the order of bytes.  Returns "" if no name matches.  Sets `error` if
+// the folder may not be read.
 std::string FindEntry(const std::string& folder, const std::string& part, int* error) {
   if (Exists(folder + "/" + part)) return part;
   if (errno == EACCES) *error = EACCES;
@@ -50,8 +50,8 @@ std::string FindEntry(const std::string& folder, const std::string& part, int* e
   return matches.empty() ? "" : *std::min_element(matches.begin(), matches.end());
 }
 
-// Returns the parts of a name after /MS, with "." and ".." resolved; nullopt for a name that is not
-// below /MS.
+// Returns the parts of `name` after /MS, with "." and ".." resolved.  Returns nullopt if `name` is
+// not below /MS.
 std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
   if (name.size() < 3 || strncasecmp(name.data(), "/MS", 3) != 0) return std::nullopt;
   name.remove_prefix(3);
@@ -113,7 +113,7 @@ void MemoryStick::HashFile(std::string_view name, std::string_view otherwise, Ha
   const uint64_t size = file.is_open() ? std::filesystem::file_size(location.path, error) : 0;
   if (!file.is_open() || error) return hasher->AddText(otherwise);
   hasher->Add(size);
-  // Reads piece by piece, because a file may be larger than the memory of the host.
+  // The file is read piece by piece, because it may be larger than the memory of the host.
   std::string piece;
   for (uint64_t left = size; left > 0 && file; left -= piece.size()) {
     piece.resize(std::min<uint64_t>(left, kPieceBytes));

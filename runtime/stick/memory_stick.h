@@ -31,10 +31,11 @@ class MemoryStick {
   };
   virtual Location Locate(std::string_view name) = 0;
 
-  // Returns the bytes of a file, for the boot and for design data.  Returns nullopt if the file
-  // cannot be read; WhyUnread() then returns the reason.
+  // Returns the bytes of the file `name`, for the boot and for design data.  Returns nullopt if the
+  // file cannot be read; WhyUnread() then returns the reason.
   std::optional<std::string> ReadFile(std::string_view name);
-  // Returns an errno: ENOENT if there is no such file, EACCES if it may not be read.
+  // Returns the errno with which reading `name` fails: ENOENT if there is no such file, EACCES if
+  // it may not be read.
   int WhyUnread(std::string_view name);
 
   // Returns the hash of names (below /MS) and contents of all files, or 0 without files.  Images
@@ -46,7 +47,7 @@ class MemoryStick {
   // content of the file is part of the state hash.
   void NoteWritten(std::string_view name);
 
-  // Sets the function that is called for each file or folder before an object first changes it.
+  // Sets the `listener` that is called for each file or folder before an object first changes it.
   using ChangeListener = std::function<void(const Location&)>;
   void OnFirstChange(ChangeListener listener) { listener_ = std::move(listener); }
 
@@ -79,7 +80,8 @@ class FolderStick : public MemoryStick {
   std::string root_;
 };
 
-// For tests: a stick whose `nth` Locate() fails with `error`; all others go to `inner`.
+// A stick for tests, whose Locate() number `nth` fails with `error`.  All other calls go to
+// `inner`.
 class FailingStick : public MemoryStick {
  public:
   FailingStick(std::shared_ptr<MemoryStick> inner, int nth, int error)
