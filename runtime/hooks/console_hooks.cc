@@ -2,7 +2,7 @@
 // read(0).
 //
 // Each object that calls one of these functions gets a standard input of its own.  A read waits for
-// a line and stops only the object that reads; all others run on. std::cin needs no hook here,
+// a line and stops only the object that reads; all others run on.  std::cin needs no hook here,
 // because it calls getc(), ungetc() and fread().
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // malloc(), free() and similar functions: code of an image allocates from the heap of its object,
-// all other code from the C library. free() finds out from a block's address to which heap the
+// all other code from the C library.  free() finds out from a block's address to which heap the
 // block belongs.
 //
 // Every caller in the process reaches these definitions before those of the C library.  Sanitizers

@@ -68,7 +68,7 @@ void abort() noexcept {
   __builtin_unreachable();
 }
 
-// Ends the handler of an object. assert() calls this function when its condition does not hold.
+// Ends the handler of an object.  assert() calls this function when its condition does not hold.
 void __assert_fail(const char* condition, const char* file, unsigned line,
                    const char* function) noexcept {
   static const auto next =
