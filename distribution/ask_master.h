@@ -1,4 +1,4 @@
-// Calls a function of WorkerCallList in the master.
+// Calls of functions of WorkerCallList in the master, for code in a worker.
 #pragma once
 
 #include "distribution/master_link.h"
@@ -6,7 +6,8 @@
 
 namespace openr_host {
 
-// Calls the function, waits, and returns the result.  Arguments for output parameters are pointers.
+// Calls `kFunction` in the master, waits, and returns its result.  Arguments for output parameters
+// are pointers.
 template <auto kFunction, typename... Arguments>
 auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;
@@ -15,7 +16,7 @@ auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   return Function::Decode(result, arguments...);
 }
 
-// Calls the function without waiting for it, so there is no result.
+// Calls `kFunction` in the master without waiting for it, so there is no result.
 template <auto kFunction, typename... Arguments>
 void TellMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

@@ -18,7 +18,7 @@
 namespace openr_host {
 namespace {
 
-// Limit of samples that are sent in one packet and received in one call.  With a larger one, the
+// Limit of samples that are sent in one packet and received in one call.  With a larger limit, the
 // receiver would be idle while the sender still produces samples.
 constexpr int kSamplesPerPacketMax = 4;
 // The thresholds of malloc() that KeepFreedMemory() sets.
@@ -26,15 +26,15 @@ constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
 // Settings of Cyclone DDS for a history that holds more than a run ever has in flight (one message
-// for each object), so that no write blocks.  Cyclone DDS then asks for acknowledgements only by
-// its periodic heartbeat, hence the short interval.
+// for each object), so that no write blocks.  The heartbeat interval is short, because Cyclone DDS
+// then asks for acknowledgements only by its periodic heartbeat.
 constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
     "<HeartbeatInterval min=\"2ms\" minsched=\"5ms\">6ms</HeartbeatInterval>";
 
-// Blocks all signals while the threads of Cyclone DDS are created.  They inherit the mask, so
-// signals of the program are handled by its own thread.
+// Blocks all signals while the threads of Cyclone DDS are created.  These threads inherit the mask,
+// so signals to the program are handled by its own thread.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -50,16 +50,16 @@ class SignalsBlocked {
   sigset_t before_;
 };
 
-// Keeps freed memory in the process.  Camera images are large samples, and each one can reuse the
-// memory of the one before.  If that memory went back to the kernel, the kernel would have to fill
-// new pages with zeros for each sample.
+// Keeps freed memory in the process.  Camera images are large samples, and each image can reuse the
+// memory of the image before.  If that memory went back to the kernel, the kernel would have to
+// fill new pages with zeros for each sample.
 void KeepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, kTrimThresholdBytes);
   mallopt(M_MMAP_THRESHOLD, kMmapThresholdBytes);
 }
 
-// Prints a message of Cyclone DDS, a failed send only the first time: an address that cannot be
-// reached would be reported with every packet to it.
+// Prints a message of Cyclone DDS.  A failed send is printed only the first time, because an
+// address that cannot be reached would be reported with every packet to it.
 void Log(void*, const dds_log_data_t* data) {
   static std::atomic<bool> told = false;
   std::string_view text(data->message, data->size);
@@ -68,7 +68,7 @@ void Log(void*, const dds_log_data_t* data) {
   fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
 }
 
-// Returns the lease in seconds.
+// Returns the lease of this process in seconds.
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
 // Makes the configuration of Cyclone DDS from the options.
@@ -123,9 +123,9 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
 //
 // Cyclone DDS by itself announces a participant when four fifths of its lease are over, so a quiet
 // process would be taken for dead after a network failure of two seconds.  The interval follows
-// from the shortest liveliness lease of a participant's writers; so we create a writer with a fifth
-// of the lease, on a topic that nobody reads.  Every participant receives the announcement, so the
-// interval is no shorter than that.
+// from the shortest liveliness lease of a participant's writers; so we create a writer whose
+// liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  Every participant
+// receives the announcement, so the interval is no shorter than that.
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
@@ -218,8 +218,7 @@ void* ChannelBase::ReceiveUntyped(int timeout_ms) {
       received_.pop_front();
       return sample;
     }
-    // Before this end waits it sends the samples that it has kept, because the other end may wait
-    // for them.
+    // The kept samples are sent before this end waits, because the other end may wait for them.
     FlushBatch();
     if (timeout_ms == 0) return nullptr;
     if (dds_waitset_wait(waitset_, nullptr, 0, DDS_MSECS(timeout_ms)) <= 0) return nullptr;
@@ -239,7 +238,7 @@ void ChannelBase::ReceiveMore() {
   const int count = Check(dds_take(reader_, samples, infos, kSamplesPerPacketMax, wanted), "take");
   free_samples_.resize(free_samples_.size() - static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) {
-    // A sample without valid data tells that a writer has gone.  It carries no content.
+    // A sample without valid data only tells that a writer has gone, so it is given back to DDS.
     if (infos[i].valid_data) {
       received_.push_back(samples[i]);
     } else {

@@ -41,7 +41,7 @@ struct BusOptions {
   std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
   int participants_max = 120;         // limit of processes on one host
-  // The lease of this process (see above); 0: kLease_s.
+  // The lease of this process, in seconds; 0 means kLease_s.
   int lease_s = 0;
   bool has_large_history = false;  // writes do not block while a reader is stopped
 };
@@ -72,7 +72,7 @@ class Bus {
   dds_entity_t waitset_ = 0;  // wakes when any Channel of this bus has a sample
 };
 
-// The end of a Channel that this process uses.
+// The two ends of a Channel; a process uses one of them.
 enum class ChannelEnd { kMaster, kWorker };
 
 // The types and names of the two topics of a Channel.
@@ -85,17 +85,18 @@ struct ChannelTopics {
 constexpr ChannelTopics kRunTopics = {&openr_wire_ToWorker_desc, "openr_to_worker",
                                       &openr_wire_ToMaster_desc, "openr_to_master"};
 
-// The largest sample in MB; a larger one is refused by Send().
+// Limit of the size of a sample, in MB.  DDS does not accept a larger one, so Send() throws.
 constexpr size_t kSampleMax_MB = 64;
 
-// Samples with this many bytes or more are sent in packets of their own and received one at a time,
-// because the next sample then reuses memory that is still in the processor's cache.
+// Samples with this many bytes of region data or more are sent in packets of their own and received
+// one at a time, because each sample then reuses memory that is still in the processor's cache.
 constexpr size_t kBulkBytes = 16 << 10;
 
 // The part of Channel that does not depend on its sample types.
 class ChannelBase {
  public:
-  // `place` is PROCESS or PROCESS/SESSION, the end of the partition name.
+  // Opens one end of a channel.  `place` is PROCESS or PROCESS/SESSION, the end of the partition
+  // name.
   ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
               const ChannelTopics& topics = kRunTopics);
   ~ChannelBase();
@@ -112,18 +113,19 @@ class ChannelBase {
   // Sends the samples that SendBatched() has kept.
   void FlushBatch();
 
-  // Returns whether the next sample is here already, so that Receive() does not ask DDS.
+  // Returns whether the next sample is here already, so that Receive() returns it without a call of
+  // DDS.
   bool has_received() const { return !received_.empty(); }
 
  protected:
-  // Sends the sample now, together with the samples that WriteBatched() has kept.
+  // Sends `sample` now, together with the samples that WriteBatched() has kept.
   void Write(const void* sample);
   void WriteBatched(const void* sample);
   // Returns the next sample, which the caller gives back to Return(); null when none came within
   // `timeout_ms`.
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
-  // Sets the bytes of region data in the sample received last.
+  // Sets the number of bytes of region data in the sample received last.
   void set_last_bulk_bytes(size_t bytes) { last_bulk_bytes_ = bytes; }
 
  private:
@@ -147,8 +149,9 @@ class Channel : public ChannelBase {
   using ChannelBase::ChannelBase;
 
   void Send(const Out& sample) { Write(&sample); }
-  // Sends the sample together with the next ones, in one packet.  A sample of kBulkBytes or more
-  // goes at once, and all kept samples go at the latest when this end has nothing to receive.
+  // Keeps `sample`, to send it together with the next ones in one packet.  A sample of kBulkBytes
+  // or more is sent at once, and all kept samples are sent at the latest when this end has nothing
+  // to receive.
   void SendBatched(const Out& sample) {
     BulkBytesOf(sample) < kBulkBytes ? WriteBatched(&sample) : Write(&sample);
   }

@@ -65,7 +65,7 @@ void CopyBytes(const std::string& bytes, T* value) {
   if (bytes.size() == sizeof(T)) std::memcpy(static_cast<void*>(value), bytes.data(), sizeof(T));
 }
 
-// Takes numbers from the front of a list.
+// Reads the numbers of a list one after the other.
 class NumberReader {
  public:
   explicit NumberReader(const std::vector<uint64_t>& numbers) : numbers_(numbers) {}
@@ -93,7 +93,7 @@ struct Parameter {
   T value;
 };
 
-// A parameter without a result.
+// The base of all parameters that pass no value back to the caller.
 struct InputParameter {
   template <typename T>
   static void TakeResult(const T&, const CallResult&, NumberReader*) {}
@@ -237,7 +237,8 @@ struct Parameter<T*> {
     }
   }
   Parameter(const CallArguments&, NumberReader*) {
-    // The whole struct is sent, so its padding is cleared too: it must not contain old memory.
+    // The whole struct is sent, so its padding is cleared too, because it must not contain old
+    // memory.
     std::memset(static_cast<void*>(&value), 0, sizeof value);
   }
   T* argument() { return &value; }
@@ -252,7 +253,7 @@ struct Parameter<T*> {
   T value;
 };
 
-// The class and the parameters of a function.
+// The class, the parameters and the result of a member function, taken from its type.
 template <typename Function>
 struct Signature;
 template <typename Result_, typename Class_, typename... Parameters>
@@ -267,7 +268,7 @@ struct Signature<Result_ (Class_::*)(Parameters...)> {
     return encoded;
   }
 
-  // Copies output parameters to `arguments`.
+  // Copies the output parameters in `result` to `arguments`, and returns the function's result.
   template <typename... Arguments>
   static Result Decode(const CallResult& result, const Arguments&... arguments) {
     NumberReader numbers(result.numbers);
@@ -275,7 +276,7 @@ struct Signature<Result_ (Class_::*)(Parameters...)> {
     if constexpr (!std::is_void_v<Result>) return static_cast<Result>(result.status);
   }
 
-  // Calls `function` of `target`.
+  // Calls `function` of `target` with the decoded `arguments`, and returns its encoded result.
   static CallResult Call(Result (Class::*function)(Parameters...), Class* target,
                          const CallArguments& arguments) {
     NumberReader numbers(arguments.numbers);

@@ -16,7 +16,7 @@
 namespace openr_host {
 namespace {
 
-// Longer times are refused; a RelativeTime cannot hold them anyway.
+// Limit of times in microseconds.  Longer times are refused, because no RelativeTime can hold them.
 constexpr int64_t kTimeMaxUs = int64_t{1} << 53;
 
 constexpr uint64_t kResultMax = 1024;  // in bytes; no request of ControlPrimitive() returns more
@@ -95,8 +95,8 @@ bool CheckedCalls::HasRegion(uint32_t region) const {
   return is_own_(regions.OwnerOf(region)) || is_own_(regions.MakerOf(region));
 }
 
-// Makes the same mapping in the master, because the master's IPStack accepts only data in a mapped
-// buffer when the object sends.
+// Repeats in the master the mapping that an object has made in its worker, because the master's
+// IPStack lets the object send only data in a mapped buffer.
 void CheckedCalls::NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) {
   IpStack* const stack = IpStack::OfCurrent();
   if (stack == nullptr) return;

@@ -39,17 +39,17 @@ class CheckedCalls : public LocalCalls {
   void Shutdown(int robot, const RunEnd& why) override;
   void PowerOff(int robot, const RunEnd& why) override;
 
-  // Adds a finding about an object; kNoObject: about the system.
+  // Adds a finding about the object `about`; kNoObject means about the system.
   void AddFindingAbout(ObjectId about, Severity severity, std::string_view text);
 
-  // Functions of the robot whose arguments are memory.
+  // Functions of the robot that get the bytes of a block of memory in place of its address.
   OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, const std::string& parameter,
                            uint64_t result_size, std::string* result);
-  // Copies the bytes to `region` for RobotServices::SetCdtVectorData().
+  // Copies `bytes` to `region`, then calls RobotServices::SetCdtVectorData().
   OStatus SetColourTable(uint32_t region, const std::string& bytes);
 
-  // Returns whether an object of the worker owns the region or has made it.  An object may make a
-  // region and give it to another one.
+  // Returns whether an object of the worker owns the region or has made it.  Both are tested,
+  // because an object may make a region and give it to another object.
   bool HasRegion(uint32_t region) const;
 
   // Releases what the objects of a lost worker have pinned.

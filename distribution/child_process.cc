@@ -36,8 +36,8 @@ ChildProcess::ChildProcess(std::string name, const std::vector<std::string>& com
   sigaddset(&signals, SIGXFSZ);
   posix_spawnattr_setsigdefault(&attributes, &signals);
   short flags = POSIX_SPAWN_SETSIGDEF;
-  // With a process group of its own, the child gets no Ctrl-C from the terminal: this program ends
-  // it in its turn.
+  // With a process group of its own, the child gets no Ctrl-C from the terminal, so this program
+  // decides when the child ends.
   if (!is_interactive) flags |= POSIX_SPAWN_SETPGROUP;
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes, flags);

@@ -18,12 +18,13 @@ namespace {
 
 bool IsSame(const char* name, const char* other) { return strcasecmp(name, other) == 0; }
 
-// A <Domain> element of the file.
+// A <Domain> element of the file with the settings.
 struct DomainElement {
   std::string id = "any";
   bool has_security = false;
 
-  // Compares ids as Cyclone DDS does, since the answer must be the one Cyclone DDS will come to.
+  // Returns whether the element applies to `domain`.  Ids are compared as Cyclone DDS does, because
+  // the result must be the same.
   bool IsFor(int domain) const {
     if (IsSame(id.c_str(), "any")) return true;
     char* end = nullptr;
@@ -45,8 +46,8 @@ class SettingsFile {
   }
 
   bool is_read() const { return is_read_; }
-  // Returns whether there are settings outside <Domain>: files of older versions have them, for all
-  // domains.
+  // Returns whether there are settings outside <Domain>.  Files for older versions of Cyclone DDS
+  // have such settings, which apply to all domains.
   bool has_others() const { return has_others_; }
   const std::vector<DomainElement>& domains() const { return domains_; }
 

@@ -11,7 +11,8 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   if (bus.domain != assumed.domain) text += fmt::format(" --dds-domain {}", bus.domain);
   if (host != assumed.address) text += fmt::format(" --dds-address {}", host);
   if (host != bus.address) text += fmt::format(" --dds-peer {}", bus.address);
-  // FILE stands for a file on the worker's host, because it contains that host's own key.
+  // The advice shows the word FILE and not the run's own file, because the worker's host needs a
+  // file with a key of its own.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
   if (host != bus.address) text += " --stick DIR";  // a copy of the run's stick on that host
   return text;

@@ -1,4 +1,4 @@
-// The command line for a worker that the user starts.
+// The command line that tells the user how to start an external worker.
 #pragma once
 
 #include <string>

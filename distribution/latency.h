@@ -10,7 +10,8 @@ namespace openr_host {
 
 class Latency {
  public:
-  // Measures from its construction to its destruction, and adds the time to two histograms.
+  // Measures the time from its construction to its destruction, and adds that time to two
+  // histograms.
   class Timer {
    public:
     Timer(Latency* first, Latency* second)

@@ -1,4 +1,5 @@
-// Tests whether a process of the same machine still runs that is not a child of this process.
+// Tests whether a process of the same machine still runs; the process need not be a child of this
+// one.
 #pragma once
 
 #include <cstdint>

@@ -100,7 +100,8 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
     part.region = data.memID;
     part.offset = data.offset;
     part.size = static_cast<uint32_t>(data.size);
-    // SizeOf() is 0 for a region that has been deleted, but the receiver refuses data beyond it.
+    // SizeOf() is 0 for a region that has been deleted.  The receiver refuses data beyond
+    // region_bytes, so the value is at least the end of the data.
     part.region_bytes = static_cast<uint32_t>(
         std::max(system_->regions().SizeOf(data.memID), data.offset + data.size));
     if (!peer_has || !peer_has(data.memID))
@@ -112,7 +113,7 @@ void Marshaller::EncodeNotify(const Message& message, const PeerHasMemory& peer_
 
 // Compares the region with what was received.  Most observers give a region back in the handler
 // that received it; then the bytes of the sample are still valid and we compare with them, which
-// needs no hash.  Later we compare hashes.
+// needs no hash.  After that handler we compare hashes.
 bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& imported) {
   if (imported.bytes != nullptr)
     return std::memcmp(region.Base(), imported.bytes, region.Size()) != 0;

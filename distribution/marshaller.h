@@ -27,11 +27,13 @@ class System;
 
 class Marshaller {
  public:
-  // Tells which regions the peer has in memory; their bytes are not sent.  Null: none.
+  // Returns whether the peer has the region in memory; the bytes of such a region are not sent.  A
+  // null function means that the peer has none.
   using PeerHasMemory = std::function<bool(uint32_t region)>;
 
-  // `makes_copies`: received memory may be new to the region table, which then gets a copy.  This
-  // is so in workers; the master, which assigns region ids, knows every region.
+  // `makes_copies` is true in workers: a received region may be new to their region table, so the
+  // table gets a copy of its memory.  It is false in the master, which assigns region ids and so
+  // knows every region.
   Marshaller(System* system, bool makes_copies) : system_(system), makes_copies_(makes_copies) {}
   Marshaller(const Marshaller&) = delete;
   Marshaller& operator=(const Marshaller&) = delete;
@@ -40,20 +42,20 @@ class Marshaller {
   void Encode(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
               openr_wire_Message* out);
 
-  // Completes sending: the peer has accepted `message`.  If it is a ready, this drops the imported
-  // regions that it gives back.
+  // Completes the sending of `message`, which the peer has accepted.  If the message is a ready,
+  // drops the imported regions that it gives back.
   void CompleteSend(const Message& message);
 
-  // Decodes `in` into the fresh message `out`, except for class and due time.  Returns "" or what
-  // is wrong with `in`.  `in` must stay valid until ReleaseSample().
+  // Decodes `in` into the new message `out`, except for class and due time.  Returns "" or what is
+  // wrong with `in`.  `in` must stay valid until ReleaseSample().
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
-  // Returns whether data of this region were received and not given back.  If so, the memory here
-  // is newer than that of the peer.
+  // Returns whether data of `region` were received and not given back.  If so, its memory here is
+  // newer than its memory in the peer.
   bool HasImported(uint32_t region) const;
 
-  // Returns whether this region was sent to the peer, which may still use it.
+  // Returns whether `region` was sent to the peer, which may still use it.
   bool HasExported(uint32_t region) const;
 
   // A region that was sent to the peer and has not been given back.
@@ -67,18 +69,18 @@ class Marshaller {
   };
   // Removes all exported regions from the table and returns them.
   std::vector<ExportedRegion> TakeExported();
-  // Does the same for the regions that subjects of one object have sent, since that object was
-  // replaced.  The peer may still use these regions.
+  // Removes and returns only the regions that the subjects of object `subject` have sent, because
+  // that object was replaced.  The peer may still use these regions.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
-  // Returns the peer's tokens of regions that no ready will give back, because they were released
-  // here without one and nothing here uses their memory.
+  // Returns the peer's tokens of imported regions that no ready will give back: they were released
+  // here without a ready, and nothing here uses their memory.
   std::vector<uint64_t> TakeDroppedTokens();
   // Handles the list of TakeDroppedTokens() that the peer has sent.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // Handles the end of the peer: regions imported from it belong to nobody, and their ready will
-  // not be sent.
+  // Handles the end of the peer: regions imported from it belong to nobody, so no ready gives them
+  // back.
   void PeerIsLost();
 
   // Releases an imported region that is not given back by a ready.
@@ -113,8 +115,8 @@ class Marshaller {
   std::map<uint64_t, ExportedRegion> exported_;  // key: token of this process
   // Regions removed by TakeExportedBy() that the peer may still give back, by token.
   std::map<uint64_t, uint32_t> withdrawn_;
-  // The map is never iterated where the order matters, because the order of pointers differs from
-  // run to run.
+  // Imported regions, by their RCRegion.  The map is never iterated where the order matters,
+  // because the order of pointers differs from run to run.
   std::map<RCRegion*, ImportedRegion> imported_;
   std::map<uint64_t, uint32_t> dropped_;   // region by token, see TakeDroppedTokens()
   std::vector<RCRegion*> sample_regions_;  // imported regions whose ImportedRegion::bytes is set

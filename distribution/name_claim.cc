@@ -77,7 +77,8 @@ void NameClaim::Announce(const std::string& claim) {
 
 void NameClaim::MakePermanent() {
   if (std::exchange(is_permanent_, true)) return;
-  // Zeros sort before every time.
+  // The earliest claim wins.  A time of zeros sorts before every real time, so this run now wins
+  // against every other one that has not made its claim permanent.
   Announce(std::string(kSinceDigits, '0') + own_.substr(kSinceDigits));
 }
 

@@ -38,7 +38,8 @@ std::string HostName();
 // Returns the process that has made a session name: "pid 1234 on host" for "host-1234-5".
 std::string MakerOf(const std::string& session);
 
-// The slot of one worker.  At any time at most one process has joined.
+// The place in the run for the worker of one name.  Different processes may take it one after the
+// other, but at most one at any time.
 class ProcessSlot {
  public:
   struct Identity {  // the host and process id that the worker reports in its Hello

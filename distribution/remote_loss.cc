@@ -53,7 +53,8 @@ void RemoteProcess::ReleaseAll() {
   ReturnExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
-    // A waiting stand-in would otherwise wait for ever.
+    // A stand-in whose handler waits for a reply is woken, because its worker is lost and can no
+    // longer end the handler.
     if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();

@@ -35,8 +35,8 @@ struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
-// Thrown if the worker has refused the run before it took part.  Another process of the same name
-// may take part.
+// Thrown if the worker has refused the run before taking part.  The run does not fail: the master
+// waits for another process of the same name instead.
 struct ProcessRefused : ProcessLost {
   using ProcessLost::ProcessLost;
 };

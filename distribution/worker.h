@@ -33,8 +33,9 @@ struct WorkerOptions {
   bool waits_for_predecessor = false;  // true: wait while another process has the slot
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
-  // Returns a folder to use if the run's stick is not on this host and the folder has the same
-  // files; "": none.  May be null.
+  // Returns a local folder to try when the run's stick is not on this host, or "" for none.  The
+  // worker uses the folder only if its files are the same as the stick's.  The function itself may
+  // be null.
   std::function<std::string()> own_stick;
   // Called with the folder of the stick, before objects are loaded.
   std::function<void(const std::string& stick)> begins;

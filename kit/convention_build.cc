@@ -185,7 +185,8 @@ class ConventionBuild {
            });
   }
 
-  // Links all shared sources whose header is not included.  Those that do not compile are left out.
+  // Links `included`, the shared sources whose header the object includes, and also all other
+  // shared sources that compile, because one of these may define the undefined names.
   void LinkWithAll(const Paths& included) {
     Paths rest, compiling;
     std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),

@@ -220,8 +220,8 @@ RestingPose PlaceOnFloor(const RobotModel& model, const std::vector<Isometry3d>&
   RestingPose pose;
   pose.X_WB.linear() = R;
   pose.X_WB.translation() = Vector3d(0, 0, height_m);
-  // All paws are tested, because a paw may be a little above the plane of the three points that
-  // carry the robot.
+  // All paws are tested, not only those that carry the robot: a paw that is less than kTouch_m
+  // above the ground counts as touching too.
   for (const Paw& paw : model.paws) {
     const Vector3d p_W = Moved(pose.X_WB, Moved(X_BL[paw.body], paw.centre_m));
     pose.paws.push_back(p_W.z() - paw.radius_m < kTouch_m);

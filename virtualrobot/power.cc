@@ -16,7 +16,8 @@ namespace {
 constexpr word kTemperature = 3031;      // 30 degrees Celsius, in 0.1 K; our choice
 constexpr word kFullCapacityMah = 2000;  // our choice
 constexpr word kVoltageMv = 7400;        // two lithium cells; our choice
-// Negative, because the battery discharges.  The sign is inferred; the number is our choice.
+// The battery current that is always reported.  It is negative, because the battery discharges.
+// The sign is inferred; the number is our choice.
 constexpr sword kCurrentMa = -1300;
 
 // Returns whether `filter` asks to be notified of the change from `before` to `now`.

@@ -15,7 +15,8 @@ class ControllerPort {
 public:
     virtual ~ControllerPort() {}
 
-    // Return whether the receiver of these vectors or messages is ready.
+    // Each returns whether the receiver of one kind of output (LED vectors, ear vectors, batch
+    // commands for JointMover) is ready for the next one.
     virtual bool IsLedReady() = 0;
     virtual bool IsEarReady() = 0;
     virtual bool IsBatchMoverReady() = 0;

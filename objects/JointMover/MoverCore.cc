@@ -169,8 +169,8 @@ MoverCore::Advance()
     }
 }
 
-// Begins the movement to the first start-up posture, from `index` on, that the robot's model has
-// and in which the robot is not yet.
+// Searches the start-up postures from `index` on.  Skips those that the robot's model lacks and
+// those that the robot is already in, and begins the movement to the first one left.
 void
 MoverCore::EnterPosture(int index)
 {

@@ -28,7 +28,8 @@
 
 namespace openr_host {
 
-// Table that maps each value of the picture to its value in the image: [red, green, blue][value].
+// For each colour channel (red, green, blue), maps a value of the source's picture to the value in
+// the image that the robot sends: exposure[channel][picture value].
 using Exposure = std::array<std::array<uint8_t, 256>, 3>;
 
 class ImageLayers {
