@@ -15,11 +15,11 @@ class MasterLink {
  public:
   virtual ~MasterLink() = default;
 
-  // Posts a message like SystemCalls::Post().
+  // Posts `message` as SystemCalls::Post() does.
   virtual int32_t Post(Message* message, int64_t delay_us) = 0;
 
-  // Makes the master call a function of WorkerCallList.  Tell() does not wait and has no result;
-  // its arguments have no bytes.
+  // Each makes the master call a function of WorkerCallList.  Ask() waits and returns the result.
+  // Tell() does not wait and has no result; its arguments have no bytes.
   virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 

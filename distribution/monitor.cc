@@ -17,8 +17,8 @@ namespace {
 constexpr auto kInterval = std::chrono::seconds(1);
 constexpr double kIntervalMin_s = 1e-3;  // rates are computed over at least this time
 
-// Keeps the rates of the last status for the final one, because the time between the two can be too
-// short for a rate.
+// Copies the rates of the previous status `before` to the final one, because the time between the
+// two can be too short for a rate.
 void KeepRates(const RunStatus& before, RunStatus* status) {
   status->x_real_time = before.x_real_time;
   status->messages_per_s = before.messages_per_s;

@@ -25,7 +25,8 @@ class Monitor {
   // `workers` are the workers of the run; null: all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
-  // Publishes the status if a second has passed.  Must not be called from a handler.
+  // Publishes the status if a second has passed since the last one.  Must not be called from a
+  // handler.
   void PublishIfDue();
 
   // Publishes the last status, which says that the run has ended.

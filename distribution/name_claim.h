@@ -1,5 +1,5 @@
-// A run's claim to its name.  openr join finds a run by its name, so two runs that hear each other
-// must not share one.
+// A run's claim to its name. openr join finds a run by its name, so two runs that hear each other
+// must not share a name.
 #pragma once
 
 #include <string>

@@ -22,7 +22,7 @@ bool IsName(std::string_view text) {
   });
 }
 
-// Places an object in a process.  Returns "" or what is wrong.
+// Adds to the placement that `object` is in `process`.  Returns "" or what is wrong.
 std::string Add(const std::string& object, const std::string& process, Placement* placement) {
   const std::string no_name = WhyNoName("process", process);
   if (!no_name.empty()) return no_name;
@@ -31,7 +31,7 @@ std::string Add(const std::string& object, const std::string& process, Placement
   return fmt::format("{} is placed in '{}' already", object, known->second);
 }
 
-// The result of a query to the name service.
+// The result of a query to the name service for the address of a host.
 struct Resolved {
   std::string problem;
   bool is_loopback = false;

@@ -1,5 +1,5 @@
-// The placement: which object of a run is in which process.  CONNECT.CFG does not tell, and objects
-// do not know.
+// The placement: which object of a run is in which process.  CONNECT.CFG does not contain it, and
+// objects do not know it.
 #pragma once
 
 #include <map>
@@ -26,7 +26,7 @@ struct Placement {
   std::vector<std::string> Processes() const;
 };
 
-// Parses a placement file.  It has a line per object, and one per process on another host:
+// Parses a placement file.  The file has a line per object, and a line per process on another host:
 //
 //   # object        process
 //   RCServer        network

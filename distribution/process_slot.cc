@@ -31,7 +31,7 @@ std::string HostName() {
 std::string NewSessionName() {
   static int count = 0;
   std::string host = HostName();
-  // Partition names may contain the wildcards '*' and '?', so only harmless characters are kept.
+  // In a partition name '*' and '?' are wildcards, so only harmless characters are kept.
   std::erase_if(host, [](unsigned char c) {
     return std::isalnum(c) == 0 && c != '-' && c != '.' && c != '_';
   });
@@ -39,7 +39,7 @@ std::string NewSessionName() {
 }
 
 std::string MakerOf(const std::string& session) {
-  // The '-' are searched from the end, because host names may contain '-' too.
+  // Each '-' is searched for from the end, because host names may contain '-' too.
   const size_t count = session.rfind('-');
   const size_t pid = count == 0 ? count : session.rfind('-', count - 1);
   if (count == std::string::npos || pid == std::string::npos) return session;
@@ -77,8 +77,8 @@ void ProcessSlot::Abandon() {
   has_joined_ = false;
 }
 
-// Tells abandoned workers that the run goes on without them.  Such a worker was unreachable for
-// less time than its own lease of the master; it would wait for work for ever.
+// Tells abandoned workers that the run goes on without them.  A worker may have been unreachable
+// too short a time to take the master for dead, and would otherwise wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const Abandoned& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();
@@ -93,7 +93,8 @@ void ProcessSlot::NotifyAbandoned() {
     try {
       abandoned.channel->Send(to_worker);
     } catch (const std::runtime_error&) {
-      // The worker is unreachable again.  That must not end the worker that has the slot now.
+      // The abandoned worker is unreachable again.  This loss must not end the worker that has the
+      // slot now, so it is ignored.
     }
   }
 }
@@ -105,9 +106,9 @@ bool ProcessSlot::HasEnded() const {
   return liveness_.HasEnded();
 }
 
-// Answers one join request.  A requester repeats its request until it has an answer, so a request
-// may also be ignored for now: a second requester waits until the first has joined or its session
-// has expired.
+// Answers one join request.  A request may also be ignored for now, because a requester repeats its
+// request until it has an answer.  So a second requester waits until the first one has joined or
+// the first one's session has expired.
 void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   WireArena arena;
   openr_wire_JoinAnswer answer{};

@@ -65,7 +65,7 @@ class ProcessSlot {
   // Answers join requests of further processes: the slot is taken, or the run accepts no more
   // workers.
   void RefuseOtherRequests();
-  // Refuses all later join requests.
+  // Closes the slot: all later join requests are refused.
   void Close() { is_closed_ = true; }
 
   // Gives up the joined worker.  An external worker that cannot be reached now is told as soon as
@@ -79,7 +79,7 @@ class ProcessSlot {
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:
-  // The steps of AwaitJoin() and RefuseOtherRequests().
+  // The functions from here on are steps of AwaitJoin() and RefuseOtherRequests().
   bool ReceiveHello(int timeout_ms);
   void NotifyAbandoned();
   void AnswerJoinRequest(const openr_wire_JoinRequest& request);

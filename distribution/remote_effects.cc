@@ -16,7 +16,7 @@
 namespace openr_host {
 namespace {
 
-// Longer delays and timeouts are refused.
+// Limit of delays and timeouts in microseconds; longer ones are refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
 // Returns the object on which a function is called, selected by the class of the function.
@@ -31,8 +31,8 @@ struct CallTargets {
   }
 };
 
-// Returns whether the function may be called without a calling object, as happens while objects are
-// loaded.
+// Returns whether the function may be called without a calling object, because it is called while
+// objects are loaded.
 bool MayLackCaller(uint32_t function) {
   constexpr uint32_t kFunctions[] = {
       WorkerCallList::NumberOf<&SystemCalls::DeleteRegion>(),
@@ -47,7 +47,8 @@ bool MayLackCaller(uint32_t function) {
 
 }  // namespace
 
-// Handles samples that a worker sends in the middle of a handler.  Returns false for all others.
+// Handles a sample that a worker sends in the middle of a handler.  Returns false if the sample is
+// of another kind.
 bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
   switch (to_master.body._d) {
     case openr_wire_TO_MASTER_CONSOLE:
@@ -117,13 +118,14 @@ bool RemoteProcess::Answers(const Message& message, const Object* self) {
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
 
-// Returns whether the worker may send bytes of `region`: it is one of its own, or was sent to it.
+// Returns whether the worker may send bytes of `region`: the region belongs to one of its objects
+// or was sent to it.
 bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
 
-// Checks that the sender of `in` is an object of this worker, and also the subject or observer.  A
-// forwarded request keeps the name of the original sender.
+// Checks that the sender of `in` is an object of this worker, and so is the subject or observer
+// that sends.  A forwarded request keeps the name of the original sender.
 void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
@@ -181,15 +183,16 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
   const int32_t error = system_->Post(message, posted.delay_us);
-  // The request has its answer.  If the worker is lost later, the stand-in must not send an empty
-  // one.
+  // The request now has its answer, so the stand-in must not send an empty answer if the worker is
+  // lost later.
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
   // The observer has its notification and must assert ready again.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }
 
-// Calls a function for the current object.  While objects are loaded there may be no such object.
+// Calls a function of WorkerCallList for the current object, which may be missing while objects are
+// loaded.
 CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
   return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);

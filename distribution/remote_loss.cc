@@ -15,7 +15,7 @@ namespace openr_host {
 // because the observers will not be ready any more.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
-  // Keyed by observer and subject.
+  // The regions to give back, by observer and subject.
   std::map<std::pair<Entry, Entry>, std::vector<RCRegion*>> regions;
   for (const Marshaller::ExportedRegion& exported : marshaller_->TakeExported())
     regions[{{exported.observer, exported.observer_selector},
@@ -25,7 +25,7 @@ void RemoteProcess::ReturnExported() {
     const auto& [observer, subject] = ends;
     const auto found = objects_.find(observer.first);
     if (found == objects_.end()) continue;
-    // A ready message has room for MAX_NUM_DATA regions.
+    // A ready message has room for MAX_NUM_DATA regions, so more regions need more messages.
     for (size_t i = 0; i < exported.size(); i += MAX_NUM_DATA) {
       const auto begin = exported.begin() + static_cast<ptrdiff_t>(i);
       const auto count = std::min<ptrdiff_t>(MAX_NUM_DATA, exported.end() - begin);

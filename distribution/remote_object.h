@@ -35,9 +35,9 @@ class RemoteObject : public Object {
   // Copies the properties that the worker reports after it has loaded the object.
   void SetDescription(const openr_wire_LoadedObject& loaded);
 
-  // Messages that were delivered while the worker was lost, or when it was.
+  // Number of messages that were delivered to the object while or after its worker was lost.
   uint64_t undelivered_count = 0;
-  // Notifications that waited in the object's subjects when its last handler ended.
+  // Number of notifications that waited in the object's subjects when its last handler ended.
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
@@ -47,7 +47,7 @@ class RemoteObject : public Object {
   // Notes that a subject of the object has notified this observer, which is not ready any more.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
 
-  // Forgets the readiness of an object that has been replaced.
+  // Forgets that observers of object `observer` are ready, because that object has been replaced.
   void ForgetObserver(ObjectId observer);
 
   std::vector<StandingReady> StandingReadies() const override;

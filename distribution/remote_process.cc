@@ -69,8 +69,8 @@ void RemoteProcess::FlushBatch() {
 }
 
 // Returns whether the next message to be delivered also goes to a worker.  If so, the present
-// sample may wait and share a packet with it; else the sample must go now, because no other follows
-// soon.
+// sample may wait and share a packet with that message; else the sample must be sent now, because
+// no other follows soon.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -133,7 +133,7 @@ std::string RemoteProcess::FindLoss() {
   return problem;
 }
 
-// Throws if the sample is the worker's goodbye, which may arrive at any time.
+// Throws ProcessLost if the sample is the worker's goodbye, which may arrive at any time.
 void RemoteProcess::CheckGoodbye(const openr_wire_ToMaster& to_master) const {
   if (to_master.body._d != openr_wire_TO_MASTER_GOODBYE) return;
   const openr_wire_Goodbye& goodbye = to_master.body._u.goodbye;
@@ -228,7 +228,7 @@ void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   const uint64_t session = session_;
-  // Started before sending, because the worker may already run before Send() returns.
+  // The timer is started before sending, because the handler may already run before Send() returns.
   const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   {
     WireArena arena;
@@ -294,7 +294,8 @@ uint64_t RemoteProcess::HeapElsewhere(System* system, int robot) const {
 }
 
 void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
-  // A larger number is taken for an error of the worker.
+  // Largest number of heap bytes that is accepted; a larger one is taken for an error of the
+  // worker.
   constexpr uint64_t kHeapMaxBytes = uint64_t{1} << 40;
   if (bytes > kHeapMaxBytes) Refuse("a heap that is too large");
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
@@ -306,7 +307,8 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
-  // The silence of an idle worker does not count, so the time starts anew.
+  // The silence of an idle worker does not count, so the measured time starts anew with its next
+  // work.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
@@ -319,8 +321,8 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   return stop;
 }
 
-// Calls `action` and keeps the reason if it throws ProcessLost.  The caller is no handler, so
-// nothing could catch the exception.
+// Calls `action`.  If it throws ProcessLost, keeps the reason in loss_ and does not pass the
+// exception on, because the caller is no handler and could not treat it.
 template <typename Action>
 void RemoteProcess::RecordLoss(const Action& action) {
   try {
@@ -339,7 +341,7 @@ bool RemoteProcess::HandleReceived() {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
       HandleFreeSample(*to_master);
-      // Samples that arrive meanwhile are left for the next call.
+      // Samples that arrive during this call are left for the next call.
       if (!slot_.channel()->has_received()) break;
     }
   });
@@ -385,7 +387,7 @@ void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
   running_.erase(object);
 }
 
-// Ends the wait of the stand-in of `object`.
+// Ends the wait of the stand-in of `object` by posting the reply to its `box`.
 void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   Message* const wake = system_->NewMessage(object, 0);
   wake->message_class = MessageClass::kInput;

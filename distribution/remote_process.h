@@ -54,14 +54,14 @@ class RemoteProcess {
   bool is_lost() const { return is_lost_; }
   void set_lost() { is_lost_ = true; }
 
-  // All functions below may throw ProcessLost, except where noted.
+  // ---- All functions from here on may throw ProcessLost, except where noted.
 
-  // Waits until the worker has joined, at most `limit_ms` and only until the run is to end.
-  // `advice` tells the user how to start an external worker; "" for others.
+  // Waits until the worker has joined, at most `limit_ms`; stops waiting when `is_ending` returns
+  // true.  `advice` tells the user how to start an external worker; "" for other workers.
   void WaitForJoin(int64_t limit_ms, const std::string& advice,
                    const std::function<bool()>& is_ending);
 
-  // Returns the bytes of heap used on a robot, without those of this worker's objects.
+  // Returns the bytes of heap used on `robot`, without the bytes that this worker's objects use.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
   // Sends the settings of the run.
@@ -73,7 +73,7 @@ class RemoteProcess {
   // Adds the stand-in of one of the worker's objects, before the object is loaded.
   void Add(RemoteObject* object);
 
-  // Does the same for a restarted worker without waiting: BeginLoad() sends the entries,
+  // Load() in two steps, for a restarted worker and without waiting: BeginLoad() sends the entries,
   // HasLoaded() returns true when the worker has loaded them.  The worker counts as lost until
   // Rejoin().
   void BeginLoad(const openr_wire_Load& load);
@@ -84,15 +84,16 @@ class RemoteProcess {
   // Makes the worker drop its connections to object `id`, which has been replaced.
   void Forget(ObjectId id);
 
-  // Switches to free running: only the stand-in of the object waits for its handler, and
+  // Switches to free running: while a handler runs, only the stand-in of its object waits, and
   // HandleReceived() applies effects when they arrive.
   void RunFree() { is_free_ = true; }
 
   // Returns whether, in a free run, a handler of the object runs in the worker and does not wait.
   bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
-  // Returns the number of messages that are lost with the worker in a free run.  Not counted are
-  // data, which go back to their subjects, and the message whose handler brought the worker down.
+  // Returns the number of messages that are lost with the worker in a free run.  Data are not
+  // counted, because they go back to their subjects, nor is the message whose handler brought the
+  // worker down.
   size_t CountUndelivered() const;
 
   // Sends the samples that were kept to share a packet.
@@ -104,7 +105,7 @@ class RemoteProcess {
   // Checks that the worker still exists.  A loss is kept in loss(), not thrown.
   void CheckHealth();
 
-  // Times from sending a message to the worker until its handler is known to be done.
+  // The times from sending a message to the worker until its handler is known to be done.
   const Latency& latency() const { return latency_; }
   Latency LatencyOf(ObjectId object) const {
     const auto found = latency_of_.find(object);
@@ -139,9 +140,10 @@ class RemoteProcess {
   // released.
   void HandleUndelivered(const Message& message);
 
-  // Returns what is wrong with the worker, or ""; also for a worker that has nothing to do.
+  // Returns what is wrong with the worker, or "".  Also works for a worker that has nothing to do.
   std::string FindProblem() const;
-  // Does the same, but prefers the reason in the worker's goodbye, if one has arrived.
+  // Returns what FindProblem() does, but prefers the reason in the worker's goodbye, if one has
+  // arrived.
   std::string FindLoss();
 
   // Ends the worker and tells it why the run ended (DescribeEnd(), or "").  REQUIRES: the System
@@ -212,12 +214,12 @@ class RemoteProcess {
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
-  // For free runs: the box by which the stand-in of each object waits for its handler.
+  // ---- For free runs, where the stand-in of each object waits for its handler by a box
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;  // number of such boxes so far
+  uint64_t wake_box_count_ = 0;  // number of boxes used for this so far
   std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;
-  // The time when the worker last sent a sample, or was given work after a pause.
+  // The time when the worker last sent a sample, or was given work while it had none.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
   bool is_silent_ = false;  // the user has been told that the worker is silent

@@ -39,7 +39,7 @@ dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   return Check(end, kStatusTopic);
 }
 
-// Copies as much of `text` as fits into a bounded string.
+// Copies as much of `text` as fits into the bounded string `out`.
 template <size_t N>
 void Put(const std::string& text, char (*out)[N]) {
   const size_t size = std::min({text.size(), text.find('\0'), N - 1});
@@ -56,7 +56,7 @@ std::string Printable(const char* text) {
   return printable;
 }
 
-// Limits a number from the network to what a table can show.
+// Returns a number from the network, limited to what a table can show; 0 if it is not finite.
 double FiniteFigure(double value) {
   return std::isfinite(value) ? std::clamp(value, 0.0, 1e12) : 0;
 }
@@ -167,7 +167,8 @@ StatusReader::StatusReader(Bus* bus)
     : reader_(Open(bus, &dds_create_subscriber, &dds_create_reader)) {
   const dds_entity_t condition = dds_create_readcondition(reader_, DDS_ANY_STATE);
   Check(condition, "read condition");
-  // Bus::Wait() then also returns when a status arrives.
+  // The condition is attached to the bus's wait set, so that Bus::Wait() also returns when a status
+  // arrives.
   Check(dds_waitset_attach(bus->waitset(), condition, 0), "wait set");
 }
 

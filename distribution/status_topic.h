@@ -13,10 +13,10 @@ namespace openr_host {
 
 class StatusWriter {
  public:
-  // Writes in the partition of the bus's run.  Throws std::runtime_error.
+  // Creates a writer in the partition of the bus's run.  Throws std::runtime_error.
   explicit StatusWriter(Bus* bus);
 
-  // Sends the status if that is possible without waiting; else drops it.
+  // Sends `status` if that is possible without waiting; else drops it.
   void Write(const RunStatus& status);
 
  private:
@@ -25,7 +25,7 @@ class StatusWriter {
 
 class StatusReader {
  public:
-  // Reads the status of the bus's run, or of all runs if the bus's run is "*".
+  // Creates a reader of the status of the bus's run, or of all runs if the bus's run is "*".
   explicit StatusReader(Bus* bus);
 
   // Returns what has arrived since the last call, the newest status of each run.  A run that has

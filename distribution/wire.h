@@ -31,7 +31,7 @@ class WireArena {
 
   char* Text(std::string_view text) {
     static char nothing[] = "";
-    // Strings of the wire end at the first zero.
+    // Strings of the wire end at the first zero, so the rest is cut off.
     text = text.substr(0, text.find('\0'));
     if (text.empty()) return nothing;
     auto* const kept = static_cast<char*>(memory_.allocate(text.size() + 1, 1));
@@ -71,16 +71,16 @@ inline std::vector<uint64_t> VectorOf(const openr_wire_Numbers& numbers) {
 inline std::string StringOf(const openr_wire_Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes._buffer), bytes._length};
 }
-// Converts a string member, which may be null.
+// Converts a string member of a sample; a null pointer becomes "".
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
 
-// Returns the bytes of region data in a sample.
+// Returns the number of bytes of region data in a sample.
 template <typename Sample>
 size_t BulkBytesOf(const Sample&) {
   return 0;
 }
 inline size_t BulkBytesOf(const openr_wire_Answer& answer) { return answer.bytes._length; }
-// Adds up the lengths of `bytes` in all items.
+// Returns the sum of the lengths of the member `bytes` of all items.
 template <typename Seq>
 size_t BytesIn(const Seq& items) {
   return std::accumulate(items._buffer, items._buffer + items._length, size_t{0},

@@ -25,7 +25,8 @@ constexpr int kMasterPollMs = 100;      // interval of checks that the master st
 constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive the goodbye
 // Time for the master to receive the report of a crash, which no other sample can replace.
 constexpr int kCrashFlushMs = 3'000;
-// A handler that takes less time is fast, so effects of other handlers may wait for it.
+// A handler that takes less time than this is fast, so effects of other handlers may wait for its
+// end.
 constexpr int64_t kFastHandlerNs = 50'000;
 constexpr int kJoinRetryMs = 1'000;  // interval of join requests
 
@@ -83,7 +84,7 @@ Worker::ReceivedSample Worker::Next(bool answer) {
   }
 }
 
-// Waits for the other end of the channel; false if it did not come in time.
+// Waits for the other end of `channel`; returns false if that end did not connect in time.
 bool Worker::WaitFor(const ChannelBase& channel) const {
   for (int64_t waited_ms = 0; !channel.IsConnected(); waited_ms += 5) {
     if (waited_ms > options_.master_wait_ms || IsEndRequested()) return false;
@@ -97,7 +98,8 @@ std::string Worker::NoRunFound() const {
                      options_.bus.run, options_.process, options_.master_wait_ms / 1000);
 }
 
-// Requests a session, unless the run has given one.  Returns "" or why there is none.
+// Requests a session, unless the run has given one on the command line.  Returns "" or why there is
+// no session.
 std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
@@ -204,8 +206,8 @@ void Worker::SayGoodbye(const std::string& text) {
   }
 }
 
-// Tells the user that the worker has joined.  If the master has started it, the master reports
-// that.
+// Tells the user that an external worker has joined.  For a worker that the master has started, the
+// master does so.
 void Worker::ReportJoined() {
   if (!options_.session.empty()) return;
   options_.say(fmt::format("has joined run '{}' ({}) with {}", options_.bus.run, MakerOf(session_),
@@ -269,7 +271,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
   TrackSharedBuffers(*object, *message);
-  // A message of this form tells System::AwaitReply() that the time is over.
+  // A message of kind kHashed tells System::AwaitReply() that the time is over.
   if (timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
@@ -350,7 +352,7 @@ void Worker::SendStopped(Object* object) {
   MoveEffectsTo(&to_master);
   // In a free run this sample may share a packet with that of the next handler.
   Send(to_master, is_free_);
-  // DDS has copied the bytes, so the memory of the regions may be released.
+  // DDS has copied the bytes in Send(), so the memory of the regions may be released.
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
@@ -362,7 +364,8 @@ void Worker::ReportCrash(std::string_view text) {
   to_master.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                arena.Text(text)};
   Send(to_master);
-  // Waits, because a lost packet cannot be sent again after the end of this process.
+  // The report is waited for, because a lost packet cannot be sent again after the end of this
+  // process.
   channel_->WaitForAcks(kCrashFlushMs);
 }
 
@@ -388,7 +391,7 @@ void Worker::SendState(ObjectId id) {
 // new object like with any other.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
-  // The new object may have other entries.
+  // The new object may have other entries, so the answers about the old one are forgotten.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};

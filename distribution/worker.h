@@ -49,7 +49,8 @@ class Worker : public MasterLink {
   // Runs until the master ends this worker.  Returns "" or an error.
   std::string Run();
 
-  // Returns whether another Run() would fail too: wrong wire version, wrong stick, or no slot.
+  // Returns whether another Run() would fail too, because the worker has the wrong wire version,
+  // the wrong stick, or was given no session.
   bool is_refused() const { return is_refused_; }
 
   // Tells the master that the present handler ends this process.  A signal handler calls this
@@ -66,7 +67,7 @@ class Worker : public MasterLink {
  private:
   using ReceivedSample = WorkerChannel::ReceivedSample;
 
-  // The reply or the line for which a handler waits that has not returned.
+  // The reply, or the line of the console, that a handler waits for in the middle of its code.
   struct Wait {
     openr_wire_StopKind kind = openr_wire_STOP_DONE;
     uint64_t box = 0;
@@ -75,7 +76,7 @@ class Worker : public MasterLink {
     std::string why;
   };
 
-  // Joins the run: session, Hello, Welcome.
+  // Joins the run: gets a session, sends Hello and receives Welcome.  Returns "" or an error.
   std::string Join();
   std::string RequestSession();
   bool IsEndRequested() const { return options_.is_ended && options_.is_ended(); }
@@ -90,7 +91,7 @@ class Worker : public MasterLink {
   void AddObject(const openr_wire_ObjectEntry& entry, std::vector<openr_wire_LoadedObject>* loaded);
   openr_wire_LoadedObject Describe(const Object& object);
   void SendLoaded(std::vector<openr_wire_LoadedObject> loaded);
-  // Handles samples of the master until the end.
+  // Handles samples of the master until it ends this worker.  Returns "" or an error.
   std::string Serve();
   void ReportJoined();
   void ReportRunEnded(const openr_wire_End& end);
@@ -105,10 +106,10 @@ class Worker : public MasterLink {
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void ExitWithError(const std::string& why);
-  // Moves the effects of handlers since the last sample to `to_master`.
+  // Moves the effects that handlers had since the last sample to `to_master`.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
-  // Returns the next sample.  If `answer`, waits for an answer and keeps other samples for later.
-  // Empty if the master is lost or the user ends this process.
+  // Returns the next sample.  If `answer`, returns only an answer and keeps other samples for
+  // later.  The result is empty if the master is lost or the user ends this process.
   ReceivedSample Next(bool answer);
   CallResult WaitForAnswer();
   // ---- Functions in worker_link.cc

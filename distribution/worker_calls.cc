@@ -90,7 +90,7 @@ void WorkerCalls::NameEntry(uint32_t selector, std::string_view name) {
   TellMaster<&SystemCalls::NameEntry>(master_, selector, name);
 }
 
-// Makes a region: the master assigns its id, this process has its memory.
+// Makes a region and returns its id.  The master assigns the id; the memory is in this process.
 uint32_t WorkerCalls::NewRegion(size_t size, ObjectId owner) {
   const uint32_t region = AskMaster<&SystemCalls::NewRegion>(master_, size, owner);
   const bool has_memory = system_->regions().AdoptOwn(region, size, owner) != nullptr;

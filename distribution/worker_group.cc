@@ -21,7 +21,7 @@ namespace {
 // The interval of health checks of the workers in a free run.
 constexpr int64_t kHealthIntervalNs = 10'000'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
-// The same time after a second Ctrl-C, when the user does not want to wait.
+// The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
 // A large history is used in free runs only: there no write may block on a stopped worker.  In
@@ -65,7 +65,7 @@ std::string WorkerGroup::ProblemOf(const Member& member) const {
 }
 
 void WorkerGroup::Start(Member* member) {
-  // A new session for each process: samples of its predecessor are on other topics.
+  // Each process gets a new session, because samples of its predecessor are then on other topics.
   const std::string session = NewSessionName();
   member->process->slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
@@ -152,8 +152,8 @@ void WorkerGroup::Welcome(Member* member) {
   if (member->is_external) claim_->MakePermanent();
 }
 
-// Returns the entries of the master's tables that the worker has not been told of, and counts them
-// as told.
+// Returns the entries of the master's tables that the worker has not received, and counts them as
+// sent.
 openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   openr_wire_Load load{};
   std::vector<openr_wire_RobotEntry> robots;
@@ -178,8 +178,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
                        object.is_system, object.name == IpStack::kName,
                        member->objects.contains(object.id), object.boxes.last});
   }
-  // Heap use is sent for all robots each time, because that of other processes changes all the
-  // time.
+  // Heap use is sent for all robots each time, because the heap use of other processes changes all
+  // the time.
   std::vector<uint64_t> heap_elsewhere;
   for (int i = 0; i < system_->robot_count(); ++i)
     heap_elsewhere.push_back(member->process->HeapElsewhere(system_, i));
@@ -297,8 +297,7 @@ bool WorkerGroup::HandleReceived() {
 }
 
 void WorkerGroup::Pump(int64_t timeout_us) {
-  // Before this process waits it sends the samples that it has kept, because workers may wait for
-  // them.
+  // The kept samples are sent before this process waits, because workers may wait for them.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);

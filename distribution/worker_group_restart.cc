@@ -24,14 +24,14 @@ constexpr int kReturnPollUs = 1'000;
 }  // namespace
 
 // Returns whether the worker may be restarted.  An external worker may join again at any time in a
-// free run.  In lockstep that needs --restart, since the run would have to wait for it.
+// free run.  In lockstep it may join again only with --restart, because the run has to wait for it.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
 
 void WorkerGroup::EnterStage(Member* member, Stage stage) {
-  // Each stage has one predecessor.  Only kCleaningUp may follow any stage, because an attempt can
-  // fail in each of them.
+  // Each stage may follow only one other stage, except that kCleaningUp may follow any stage,
+  // because an attempt can fail in each of them.
   const Stage before = member->stage;
   ASSERT(stage == Stage::kCleaningUp || (stage == Stage::kRunning && before == Stage::kReplacing) ||
              (stage == Stage::kNotRestarted && before == Stage::kCleaningUp) ||
@@ -60,7 +60,8 @@ void WorkerGroup::CleanUp(Member* member) {
 }
 
 // Advances the restart of one worker by a step.  `may_load`: a worker that has joined may load its
-// images now.  In lockstep a run that is ending restarts nothing, because it would have to wait.
+// images now.  In lockstep a run that is ending restarts nothing, because it would have to wait for
+// the worker.
 void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kRunning) return;
@@ -93,7 +94,7 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
 void WorkerGroup::CheckRestart(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
-  // A free run goes on meanwhile, so an external worker may take any time.
+  // A free run goes on while an external worker joins, so that worker may take any time.
   if (member->stage == Stage::kJoining && member->is_external && options_.is_free) return;
   const int64_t waited_ms = WallClockMs() - member->since_ms;
   if (waited_ms > options_.wait_ms)
@@ -146,7 +147,7 @@ void WorkerGroup::Restart(Member* member) {
 // Sends a joined process all tables at once.  At the beginning of a run they are sent object by
 // object.
 void WorkerGroup::BeginLoading(Member* member) {
-  // The new process knows nothing of the tables.
+  // The new process has nothing of the tables yet, so all entries are sent.
   member->robots = member->known = 0;
   member->new_objects.clear();
   member->successors.clear();
@@ -173,7 +174,8 @@ void WorkerGroup::ReplaceObjects(Member* member) {
 // it.  The worker counts as running when the last of its objects has been replaced.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
-    // The worker of the object itself is new, and a lost worker has no connections.
+    // Skips the worker of the object itself, which is new, and lost workers, which have no
+    // connections.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);
@@ -183,11 +185,13 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     for (const auto& [other, object] : member.objects) {
-      // Old stand-ins of this worker with smaller ids have been replaced and destroyed already.
+      // While this worker's objects are replaced, its old stand-ins with smaller ids are destroyed
+      // already, so they are skipped.
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
-    // Messages may have arrived for the old stand-in after the new one was made.
+    // The count is copied again, because messages may have arrived for the old stand-in after the
+    // new one was made.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Objects are replaced in the order of their ids, so the largest id is the last one.
     if (member.successors.rbegin()->first != id) continue;
@@ -208,7 +212,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
 }
 
-// Returns whether a restart is in a stage that needs another step.
+// Returns whether the restart of the worker is in a stage that needs another step.
 bool WorkerGroup::IsRestarting(const Member& member) const {
   return member.stage == Stage::kJoining || member.stage == Stage::kLoading ||
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);
@@ -226,8 +230,9 @@ bool WorkerGroup::AdvanceRestarts() {
   return !is_first;
 }
 
-// Waits in lockstep until all restarts are complete or given up.  It polls and does not wait for
-// samples, because those of the other workers are not read here and would wake it at once.
+// Waits in lockstep until all restarts are complete or given up.  The function polls and does not
+// wait for samples, because samples of the other workers are not read here and would end each wait
+// at once.
 void WorkerGroup::WaitForRestarts() {
   while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {

@@ -38,7 +38,8 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   }
 }
 
-// Ends this process in the middle of a handler: what the handler did is lost, so it cannot go on.
+// Ends this process in the middle of a handler, because the effects of the handler are lost and it
+// cannot go on.
 void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);
@@ -118,15 +119,15 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
-  // A refused ready has given nothing back; the observer keeps its regions.
+  // A refused ready has given nothing back, so the observer keeps its regions.
   if (error == sSUCCESS) marshaller_->CompleteSend(*message);
   system_->queue().Release(message);
   return error;
 }
 
-// Removes the pin of `region` from the effects if it has not been sent yet; then the unpin need not
-// be sent either.  That is the usual case, because most observers take a region and give it back in
-// one handler.
+// Removes the pin of `region` from the effects and returns true, if the pin has not been sent yet;
+// then the unpin need not be sent either.  That is the usual case, because most observers take a
+// region and give it back in one handler.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&

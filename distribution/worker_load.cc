@@ -68,7 +68,8 @@ std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   std::shared_ptr<FolderStick> stick;
   if (entry.has_stick) {
     FindStick(entry.stick_hash);
-    // A wrong stick is a refusal: the run may wait for a worker with the right one.
+    // A wrong stick is a refusal and no loss, so the run may wait for a worker with the right
+    // stick.
     is_refused_ = !IsFolder(stick_);
     if (is_refused_)
       return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
@@ -90,8 +91,8 @@ void Worker::CheckRobot(int robot) const {
     throw std::runtime_error("something of a robot that is not there");
 }
 
-// Adds an object of the master's tables.  Ids are given in order, so that each object has the same
-// id here and in the master.
+// Adds an object of the master's tables.  Objects come in the order of their ids, so each object
+// gets the same id here as in the master.
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const auto next = static_cast<ObjectId>(system_->objects().size());

@@ -25,7 +25,7 @@ class Qos {
   dds_qos_t* const qos_;
 };
 
-// Converts a ROS 2 topic name to the one on DDS.
+// Returns the name that the ROS 2 topic `name` has on DDS.
 std::string OnDds(const std::string& name) { return "rt/" + name; }
 
 dds_entity_t TopicOf(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name) {
@@ -55,8 +55,8 @@ bool Ros2Writer::HasReaders() const {
 
 void Ros2Writer::Write(const void* sample) {
   if (!HasReaders()) return;
-  // A failed write is ignored: readers miss this sample, for instance because they have not
-  // acknowledged as much as Cyclone DDS keeps.  The run must not depend on readers.
+  // A failed write is ignored, because the run must not depend on readers.  They miss this sample,
+  // for instance when they are so slow that Cyclone DDS has no room for it.
   static_cast<void>(dds_write(writer_, sample));
 }
 
@@ -82,7 +82,7 @@ void* Ros2Reader::Take() {
     void* sample = nullptr;
     dds_sample_info_t info;
     if (dds_take(reader_, &sample, &info, 1, 1) <= 0) return nullptr;
-    // A sample without valid data tells that a writer has gone.
+    // A sample without valid data only tells that a writer has gone, so it is skipped.
     if (info.valid_data) return sample;
     Return(sample);
   }

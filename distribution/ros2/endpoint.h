@@ -30,7 +30,7 @@ class Ros2Writer {
   dds_entity_t writer_ = 0;
 };
 
-// A reliable reader that keeps the newest `depth` samples of all writers together.
+// A reliable reader that keeps the newest `depth` samples, counted over all writers together.
 class Ros2Reader {
  public:
   Ros2Reader(Bus* bus, const dds_topic_descriptor_t& type, const std::string& name, int depth);

@@ -14,8 +14,8 @@
 namespace openr_host {
 namespace {
 
-// Messages kept for a slow reader: 5 is the depth of ROS 2 for sensor data; large messages get
-// less.
+// Number of messages kept for a slow reader. 5 is the depth of ROS 2 for sensor data; large
+// messages get a smaller number.
 constexpr int kSensorDepth = 5;
 constexpr int kImageDepth = 2;
 constexpr int kClockDepth = 1;
@@ -36,7 +36,7 @@ Sequence Borrowed(const std::vector<Element>& elements) {
   return {count, count, const_cast<Element*>(elements.data()), false};
 }
 
-// Makes a header.  `frame_id` must outlive it.
+// Makes a header.  `frame_id` must outlive the header, which points to it.
 std_msgs_msg_dds__Header_ HeaderOf(int64_t time_us, const char* frame_id) {
   return {TimeOf(time_us), const_cast<char*>(frame_id)};
 }

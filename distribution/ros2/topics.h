@@ -30,7 +30,7 @@ class Ros2Clock {
 class Ros2JointStates {
  public:
   Ros2JointStates(Bus* bus, const std::string& topic, std::vector<std::string> joints);
-  // The values are in the order of the joint names.
+  // Publishes one state.  The values are in the order of the joint names.
   void Publish(int64_t time_us, const std::vector<double>& position_rad,
                const std::vector<double>& velocity_rad_s);
 
