@@ -44,7 +44,8 @@ size_t OpeningOf(const std::string& code, size_t word_end) {
 }
 
 // Returns whether the word asm between the positions `previous` and `next` gives a variable its
-// register.  Then a name stands before it, and after it the declaration ends or goes on.
+// register.  In that case a name stands before the word, and the declaration ends or goes on after
+// the brackets.
 bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   if (previous == kNone || !IsWordCharacter(code[previous])) return false;
   if (next == kNone || std::string_view(";=,").find(code[next]) == kNone) return false;
@@ -99,7 +100,7 @@ std::string TemplateOf(std::string_view statement) {
   return text;
 }
 
-// Returns whether the program behaves the same without these instructions.
+// Returns whether the program behaves the same without the instructions in `assembly`.
 bool HasNoEffect(const std::string& assembly) {
   static const std::regex kInstruction("(?:^|[\n;])[ \t]*([.\\w]+)[^\n;]*");
   static const std::set<std::string> kHarmless = {"nop", "ssnop", "ehb", "sync", ".set"};
@@ -115,7 +116,7 @@ std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // In a macro, the line end needs a backslash.
+    // In a macro a line end needs a backslash, so each line end that had one gets one again.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }
@@ -140,8 +141,8 @@ int LineOf(const std::string& text, size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + 1;
 }
 
-// Returns the last line that the assembler may name for `use`.  It counts on at each line of the
-// template.
+// Returns the last line that the assembler may name for `use`.  The assembler counts the lines of
+// the template, so this line may be after the end of the statement.
 int LastLineOf(const AsmUse& use, const std::string& text) {
   const std::string assembly =
       TemplateOf(std::string_view(text).substr(use.begin, use.end - use.begin));

@@ -1,9 +1,9 @@
 // Removes assembly for the robot's processor from C and C++ sources, because the host's compiler
 // cannot translate it.
 //
-// An assembly statement becomes a trap, so that the rest of the object builds and runs.  A
-// statement that only waits or orders memory accesses (nop, sync) becomes a barrier.  No line
-// changes its number.
+// An assembly statement becomes a trap, which ends the run only if it is reached, so that the rest
+// of the object builds and runs.  A statement that only waits or orders memory accesses (nop, sync)
+// becomes a barrier.  No line changes its number.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace openr_host {
 
-// Returns whether `complaint` is about assembly.  It comes from the compiler ("... in 'asm'") or
-// from the assembler.
+// Returns whether `complaint` is about assembly.  Such a complaint comes from the compiler ("... in
+// 'asm'") or from the assembler.
 bool IsAboutAssembly(const Complaint& complaint);
 
 // Prefix of the message of a complaint that the assembler made.

@@ -37,8 +37,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file in the folder of private copies with the version of the kit and the path of the user's
-// folder.
+// Names of two files in the folder of private copies, with the version of the kit and the path of
+// the user's folder.
 constexpr char kIdentityFile[] = "kit.txt";
 constexpr char kOwnerFile[] = "folder.txt";
 
@@ -138,7 +138,7 @@ void FolderBuild::CheckWorkIsOurs() const {
 void FolderBuild::PrepareWork() {
   std::error_code error;
   fs::create_directories(work_.parent_path(), error);
-  // Waits for another build of the same folder.
+  // The lock makes this build wait for the end of another build of the same folder.
   lock_ = open((work_.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock_ >= 0) flock(lock_, LOCK_EX);
   CheckWorkIsOurs();
@@ -150,7 +150,7 @@ void FolderBuild::PrepareWork() {
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
   WriteText(work_ / kOwnerFile, folder_.string());
   // Images that an earlier build has put on the stick by their names are removed, because they
-  // would look like new ones.
+  // would look like images of this build.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;
@@ -197,8 +197,8 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects without an image, but not those with sources that do not compile, because
-// another way of building would not compile them either.
+// Returns the objects without an image.  Leaves out objects with sources that do not compile,
+// because another way of building would not compile these sources either.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -220,8 +220,8 @@ void FolderBuild::Build() {
   }
   MakeOutcome outcome = RunMake(plan, make_);
   RemoveOldImages(outcome.is_good);
-  // A rule that handles folders one by one ends at the first one that fails, so the others are
-  // tried here.
+  // A rule that handles folders one by one ends at the first folder that fails, so the remaining
+  // folders are tried here.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -245,7 +245,8 @@ void FolderBuild::Build() {
   TryConvention(rest, plan);
 }
 
-// Returns whether a part of `image` failed now.  Then the image comes from an earlier build.
+// Returns whether a part of `image` failed in this build, so that the image comes from an earlier
+// build.
 bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>& failures) {
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
     if (failure.file == image.ocf || failure.output == image.file) return true;
@@ -269,7 +270,7 @@ bool IsOlderThanSources(const KitLog::Image& image) {
 }
 
 // Removes images of an earlier build that this build could not make again, because they would look
-// like new ones.
+// like images of this build.
 void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
   const auto is_old = [&](const KitLog::Image& image) {
@@ -357,8 +358,8 @@ bool FolderBuild::HasFailed() const {
 }
 
 // Reports each failure: as an error if an image is missing because of it, else as a note, because
-// OBJECT.CFG says what belongs to the program.  The reason comes last, because people look at the
-// end of the output first.
+// OBJECT.CFG says what belongs to the program.  The reason why make failed is printed last, because
+// people look at the end of the output first.
 void FolderBuild::TellFailures() {
   const KitLog log = ReadKitLog(make_.log);
   for (const KitLog::Repair& repair : log.repairs)
@@ -374,7 +375,8 @@ void FolderBuild::TellFailures() {
   }
   const std::vector<std::string> libraries = LeftOutAndMissed();
   problems_.insert(problems_.end(), libraries.begin(), libraries.end());
-  // If make has repeated the message of a compiler, it is not printed again.
+  // The cause is not printed if make has only repeated the message of a compiler, which was printed
+  // before.
   if (!is_made_ && (log.failures.empty() || make_cause_.find("the rule for") != 0) &&
       !make_cause_.empty())
     problems_.push_back("make failed: " + make_cause_);

@@ -99,7 +99,8 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   Remarks unreadable;
   for (const fs::path& path : UnreadableBelow(folder))
     unreadable.Error(path.string(), WhyUnreadable(path) + "; nothing else was checked");
-  // Files that cannot be read would be reported as missing, so nothing else is checked.
+  // If files cannot be read, nothing else is checked, because the checks would report these files
+  // as missing.
   if (!unreadable.all().empty()) return unreadable;
   // Files that Makefiles take from elsewhere belong to the program, as they do in openr build.
   const fs::path root = fs::canonical(folder);

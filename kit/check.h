@@ -32,14 +32,15 @@ class Remarks {
  public:
   Remarks() = default;
 
-  // Shows files below the folder `real` as files below `shown`, which is the name the user gave.
+  // Collects remarks that show files below the folder `real` as files below `shown`, which is the
+  // name the user gave.
   Remarks(std::string real, std::string shown)
       : real_root_(std::move(real)), shown_root_(std::move(shown)) {}
 
   void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
-  // Adds a remark, or, if the file has one with the same `cause`, counts the place in that one.
-  // `cause` may be any text.
+  // Adds a remark.  If the file has a remark with the same `cause`, which may be any text, only
+  // adds the place to that remark.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kFrameMs = 8;
 
-// The function of the controller that calls a piece of code, directly or not: main(), the function
-// of robot_run(), or the function of robot_die().
+// The function from which a piece of code is called, directly or not: main(), a function given to
+// robot_run(), or a function given to robot_die().
 enum class Part { kMain, kRun, kDie };
 
 class ControllerCheck {
@@ -224,7 +224,7 @@ class ControllerCheck {
                     name, slash == kNone ? name : name.substr(slash + 1)));
   }
 
-  // Checks the values that functions given to robot_run() return.
+  // Checks the values that are returned by functions given to robot_run().
   void CheckRunFunctions() {
     static const std::regex kReturn("\\breturn[ \t\r\n(]+(\\w+)[ \t\r\n)]*;");
     for (const CodeFunction& function : code_.functions()) {

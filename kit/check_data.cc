@@ -75,7 +75,8 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // Two types have this name, so it is not known which one is meant.
+      // Two types have this name, so we do not know which type is meant and report nothing about
+      // it.
       if (!seen_.insert(name).second) {
         troubles_.erase(name);
       } else if (!trouble.empty()) {
@@ -84,8 +85,8 @@ class DataCheck {
     }
   }
 
-  // Returns the name of a type in troubles_ that the call's variable has, or that the call names;
-  // "" if there is none.
+  // Returns the type of `variable`, or the type named in `measured` (the text after sizeof), if it
+  // is in troubles_; "" otherwise.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
     if (troubles_.contains(measured)) return measured;

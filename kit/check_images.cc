@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Services that the robot itself has.
+// The services of the robot's own objects.
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
                                       ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 
@@ -101,7 +101,7 @@ class ImageCheck {
   StickImages images_;
   std::vector<PlacedObject> placed_;
   std::vector<MissingImage> missing_;
-  // By the name of the object in the image.
+  // The lines of OBJECT.CFG, by the name of the object in their image.
   std::map<std::string, std::vector<ObjectRecord>> lines_by_name_;
 };
 
@@ -122,7 +122,8 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     return;
   }
   const ImageFile image = ReadImageFile(file);
-  // Binaries for the robot are at the places where a build will put those for the host.
+  // A build will put the images for the host where the binaries for the robot are now, so a binary
+  // counts as missing if there are sources to build.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
   } else if (!image.problem.empty()) {
@@ -151,9 +152,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Two objects for different robots often have one name.  Then the services tell which one was
-  // built.  If only one object has the name, it is taken even if its stub.cfg has changed since the
-  // build.
+  // Two objects for different robots often have one name, so their services decide which of them is
+  // in the image.  A single object with the name is taken even if its stub.cfg has changed since
+  // the build.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -194,8 +195,8 @@ std::vector<std::string> ImageCheck::NamesOf(const ObjectFolder& object) const {
   return names;
 }
 
-// Returns for each missing image the index of its object, or -1.  Lines of several robots that name
-// the same image count once.
+// Returns for each missing image the index of its object in the project, or -1 if none is found.
+// Lines of several robots that name the same image count once.
 std::vector<int> ImageCheck::MatchMissing() const {
   std::vector<std::string> wanted;
   std::vector<size_t> index_of;
@@ -248,8 +249,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // A rule of a Makefile makes an image under a name that is not known, so any of these objects may
-  // be it.
+  // A rule of a Makefile makes an image under an unknown name, so any of the remaining objects may
+  // be in it.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 
@@ -313,7 +314,7 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
 }
 
 void ImageCheck::CheckPlacedNames() {
-  // The order of folders is used, so that the order of OBJECT.CFG does not matter.
+  // Objects are taken in the order of folders, so that the order of OBJECT.CFG does not matter.
   std::vector<PlacedObject> in_order;
   for (const ObjectFolder* object : objects_) {
     for (const PlacedObject& placed : placed_) {

@@ -14,7 +14,7 @@ namespace openr_host {
 // The object that has a certain service.
 struct ServiceOwner {
   std::string name;
-  // Robot design in OBJECT.CFG that alone loads the object; "": all designs do.
+  // The only robot design in OBJECT.CFG that loads the object; "" means that all designs do.
   std::string section;
 };
 

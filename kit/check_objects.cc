@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The SDK's samples have 3072.  No program with less than the limit is known to work.
+// Smallest stack that is accepted.  The SDK's samples have 3072 bytes; no program with less than
+// this limit is known to work.
 constexpr int64_t kStackBytesMin = 1024;
 constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
 
@@ -95,7 +96,8 @@ class ObjectCheck {
       CheckFunction(extra.function, extra.place, "void*");
   }
 
-  // Finds lines that are missing in DoInit and DoStart.  The program compiles without them.
+  // Finds lines that are missing in DoInit and DoStart.  The compiler does not find them, because
+  // the program compiles without these lines.
   void CheckRegistration(const StubConfig& config) {
     const auto real = [](const StubService& service) { return !IsDummy(service); };
     const auto first = std::find_if(config.subjects.begin(), config.subjects.end(), real);
@@ -160,8 +162,8 @@ class ObjectCheck {
   const std::string code_;
 };
 
-// Finds steps that joints need before they move, such as motor power, which no object of the
-// program does although one commands joints.
+// Finds steps that joints need before they move, such as switching motor power on.  Reports a step
+// if an object of the program commands joints and no object does the step.
 void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* remarks) {
   std::string code;
   const ObjectFolder* mover = nullptr;

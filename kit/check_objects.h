@@ -16,7 +16,7 @@ void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* rem
 // An object of the project that a stick loads.
 struct PlacedObject {
   const ObjectFolder* folder = nullptr;
-  // Robot design in OBJECT.CFG that alone loads the object; "": all designs do.
+  // The only robot design in OBJECT.CFG that loads the object; "" means that all designs do.
   std::string section;
 };
 
@@ -24,8 +24,8 @@ struct PlacedObject {
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks);
 
-// Returns whether the service is a dummy: stub.cfg must have one subject and one observer at least,
-// so objects declare services that nothing is connected to.
+// Returns whether the service is a dummy, to which nothing is connected.  Objects declare dummies
+// because stub.cfg must have at least one subject and one observer.
 bool IsDummy(const StubService& service);
 
 // Adds a remark for each file name in the text of a source that the robot cannot open.

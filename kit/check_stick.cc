@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The robot's address in the files of Sony's samples.  A robot that runs here has another one.
+// The robot's address in the files of Sony's samples.  A robot that runs on this computer has
+// another address.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";
@@ -93,7 +94,8 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
 
 void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
-  // All services of a missing object have one cause.
+  // The remarks about all services of a missing object get the same cause, so they become one
+  // remark.
   std::string cause = name.object + ".";
   std::vector<std::string> known;
   for (const auto& [service, owner] : images_.services) {
@@ -232,7 +234,8 @@ void StickCheck::CheckDesigns() {
   }
 }
 
-// Checks the network settings, and files with names that were probably meant to be theirs.
+// Checks the network settings in WLANCONF.TXT, and finds files whose names are probably misspelt
+// forms of this name.
 void StickCheck::CheckWlan() {
   const fs::path folder = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF");
   const fs::path file = folder.empty() ? fs::path() : FindEntry(folder, kWlanFile);

@@ -56,7 +56,8 @@ bool TakesNextWord(const std::string& flag) {
                         "-aux-info"});
 }
 
-// Returns whether the flag is for the robot's processor, or one that the kit chooses itself.
+// Returns whether the flag is left out, because it is for the robot's processor or the kit sets it
+// itself.
 bool IsRobotFlag(const std::string& flag) {
   // All flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",

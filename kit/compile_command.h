@@ -21,13 +21,13 @@ struct CompileCommand {
 
 // Translates `arguments`.  Flags that mean nothing on the host are left out: flags for the
 // processor (-mips3, -G 0, -EL), -Werror and -ansi. -I- is replaced by today's flags, and -std by
-// the level of today's compiler with the same meaning.  `is_cxx` says that the driver was g++,
-// which compiles .c files as C++.
+// the level of today's compiler with the same meaning.  `is_cxx` says that the command was g++,
+// which compiles .c files as C++, and not gcc.
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx);
 
 // Returns the flags among `arguments` that change the meaning of a source: -D, -U, -I, -include,
-// -std and the like.  Relative names of folders and files in them are taken from `folder` and
-// become absolute.
+// -std and the like.  Relative names of folders and files in these flags are relative to `folder`
+// and become absolute.
 std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder);
 

@@ -109,8 +109,8 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
-  // Another compiler may have repaired a header while this one waited for the lock.  The old errors
-  // may be gone then, so the file is compiled again.
+  // Another compiler process may have repaired a header while this one waited for the lock, so the
+  // errors may be gone and the file is compiled again.
   extra_.clear();
   ProcessResult now = Try({});
   if (!now.good()) UsePreludeIfItHelps(&now);

@@ -74,7 +74,8 @@ class ControllerBuild {
     return good;
   }
 
-  // Compiles the function that calls main().  It depends on how main() was declared.
+  // Compiles the function that calls main(), whose text depends on how the controller declares
+  // main().
   bool CompileCallOfMain() {
     const ControllerMain main = FindControllerMain("nm", {objects_.begin(), objects_.end()});
     if (!main.problem.empty()) {
@@ -95,8 +96,8 @@ class ControllerBuild {
     return RunMkbin(arguments) == 0;
   }
 
-  // Checks that the files which are copied to the stick have names for it and that the robot boots
-  // with them.
+  // Checks that the files which are copied to the stick have names that a stick can have, and that
+  // the robot boots with them.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {

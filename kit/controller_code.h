@@ -1,5 +1,5 @@
-// Finds the functions in the sources of a controller, and which function calls which.  Reads text
-// only.
+// Finds the functions in the sources of a controller, and which function calls which.  Only reads
+// the text and does not run the compiler.
 #pragma once
 
 #include <deque>
@@ -56,10 +56,10 @@ class ControllerCode {
   // Returns the names of functions passed to `registrar`, such as robot_run.
   std::set<std::string> GivenTo(const std::string& registrar) const;
 
-  // Returns `names` and all functions that they call, directly or not.
+  // Returns `names` and the names of all functions that these call, directly or not.
   std::set<std::string> ReachedFrom(std::set<std::string> names) const;
 
-  // Returns `name` and all functions that call it, directly or not.
+  // Returns `name` and the names of all functions that call this function, directly or not.
   std::set<std::string> LeadingTo(const std::string& name) const;
 
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
@@ -75,7 +75,8 @@ class ControllerCode {
   std::deque<CodeFile> files_;
   MacroTable macros_;
   std::vector<CodeFunction> functions_;
-  // By name of the caller; "": outside of functions.
+  // The names of called functions, by the name of the caller; "" stands for code outside of
+  // functions.
   std::map<std::string, std::set<std::string>> callees_;
 };
 

@@ -19,7 +19,8 @@ struct Form {
   const char* call;
 };
 
-// C has the same symbol for all arguments.  A function without parameters ignores the arguments.
+// The ways of declaring main().  In C the symbol is the same for all parameters, so main() is
+// called with all arguments; a function without parameters ignores them.
 constexpr Form kForms[] = {
     {"controller_main", "extern \"C\" int controller_main(int argc, char** argv);",
      "controller_main(1, arguments)"},

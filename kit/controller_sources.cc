@@ -32,7 +32,7 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
   return found;
 }
 
-// Makes make print all variables that the file sets.
+// The text of a Makefile that prints all variables that the file $(LIST) sets.
 constexpr char kPrintVariables[] =
     "include $(LIST)\n"
     "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"
@@ -56,7 +56,7 @@ Diagnostic AtWord(const fs::path& list, const std::string& text, const std::stri
 
 void ReadList(const fs::path& folder, ControllerSources* sources) {
   const std::string text = ReadText(sources->list).value_or("");
-  // make itself expands the values, because a list may use its functions and conditions.
+  // make itself expands the values, because a list may use functions and conditions of make.
   const TempFolder scratch;
   const std::string makefile = scratch.path() + "/print.mk";
   if (!WriteText(makefile, kPrintVariables).empty()) return;
@@ -88,7 +88,8 @@ void ReadList(const fs::path& folder, ControllerSources* sources) {
           AtWord(sources->list, text, word, fmt::format("there is no file '{}'", word)));
     }
   }
-  // A list without any word means the empty controller; words of other kinds are a mistake.
+  // A list without any word means the empty controller.  A list that has words but no sources is a
+  // mistake.
   if (has_words && sources->files.empty()) {
     sources->diagnostics.push_back(
         AtWord(sources->list, text, "",

@@ -37,7 +37,7 @@ std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const P
   return headers;
 }
 
-// Returns whether the source has a main(): then it is a program of its own and no part of an
+// Returns whether the source has a main(), which makes it a program of its own and no part of an
 // object.
 bool HasMain(const fs::path& source) {
   static const std::regex kMain("(?:^|\n)[ \t]*(?:(?:int|void)[ \t\r\n]+)?main[ \t]*\\(");
@@ -50,7 +50,7 @@ std::string Joined(const Paths& paths) {
   return text;
 }
 
-// Returns the .ocf file of an object.  If there is no single one, returns "" and sets `problem`.
+// Returns the .ocf file of an object.  If there is not exactly one, returns "" and sets `problem`.
 fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   if (object.ocfs.size() == 1) return object.ocfs[0];
   if (object.ocfs.empty()) {
@@ -132,7 +132,7 @@ void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
 
 class ConventionBuild {
  public:
-  // `flags` come from the object's Makefile.
+  // Prepares the build of `object`.  `flags` are compiler flags from the object's Makefile.
   ConventionBuild(const Project& project, const ObjectFolder& object,
                   std::vector<std::string> flags, fs::path build, const MakeOptions& options)
       : project_(project),
@@ -148,14 +148,15 @@ class ConventionBuild {
     }
   }
 
-  // Builds.  Returns the reason why the object cannot be tried, or "".
+  // Builds the object.  Returns the reason why it cannot even be tried, or "".
   std::string Run() {
     std::string problem;
     ocf_ = ChooseOcf(object_, &problem);
     if (!problem.empty()) return problem;
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
-    // Names that are undefined at the first attempt may be found at the second one.
+    // Names that are undefined at the first attempt may be found at the second attempt, so the
+    // failure of the first is not shown if there is a second.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";
@@ -208,8 +209,8 @@ class ConventionBuild {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
     flags += " -I" + object_.folder.string();
-    // gcc searches a folder of -idirafter last, even if -I names it too, so a folder gets one of
-    // the flags.
+    // gcc searches a folder of -idirafter last even if -I names it too, so each folder gets only
+    // one of the two flags.
     const auto add = [&](const fs::path& folder, const char* search) {
       const bool is_first =
           std::find(flags_.begin(), flags_.end(), "-I" + folder.string()) != flags_.end();

@@ -24,10 +24,10 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& sources,
     const std::vector<std::filesystem::path>& shared);
 
-// Builds `objects` of `project` in folders below `work`.  `plan` is how make was called for them
-// before, if it was; the flags of their Makefiles are used here too.  Returns a line for each
-// object that cannot even be tried.  Messages of compilers are passed on; failures and images are
-// in the log.
+// Builds `objects` of `project` in folders below `work`.  `plan` says how make was called for these
+// objects before, if it was; the flags of their Makefiles are used here too.  Returns a line for
+// each object that cannot even be tried.  Messages of compilers are passed on; failures and images
+// are in the log.
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
                                            const MakePlan& plan, const std::filesystem::path& work,

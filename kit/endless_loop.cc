@@ -87,8 +87,8 @@ class LoopFinder {
     return word == "true" || is_true_(word);
   }
 
-  // Returns whether the condition asks a device for a value that changes only with time.  A
-  // condition that changes a variable itself does not count.
+  // Returns whether the condition asks a device for a value that changes only with time.  Returns
+  // false if the condition itself changes a variable.
   static bool AsksADevice(const std::string& condition) {
     static const std::regex kAsks(
         "\\b(\\w+_sensor_get_value|servo_get_position|accelerometer_get_values|"

@@ -1,4 +1,4 @@
-// Finds loops in C sources that cannot end, as far as the text shows it.
+// Finds loops in C sources that cannot end, as far as the text of the source shows that.
 #pragma once
 
 #include <functional>
@@ -14,9 +14,9 @@ struct EndlessLoop {
 };
 
 // Returns the loops of `code`, a text without comments, that no break, return, goto or exit()
-// leaves and whose condition never changes: it is always true, or asks only for a value that cannot
-// change while the loop runs.  `is_true` returns whether a word is a number other than 0 or a name
-// of such a number.
+// leaves and whose condition never changes.  Such a condition is always true, or asks only for a
+// value that cannot change while the loop runs.  `is_true` returns whether a word is a number other
+// than 0 or a name of such a number.
 std::vector<EndlessLoop> FindEndlessLoops(const std::string& code,
                                           const std::function<bool(std::string_view)>& is_true);
 

@@ -8,7 +8,7 @@
 namespace openr_host {
 
 // Returns the processor that an object file or an archive of object files was compiled for, such as
-// "MIPS".  Returns "" for the processor of this machine and for files of other kinds.
+// "MIPS".  Returns "" if that is the processor of this machine, and for files of other kinds.
 std::string ForeignProcessorOf(const std::filesystem::path& file);
 
 // Returns the file names of the members of an archive; none if `file` is no archive.

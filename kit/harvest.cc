@@ -114,7 +114,7 @@ class StickCompletion {
     }
   }
 
-  // Returns the path for an object that is outside of OBJS.
+  // Returns the path on the stick for an object that OBJECT.CFG places outside of OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
@@ -135,7 +135,7 @@ class StickCompletion {
     for (const std::string& name : missing_) TakeFromKit(name);
   }
 
-  // Matches missing names with unused images for which `is_wanted` is true.
+  // Matches names that have no image yet with unused images for which `is_wanted` returns true.
   void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;

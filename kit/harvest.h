@@ -22,7 +22,7 @@ struct Harvest {
   std::vector<HarvestedImage> images;
   std::vector<std::string> problems;  // lines for the user
   std::vector<std::string> notes;
-  // Files that no rule of a Makefile has put on the stick.
+  // Files that this function, and no rule of a Makefile, has put on the stick.
   std::vector<std::filesystem::path> placed;
   std::set<std::string> used;  // images of the log that are on the stick
 };

@@ -63,7 +63,7 @@ class Matcher {
     }
   }
 
-  // Pairs each name that fits exactly one candidate, if that candidate fits no other name.
+  // Pairs each name that fits exactly one candidate, if the candidate also fits no other name.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

@@ -1,4 +1,4 @@
-// Finds out which image a line of OBJECT.CFG means when no Makefile says it.
+// Finds out which image a line of OBJECT.CFG means when no Makefile tells.
 #pragma once
 
 #include <string>

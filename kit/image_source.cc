@@ -34,8 +34,9 @@ struct ImageInfo {
 static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
     )";
 
-// A function that may end without returning a value is compiled with calls at its beginning and its
-// end (compile_tool.cc).  The last call leaves 0 in the register of the return value.
+// The rest of the source: the description of the image and helper functions.  A function that may
+// end without returning a value is compiled with calls of the helper functions at its beginning and
+// its end (compile_tool.cc).  The call at the end leaves 0 in the register of the return value.
 constexpr std::string_view kRest = R"(;
 
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;

@@ -36,8 +36,8 @@ struct KitLog {
   std::vector<Repair> repairs;
 };
 
-// Appends to the file that $OPENR_KIT_LOG names; does nothing without that variable.  Names become
-// absolute.  Several tools may do this at once.
+// Each appends an entry to the file that $OPENR_KIT_LOG names; does nothing without that variable.
+// Names of files become absolute.  Several tools may append at the same time.
 void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);

@@ -1,4 +1,4 @@
-// mkbin for the host.
+// The tool mkbin for the host: links the image of an object.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,8 +29,9 @@ int Refuse(const std::string& why) {
   return 1;
 }
 
-// Refuses object files and libraries for another processor.  Object files of an earlier build for
-// the robot look up to date to make, and libraries may have come without sources.
+// Returns whether the command has object files or libraries for another processor, and reports
+// them.  Such files occur because object files of an earlier build for the robot look up to date to
+// make, and because libraries may have come without sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);
@@ -79,8 +80,8 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
-// Returns the file that the linker writes.  The image is a copy of it, so that no incomplete image
-// ever exists.
+// Returns the name of the file that the linker writes.  The image is made from this file only after
+// success, so that no incomplete image ever exists.
 std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
@@ -113,8 +114,8 @@ std::string WithoutDangerWarnings(const std::string& output) {
   return last.empty() ? kept : kept + last + "\n";
 }
 
-// Makes links with the names of the intermediate files of the SDK's mkbin, because rules of
-// Makefiles look at them.
+// Makes links with the names that the intermediate files of the SDK's mkbin have, because rules of
+// Makefiles use these files.
 void LinkIntermediates(const LinkCommand& command) {
   std::error_code ignored;
   for (const char* extension : {".snap.elf", ".rel.elf"}) {
@@ -151,7 +152,8 @@ int RunMkbin(const Arguments& arguments) {
     LogFailure({command.ocf, "is not a good .ocf file", command.output});
     return 1;
   }
-  // Checked before linking, because the linker's own message does not say what to do.
+  // Foreign code is looked for before linking, because the linker's own message does not say what
+  // to do.
   if (HasForeignCode(command)) return 1;
   const std::string image_info = CompileImageInfo(command, *ocf_text);
   if (image_info.empty()) return 1;

@@ -32,7 +32,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
-      // A Makefile that sets no compiler would get make's default compiler.
+      // The tools are set here, because a Makefile that sets no compiler would get make's default
+      // compiler.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
@@ -49,7 +50,8 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
   if (!echoes) all.push_back("--output-sync=target");
-  // Recipes of these programs were written on systems where sh was bash.
+  // bash is used if possible, because recipes of these programs were written on systems where sh
+  // was bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
   Environment environment = MakeEnvironment(options);

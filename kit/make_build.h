@@ -36,7 +36,8 @@ struct MakeOutcome {
 // set to the project's own stick that is nearest to the folder in which make runs.
 MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 
-// Runs make as planned.  Output of compilers and make is passed on.  Images are in the log.
+// Runs make as planned.  Passes on the output of compilers and make.  The images that were made are
+// in the log.
 MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
 
 // Runs the Makefile in `folder` for the first target and `install`, with the variables of the plan.

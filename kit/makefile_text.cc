@@ -14,7 +14,7 @@ void AddOnce(const std::string& name, Names* names) {
   if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
 }
 
-// Returns the group `group` of every match, each text once.
+// Returns the text of the group number `group` in every match of `pattern`, each text once.
 Names AllMatches(const std::string& text, const std::regex& pattern, size_t group = 1) {
   Names names;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {

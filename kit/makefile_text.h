@@ -19,8 +19,8 @@ struct MakefileVariable {
   std::string folder;  // the folder that it means, below the SDK or stick: "" or "/OPEN_R/bin"
 };
 
-// Returns the variables that mean the SDK or a folder of it.  Their use shows that:
-// $(X)/OPEN_R/lib, $(X)/mipsel-linux-g++, $(X)/mkbin.
+// Returns the variables that mean the SDK or a folder of it.  The text that follows a variable
+// shows what it means: $(X)/OPEN_R/lib, $(X)/mipsel-linux-g++, $(X)/mkbin.
 std::vector<MakefileVariable> SdkVariables(const std::string& text);
 
 // Returns the variables that mean the root of a Memory Stick, as in $(X)/OPEN-R/MW/OBJS.

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Objects that exist without being on a stick. tcpGateway runs if a HOSTGW.CFG asks for it.
+// Names of objects that exist without being on a stick, so no new object may have them.  The object
+// tcpGateway runs if a HOSTGW.CFG asks for it.
 constexpr const char* kSystemObjects[] = {"oobjectManager", "OVirtualRobotComm",
                                           "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
 

@@ -75,8 +75,8 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Returns whether the nearest object folder above `file` is that of another object.  A folder that
-// contains both objects belongs to neither.
+// Returns whether the nearest object folder above `file` is the folder of another object.  A folder
+// that contains both objects belongs to neither.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
@@ -154,7 +154,8 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
         }
       };
       add_all(by_name_.equal_range(name));
-      // The source beside a header: Util.cc for Util.h.
+      // The source with the same name as an included header also belongs to the object: Util.cc for
+      // Util.h.
       add_all(by_stem_.equal_range(fs::path(name).stem()));
     }
   }

@@ -29,7 +29,7 @@ class ObjectParts {
   // whose name is like the object's.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
-  // Returns whether its Makefiles compile it for the PC, as a part of Remote Processing.
+  // Returns whether the object's Makefiles compile it for the PC, as a part of Remote Processing.
   bool IsForRemoteProcessing(const ObjectFolder& object) const;
 
   // Returns the file names of images that rules install for this object alone.

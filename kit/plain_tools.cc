@@ -23,7 +23,7 @@ int Fail(const char* tool, const std::string& file) {
   return 1;
 }
 
-// Prints the problem, if there is one, and returns the exit code.
+// Prints `problem`, unless it is "", and returns the exit code.
 int Check(const char* tool, const std::string& problem) {
   if (problem.empty()) return 0;
   std::fprintf(stderr, "%s: %s\n", tool, problem.c_str());
@@ -49,7 +49,7 @@ std::string Gzipped(std::string bytes) {
   return packed;
 }
 
-// Returns the path of the copy: TO, or a file in it if TO is a folder.
+// Returns the path of the copy: `to`, or a file in `to` if that is a folder.
 fs::path Target(const fs::path& from, const fs::path& to) {
   std::error_code error;
   return fs::is_directory(to, error) ? to / from.filename() : to;

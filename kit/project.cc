@@ -64,7 +64,8 @@ StickFolder DescribeStick(const fs::path& root) {
   if (stick.object_config.empty()) return stick;
   const std::string text = ReadText(stick.object_config).value_or("");
   stick.objects = ParseObjectConfig("OBJECT.CFG", text, kEveryDesign).objects;
-  // Lines for different robots may name the same image.
+  // Only the first line of each image is kept, because lines for different robots may name the same
+  // image.
   std::set<std::string> seen;
   std::erase_if(stick.objects, [&](const ObjectRecord& record) {
     return !seen.insert(LowerCase(record.path)).second;
@@ -108,8 +109,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   std::map<fs::path, std::vector<fs::path>> files_of;
   std::set<fs::path> seen;  // because one folder may be inside another
   for (const fs::path& folder : folders) {
-    // A folder outside of the project may have a stick of its own, which must not be written to if
-    // the project has one.
+    // A folder outside of the project may have a stick too, which must not be written to if the
+    // project has a stick of its own.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder))
       if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
@@ -123,7 +124,7 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   const auto is_ours = [&](const ObjectFolder& object) {
     return IsBelow(object.folder, project.root);
   };
-  // If the project has objects, those of folders outside are not built.
+  // If the project has objects, the objects of folders outside are not built and become neighbours.
   if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
     const auto first =
         std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);

@@ -32,12 +32,13 @@ struct StickFolder {
 struct Project {
   std::filesystem::path root;
   std::vector<ObjectFolder> objects;  // sorted by name
-  // Objects outside of the root; empty if the root has no objects.
+  // Objects in folders outside of the root.  Empty if the root has no objects, because they are in
+  // `objects` then.
   std::vector<ObjectFolder> neighbours;
   std::vector<StickFolder> sticks;
   std::vector<std::filesystem::path> makefiles;  // all, including Makefiles that others include
   std::vector<std::filesystem::path> shared_sources;  // outside of objects' folders
-  // Folders of headers outside of objects' folders.
+  // Folders with headers, outside of objects' folders.
   std::vector<std::filesystem::path> header_folders;
 };
 

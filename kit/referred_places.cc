@@ -57,7 +57,7 @@ std::string Expanded(const std::string& text, const Variables& variables) {
   return result;
 }
 
-// Returns the files that a Makefile includes, as far as its own variables tell.
+// Returns the files that a Makefile includes, as far as its own variables show their paths.
 std::vector<fs::path> IncludedFiles(const fs::path& folder, const std::string& makefile) {
   static const std::regex kInclude("(?:^|\n)[ \t]*[-s]?include[ \t]+([^#\n]+)");
   std::vector<fs::path> files;
@@ -111,7 +111,8 @@ class PlaceSearch {
     }
   }
 
-  // Adds a place that was found.  `is_above`: it is named as ".." and not by its name.
+  // Adds a file or folder that was found.  `is_above` says that its path ends in ".." and not in
+  // its name.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;

@@ -23,8 +23,8 @@ struct ReferredPlaces {
 // that stand for paths: "$(TOP)/lib" becomes "../../lib" where TOP is "../..".
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
-// Follows the paths that files below `root`, an absolute folder, name, and the paths in what is
-// found there.
+// Follows the paths named by files below `root`, an absolute folder, and then the paths named by
+// the files that are found there.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

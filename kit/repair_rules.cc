@@ -15,7 +15,7 @@ namespace {
 
 using Edits = std::vector<Edit>;
 
-// A complaint, and its file with and without comments.
+// A complaint, and the text of its file with and without comments.
 struct Spot {
   const Complaint& complaint;
   const std::string& text;
@@ -36,7 +36,7 @@ struct Spot {
   }
 };
 
-// Returns blanks in place of the text; line ends stay.
+// Returns blanks in place of the text from `begin` to `end`, with its line ends.
 std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
   std::string blanks = text.substr(begin, end - begin);
   for (char& c : blanks) {
@@ -201,7 +201,8 @@ std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const s
   return Loop{at, open + 1, semicolon};
 }
 
-// Returns the last such loop before `use` whose enclosing block is still open at `use`.
+// Returns the last loop before `use` that declares `name` and whose enclosing block is still open
+// at `use`.
 std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::string& name) {
   int depth = 0;
   for (size_t at = use; at-- > 0;) {
@@ -258,7 +259,7 @@ bool MayInheritNames(const std::string& head) {
   return std::regex_search(head, kDerived) || std::regex_search(head, kMember);
 }
 
-// Returns whether that is true for one of the blocks around `at`.
+// Returns whether MayInheritNames() is true for the text before one of the blocks around `at`.
 bool IsInInheritingTemplate(const std::string& code, size_t at) {
   int depth = 0;
   while (at-- > 0) {

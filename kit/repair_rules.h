@@ -1,5 +1,5 @@
-// Repairs sources that the SDK's g++ 3.3 accepted and today's g++ does not, so that both accept
-// them.
+// Repairs sources that the SDK's g++ 3.3 accepted and today's g++ does not, so that both compilers
+// accept them.
 //
 // Each rule handles one kind of compiler message and looks at the text around its place.  No line
 // changes its number, so that later messages name the lines of the user's own file.

@@ -10,7 +10,8 @@ struct LackedCall {
   const char* why;  // text that follows "NAME(): "
 };
 
-// Returns the entry of the call `name`; null if the robot has it or if the name is not known.
+// Returns the entry of the call `name`; null if the robot has this call or if the name is not
+// known.
 const LackedCall* FindLackedCall(std::string_view name);
 
 // Returns whether the first argument of the function `name` is the name of a file or folder.

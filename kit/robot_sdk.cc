@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names from the core reference, section 5.5.
+// The tools of the SDK that are needed, with their names from the core reference, section 5.5.
 constexpr const char* kTools[] = {"bin/mipsel-linux-g++", "bin/mipsel-linux-gcc",
                                   "OPEN_R/bin/stubgen2", "OPEN_R/bin/mkbin"};
 
@@ -79,7 +79,7 @@ fs::path RobotSdk::BaseStick(const std::string& model, const std::string& flavou
 }
 
 void RobotSdk::GenerateStub(const fs::path& config, const fs::path& folder) const {
-  // stubgen2 writes to the folder in which it runs.
+  // The tool runs in `folder`, because stubgen2 writes to the folder in which it runs.
   Run({Tool("OPEN_R/bin/stubgen2"), config}, folder, config.filename().string());
 }
 

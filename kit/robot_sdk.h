@@ -26,12 +26,11 @@ class RobotSdk {
   std::filesystem::path BaseStick(const std::string& model, const std::string& flavour,
                                   bool is_protected) const;
 
-  // The three functions throw std::runtime_error when the tool fails.  The tool has printed the
-  // reason then.
-  // Writes def.h, entry.h and the stub to `folder`.
+  // The next three functions throw std::runtime_error when the tool fails.  By then the tool has
+  // printed the reason.  Writes def.h, entry.h and the stub to `folder`.
   void GenerateStub(const std::filesystem::path& config, const std::filesystem::path& folder) const;
 
-  // `options`: -I and -D.
+  // Compiles `source` to an object file.  `options` are flags such as -I and -D.
   void Compile(const std::filesystem::path& source, const std::filesystem::path& object,
                const std::vector<std::string>& options) const;
 

@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder beside the output.  It takes the name of the output at the end, or is removed after a
-// failure.
+// A folder beside the output, in which the stick is made.  At the end it gets the name of the
+// output; after a failure it is removed.
 class Draft {
  public:
   explicit Draft(const std::string& output)
@@ -142,7 +142,8 @@ class RobotStick {
     Write(to, MergeConfig(ReadText(to).value_or(""), ours));
   }
 
-  // Copies the network settings of the controller, or else of the base, or else ours.
+  // Copies the network settings of the controller; without them, those of the base; without these
+  // too, our own.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =
@@ -195,7 +196,8 @@ class RobotStick {
     }
   }
 
-  // Compiles the controller.  Its main function gets another name, by which the wrapper calls it.
+  // Compiles the controller.  Its main function gets another name, by which CallControllerMain()
+  // calls it.
   void CompileController() {
     ControllerSources sources;
     if (options_.controller.empty()) {
@@ -229,8 +231,8 @@ class RobotStick {
     controller_.push_back(Compile(source, work, {}));
   }
 
-  // Compiles one source.  Object files have numbers, because two sources of an object may have one
-  // name.
+  // Compiles one source.  Object files have numbers, because two sources of an object may have the
+  // same name.
   fs::path Compile(const fs::path& source, const fs::path& work,
                    const std::vector<std::string>& options) {
     fs::create_directories(work);

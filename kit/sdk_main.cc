@@ -1,5 +1,5 @@
-// openr-sdk: all tools of the SDK tree are links to this program.  It looks at the name it was
-// called by.
+// openr-sdk: all tools of the SDK tree are links to this program, which does the work of the tool
+// whose name it was called by.
 //
 //   mipsel-linux-g++ -O2 -c a.cc      the same as      openr-sdk g++ -O2 -c a.cc
 #include <cstdio>

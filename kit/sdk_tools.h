@@ -18,14 +18,15 @@ int RunCompiler(const Arguments& arguments, bool is_cxx);
 // .ocf.
 int RunMkbin(const Arguments& arguments);
 
-// image-info OCF OUT: writes the source with that text, which is to be compiled and linked last.
+// image-info OCF OUT: writes the source with the text of the .ocf, which is to be compiled and
+// linked last.
 int RunImageInfo(const Arguments& arguments);
 
 // controller-main NM OUT [OBJECT...]: writes the source that calls main() of a controller, for
 // build systems; see controller_main.h.
 int RunControllerMain(const Arguments& arguments);
 
-// gzcp FROM TO: makes a compressed copy.
+// gzcp FROM TO: makes a copy of FROM that is compressed with gzip.
 int RunGzcp(const Arguments& arguments);
 
 // strip [-o OUT] FILE...: copies without a change, because a debugger on the host needs the lines.

@@ -11,14 +11,15 @@ struct SourceCopy {
   std::string original;
 };
 
-// Returns the list that `openr build` passes in the environment; empty when a tool runs by itself.
+// Returns the list of private copies that `openr build` passes in the environment; empty when a
+// tool was not started by `openr build`.
 std::vector<SourceCopy> SourceCopies();
 std::string ToEnvironment(const std::vector<SourceCopy>& copies);
 
 // Returns `text` with paths of copies replaced by those of the originals.
 std::string InTermsOfOriginals(std::string text, const std::vector<SourceCopy>& copies);
 
-// Returns the original of `file`, an absolute path; "" when it is in no copy.
+// Returns the original of `file`, an absolute path; "" when the file is in no private copy.
 std::string OriginalOf(const std::string& file, const std::vector<SourceCopy>& copies);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Turns a position in a source into what a message shows of it.
+// Converts a position in a source to a line and a column, for messages.
 #pragma once
 
 #include <cstddef>

@@ -68,7 +68,8 @@ std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
   return complaints;
 }
 
-// Returns `text` with the edits that do not overlap, made from the end to the beginning.
+// Returns `text` with all edits made that do not overlap.  Edits are made from the end to the
+// beginning, so that the positions of the remaining ones stay right.
 std::string Edited(std::string text, std::vector<Edit> edits) {
   std::sort(edits.begin(), edits.end(),
             [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
@@ -135,7 +136,8 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   std::vector<Complaint> complaints = ReadComplaints(diagnostics);
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
-  // Names that are not declared because a 'typename' is missing will be declared after that repair.
+  // While a 'typename' is missing, names may count as not declared for this reason alone, so
+  // complaints about names wait for that repair.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

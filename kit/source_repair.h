@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-// The repairs during one compilation.  While a session exists, other processes wait with theirs,
-// because headers are shared.
+// The repairs during one compilation.  While a session exists, other processes wait with their
+// repairs, because headers are shared.
 class RepairSession {
  public:
   RepairSession();

@@ -14,8 +14,8 @@ size_t EndOfComment(std::string_view text, size_t at) {
   return end == kNone ? text.size() : end + 2;
 }
 
-// Returns the same for strings and character literals.  They end at the end of their line at the
-// latest.
+// Returns the end of the string or character literal that begins at `at`, or `at` if none does.  A
+// literal ends at the end of its line at the latest.
 size_t EndOfString(std::string_view text, size_t at) {
   const char quote = text[at];
   if (quote != '"' && quote != '\'') return at;

@@ -23,11 +23,12 @@ std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 // Returns the position of a line and a column, both from 1; npos if the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);
 
-// Means: no position.
+// The value of a position that does not exist.
 inline constexpr size_t kNone = std::string_view::npos;
 
-// Return the position of the next character from `at` on, or of the previous one before `at`, that
-// is neither a blank nor a line end; kNone if there is none.
+// NextOf() returns the position of the first character from `at` on that is neither a blank nor a
+// line end, PreviousOf() the position of the last such character before `at`; kNone if there is
+// none.
 size_t NextOf(std::string_view text, size_t at);
 size_t PreviousOf(std::string_view text, size_t at);
 

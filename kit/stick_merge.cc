@@ -62,7 +62,7 @@ std::string MergeConfig(const std::string& base, const std::string& ours) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // The same line may be in several sections.
+      // Inside of sections no line is dropped, because the same line may be in several sections.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }

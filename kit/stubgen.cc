@@ -42,7 +42,8 @@ std::optional<std::string> ReadStream(std::istream& in) {
   return text;
 }
 
-// Returns the text, or nullopt after printing an error.
+// Returns the text of `file` or, if `file` is "", of `in`.  Returns nullopt after printing an
+// error.
 std::optional<std::string> ReadInput(const std::string& file, std::istream& in, std::ostream& err) {
   if (file.empty()) {
     std::optional<std::string> text = ReadStream(in);

@@ -20,7 +20,8 @@ bool HasExtension(const fs::path& file, std::initializer_list<const char*> exten
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// `open` holds the folders on the way to this one, without links, so that circles are found.
+// Adds the files below `folder`.  `open` has the real paths of the folders that contain it, so that
+// a link to one of these is not followed in a circle.
 void AddFiles(const fs::path& folder, std::vector<fs::path>* open, std::vector<fs::path>* files) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);

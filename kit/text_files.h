@@ -23,13 +23,14 @@ std::string WithoutOddCharacters(std::string path);
 // none.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 
-// Returns the same for a path of several parts, such as OPEN-R/MW/CONF.
+// Does what FindEntry() does, for a path of several parts such as OPEN-R/MW/CONF.
 std::filesystem::path FindBelow(std::filesystem::path folder, const std::string& path);
 
 // Returns `path` below `folder`.  Parts that exist, in any case, are written as on the disk.
 std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
 
-// Return whether a file of this name is a C or C++ source, a header, or a file of Makefile rules.
+// Each returns whether a file of this name is of one kind: a C or C++ source, a header, a file of
+// Makefile rules.
 bool IsSourceName(const std::filesystem::path& file);
 bool IsHeaderName(const std::filesystem::path& file);
 bool IsMakefileName(const std::filesystem::path& file);
@@ -50,7 +51,7 @@ std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folde
 // folder.
 std::string WhyUnreadable(const std::filesystem::path& path);
 
-// Returns those of `folder` and the files and folders in it that exist and cannot be read.
+// Returns the paths that exist and cannot be read, among `folder` and the files and folders in it.
 std::vector<std::filesystem::path> UnreadableBelow(const std::filesystem::path& folder);
 
 }  // namespace openr_host

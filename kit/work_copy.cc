@@ -33,8 +33,8 @@ bool IsBuiltImage(const fs::path& file) {
          ReadImageFile(file).problem.empty();
 }
 
-// Returns whether the file is a list of dependencies for make.  Such lists name headers of the
-// robot's compiler.
+// Returns whether the file is a list of dependencies for make.  The copy of such a list is empty,
+// because the list names headers of the robot's compiler.
 bool IsDependencyList(const fs::path& file) {
   const std::string name = file.filename();
   return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
@@ -135,7 +135,7 @@ void WorkCopy::AddFolder(const fs::path& original) {
   for (const fs::path& file : FilesBelow(original)) {
     if (!IsBelow(file, work_)) CopyFile(file);
   }
-  // Creates empty folders too, because rules write into them.
+  // All folders are created, also empty ones, because rules write into them.
   std::error_code error;
   for (fs::recursive_directory_iterator it(original, error), end; !error && it != end;
        it.increment(error)) {
@@ -173,15 +173,15 @@ void WorkCopy::CopyFile(const fs::path& original) {
   std::error_code error;
   fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
   SetTime(copy, original);
-  // The stub gets a time before its stub.cfg, so that a rule which makes it will run.
+  // The stub gets an older time than its stub.cfg, so that a rule which makes the stub will run.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);
     if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
   }
 }
 
-// Replaces stubs that other versions of stubgen2 have left, because a Makefile may use them without
-// a rule that makes them in time.
+// Replaces stubs that other versions of stubgen2 have left, because a Makefile may use stubs
+// without a rule that makes them in time.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
   for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());

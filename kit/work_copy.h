@@ -17,7 +17,8 @@ namespace openr_host {
 
 class WorkCopy {
  public:
-  // `work` is a folder of the kit.  `sdk_root` replaces the paths of other SDKs in Makefiles.
+  // Opens or creates the copy in `work`, a folder of the kit.  `sdk_root` replaces the paths of
+  // other SDKs in Makefiles.
   WorkCopy(std::filesystem::path work, std::string sdk_root);
 
   // Brings the copy of `original`, an absolute folder, up to date, and copies everything outside of

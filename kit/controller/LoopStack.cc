@@ -1,13 +1,14 @@
 // LoopStack (objects/Controller/LoopStack.h) for the host, where a controller may be an endless
-// loop: robot_step() leaves its stack, the end of the LED vector continues it.  Part of images, so
-// it is gnu++98.
+// loop: robot_step() leaves the stack of the loop, and the end of the LED vector continues it.
+// This file is a part of images, so it is written in gnu++98.
 #include "LoopStack.h"
 
 #include "runtime/api/second_stack.h"
 
 namespace {
 
-// Goes with the image: on the robot's way of ending, or when another one is put in its place.
+// The stack of the loop.  It is destroyed with the image, either when the robot ends or when a new
+// image replaces this one.
 struct Stack {
   Stack() : stack(0) {}
   ~Stack() { openr_second_stack_delete(stack); }
