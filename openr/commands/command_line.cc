@@ -22,7 +22,8 @@ std::string PathOf(const CLI::App& command) {
   return parent.empty() ? command.get_name() : parent + " " + command.get_name();
 }
 
-// Returns the command that the words of the command line have led to so far.
+// Returns the last command that the words of the command line have chosen; the program itself if
+// none.
 const CLI::App& Chosen(const CLI::App& app) {
   const std::vector<CLI::App*> next = app.get_subcommands();
   return next.empty() ? app : Chosen(*next.back());
@@ -43,7 +44,8 @@ std::vector<std::string> CommandNames(const CLI::App& parent) {
   return names;
 }
 
-// Returns the error for `word` in place of a command of `parent`; "" for `word`: there is no word.
+// Returns the error for `word`, which stands where a command of `parent` is expected.  An empty
+// `word` means that no word stands there.
 std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
   const std::vector<std::string> names = CommandNames(parent);
   const std::string path = PathOf(parent);
@@ -102,7 +104,8 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
   };
-  // A missing command is reported first, because a misspelt command is also a word left over.
+  // A missing command is reported before words that are left over, because a misspelt command is
+  // such a word too.
   if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
     const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
     if (word != rest.end()) return NoSuchCommand(command, *word);

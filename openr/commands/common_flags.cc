@@ -83,8 +83,8 @@ CLI::Validator IsWritable() { return CLI::Validator(&WhyNotWritable, "FILE"); }
 
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem) {
   if (problem.empty()) return;
-  // ParseError is thrown, because CLI11 would put the flag's name before the text of a
-  // ValidationError, which has it already.
+  // ParseError is thrown and not ValidationError, because CLI11 would put the flag's name before
+  // the text of the latter, and this text has the name already.
   throw CLI::ParseError(fmt::format("{} {}: {}", flag, file, problem),
                         CLI::ExitCodes::ValidationError);
 }

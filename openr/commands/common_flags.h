@@ -24,7 +24,7 @@ CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
                              const std::function<void(int64_t us)>& take,
                              const std::string& description);
 
-// Does the same for a variable, whose value is the default.
+// Adds a flag that stores a duration in a variable, whose present value is the default.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
@@ -39,7 +39,8 @@ CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension);
 CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);
 
-// Throws the error of IsReadable() for a file with this problem; does nothing if `problem` is "".
+// Throws the error of IsReadable() for `file` with the reason `problem`; does nothing if `problem`
+// is "".
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem);
 
 // Refuses folders that can be neither created nor written to.

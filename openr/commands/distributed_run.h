@@ -1,5 +1,5 @@
-// The parts of a run outside its own process: workers, ROS 2, listeners of its status.  Without
-// their flags it does nothing.
+// The parts of a run outside its own process: workers, ROS 2, listeners of its status.  Without the
+// flags of these parts nothing is done.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ namespace openr_host {
 class InterruptCounter;
 class RunStick;
 
-// Its functions are called in the order of their declarations.  It must outlive the simulation.
+// The outside parts of one run.  The functions are called in the order of their declarations.  The
+// object must outlive the simulation.
 class DistributedRun {
  public:
   // Starts the workers of this host.  `interrupts` must outlive this object.  Throws
@@ -31,14 +32,15 @@ class DistributedRun {
   // Adds the stand-ins and ROS 2 to the options of a simulation that is not made yet.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
-  // Called when the simulation is loaded.  Throws std::runtime_error if the placement names an
-  // unknown object.
+  // Checks the placement when the simulation is loaded.  Throws std::runtime_error if the placement
+  // names an unknown object.
   void CheckPlaces() const;
 
   // Sends the rest of the tables to all workers.  Returns false after an error message.
   bool Connect(Simulation* simulation);
 
-  // Called before the runner of `plan` is made.
+  // Connects ROS 2 and the listeners, and sets the functions of `plan`.  Called before the runner
+  // of `plan` is made.
   void Begin(Simulation* simulation, RunPlan* plan);
 
   // Publishes the final status, and prints how many complaints about ROS 2 commands were left out.
@@ -47,8 +49,8 @@ class DistributedRun {
   // Adds findings about messages that arrived for lost workers.
   void ReportLosses();
 
-  // Called when the run is being brought down and still needs a report: no worker is waited for
-  // long.
+  // Shortens the times for which workers are waited for.  Called when the run is being brought down
+  // and still needs a report.
   void ShortenTimeouts();
 
   // Adds the workers, if there are any, to the report.

@@ -35,9 +35,10 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
-      // Cyclone DDS takes a folder for an empty file, so the run would not be protected.
+      // A folder is refused, because Cyclone DDS reads a folder like an empty file and the run
+      // would not be protected.
       ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
-  // Checked after parsing, when file and domain are known.
+  // The file is checked after parsing, when both file and domain are known.
   command->parse_complete_callback([bus] {
     if (bus->config_file.empty()) return;
     const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);

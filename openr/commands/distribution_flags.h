@@ -38,7 +38,8 @@ struct PlacementFlags {
 // AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 
-// Throws CLI::ValidationError if a flag was given that has no effect in a run like this.
+// Throws CLI::ValidationError if a flag was given that has no effect, either because the run has no
+// other processes or because it does not use DDS.
 void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_dds);
 
 // The flags --ros2 and --ros2-namespace.
@@ -48,8 +49,8 @@ struct Ros2Flags {
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
-// Starts the workers that the placement requires; null when all objects are in this process.
-// Throws CLI::ValidationError.
+// Starts the workers that the placement requires.  Returns null when all objects are in this
+// process.  Throws CLI::ValidationError.
 std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const RunStick& stick,
                                              int64_t handler_limit_us,
                                              std::function<int()> interrupts);

@@ -143,11 +143,11 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// The output of objects.  It is discarded unless there is a file; all runs, in all processes, write
-// to that file.
+// The output of objects.  Without a file the output is discarded; with a file, all runs in all
+// processes write to this file.
 class SharedConsole {
  public:
-  // Throws std::runtime_error when the file cannot be written.
+  // Opens `file`; "" means no file.  Throws std::runtime_error when the file cannot be written.
   explicit SharedConsole(const std::string& file) : file_(file) {
     if (file.empty()) return;
     std::string problem;

@@ -47,7 +47,7 @@ std::string WhyNoStick(const std::string& folder) {
 constexpr int kRefused = 3;  // another attempt would fail as well
 constexpr int kOffline = 4;  // the network was not available, so no run was looked for
 
-// Ties this process to the run that has started it: it ends when the run ends, for whatever reason.
+// Makes this process end when the run `parent`, which has started it, ends for whatever reason.
 // Ctrl-C and a closing terminal are handled by the run.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -59,8 +59,9 @@ void BecomeChild(pid_t parent) {
 volatile sig_atomic_t g_ended_by = 0;  // the first signal received
 volatile sig_atomic_t g_child = 0;     // child of JoinAgainAndAgain()
 
-// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal the worker ends after its handler and
-// tells the run, and so does a child; after the second a child ends at once.
+// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker (in this process or in a
+// child) finishes its handler, tells the run and ends.  After the second signal, a child ends at
+// once.
 void OnEndSignal(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
@@ -75,7 +76,7 @@ void HandleEndSignals(int flags) {
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
     action.sa_handler = &OnEndSignal;
-    // The handler runs on the alternate stack, because an object may have used up its own.
+    // The handler runs on the alternate stack, because an object may have used up its own stack.
     action.sa_flags = SA_ONSTACK | flags;
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
@@ -89,7 +90,7 @@ void HandleEndSignals(int flags) {
   _exit(128 + g_ended_by);
 }
 
-// Discards standard error while it exists.
+// Discards what is written to standard error while an object of this class exists.
 class SilencedErrors {
  public:
   explicit SilencedErrors(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
@@ -115,9 +116,9 @@ struct Outcome {
   bool is_refused = false;
 };
 
-// Runs a worker.  `is_known`: the user has been told already that the worker cannot take part; then
-// it throws std::exception without output.  When it returns, the other processes know that this one
-// leaves.
+// Runs a worker.  `is_known` says that the user has been told already why the worker cannot take
+// part; then an exception is thrown without output.  When Work() returns, the other processes know
+// that this process leaves.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
@@ -203,9 +204,9 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
 }
 
 // Starts a new process whenever one ends before the run is over.  A new process needs no cleaning
-// up, whatever its predecessor was doing.  If the network is not available, it tries again until it
-// is, and reports that once; at the first attempt this is an error, because the flags are probably
-// wrong.
+// up, whatever its predecessor was doing.  If the network is not available, reports that once and
+// tries again until the network is available.  At the first attempt this is an error, because the
+// flags are probably wrong.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   HandleEndSignals(0);

@@ -33,7 +33,7 @@ struct MtnFlags {
   Json answers = Json::array();  // filled with --json
 };
 
-// Reads the file.  Returns false, and sets `problem`, if it is no motion file.
+// Reads the file `name` into `motion`.  Returns false, and sets `problem`, if it is no motion file.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
   *problem = WhyNotReadable(name, "motion file", ".MTN");
   if (!problem->empty()) return false;

@@ -25,7 +25,8 @@ struct RcFlags {
   int key_frames = 0;
 };
 
-// An action prints one or more answers to standard output.  Throws the errors of RemoteClient.
+// A function that sends requests and prints one or more answers to standard output.  Throws the
+// errors of RemoteClient.
 using RcAction = std::function<void(RemoteClient* client, const RcFlags& flags)>;
 
 void RcInfoAction(RemoteClient* client, const RcFlags& flags);

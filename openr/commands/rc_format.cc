@@ -53,7 +53,7 @@ std::string FrameText(uint32_t frame) {
 Json FrameJson(uint32_t frame) { return frame == kNoFrame ? Json() : Json(frame); }
 
 std::string StateName(int state) {
-  // 0xff: RCServer has not heard of a state yet.
+  // 0xff means that RCServer has not received a state yet.
   return state == 0xff ? "starting" : MoverStateName(state);
 }
 

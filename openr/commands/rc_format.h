@@ -17,7 +17,7 @@ std::string FrameText(uint32_t frame);
 // Returns the number of the frame, or null before the first sensor values.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// Returns the name of a MoverState; "starting" while RCServer has not heard of one.
+// Returns the name of the MoverState `state`; "starting" while RCServer has not received a state.
 std::string StateName(int state);
 
 // Formats sensor values with the names and units of the robot's sensors.

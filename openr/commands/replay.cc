@@ -1,4 +1,4 @@
-// The command openr replay: runs a recorded run again and compares the two.
+// The command openr replay: runs a recorded run again and compares the new run with the recording.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -215,7 +215,7 @@ double RateOf(const std::string& text) {
       "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
 }
 
-// Throws if two outputs would go to the same file, because each is written from its beginning.
+// Throws if two outputs would go to the same file, because each output would overwrite the other.
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {
       {"--report", flags.report_file},   {"--record", flags.record_file},
@@ -273,7 +273,7 @@ RunPlan PlanOf(const RunFlags& flags) {
   return plan;
 }
 
-// Prints the problem, if there is one.  Returns whether there was none.
+// Prints `problem`, unless it is "".  Returns whether it is "".
 bool IsGood(const std::string& problem) {
   if (!problem.empty()) fmt::print(stderr, "openr: {}\n", problem);
   return problem.empty();
@@ -392,7 +392,8 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  // The run was interrupted before that was known.
+  // An interrupted run counts as booted, because it was interrupted before it was known whether the
+  // robot boots.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
@@ -446,8 +447,8 @@ bool CommandedRun::RunToTheEnd() {
   return good;
 }
 
-// Writes the report, then ends the processes, because the report needs facts from them.  Returns
-// false after printing an error.
+// Writes the report, then ends the worker processes; in this order, because the report needs facts
+// from the workers.  Returns false after printing an error.
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
   const bool is_stopped = system().end() && system().end()->kind == EndKind::kStrict;

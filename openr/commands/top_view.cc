@@ -35,7 +35,7 @@ ProcessHost HostOf(const RunStatus& run, const RunStatus::Object& object) {
   return {object.process, run.host, run.pid, ""};
 }
 
-// Returns how long the run has not been heard, if that is longer than usual; else 0.
+// Returns the time since the last status of the run, if that is longer than usual; else 0.
 double Silence_s(const Run& run, double now_s) {
   const double silent_s = now_s - run.heard_s;
   return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;

@@ -11,7 +11,7 @@
 
 namespace openr_host {
 
-// The runs that were heard, each with the time of its last status.
+// The runs whose status was received, each with the time of its last status.
 class RunsHeard {
  public:
   struct Run {

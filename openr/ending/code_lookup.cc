@@ -15,7 +15,7 @@ namespace {
 
 using Session = std::unique_ptr<Dwfl, decltype(&dwfl_end)>;
 
-// Address in the session at which the file is placed.  Any address will do.
+// The address at which the file is placed in the session of libdwfl.  Any address will do.
 constexpr GElf_Addr kBase = 0x10000;
 
 std::string Readable(const char* symbol) {
@@ -39,7 +39,7 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  // Makes memory and files belong to the program, not to an object.
+  // In this scope, memory and files belong to the program and not to an object.
   const CurrentScope scope(nullptr, nullptr);
   // Debug information is searched only beside the file, because packages installed on a machine
   // must not change the output of a run.

@@ -46,7 +46,7 @@ constexpr size_t kAlternateStackBytes = 256 << 10;  // enough to make a report o
 // Paths of the record files, by robot.  They are set before the run.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;
-// See CrashLog; none: the finding does not name the file.
+// The text `place` of CrashLog; without it the finding does not name the file.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 
@@ -82,7 +82,8 @@ const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
   return "an address that is not the object's";
 }
 
-// Adds "SIGSEGV (an address that is not the object's)".  REQUIRES: a handler runs.
+// Adds the name and the cause of the signal, such as "SIGSEGV (an address that is not the
+// object's)".  REQUIRES: a handler runs.
 void AddName(int signal, const siginfo_t& info, const void* context, SignalText* text) {
   switch (signal) {
     case SIGSEGV:
@@ -137,7 +138,7 @@ const std::string* FileOf(int robot) {
 // The file for the record.  It is opened and written with calls that a signal handler may use.
 class RecordFile {
  public:
-  // Opens the file `name`; null: there is no file.
+  // Opens the file `name`; null means that there is no file.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
     // open() is not used, because it is a hook in this process that may act for an object.
@@ -174,7 +175,8 @@ class RecordFile {
   int error_ = 0;  // errno of the first failure
 };
 
-// Writes what happened first, because the stack, which follows, may be too damaged to be walked.
+// Writes the record of the crash.  The stack comes last, because it may be too damaged to be
+// walked.
 void WriteRecordInSignal(Ending* ending, const void* context, int robot) {
   const std::string* const name = FileOf(robot);
   RecordFile file(name);

@@ -11,8 +11,8 @@
 
 namespace openr_host {
 
-// While it exists, SIGSEGV, SIGBUS, SIGFPE and SIGILL of an object end the run with a record.  The
-// same signals of the program itself have their default action.  Does nothing under
+// While a CrashLog exists, SIGSEGV, SIGBUS, SIGFPE and SIGILL of an object end the run with a
+// record.  The same signals of the program itself have their default action.  Does nothing under
 // AddressSanitizer, whose own report says more.
 class CrashLog {
  public:

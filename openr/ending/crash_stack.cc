@@ -34,8 +34,8 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   walk->is_outside = walk->is_outside || is_interrupted != 0;
   if (!walk->is_outside || IsStackChange(address)) return _URC_NO_REASON;
   if (walk->count == walk->max) return _URC_END_OF_STACK;
-  // The address of a call is wanted, not its return address, which may belong to another line or
-  // function.
+  // The return address may belong to another line or function than the call, so the address before
+  // it is stored.
   walk->addresses[walk->count++] = is_interrupted != 0 ? address : address - 1;
   return _URC_NO_REASON;
 }

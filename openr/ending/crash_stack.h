@@ -10,12 +10,13 @@ namespace openr_host {
 
 class Object;
 
-// Made in the signal handler of a crash, after BeginEnding(), because the stack may be so damaged
-// that walking it crashes again.  Frames are named by file and offset, not by address, so that the
-// same crash gives the same text in each run.  Callers of the object's handler are left out.
+// The stack of calls of a crashed object.  Made in the signal handler of the crash, after
+// BeginEnding(), because the stack may be so damaged that walking it crashes again.  Frames are
+// named by file and offset, not by address, so that the same crash gives the same text in each run.
+// Callers of the object's handler are left out.
 class CrashStack {
  public:
-  // `context`: the third argument of the signal handler.
+  // Walks the stack of `object`.  `context` is the third argument of the signal handler.
   CrashStack(const Object& object, const void* context);
 
   // Adds "STACK" and a line per frame, the innermost first: "  #0 TROUBLE.BIN+0x1234 Trouble::Go()
@@ -26,7 +27,7 @@ class CrashStack {
   // (Trouble.cc:57)".  Adds nothing if there is none.
   void AddPlace(SignalText* text) const;
 
-  // Returns the address of that frame; null if there is none.
+  // Returns the address of the innermost frame of the object's own code; null if there is none.
   const void* OwnAddress() const;
 
  private:

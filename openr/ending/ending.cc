@@ -20,7 +20,7 @@ namespace {
 // Time limit for all actions together; they take some milliseconds.
 constexpr unsigned kActionsMaxS = 10;
 
-// Signals that show that an action failed (SIGALRM: took too long).
+// Signals that show that an action failed; SIGALRM shows that an action took too long.
 constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
 EndingAction* g_newest = nullptr;
@@ -28,7 +28,8 @@ Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end began
 bool g_is_awaited = false;  // a EndingAnswer exists
 int g_answer = -1;
-// Prepared here, because nothing is allocated in OnSignalDuringEnding().
+// The file for the answer.  It is prepared in advance, because OnSignalDuringEnding() must not
+// allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {
@@ -49,7 +50,8 @@ void AnswerInSignal(const Ending& ending) {
   g_answer_file->Close();
 }
 
-// Handles a signal that comes while actions run: writes the answer without them, and ends.
+// Handles a signal that comes while actions run: writes the answer without the remaining actions,
+// and ends the process.
 void OnSignalDuringEnding(int) {
   const Ending* const ending = std::exchange(g_ending, nullptr);
   if (ending != nullptr) AnswerInSignal(*ending);

@@ -14,7 +14,7 @@ namespace openr_host {
 
 class Object;
 
-// How the process comes to its end.
+// The facts about the end of the process, as texts and data for those that report it.
 struct Ending {
   EndKind kind = EndKind::kCrash;
   SignalText record;         // lines for a person to read
@@ -25,8 +25,9 @@ struct Ending {
 
 RunEnd EndOf(const Ending& ending);
 
-// Registers the function `action` while it exists: CrashLog and Watchdog call it, in a signal
-// handler, before they end the process.  `action` may add to the ending's texts.
+// Registers the function `action` while the EndingAction exists.  CrashLog and Watchdog call the
+// function, in a signal handler, before they end the process.  `action` may add to the ending's
+// texts.
 class EndingAction {
  public:
   explicit EndingAction(std::function<void(Ending* ending)> action);
@@ -44,9 +45,9 @@ class EndingAction {
 // Calls all registered functions, the newest first.  A second call does nothing.
 void RunEndingActions(Ending* ending);
 
-// While it exists, a run that ends early says on the last line of standard error what ended it.  If
-// an answer in JSON is due and no EndingAction has written it, {"error", "ended_by", "findings"} is
-// written.  Only one may exist at a time.
+// While an EndingAnswer exists, a run that ends early says on the last line of standard error what
+// ended it.  If an answer in JSON is due and no EndingAction has written it, {"error", "ended_by",
+// "findings"} is written.  Only one may exist at a time.
 class EndingAnswer {
  public:
   // The answer goes to `descriptor` (-1: none) and to `file` ("": none).
@@ -56,9 +57,9 @@ class EndingAnswer {
   EndingAnswer& operator=(const EndingAnswer&) = delete;
 };
 
-// End the process, in two steps of a signal handler.  BeginEnding() writes out what objects have
-// printed so far, and prepares for signals that come while the process ends.  FinishEnding() runs
-// the registered actions, writes the answer, and does not return.
+// The two functions end the process, as two steps of a signal handler.  BeginEnding() writes out
+// what objects have printed so far, and prepares for signals that come while the process ends.
+// FinishEnding() runs the registered actions, writes the answer, and does not return.
 void BeginEnding(Ending* ending);
 [[noreturn]] void FinishEnding();
 

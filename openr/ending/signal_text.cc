@@ -46,7 +46,7 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
   std::string_view rest = text.text();
   while (rest.ends_with('\n')) rest.remove_suffix(1);
   Add("\"");
-  // Bytes of the longest escaped character and the closing quote.
+  // Number of bytes of the longest escaped character and the closing quote.
   constexpr size_t kTail = sizeof "\\n\"" - 1;
   for (const char c : rest) {
     if (size_ + kTail > sizeof text_) break;

@@ -31,7 +31,8 @@ class SignalText {
 // 7), message 4711, t=1248000 us".  Returns false, and adds nothing, if no handler runs.
 bool AddCurrentHandler(SignalText* text);
 
-// Adds its entry only: "NotifyMover (selector 7)".  REQUIRES: a handler runs.
+// Adds only the entry of the handler that runs: "NotifyMover (selector 7)".  REQUIRES: a handler
+// runs.
 void AddCurrentEntry(SignalText* text);
 
 // Writes the shortest report, because the state of the run may not be readable any more: {"error":

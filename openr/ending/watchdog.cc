@@ -44,7 +44,7 @@ void EndTheHandler() {
   FinishEnding();
 }
 
-// Handles SIGVTALRM.
+// Handles SIGVTALRM: ends the process if the same handler has run for the whole limit.
 void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =

@@ -29,7 +29,8 @@ struct Touched {
 };
 constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
 
-// Deliveries that need not be tried, by receiver; each stands for its next message.
+// Deliveries that need not be tried, by receiver.  Each stands for the delivery of the receiver's
+// next message.
 using SleepSet = std::map<ObjectId, Touched>;
 
 nlohmann::ordered_json TouchedToJson(const Touched& touched);
@@ -40,14 +41,14 @@ SleepSet SleepFromJson(const nlohmann::ordered_json& json);
 class ExactSchedule : public ExploreSchedule {
  public:
   // `plan` has "choices" (indices of the candidates, for the first questions), "sleep" (the sleep
-  // set at the last of them) and "reduce" (false: nothing sleeps).  Later questions get the first
-  // candidate that does not sleep.
+  // set at the last of these questions) and "reduce" (false: nothing sleeps).  Later questions get
+  // the first candidate that does not sleep.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Called before the handler of `message` runs.
+  // Notes the delivery of `message`.  Called before its handler runs.
   void SawDelivery(const Message& message);
 
-  // True if this run can show nothing new.
+  // Returns whether this run was cut, because it can show nothing new.
   bool is_cut() const { return is_cut_; }
 
   // Returns {"cut": bool, "nodes": [{"candidates": [ids], "chosen": index, "touched": .., "sleep":
@@ -82,7 +83,7 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // The current delivery, from its choice or its beginning to the choice of the next one.
+  // ---- The current delivery, from its choice or its beginning to the choice of the next delivery
   bool has_event_ = false;
   bool is_begun_ = false;  // its message has been delivered
   ObjectId event_target_ = kNoObject;

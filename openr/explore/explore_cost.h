@@ -12,7 +12,7 @@ class ExploredCost : public ConfiguredCost {
  public:
   explicit ExploredCost(CostConfig config) : ConfiguredCost(std::move(config), 1) {}
 
-  // Sets the schedule; null: there is no jitter.
+  // Sets the schedule that chooses the jitter; null means that there is no jitter.
   void set_schedule(ExploreSchedule* schedule) { schedule_ = schedule; }
 
  protected:

@@ -62,8 +62,8 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
 }
 
 // Delays a message.  Messages to one object keep the order of sending, as in the robot's queues, so
-// a delay of one delays those behind it.  Answers to Call() and messages of a clock are not
-// delayed.
+// a delay of one message also delays the messages behind it.  Answers to Call() and messages of a
+// clock are not delayed.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
   SawPost(message);
   if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;
@@ -127,8 +127,8 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& 
     const double all[] = {static_cast<double>(rates)...};
     return all[temper.NextBelow(sizeof...(rates))];
   };
-  // All values are drawn in this order, also for parts that are switched off, so that these change
-  // no other part.
+  // All values are drawn in this order, also for parts that are switched off, so that switching off
+  // one part does not change the others.
   const double start = one_of(0, 1, 1), tie = one_of(0.02, 0.3, 1);
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);

@@ -17,7 +17,7 @@ namespace openr_host {
 class Object;
 class System;
 
-// Deviations in memory that another process can read.
+// A list of deviations in memory that another process can read.
 struct DeviationLog {
   static constexpr uint64_t kMax = 1'000'000;
   uint64_t count;
@@ -50,7 +50,7 @@ class ExploreSchedule : public Schedule {
   int64_t FirstFrame(int robot, int64_t frames);
 
   const std::vector<Deviation>& deviations() const { return deviations_; }
-  // Sets a log that deviations are written to as well; null: none.
+  // Sets a log that deviations are written to as well; null means no log.
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
@@ -60,7 +60,7 @@ class ExploreSchedule : public Schedule {
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
-  // Called for every message that is posted.
+  // Notes a message.  Called for every message that is posted.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }
@@ -87,8 +87,8 @@ class ExploreSchedule : public Schedule {
   DeviationLog* log_ = nullptr;
 };
 
-// Draws the answers from a seed.  Seeds also differ in how much they disturb: some a little, some
-// all the time, some make one object slow.  Seed 1 is the canonical order.
+// Draws the answers from a seed.  Seeds also differ in how much they disturb a run: some do so
+// rarely, some all the time, and some make one object slow.  Seed 1 is the canonical order.
 class RandomSchedule : public ExploreSchedule {
  public:
   RandomSchedule(const System& system, uint64_t seed, const Vary& vary);
@@ -102,7 +102,7 @@ class RandomSchedule : public ExploreSchedule {
  private:
   bool Happens(Rng* rng, double rate) { return rate > 0 && rng->NextDouble() < rate; }
 
-  // Separate, so that switching one off does not change the others.
+  // The generators are separate, so that switching one part off does not change the others.
   Rng order_, delay_, cost_, frame_;
   double start_rate_ = 0, tie_rate_ = 0, delay_rate_ = 0, network_rate_ = 0, cost_rate_ = 0,
          frame_rate_ = 0;

@@ -41,7 +41,7 @@ class InOrder {
   std::map<size_t, Json> early_;
 };
 
-// The sum of many runs.
+// The combined result of many runs.
 class Sum {
  public:
   explicit Sum(const ExplorePlan& plan) : plan_(plan) {}
@@ -124,7 +124,7 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 Json VerifySeeds(const ExplorePlan& plan) {
   ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
-  // Seeds with a certain mark in their answer: their number, and the first ones.
+  // The seeds with a certain mark in their answer: their number, and the first of these seeds.
   struct Marked {
     uint64_t count = 0;
     Json seeds = Json::array();

@@ -68,7 +68,8 @@ bool AreEqual(const Json& one, const Json& other) {
          one.value("trace", "") == other.value("trace", "");
 }
 
-// Runs plans.  Runs plans with "twice" a second time in a process with other addresses.
+// Runs plans in one process.  Plans with "twice" are run a second time in a process with other
+// addresses.
 class PlanServer {
  public:
   PlanServer(PreparedRun prepared, const RunOptions& options, const ForkLimits& limits,
@@ -121,8 +122,8 @@ struct ExplorerProcesses::Job {
   Memory memory;
   int outer_channel;
 
-  // Does the work of one process.  Returns, and does not call _exit(), so that the destructor of
-  // the prepared run removes the folder with the copies of the images.
+  // Does the work of one child process.  The function returns and does not call _exit(), so that
+  // the destructor of the prepared run removes the folder with the copies of the images.
   void Work(int channel) const;
 };
 

@@ -13,7 +13,7 @@
 
 namespace openr_host {
 
-// Where the memory of a child process is.
+// The choice of memory addresses for a child process.
 enum class Memory {
   kAsItComes,
   kElsewhere,  // heap, stacks and images have other addresses than in kAsItComes

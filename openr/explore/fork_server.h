@@ -25,9 +25,10 @@ class ForkServer {
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
-  // Returns the answer of RunPlan() in a copy.  If the copy crashes, the answer says that the
-  // property no-crash is broken; if the copy must be killed, that handlers-return is broken.  Both
-  // name the handler.  A plan that does not fit gives {"problem": text}.
+  // Runs `plan` in a copy of the process and returns the answer of RunPlan().  If the copy crashes,
+  // the answer says that the property no-crash is broken; if the copy must be killed, that
+  // handlers-return is broken.  Both name the handler.  A plan that does not fit gives {"problem":
+  // text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:

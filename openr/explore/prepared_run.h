@@ -23,8 +23,8 @@ struct PreparedRun {
 // Assembles the same run each time it is called.  Each explorer process calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// Assembles a stick on a body.  Objects cannot write to the stick, and there is no network outside.
-// Throws std::runtime_error when it cannot be assembled.
+// Assembles the run of a stick on a robot with a body.  Objects cannot write to the stick, and
+// there is no network outside.  Throws std::runtime_error when it cannot be assembled.
 PreparedRun PrepareSimulation(SimulationOptions options);
 
 }  // namespace openr_host

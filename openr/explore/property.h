@@ -28,8 +28,8 @@ class Property {
 
   const std::string& name() const { return name_; }
 
-  // Called after the boot, after every frame and at the end of the run.  Returns "" or how the
-  // property is broken; then the run is over.
+  // Checks the property after the boot, after every frame and at the end of the run.  Returns "",
+  // or a text that says how the property is broken; then the run is over.
   virtual std::string Check(const RunView&) { return ""; }
   virtual std::string CheckEnd(const RunView&) { return ""; }
 
@@ -50,7 +50,7 @@ const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
 
-// Returns which of these two the text `record` (ending.h) is about.
+// Returns kNoCrash or kHandlersReturn, whichever the text `record` (ending.h) is about.
 const char* PropertyOfEnding(std::string_view record);
 
 // The properties to check: names of built-in ones, "default" for the default ones, names of files,
@@ -58,7 +58,7 @@ const char* PropertyOfEnding(std::string_view record);
 struct PropertyChoice {
   std::vector<std::string> names = {"default"};
 
-  // Throws std::runtime_error when a name is not known or a file is wrong.
+  // Makes the properties.  Throws std::runtime_error when a name is not known or a file is wrong.
   std::vector<std::unique_ptr<Property>> Make() const;
 };
 

@@ -33,7 +33,7 @@ struct PropertyRule {
   FilePosition place;  // place of the quantity
 };
 
-// A wrong line is reported and skipped.
+// Reads the rules in `text`.  A wrong line is reported in `diagnostics` and skipped.
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 
@@ -42,7 +42,7 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 
-// Both throw std::runtime_error with all errors.
+// The next two functions throw std::runtime_error with the texts of all errors.
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text);
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path);

@@ -162,7 +162,7 @@ class PlanRun {
     return broken_.is_null() ? EndName(EndKind::kTime) : "property";
   }
 
-  // Adds the property that was broken, and the messages before that.
+  // Adds the property that was broken, and the last messages before it was.
   void AddBroken(Json* to) const {
     Json& answer = *to;
     answer["broken"] = broken_;

@@ -17,7 +17,8 @@ namespace openr_host {
 
 // The stick and options of an exploration, without seeds and orders.
 struct ExploredStick {
-  // stick, robot, world, body, robots, strict, guard_regions, cost_file, battery
+  // The options of the exploration.  The file has stick, robot, world, body, robots, strict,
+  // guard_regions, cost_file and battery.
   SimulationOptions simulation;
   int64_t for_us = 20'000'000;
   std::vector<std::string> properties = {"default"};

@@ -81,14 +81,14 @@ class Search {
     }
   }
 
-  // Handles a run that crashed.  It does not report its questions, so their other answers stay
-  // unknown.
+  // Counts a run that crashed and ends the search.  Such a run does not report its questions, so
+  // their other answers stay unknown.
   void CountCrashedRun() {
     ++orders_;
     stopped_ = "at a run that did not come to its end";
   }
 
-  // Goes to the next answer that is worth a run.  Returns false when there is none.
+  // Goes to the next answer that is worth a run.  Returns false when no such answer is left.
   bool Backtrack() {
     while (!stack_.empty()) {
       Frame& frame = stack_.back();

@@ -15,8 +15,8 @@ class Shortener {
   Shortener(const StillBreaks& still_breaks, int runs_max, Json* script, Json* answer)
       : still_breaks_(still_breaks), left_(runs_max), script_(*script), answer_(*answer) {}
 
-  // Removes parts of half of the list, then of a quarter and so on, then single deviations, until
-  // none can go.
+  // Removes parts of half the length of the list, then of a quarter and so on, then single
+  // deviations, until no deviation can be removed.
   void LeaveOut() {
     if (Try(Json::array())) return;
     size_t part = (script_.size() + 1) / 2;

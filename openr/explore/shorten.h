@@ -1,4 +1,4 @@
-// Shortens a list of deviations to the ones that are needed to break a property.
+// Shortens a list of deviations to those deviations that are needed to break a property.
 #pragma once
 
 #include <functional>

@@ -63,8 +63,8 @@ class DotWriter {
   }
 
  private:
-  // A part of the robot gets two boxes: one on the left with what it sends, one on the right with
-  // what it receives.
+  // Adds the box of an object.  A part of the robot gets two boxes: one on the left with its
+  // subjects, one on the right with its observers.
   void AddObject(size_t index) {
     const GraphObject& object = graph_.objects[index];
     const std::string node = fmt::format("o{}", index);

@@ -16,7 +16,7 @@ class ReplayView {
  public:
   explicit ReplayView(Replayer* replayer);
 
-  // Called after every message; updates values once a frame.
+  // Updates the values once a frame.  Called after every message.
   void Sample();
   const RunView& run() const { return run_; }
 
@@ -28,8 +28,9 @@ class ReplayView {
   int64_t frame_ = -1;
 };
 
-// Breakpoints are kept as text, so that they survive going back: "object JointMover", "service
-// Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10", "finding".
+// The breakpoints of a session.  They are kept as text, so that they survive going back: "object
+// JointMover", "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg
+// > 10", "finding".
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const ReplayView* view) : replayer_(replayer), view_(view) {}
@@ -41,9 +42,10 @@ class Breakpoints {
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Ignores conditions that hold now until they have been false once.
+  // Makes Hit() ignore conditions that hold now until they have been false once.
   void Arm();
-  // Returns the number of the first breakpoint that holds after the last message; 0: none does.
+  // Returns the number, from 1, of the first breakpoint that holds after the last message; 0 if
+  // none does.
   size_t Hit();
 
   // Returns the breakpoints as text, one per line.
@@ -59,7 +61,8 @@ class Breakpoints {
   };
 
   Break Read(const std::string& text) const;
-  // The next two throw std::runtime_error when there is no such object or service.
+  // The next two functions throw std::runtime_error when there is no object or service of this
+  // name.
   void CheckObject(const std::string& name) const;
   void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;

@@ -13,7 +13,7 @@ class ByteWriter {
   void U8(uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
   void U32(uint32_t value) { Fixed(value, 4); }
   void U64(uint64_t value) { Fixed(value, 8); }
-  // Writes seven bits per byte, the lowest first.
+  // Writes a number with seven bits per byte, the lowest bits first.
   void Varint(uint64_t value);
   // Writes small negative numbers in few bytes: 0, -1, 1, -2 become 0, 1, 2, 3.
   void Zigzag(int64_t value) {

@@ -1,4 +1,5 @@
-// Networks for recordings: one records what comes from outside, one plays it again.
+// Networks for recordings: one records what comes from outside, the other plays the recording
+// again.
 #pragma once
 
 #include <functional>
@@ -29,7 +30,7 @@ class RecordingNetwork : public PassingNetwork {
   const Heard heard_;
 };
 
-// Ignores all commands.  Poll() returns what `say` returns.
+// A network that ignores all commands.  Poll() returns the events that `say` returns.
 class ReplayedNetwork : public Network {
  public:
   using Say = std::function<std::vector<NetworkEvent>()>;

@@ -275,8 +275,8 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // No message comes before the next entry.  That is right if the next entry is input, which is due
-  // then.
+  // No message is delivered before the time of the next entry.  That is right if the next entry is
+  // input.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
   const TraceEntry missing = *next;

@@ -49,11 +49,12 @@ class Replayer {
   // such message.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns the reason why the replay ends before the recorded run did: a process was lost.  "": it
-  // does not.
+  // Returns the reason why the replay ends before the recorded run did: a process was lost.  "" if
+  // the replay does not.
   const std::string& loss() const { return loss_; }
 
-  // Returns the first difference, with number, time, port and byte; "" while there is none.
+  // Returns a text about the first difference, with number, time, port and byte; "" while there is
+  // none.
   const std::string& difference() const { return difference_; }
   // Returns the damage of the file found so far.
   const std::vector<std::string>& problems() const { return reader_.problems(); }

@@ -79,7 +79,7 @@ class Stepper {
     breaks_.Load(shared_->breaks);
   }
 
-  // Runs the session.  Returns only in the process that was called first.
+  // Runs the session.  Returns only in the first process, not in its copies.
   void Run() {
     if (!Snapshot()) return;
     Show();
@@ -117,7 +117,7 @@ class Stepper {
     }
   }
 
-  // Runs from the snapshot at `here` to the place where going back is to end.
+  // Runs from the snapshot at message `here` to the message at which going back is to end.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // snapshots on the way are new ones
     if (shared_->target > here) Forward(shared_->target - here);
@@ -153,7 +153,7 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // The process came back to this snapshot, so the command is obsolete.
+        // The process came back to this snapshot, so the command to run forward is obsolete.
         if (went_back_) return false;
       }
     }

@@ -66,7 +66,7 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("images").get_to(h.images);
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
-  // Recordings from before this field was added mean "drain"
+  // Recordings that were made before this field was added mean "drain".
   h.battery = json.value("battery", "drain");
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);

@@ -71,7 +71,8 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Encodes entries.  Numbers that can be predicted from the entry before take few bytes.
+// Encodes and decodes entries.  A number that can be predicted from the entry before takes few
+// bytes.
 class TraceCoder {
  public:
   explicit TraceCoder(bool payloads) : payloads_(payloads) {}
@@ -93,13 +94,14 @@ class TraceCoder {
 
 class TraceWriter {
  public:
-  // Throws std::runtime_error when the file cannot be created, or another process writes to it.
+  // Creates `file`.  Throws std::runtime_error when it cannot be created, or another process writes
+  // to it.
   TraceWriter(const std::string& file, const TraceHeader& header);
   ~TraceWriter();
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
 
-  // Adds a message; called by a sink of the trace.
+  // Adds a message.  Called by a sink of the System's trace.
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
@@ -133,7 +135,8 @@ class TraceWriter {
 
 class TraceReader {
  public:
-  // Throws std::runtime_error when it is no trace file or has another version.
+  // Opens `file`.  Throws std::runtime_error when it is no trace file or has a version that cannot
+  // be read.
   explicit TraceReader(const std::string& file);
 
   const TraceHeader& header() const { return header_; }

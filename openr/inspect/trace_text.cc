@@ -65,8 +65,8 @@ std::string Field(const std::string& text) {
   return quoted + "\"";
 }
 
-// Length of a slice.  It must not be 0, because the viewer shows slices by their length and ends
-// arrows at them.
+// Length of a slice.  The length must not be 0, because the viewer draws each slice with its length
+// and ends arrows at slices.
 constexpr double kSliceUs = 0.8;
 
 class PerfettoWriter {

@@ -10,7 +10,8 @@
 
 namespace openr_host::render {
 
-// Throws std::runtime_error with the compiler's message when a shader does not compile.
+// A compiled pair of shaders.  The constructor throws std::runtime_error with the compiler's
+// message when a shader does not compile.
 class GlProgram {
  public:
   GlProgram(const char* vertex_text, const char* fragment_text);

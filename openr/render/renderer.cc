@@ -23,7 +23,7 @@ const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
 const Colour kFloorColour{0.83f, 0.84f, 0.85f};
 const Eigen::Vector3d kToSun = Eigen::Vector3d(0.35, -0.55, 1.0).normalized();
 
-// An OpenGL context that draws into memory.  It is the current context while the object exists.
+// An OpenGL context that draws into memory.  It is the current context while the OffScreen exists.
 class OffScreen {
  public:
   OffScreen(int width, int height)
@@ -148,7 +148,7 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   glEnable(GL_DEPTH_TEST);
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
-  // First pass: what the sun and the sky see, for the shadows of the second pass.
+  // First pass: the distances from the sun and from the sky, for the shadows of the second pass.
   DrawDepths(items, sun, depth_program, sun_depth);
   DrawDepths(items, sky, depth_program, sky_depth);
 

@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// The look of a robot at one instant.
+// The data that decide how a robot looks at one instant.
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> X_WL;  // order of RobotModel::bodies, as Body::BodyPoses()

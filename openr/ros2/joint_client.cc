@@ -104,7 +104,8 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Takes the place that the robot keeps open for the next client.
+// Accepts for this client the oldest accept operation of the robot.  Returns false if there is
+// none.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();
@@ -153,7 +154,8 @@ std::vector<NetworkEvent> JointClient::Poll() {
     Forget();
     return events;
   }
-  // After an answer that is not valid, the connection is ended as by a client that gives up.
+  // After an answer that is not valid, this client ends the connection, as a client that gives up
+  // does.
   if (!is_broken_) WriteRequests();
   if (wants_ > 0 && (is_broken_ || !out_.empty())) {
     events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));

@@ -2,9 +2,9 @@
 // as a client on the network does (docs/remote-control.md).
 //
 // It is placed between a robot and its network, and opens a connection of its own to the robot's
-// port, without a socket.  Its data come out of Poll() like all data from outside.  Therefore the
-// robot, the order of events and a recording treat it like any other client, a run with commands
-// can be replayed, and the robot's limits of position, speed and acceleration hold.
+// port, without a socket.  The client's data come out of Poll() like all data from outside.
+// Therefore the robot, the order of events and a recording treat it like any other client, a run
+// with commands can be replayed, and the robot's limits of position, speed and acceleration hold.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ class JointClient : public PassingNetwork {
   NetHandle listener_ = 0;             // handle on which the remote control listens
   std::deque<NetHandle> accepts_;  // accept operations of the remote control without a client yet
 
-  // State of the connection.
+  // ---- State of the connection
   NetHandle handle_ = 0;  // 0: no connection
   std::string out_;       // requests that the robot has not read
   int unanswered_ = 0;

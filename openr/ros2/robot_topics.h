@@ -17,7 +17,7 @@ std::string TopicPart(const std::string& sensor);
 
 class RobotTopics {
  public:
-  // Topics are named `space`/..., and devices have the names of the robot's model.
+  // Creates the topics `space`/..., which are named after the devices of the robot's model.
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
   // Publishes the state; called after each frame.  Returns "" or the reason why there is no image.

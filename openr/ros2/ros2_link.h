@@ -1,7 +1,6 @@
 // Connects a run with ROS 2: publishes its clock and robots as topics, and takes commands for
-// joints.  Publishing changes nothing in the run.  Commands enter as from a client of the remote
-// control, see joint_client.h.
-// of the remote control does, see joint_client.h.
+// joints.  Publishing changes nothing in the run.  Commands enter a robot as those of a client of
+// the remote control do, see joint_client.h.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +22,8 @@ namespace openr_host {
 // Returns "" or what is wrong with the name of a namespace: words with slashes between.
 std::string WrongNamespace(const std::string& name);
 
-// Messages to the user about one robot.  Each text is printed once, and only a limited number of
-// texts.
+// Messages to the user about one robot.  Each text is printed only once, and the number of texts is
+// limited.
 class Ros2Complaints {
  public:
   using Say = std::function<void(const std::string& line)>;
@@ -48,19 +47,19 @@ class Ros2Link {
  public:
   using Say = Ros2Complaints::Say;  // prints a message
 
-  // `space` is the robot's namespace; with several robots, their numbers are added.  Adds itself to
-  // the networks in `options`, from which a simulation is made later.  Networks that `options` has
-  // already get the commands too, so a recorder must be there before.  `bus` and this object must
-  // outlive the simulation.
+  // `space` is the robot's namespace; with several robots, their numbers are added to it.  The link
+  // adds its clients to the networks in `options`, from which a simulation is made later.  The
+  // commands also reach networks that `options` has already, so a recorder must have been added
+  // before.  `bus` and this object must outlive the simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
 
-  // Called when the simulation has been made.
+  // Begins publishing.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
-  // Called after each frame.
+  // Publishes the state and passes commands on.  Called after each frame.
   void AfterFrame();
-  // Called when the run is over.
+  // Ends the link.  Called when the run is over.
   void End();
 
  private:

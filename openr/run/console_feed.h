@@ -9,12 +9,12 @@ class System;
 
 class ConsoleFeed {
  public:
-  // `file` is given to the objects at the start of the run.  "-" means lines of standard input,
-  // read at every Feed().  "" means the same if standard input is a terminal, else no input.
-  // Throws std::runtime_error when the file cannot be read.
+  // The content of `file` is given to the objects at the start of the run.  "-" means lines of
+  // standard input, read at every Feed().  "" means standard input if that is a terminal, else no
+  // input.  Throws std::runtime_error when the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
-  // Gives the text that has come to every robot of `system`.
+  // Gives the text that has been read to every robot of `system`.
   void Feed(System* system);
 
  private:

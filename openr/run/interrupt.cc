@@ -23,13 +23,13 @@ void OnInterruptSignal(int) {
 void Install(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  // The handler runs on the alternate stack, because an object may have used up its own.
+  // The handler runs on the alternate stack, because an object may have used up its own stack.
   action.sa_flags = handler == &OnInterruptSignal ? SA_ONSTACK : 0;
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
 
-// Returns whether this process ignores `signal`. nohup starts programs that way.
+// Returns whether this process ignores `signal`, for example SIGHUP after a start by nohup.
 bool IsIgnored(int signal) {
   struct sigaction action {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;

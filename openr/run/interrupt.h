@@ -3,15 +3,15 @@
 
 namespace openr_host {
 
-// What a terminal that closes (SIGHUP) does.
+// The effect on this process of a terminal that closes (SIGHUP).
 enum class HangUp {
   kEnds,     // ends the process, the default action
   kCounts,   // the same as Ctrl-C
   kIgnored,  // nothing, because the work ends by itself
 };
 
-// While it exists, SIGINT and SIGTERM are only counted.  The third one ends the process at once, in
-// case the run does not end.
+// While an InterruptCounter exists, SIGINT and SIGTERM are only counted.  The third signal ends the
+// process at once, in case the run does not end.
 class InterruptCounter {
  public:
   explicit InterruptCounter(HangUp hang_up = HangUp::kEnds);

@@ -27,8 +27,8 @@ struct RunPlan {
   std::string stdin_file;                            // see ConsoleFeed
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records input; null: none
-  // For a run whose other processes do not wait for the clock: waits for their results, at most
-  // `timeout_us`, in place of sleeping, and applies them.  REQUIRES: rate > 0.
+  // For free-running runs: waits for results of other processes, at most `timeout_us`, in place of
+  // sleeping, and applies them.  REQUIRES: rate > 0.
   std::function<void(int64_t timeout_us)> pump;
   std::function<void()> after_frame;  // null: no function is called
 };

@@ -23,7 +23,8 @@ VirtualRobotOptions DevicesWithBattery(const std::string& battery) {
   return devices;
 }
 
-// The order of the steps is the order in which the robot's objects get their numbers.
+// The order of the steps must not change, because the robot's objects get their numbers in this
+// order.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts) {
   ASSERT(parts.make_network != nullptr);
   AssembledRobot robot;

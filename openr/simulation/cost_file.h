@@ -9,8 +9,8 @@
 namespace openr_host {
 
 // Reads the file `name`, or the file of that name that came with the program ("ers210.cost").
-// Returns nothing for "" and "zero": handlers take no time.  Throws std::runtime_error with all
-// errors.
+// Returns nullopt for "" and "zero", with which handlers take no time.  Throws std::runtime_error
+// with all errors.
 std::optional<CostConfig> LoadCostFile(const std::string& name);
 
 }  // namespace openr_host

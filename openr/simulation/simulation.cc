@@ -76,7 +76,7 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  // The name may be in any case.
+  // OPEN-R is looked up as on a stick, because its name may be in upper or lower case.
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {

@@ -16,11 +16,11 @@ class StandingMonitor {
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 
-  // Compares with the posture "stand" of the model on a flat floor.  A model without that posture
-  // never stands.
+  // Prepares the comparison with the posture "stand" of `model` on a flat floor.  A model without
+  // that posture never stands.
   explicit StandingMonitor(const RobotModel& model);
 
-  // Looks at the state; called once per frame, at virtual time `now_us`.
+  // Compares `state` with the posture.  Called once per frame, at virtual time `now_us`.
   void Sample(const BodyState& state, int64_t now_us);
 
   // Returns whether all paws touch the floor, height and attitude are those of the posture, and the
