@@ -197,7 +197,8 @@ std::vector<std::string> Bench::KnownServices() {
   for (const auto& object : system_->objects()) {
     for (const auto& [selector, entry] : object->entry_names)
       services.push_back(entry.substr(0, entry.rfind(" (")));
-    // An image says its services when booted, and its file has them before.
+    // The names in the file of an image are added, because an object lists its services only after
+    // the boot.
     if (!object->is_image) continue;
     const std::string file = stick_->Locate(object->path).path;
     for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))

@@ -63,8 +63,8 @@ class Bench;
 
 // A replacement for an object of a stick.
 struct StandIn {
-  // By default, the object is replaced by a Probe with the services that CONNECT.CFG names for it:
-  // those whose first part is its name.
+  // Replaces the object by a Probe with the services that CONNECT.CFG names for the object: the
+  // services whose first part is the object's name.
   StandIn(const char* the_object) : object(the_object) {}
   StandIn(std::string the_object, std::function<void(Bench&)> the_make)
       : object(std::move(the_object)), make(std::move(the_make)) {}
@@ -86,14 +86,15 @@ struct BenchOptions {
   std::string body = "none";          // "none": no OVirtualRobotComm; "ideal"; "ode"
   std::string robot = "ers210";       // name of a model
   std::string world = "";             // a world file; "": a flat floor
-  // "drain": full at boot; "100%": stays full; "N%": N percent at boot.
+  // The battery.  "drain": full at boot; "100%": stays full; "N%": N percent at boot.
   std::string battery = "drain";
   uint64_t seed = SeedOfEnvironment();
   bool strict = false;  // limits of the robot are enforced
-  // Times of handlers; null: handlers take no time.
+  // Durations of handlers; null: handlers take no time.
   std::shared_ptr<openr_host::CostModel> cost = {};
-  // Objects get read-only copies of what they receive, which are gone once they have said ready.
-  // Writing to a copy crashes at that line, and using it later is an error finding or a crash.
+  // Objects get read-only copies of the data that they receive.  A copy is gone once its object has
+  // said ready.  Writing to a copy crashes at that line, and using it later is an error finding or
+  // a crash.
   bool guard_regions = false;
   bool measure_stacks = false;  // Object::stack_max
   bool allow_threads = false;  // allows other threads in the process; they must not touch the bench
@@ -106,7 +107,7 @@ class Bench {
  public:
   // Loads the stick.  Throws std::runtime_error when stick, model or world cannot be used.
   explicit Bench(BenchOptions options = {}, Place place = Place::Here());
-  // Checks what is still expected, unless the test has failed fatally or no test is running.
+  // Calls Verify(), unless the test has failed fatally or no test is running.
   ~Bench();
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
@@ -117,7 +118,7 @@ class Bench {
   // /MS/OPEN-R/MW/OBJS/<its name>.  Throws std::runtime_error if it cannot be loaded.
   openr_host::Object& AddImage(const std::string& file);
 
-  // Adds an object that is written in the test, a CodeObject.
+  // Adds an object of class T, a CodeObject that is written in the test.
   template <typename T, typename... Args>
   T& Add(const std::string& name, Args&&... args) {
     return *system().AddObject<T>(0, name, std::forward<Args>(args)...);
@@ -128,8 +129,8 @@ class Bench {
   // Connects a subject with an observer by their full names, like a line of CONNECT.CFG.
   void Wire(const std::string& subject, const std::string& observer);
 
-  // Adds a probe with the other end of a service, connected to it.  If the service's object is on
-  // the bench, the first parts of the name are enough ("Blinker.Light").
+  // Each adds a probe with the other end of a service, and connects the two ends.  If the service's
+  // object is on the bench, the first parts of the name are enough ("Blinker.Light").
   ProbeObserver& Watch(const std::string& subject);
   ProbeSubject& Feed(const std::string& observer);
 
@@ -143,15 +144,16 @@ class Bench {
 
   // ---- Running
 
-  // Delivers the next message; moves the clock to it.  Returns false, without a failure, when there
-  // is none.
+  // Delivers the next message, and moves the clock to its time.  Returns false, without a failure,
+  // when there is no message.
   bool Step(Place place = Place::Here());
 
   // Runs until the next handler of an object ("JointMover") or of a service ("JointMover.Mover")
-  // has returned or waits.  The overload does so for the next message that fits a MessageSpec.
+  // has returned or waits.  The overload runs until the handler of the next message that fits
+  // `spec` has.
   bool StepTo(const std::string& end, Duration budget = 10s, Place place = Place::Here());
   bool StepTo(const MessageSpec& spec, Duration budget = 10s, Place place = Place::Here());
-  // Runs until the message of that number has been handled.  Failures print that number.
+  // Runs until the message with this number has been handled.  Failures print such numbers.
   bool StepToMessage(uint64_t number, Place place = Place::Here());
 
   bool RunFor(Duration duration, Place place = Place::Here());
@@ -166,7 +168,8 @@ class Bench {
   // Runs to the end of the next sensor vector (4 frames), with everything that is due then.  Needs
   // a body.
   bool SensorVector(int count = 1, Place place = Place::Here());
-  // Makes one step of the body, of which no object has heard yet.  Needs a body.
+  // Runs until the body has made one more step, of which no object has received data yet.  Needs a
+  // body.
   bool PhysicsStep(Place place = Place::Here());
 
   // ---- Interfering
@@ -179,7 +182,8 @@ class Bench {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
     return InjectBytes(spec, {reinterpret_cast<const char*>(&data), sizeof data}, place);
   }
-  // The same for Ready("Eye.Light", "Blinker.Light"), NotReady(...), and entries without data.
+  // Posts a message without data: Ready("Eye.Light", "Blinker.Light"), NotReady(...), or to an
+  // entry.
   bool Inject(const MessageSpec& spec, Place place = Place::Here()) {
     return InjectBytes(spec, {}, place);
   }
@@ -192,18 +196,19 @@ class Bench {
   // If what the next three functions are asked for never happens, the test fails.  Optional()
   // allows that: bench.Drop(Notify("Blinker.Light")).Optional().
 
-  // From now on, holds back messages that fit.
+  // From now on, holds back messages that fit `spec`.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
   HeldMessages& Hold(const std::string& subject, const std::string& observer,
                      Place place = Place::Here()) {
     return Hold(Notify(subject, observer), place);
   }
-  // Drops the next `count` messages that fit.
+  // Drops the next `count` messages that fit `spec`.
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
-  // Refuses the n-th message that fits, counted from now: its sender gets sFULLMSGQENTRY, as on a
-  // robot when the queue of the receiver holds 32 messages.
+  // Refuses the n-th message that fits `spec`, counted from now: its sender gets sFULLMSGQENTRY, as
+  // on a robot when the queue of the receiver holds 32 messages.
   RefusedMessage& Refuse(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
-  // From now on, messages that fit take longer, but keep their order; 0: as before.
+  // From now on, messages that fit `spec` take longer by `extra`, but keep their order; 0: no
+  // longer.
   void Delay(const MessageSpec& spec, Duration extra, Place place = Place::Here());
 
   // ---- Expecting; see expectations.h for the rules
@@ -211,7 +216,7 @@ class Bench {
   void Expect(const MessageSpec& spec, Place place = Place::Here());
   void Allow(const MessageSpec& spec, Place place = Place::Here());
   void Disallow(const MessageSpec& spec, Place place = Place::Here());
-  // Does the same for data over a connection.
+  // Expects, allows or disallows data over a connection.
   void Expect(const std::string& from, const std::string& to, Place place = Place::Here()) {
     Expect(Notify(from, to), place);
   }
@@ -233,8 +238,8 @@ class Bench {
     expectations_.set_strict(strict, place);
   }
 
-  // Expects an error finding whose text matches.  An error finding that no call of this expects
-  // fails the test, and so does an expected one that does not come.
+  // Expects an error finding whose text matches.  The test fails if an error finding comes that no
+  // call of ExpectFinding() expects, or if an expected finding does not come.
   void ExpectFinding(::testing::Matcher<const std::string&> text, Place place = Place::Here());
   void AllowFindings() { findings_allowed_ = true; }
 
@@ -249,8 +254,9 @@ class Bench {
   // Returns the last text of the object's log after "state: "; "" if there is none yet.
   const std::string& state(const std::string& object) const;
 
-  // Devices have a name ("RF_j1", "head_led") or a locator ("PRM:/r4/c1-Joint2:j1").  Throw
-  // std::invalid_argument when there is no such device, and std::logic_error without a body.
+  // The next functions take the name of a device ("RF_j1", "head_led") or its locator
+  // ("PRM:/r4/c1-Joint2:j1").  They throw std::invalid_argument when there is no such device, and
+  // std::logic_error without a body.
   double JointDeg(std::string_view name) const;
   int64_t SensorValue(std::string_view name) const;  // in the sensor's OPEN-R unit
   int LedIntensity(std::string_view name) const;     // 0: dark
@@ -275,10 +281,10 @@ class Bench {
   uint64_t trace_hash() const { return system_->trace_hash(); }
   uint64_t state_hash() { return system_->state_hash(); }
 
-  // Access to what the functions above do not offer.
+  // Give access to everything that the functions above do not offer.
   openr_host::System& system() { return *system_; }
   openr_host::Object& object(const std::string& name) const;  // throws std::invalid_argument
-  // Calls `see` for every message, just before its handler runs.
+  // Makes the bench call `see` for every message, just before its handler runs.
   void OnMessage(std::function<void(const SeenMessage&)> see) { see_.push_back(std::move(see)); }
 
   // Returns the end of a failure's text: the last messages, who waits for whom, how to repeat the
@@ -311,8 +317,8 @@ class Bench {
   // name.
   std::pair<Probe*, std::string> AddOtherEnd(const std::string& given, char direction);
 
-  // Runs `run` while threads and sockets are refused.  Reports refusals and findings.  Returns
-  // false if there were any.
+  // Runs `run` while threads and sockets are refused.  Reports refusals and findings as failures.
+  // Returns false if there were any.
   bool Control(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }
@@ -361,7 +367,7 @@ class Bench {
   size_t findings_seen_ = 0;
   std::set<size_t> told_;  // numbers of findings that were reported
   std::string command_;    // command that runs the test again
-  // Last member, because its destructor looks at the others.
+  // The last member, because its destructor uses the other members.
   std::unique_ptr<StoryTeller> story_teller_;
 };
 

@@ -48,8 +48,8 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 
 // ---- Injecting
 
-// Returns whether the subject with that Ready entry is connected with the observer with that Notify
-// entry; reports a failure if not.
+// Returns whether the subject with the Ready entry `subject` is connected with the observer with
+// the Notify entry `observer`; reports a failure if not.
 bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
                          const Place& place) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);

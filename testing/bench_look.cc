@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kStandingFrames = 75;
 
-// Returns the index of the device with that name or locator.
+// Returns the index of the device in `devices` with the name or locator `name`.
 template <typename Device>
 size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const char* kind) {
   std::vector<std::string> known;

@@ -1,4 +1,4 @@
-// The order of messages on a bench: that of the seed, until a test asks for another one.
+// The order of messages on a bench: the order of the seed, until a test asks for another order.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace openr::testing {
 
-// The n-th message of a kind is refused, as if the receiver's queue was full.
+// The n-th message of a kind, which is refused as if the receiver's queue was full.
 class RefusedMessage {
  public:
   RefusedMessage(MessageSpec spec, uint64_t nth, const Place& place)
       : spec_(std::move(spec)), nth_(nth), place_(place) {}
 
-  // It is no failure of the test if that message never comes.
+  // Declares that it is no failure of the test if the message never comes.
   RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
@@ -42,10 +42,11 @@ class BenchSchedule : public openr_host::Schedule {
  public:
   BenchSchedule(openr_host::System* system, uint64_t seed);
 
-  // If several objects may be next, the first of these comes first.
+  // Sets the order in which objects come when several may be next: the earlier in `objects`, the
+  // earlier.
   void Prefer(std::vector<std::string> objects) { preferred_ = std::move(objects); }
 
-  // From now on, messages that fit take `extra_us` longer; 0: as before.
+  // From now on, messages that fit `spec` take `extra_us` longer; 0: no longer.
   void Delay(MessageSpec spec, int64_t extra_us);
 
   RefusedMessage& Refuse(MessageSpec spec, uint64_t nth, const Place& place) {

@@ -15,8 +15,8 @@ namespace openr::testing {
 
 class BenchStick : public openr_host::MemoryStick {
  public:
-  // Copies the folder `model`, which holds OPEN-R/; "": makes an empty stick.  Throws
-  // std::runtime_error when there is no such folder or no room.
+  // Copies the folder `model`, which holds OPEN-R/; "" makes an empty stick.  Throws
+  // std::runtime_error when there is no such folder or no room for the copy.
   explicit BenchStick(const std::string& model);
 
   // ---- For tests; names are those that objects use: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
@@ -24,18 +24,19 @@ class BenchStick : public openr_host::MemoryStick {
   // Creates or replaces a file, and creates the folders above it.  Throws std::runtime_error when
   // the name is not below /MS.
   void Write(const std::string& name, std::string_view bytes);
-  // Returns the content of the file; nullopt when there is none.
+  // Returns the content of the file `name`; nullopt when there is no such file.
   std::optional<std::string> Read(const std::string& name) { return ReadFile(name); }
   bool Has(const std::string& name) { return Locate(name).exists; }
   // Returns the full names of all files below `folder`, sorted.
   std::vector<std::string> List(const std::string& folder = "/MS");
   void Remove(const std::string& name);
 
-  // Copies an image for the host, with the debug information beside it if there is any.  Throws
-  // std::runtime_error when the file cannot be read.
+  // Copies the image `host_file` to `name` on the stick, with the debug information beside it if
+  // there is any.  Throws std::runtime_error when the file cannot be read.
   void ImportImage(const std::string& host_file, const std::string& name);
 
-  // Makes a copy of the files and uses that.  Called in a copy of the process (fork).
+  // Makes a copy of the files, and uses the copy from now on.  Called in a copy of the process
+  // (fork).
   void MoveToCopy();
 
   // ---- MemoryStick

@@ -1,5 +1,5 @@
-// Refuses what a bench cannot control: threads and real sockets.  Their timing differs from run to
-// run.
+// Refuses threads and real sockets, which a bench cannot control, because their timing differs from
+// run to run.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ class ControlledScope {
   // Returns the attempts in order: "Blinker, in Alarm (message #45), asked for a thread".
   const std::vector<std::string>& refused() const { return refused_; }
 
-  // Called by the functions that refuse.  `what` is "a thread" or the like.  Returns false when no
-  // scope exists.
+  // Notes an attempt and returns true, or returns false when no scope exists.  `what` is "a thread"
+  // or "a socket".  Called by the functions that refuse.
   static bool Refuse(const char* what);
 
  private:
@@ -31,7 +31,7 @@ class ControlledScope {
 // Returns the number of threads of this process.
 int ThreadCount();
 
-// Called by pthread_create().
+// Notes that a thread was made.  Called by pthread_create().
 void NoteThread();
 
 }  // namespace openr::testing

@@ -26,15 +26,15 @@ class HeldMessages {
 
   size_t count() const { return messages_.size(); }
 
-  // It is no failure of the test if no message comes to be held.
+  // Declares that it is no failure of the test if no message comes to be held.
   HeldMessages& Optional() { return is_optional_ = true, *this; }
 
   // Ends holding, and releases all messages, the oldest first.
   void Release();
   // Releases the oldest message, if there is one; goes on holding.
   void ReleaseOne();
-  // Ends holding, and releases the messages in this order; `order` has each index of a held message
-  // once.  Throws std::invalid_argument otherwise.
+  // Ends holding, and releases the messages in the order `order`, which has the index of each held
+  // message once.  Throws std::invalid_argument otherwise.
   void ReleaseInOrder(const std::vector<size_t>& order);
 
   // Returns a text for people: "2 held: notify Blinker.Blink -> Eye.Light".
@@ -42,7 +42,7 @@ class HeldMessages {
 
  private:
   friend class Doors;
-  // Returns true if it keeps the message.
+  // Takes `message` if it is to be held.  Returns whether it is.
   bool Take(openr_host::Message* message);
 
   openr_host::System* const system_;
@@ -55,7 +55,7 @@ class HeldMessages {
   std::set<uint64_t> passing_;  // numbers of the messages that were released one by one
 };
 
-// Messages that are dropped: their receiver does not get them.
+// Messages that are dropped, so that their receivers do not get them.
 class DroppedMessages {
  public:
   DroppedMessages(MessageSpec spec, int count, const Place& place)
@@ -63,7 +63,7 @@ class DroppedMessages {
 
   int count() const { return static_cast<int>(texts_.size()); }
 
-  // It is no failure of the test if fewer messages come than were to be dropped.
+  // Declares that it is no failure of the test if fewer messages come than were to be dropped.
   DroppedMessages& Optional() { return is_optional_ = true, *this; }
   const std::vector<std::string>& texts() const { return texts_; }
 

@@ -22,12 +22,13 @@ class Expectations {
 
   void Expect(MessageSpec spec, const Place& place);
   void Allow(MessageSpec spec) { allowed_.push_back(std::move(spec)); }
-  // Reports messages that fit, once per call of this function.
+  // From now on, reports the first message that fits `spec`.
   void Disallow(MessageSpec spec, const Place& place);
   // Sets strictness.  Failures because of it point to `place`.
   void set_strict(bool strict, const Place& place);
 
-  // Called for every message, just before its handler runs.
+  // Compares a message with the expectations.  Called for every message, just before its handler
+  // runs.
   void See(const SeenMessage& message, const Report& report);
 
   // Returns whether all expected messages have come.
@@ -41,7 +42,8 @@ class Expectations {
     MessageSpec spec;
     Place place;
     std::string early;  // last message that fitted, but came too early
-    // Last message between the same ends with another payload, and why it did not fit.
+    // The last message between the same ends with another payload, and the reason why it did not
+    // fit.
     std::string other;
   };
   struct Disallowed {
@@ -50,7 +52,7 @@ class Expectations {
     bool reported = false;
   };
 
-  // Notes for expectations that have not been met why `message` does not fit.
+  // Notes, for each expectation that has not been met, the reason why `message` does not fit.
   void Compare(const SeenMessage& message);
   void SeeUnexpected(const SeenMessage& message, const Report& report);
 

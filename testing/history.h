@@ -24,7 +24,7 @@ class History {
     return text;
   }
 
-  // Returns the number of the last message; 0: there was none.
+  // Returns the number of the last message; 0 if there was no message.
   uint64_t last_number() const { return messages_.empty() ? 0 : messages_.back().number(); }
 
  private:

@@ -1,4 +1,4 @@
-// A description of messages.  All functions of a bench that concern messages take one.
+// A description of messages, which all functions of a bench that concern messages take.
 //
 //   Notify("Blinker.Blink", "Eye.Light")                     data over that connection
 //   Notify("Blinker.Blink").With(Data<int>(Gt(3)))           with a payload, to anybody
@@ -30,13 +30,14 @@ class MessageSpec {
  public:
   explicit MessageSpec(std::optional<MessageKind> kind = {}) : kind_(kind) {}
 
-  // These return copies with a further condition.
+  // Each returns a copy of this description with a further condition.
   MessageSpec From(std::string end) const;
   MessageSpec To(std::string end) const;
   MessageSpec ToEntry(std::string name) const;
   MessageSpec With(PayloadMatcher payload) const;
 
-  // Match with and without the condition on the payload.
+  // Return whether `message` fits, Matches() with and MatchesEnds() without the condition on the
+  // payload.
   bool Matches(const SeenMessage& message) const;
   bool MatchesEnds(const SeenMessage& message) const;
 
@@ -68,8 +69,8 @@ bool NamesService(std::string_view name, std::string_view service);
 
 // ---- Payloads
 
-// Reads all data of a message as values of type T.  Returns false, and the reason, when the size of
-// one does not fit.
+// Reads all data of a message as values of type T.  Returns false, and writes the reason, when the
+// size of a datum does not fit.
 template <typename T>
 bool ReadData(const SeenMessage& message, std::vector<T>* values, std::ostream* why) {
   static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");

@@ -26,7 +26,8 @@ std::string NameOf(const System& system, const OServiceEntry& entry) {
   return ShortName({object->name, std::string_view(name).substr(0, name.find(" ("))});
 }
 
-// Returns the end whose full name, or part of it, is `name`.
+// Returns the end whose name, with or without the object, is `name` or begins with the parts of
+// `name`.
 template <typename End>
 End& FindEnd(std::deque<End>& ends, const Object& object, std::string_view name, const char* kind) {
   std::vector<std::string> known;

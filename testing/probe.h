@@ -22,7 +22,7 @@
 
 namespace openr::testing {
 
-// One event that an observer got.
+// An event that an observer received: data of one notification, and its circumstances.
 struct ReceivedEvent {
   int64_t time_us = 0;
   uint64_t number = 0;  // number of the message
@@ -69,8 +69,8 @@ class ProbeObserver {
   }
   void Clear() { events_.clear(); }
 
-  // Sets whether the observer says ready when the probe starts and after every event (the default),
-  // or only when the test says so.
+  // Sets whether the observer says ready when the probe starts and after every event (`on`, the
+  // default), or only when the test calls AssertReady().
   void set_auto_ready(bool on) { auto_ready_ = on; }
   OStatus AssertReady();
   OStatus DeassertReady();
@@ -93,7 +93,7 @@ class ProbeObserver {
   std::function<void(const ONotifyEvent&)> on_event_;
 };
 
-// One message of an observer to a subject of a probe.
+// A ready or deassert of an observer that a subject of a probe received.
 struct ReceivedReady {
   int64_t time_us = 0;
   std::string from;       // "Eye.Light"
@@ -102,14 +102,14 @@ struct ReceivedReady {
 
 class ProbeSubject {
  public:
-  // Sets the value and notifies.  Data for observers that are not ready wait, as on the robot.
+  // Sends `value` to the observers.  Data for observers that are not ready wait, as on the robot.
   // Reports a failure when no observer is connected.
   template <typename T>
   OStatus Send(const T& value, Place place = Place::Here()) {
     Set(value, place);
     return Notify();
   }
-  // The same in two steps, for several data in one event.
+  // Set() and Notify() do the same as Send() in two steps, for several data in one event.
   template <typename T>
   OStatus Set(const T& value, Place place = Place::Here()) {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -120,7 +120,7 @@ class ProbeSubject {
   // Sends a text with its NUL.
   OStatus SendText(const std::string& text, Place place = Place::Here());
 
-  // Returns whether every observer, or at least one, is ready.
+  // Return whether all observers are ready, and whether at least one observer is ready.
   bool all_ready() const { return end_->IsAllReady() != 0; }
   bool any_ready() const { return end_->IsAnyReady() != 0; }
   const std::vector<ReceivedReady>& readies() const { return readies_; }
@@ -142,18 +142,19 @@ class ProbeSubject {
 
 class Probe : public openr_host::CodeObject {
  public:
-  // `services` are full names.  REQUIRES: CheckServices() accepts them.
+  // Creates the ends of `services`, which are full names.  REQUIRES: CheckServices() accepts them.
   explicit Probe(const std::vector<std::string>& services);
 
-  // Throws std::invalid_argument for a name that no service can have.
+  // Throws std::invalid_argument if `services` has a name that no service can have.
   static void CheckServices(const std::vector<std::string>& services);
 
-  // Returns the end with the full name, "Eye.Light" or "Light".  Throws std::invalid_argument that
-  // lists the existing ones.
+  // Return the end of a service by its full name or the first parts of it, with or without the
+  // object: "Eye.Light" or "Light".  If there is none, throw std::invalid_argument that lists the
+  // existing services.
   ProbeSubject& subject(std::string_view service);
   ProbeObserver& observer(std::string_view service);
 
-  // Returns "DoInit", "DoStart", ... in the order of the calls.
+  // Returns the names of the called handlers "DoInit", "DoStart", ... in the order of the calls.
   const std::vector<std::string>& calls() const { return calls_; }
   // Sets a function that runs in DoStart, before the observers say that they are ready.
   void set_on_start(std::function<void()> call) { on_start_ = std::move(call); }

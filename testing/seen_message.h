@@ -39,8 +39,8 @@ class SeenMessage {
   MessageKind kind() const { return kind_; }
   uint32_t size() const { return size_; }  // bytes of content
 
-  // One end: an object and, for messages over a connection, the full name of its service
-  // ("Blinker.Blink.int.S").  Empty texts: not known.
+  // An end of a message: an object and, for messages over a connection, the full name of its
+  // service ("Blinker.Blink.int.S").  Texts that are not known are empty.
   struct End {
     std::string_view object;
     std::string_view service;
@@ -53,7 +53,7 @@ class SeenMessage {
   // Returns the number of data of a notification; 1 for other messages of plain bytes; 0 for
   // Past().
   int data_count() const;
-  // REQUIRES: 0 <= i < data_count().
+  // Returns the bytes of datum `i`.  REQUIRES: 0 <= i < data_count().
   std::string_view data(int i) const;
 
   // Returns "#4711 t=1.248000 JointMover.Move -> OVirtualRobotComm.Effector notify, 5120 bytes,
@@ -74,7 +74,7 @@ class SeenMessage {
   uint32_t size_ = 0;
 };
 
-// Returns "Blinker.Blink" for a service; the object's name where there is none.
+// Returns "Blinker.Blink" for an end with a service, and the object's name for an end without.
 std::string ShortName(const SeenMessage::End& end);
 
 }  // namespace openr::testing

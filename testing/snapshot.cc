@@ -31,8 +31,8 @@ struct ResultHeader {
   size_t message_size;
 };
 
-// Takes every result of a copy, also inside of EXPECT_NONFATAL_FAILURE(), and sends it at once, so
-// that no result is lost when the copy crashes.
+// Takes every test result in a copy, also inside of EXPECT_NONFATAL_FAILURE(), and sends it to the
+// original at once, so that no result is lost when the copy crashes.
 class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
  public:
   explicit ResultSender(int pipe)
@@ -46,7 +46,8 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
-    // An error means that the original is gone; then the results are of no use.
+    // Errors are ignored: they mean that the original process is gone, and then the results are of
+    // no use.
     WriteAll(pipe_, {reinterpret_cast<const char*>(&header), sizeof header});
     WriteAll(pipe_, file);
     WriteAll(pipe_, message);

@@ -37,8 +37,8 @@ void RunInCopy(const std::function<void()>& body, const Place& place);
 template <typename World>
 class Snapshot {
  public:
-  // `make` reaches the state.  It is called once, when the first test asks for it.  Null: it
-  // failed.
+  // `make` reaches the state.  `make` is called once, when the first test asks for the state.  A
+  // null result means that it failed.
   explicit Snapshot(std::function<std::unique_ptr<World>()> make) : make_(std::move(make)) {}
 
   void Run(const std::function<void(World&)>& test, Place place = Place::Here()) {

@@ -53,7 +53,7 @@ void Listen() {
 
 }  // namespace
 
-// Handles crashes and handlers that do not return, in this process.
+// The objects that handle crashes and handlers that do not return, in this process.
 struct StoryTeller::Guards {
   explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
 
@@ -75,7 +75,7 @@ StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_lim
   OnCopied();
 }
 
-// Takes this one out of the list of benches.  It may not be the newest, because a test may destroy
+// Takes this StoryTeller out of the list.  It need not be the newest, because a test may destroy
 // its benches in any order.
 StoryTeller::~StoryTeller() {
   StoryTeller** link = &g_newest;

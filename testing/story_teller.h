@@ -12,7 +12,7 @@ class TestInfo;
 
 namespace openr::testing {
 
-// Each bench has one.
+// The object of a bench that adds its story to failures.  Each bench has a StoryTeller.
 class StoryTeller {
  public:
   // `story` returns Bench::Story().  It is called while GoogleTest reports a failure, so it must
@@ -23,7 +23,8 @@ class StoryTeller {
   StoryTeller(const StoryTeller&) = delete;
   StoryTeller& operator=(const StoryTeller&) = delete;
 
-  // Called in a copy of the process.  A copy inherits no timer, and may belong to another test.
+  // Starts the timer again and notes the running test.  Called in a copy of the process, which
+  // inherits no timer and may belong to another test.
   void OnCopied();
 
   // Returns `failure` followed by the story of the test's newest bench.  Returns `failure`

@@ -122,7 +122,7 @@ void TcpClient::Take(const NetworkEvent& event) {
   }
 }
 
-// Does a part of a step.  Returns true when the step is done.
+// Does the part of `step` that is possible now.  Returns true when the step is done.
 bool TcpClient::Do(const Step& step) {
   const size_t left = heard_.size() - passed_;
   switch (step.kind) {

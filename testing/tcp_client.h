@@ -29,9 +29,9 @@ class TcpClient : public openr_host::CodeObject {
   // Waits until an object listens on `port` of the robot and accepts the connection.
   TcpClient& Connect(uint16_t port, Place place = Place::Here());
   TcpClient& Send(std::string bytes, Place place = Place::Here());
-  // Waits until these bytes have come.  Bytes before them are skipped.
+  // Waits until `bytes` have come.  Bytes before them are skipped.
   TcpClient& Hear(std::string bytes, Place place = Place::Here());
-  // Waits until that many more bytes have come.
+  // Waits until `count` more bytes have come.
   TcpClient& HearBytes(size_t count, Place place = Place::Here());
   // Waits until the robot has ended the connection.
   TcpClient& HearEnd(Place place = Place::Here());
@@ -41,9 +41,10 @@ class TcpClient : public openr_host::CodeObject {
   TcpClient& Reset(Place place = Place::Here());
 
   bool done() const { return script_.empty(); }
-  // Returns the step that it waits for, "to hear 'PONG\n'", and what has come so far; "" when done.
+  // Returns the present step as text, "to hear 'PONG\n'", and what has come so far; "" when the
+  // script is done.
   std::string WaitsFor() const;
-  // Returns the test's line of that step.  REQUIRES: !done().
+  // Returns the line of the test that has added the present step.  REQUIRES: !done().
   const Place& place() const;
   // Forgets the steps that are left.
   void DropScript() { script_.clear(); }
