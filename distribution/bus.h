@@ -48,13 +48,14 @@ struct BusOptions {
 
 class Bus {
  public:
-  // Throws std::runtime_error with the message of Cyclone DDS.
+  // Creates the participant of this process.  Throws std::runtime_error with the message of Cyclone
+  // DDS.
   explicit Bus(const BusOptions& options);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  // Waits until a Channel of this bus has a sample to receive, at most `timeout_us`.
+  // Waits until a Channel of this bus has a sample to receive, but at most `timeout_us`.
   void Wait(int64_t timeout_us);
 
   dds_entity_t participant() const { return participant_; }

@@ -17,9 +17,9 @@ namespace openr_host {
 
 class CheckedCalls : public LocalCalls {
  public:
-  // Returns whether an object is one of the worker's.
+  // A function that returns whether an object is one of the worker's.
   using IsOwn = std::function<bool(ObjectId)>;
-  // Throws ProcessLost with a message that the worker has sent `what`.
+  // A function that throws ProcessLost with a message that the worker has sent `what`.
   using Refuse = std::function<void(const std::string& what)>;
 
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)

@@ -24,7 +24,7 @@ class ChildProcess {
   // while the process runs.
   std::string HowItEnded();
 
-  // Waits for the end of the process, and kills it after `limit_ms`.
+  // Waits for the end of the process, and kills the process if it has not ended after `limit_ms`.
   void WaitForEnd(int64_t limit_ms);
 
  private:

@@ -173,7 +173,8 @@ std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
 std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
-    // As long as the region table has the memory, an object may still pass it on.
+    // As long as the region table has the memory, an object may still pass the region on, so its
+    // token is kept.
     if (system_->regions().BaseOf(entry.second) != nullptr) return false;
     tokens.push_back(entry.first);
     return true;

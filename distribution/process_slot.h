@@ -18,8 +18,8 @@
 
 namespace openr_host {
 
-// Thrown if the worker has ended, cannot be reached or has sent something invalid.  what() is a
-// message for the user.
+// The exception that is thrown if the worker has ended, cannot be reached or has sent something
+// invalid. what() is a message for the user.
 struct ProcessLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

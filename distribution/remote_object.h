@@ -24,7 +24,7 @@ class RemoteObject : public Object {
   // The kind of a loss: the worker has ended or cannot be reached, a handler has crashed, or the
   // worker was lost after the run, when the master asked only for the state of its objects.
   enum class Loss { kGone, kCrashed, kAtEnd };
-  // Called when a handler finds that its worker is lost.
+  // A function that is called when a handler finds that its worker is lost.
   using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
 
   RemoteObject(System* system, ObjectId id, int robot, RemoteProcess* process, LossListener lost)

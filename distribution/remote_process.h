@@ -30,13 +30,14 @@ class Object;
 class RemoteObject;
 class System;
 
-// Thrown if the handler of one of its objects has brought the worker down.
+// The exception that is thrown if the handler of one of the worker's objects has brought the worker
+// down.
 struct ProcessCrashed : ProcessLost {
   using ProcessLost::ProcessLost;
 };
 
-// Thrown if the worker has refused the run before taking part.  The run does not fail: the master
-// waits for another process of the same name instead.
+// The exception that is thrown if the worker has refused the run before taking part.  The run does
+// not fail: the master waits for another process of the same name instead.
 struct ProcessRefused : ProcessLost {
   using ProcessLost::ProcessLost;
 };

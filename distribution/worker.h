@@ -37,7 +37,7 @@ struct WorkerOptions {
   // worker uses the folder only if its files are the same as the stick's.  The function itself may
   // be null.
   std::function<std::string()> own_stick;
-  // Called with the folder of the stick, before objects are loaded.
+  // A function that is called with the folder of the stick before objects are loaded; may be null.
   std::function<void(const std::string& stick)> begins;
 };
 

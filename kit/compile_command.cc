@@ -29,7 +29,7 @@ bool IsSource(const std::string& file) {
                                    ".ii", ".i", ".s", ".S"});
 }
 
-// Returns whether the value of the flag is the next word.
+// Returns whether the value of `flag` is in the next word of the command line.
 bool TakesNextWord(const std::string& flag) {
   return IsOneOf(flag, {"-o",
                         "-I",

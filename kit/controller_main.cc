@@ -12,7 +12,7 @@
 namespace openr_host {
 namespace {
 
-// One way to declare main(): its symbol, and how C++ declares and calls it.
+// A way to declare main(): its symbol, and how C++ declares and calls it.
 struct Form {
   const char* symbol;
   const char* declaration;

@@ -1,5 +1,5 @@
-// A log by which the tools of the SDK tree report to `openr build`. openr build starts make, and
-// make starts the tools, so they have no other connection.
+// A log file by which the tools of the SDK tree report to `openr build`.  It is needed because
+// openr build starts make and only make starts the tools, so openr build gets no results from them.
 #pragma once
 
 #include <string>

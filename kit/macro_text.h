@@ -1,5 +1,5 @@
-// Expands the macros of a few C sources as far as is needed to see the meaning of FOREVER or
-// STEP().  Understands no conditions but "#if 0".
+// Expands the macros of a few C sources, as far as needed to find what a word such as FOREVER or
+// STEP() stands for.  Understands no conditions but "#if 0".
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct ExpandedText {
 
 class MacroTable {
  public:
-  // Adds the #defines of a source.
+  // Adds the macros that a source defines.
   void Read(const std::string& source);
 
   // Returns the value of a number, or of a macro that stands for a number; -1 for other words.

@@ -41,7 +41,7 @@ class WorkCopy {
   // the build.
   bool IsOriginal(const std::filesystem::path& file) const;
 
-  // Writes down what was copied, for the next build.  To be called after the last Add().
+  // Writes a list of the copied files to disk, for the next build.  Called after the last Add().
   void Save() const;
 
  private:

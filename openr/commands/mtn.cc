@@ -143,8 +143,8 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// Prints a line per key frame: time, attitude and joints in degrees; 0 or 1 for joints with two
-// positions.
+// Prints a line per key frame with time, attitude and joints: angles in degrees, and 0 or 1 for
+// joints with two positions.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;

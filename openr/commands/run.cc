@@ -330,7 +330,7 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   distribution->EndProcesses();
 }
 
-// One run of `openr run`, from its command line to its report.
+// A run of `openr run`, from its command line to its report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
@@ -380,7 +380,7 @@ SimulationOptions CommandedRun::Options() {
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { console_.Print(text); };
   if (records()) recorder_.Listen(&options);
-  // Called after Listen(), so that the recorder records ROS 2 commands as input.
+  // Enter() is called after Listen(), so that the recorder records ROS 2 commands as input.
   distribution_.Enter(&options, plan_.say);
   return options;
 }

@@ -119,7 +119,8 @@ std::string Table(const std::vector<Row>& rows, size_t columns) {
   return text;
 }
 
-// Breaks a line at blanks; the following lines are indented.
+// Breaks `line` at blanks into lines of at most `columns` characters; all but the first are
+// indented.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";

@@ -22,8 +22,8 @@ struct TraceFlags {
   TraceFilter filter;
 };
 
-// Throws std::runtime_error when the filter names an object or service that is not in the
-// recording.
+// Checks that the recording has the object and the service of the filter.  Throws
+// std::runtime_error if not.
 void CheckFilter(const TraceFlags& flags) {
   if (flags.filter.object.empty() && flags.filter.service.empty()) return;
   TraceReader reader(flags.file);

@@ -26,7 +26,7 @@ constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIG
 EndingAction* g_newest = nullptr;
 Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end began
-bool g_is_awaited = false;  // a EndingAnswer exists
+bool g_is_awaited = false;  // an EndingAnswer exists
 int g_answer = -1;
 // The file for the answer.  It is prepared in advance, because OnSignalDuringEnding() must not
 // allocate memory.

@@ -20,7 +20,7 @@ struct Ending {
   SignalText record;         // lines for a person to read
   SignalText finding;        // one sentence for the report
   Object* object = nullptr;  // the object that ran; null if none did
-  bool answered = false;     // a EndingAction has written the answer; see EndingAnswer
+  bool answered = false;     // an EndingAction has written the answer; see EndingAnswer
 };
 
 RunEnd EndOf(const Ending& ending);
@@ -46,8 +46,8 @@ class EndingAction {
 void RunEndingActions(Ending* ending);
 
 // While an EndingAnswer exists, a run that ends early says on the last line of standard error what
-// ended it.  If an answer in JSON is due and no EndingAction has written it, {"error", "ended_by",
-// "findings"} is written.  Only one may exist at a time.
+// ended it.  If an answer in JSON is due and no EndingAction has written the answer, {"error",
+// "ended_by", "findings"} is written.  Only one may exist at a time.
 class EndingAnswer {
  public:
   // The answer goes to `descriptor` (-1: none) and to `file` ("": none).

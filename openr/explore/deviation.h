@@ -41,8 +41,8 @@ struct Deviation {
 //    "entry":"B.In.Number.O (Notify)","us":4000}
 nlohmann::ordered_json DeviationToJson(const Deviation& deviation, const System& system);
 
-// Throws std::runtime_error if a field is missing or an object does not exist.  "entry" is for
-// people and is not read.
+// Reads a line of a schedule file.  Throws std::runtime_error if a field is missing or an object
+// does not exist.  The field "entry" is for people and is not read.
 Deviation DeviationFromJson(const nlohmann::ordered_json& json, const System& system);
 
 }  // namespace openr_host

@@ -20,7 +20,8 @@ struct ExplorePlan {
   bool reduce = true;         // for a search: leave out orders equal to others
   bool stop_at_first = true;  // stop at the first seed that breaks a property
   int shorten_runs = 2000;    // limit of runs for shortening; 0: no shortening
-  // Called now and then with the number of finished runs, to show progress; may be empty.
+  // A function that is called now and then with the number of finished runs, to show progress; may
+  // be empty.
   std::function<void(uint64_t runs)> progress;
 };
 

@@ -24,8 +24,8 @@ struct RunOptions {
 //   "exact"   choices of a search (exact_schedule.h)
 // and, all optional:
 //   "until_us"  instead of RunOptions::for_us     "slice_us"  time run in one go (a frame)
-//   "blind"     true: no property is looked at    "deviations" true: told also when all is well
-//   "tail"      how many of the last messages to tell
+//   "blind"     true: no property is looked at    "deviations" true: also given when all is well
+//   "tail"      number of last messages in the answer
 //
 // Answer: "seed", "time_us", "messages", "state" and "trace" (hashes, 16 hex digits), "warnings",
 // "errors" (findings); and

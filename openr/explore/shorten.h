@@ -7,7 +7,8 @@
 
 namespace openr_host {
 
-// Runs a script.  Returns the answer if the run breaks the property in question, else nothing.
+// A function that runs a script and returns the answer if the run breaks the property in question,
+// else nullopt.
 using StillBreaks =
     std::function<std::optional<nlohmann::ordered_json>(const nlohmann::ordered_json& script)>;
 

@@ -38,7 +38,7 @@ struct GraphView {
   std::vector<GraphConnection> connections;  // in the order of CONNECT.CFG
 };
 
-// Collects the graph.  REQUIRES: the system has booted.
+// Collects the objects, services and connections of `system`.  REQUIRES: the system has booted.
 GraphView CollectGraph(System* system);
 
 nlohmann::ordered_json GraphToJson(const GraphView& graph);

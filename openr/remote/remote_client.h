@@ -21,7 +21,7 @@ struct RemoteAddress {
 // Returns "" or the error.  IPv6 addresses are refused, because the robot's network is IPv4.
 std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address);
 
-// Thrown when the robot refuses a request.
+// The exception that is thrown when the robot refuses a request.
 class RemoteRefusal : public std::runtime_error {
  public:
   RemoteRefusal(int the_status, uint32_t the_frame, const std::string& why)
@@ -53,7 +53,8 @@ class RemoteClient {
   std::vector<RemoteAnswer> RequestAll(int command,
                                        const std::vector<std::vector<uint8_t>>& payloads);
 
-  // Sends a struct of RemoteProtocol.h that has Write().
+  // Sends a request whose payload is a struct of RemoteProtocol.h that has Write(); returns the
+  // answer.
   template <typename Payload>
   RemoteAnswer RequestWith(int command, const Payload& payload) {
     uint8_t bytes[RC_MAX_PACKET];
@@ -74,7 +75,7 @@ class RemoteClient {
  private:
   RemoteClient(const RemoteAddress& address, int timeout_ms, bool is_probe);
   void Connect();
-  // Returns whether the robot answers a new client, after this connection was lost.
+  // Returns whether the robot still answers a new client although this connection was lost.
   bool RobotGoesOn() const;
   int WaitForConnection() const;  // returns an errno
   uint16_t SendRequest(int command, const std::vector<uint8_t>& payload);

@@ -1,4 +1,5 @@
-// A picture to be drawn, as plain data: shapes with places and colours, a light, a camera.
+// The scene of a picture to be drawn, as plain data: shapes with places and colours, a light, a
+// camera.
 //
 // World W: metres, right-handed, z up, floor at z = 0.  Nothing here depends on robots.
 #pragma once

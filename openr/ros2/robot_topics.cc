@@ -53,7 +53,7 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
   }
 }
 
-// Returns the value of a sensor in SI units.
+// Returns the present value of the sensor with the index `sensor`, in SI units.
 double RobotTopics::Value(int sensor) const {
   const double value = robot_->sensor(sensor).value;
   const SensorKind kind = robot_->model().sensors[static_cast<size_t>(sensor)].kind;
