@@ -67,8 +67,8 @@ class BenchSchedule : public openr_host::Schedule {
   const bool is_canonical_;
   std::vector<std::string> preferred_;
   std::vector<std::pair<MessageSpec, int64_t>> delays_;
-  // By sender and receiver: time at which the last delayed message is due.  No later message
-  // overtakes it.
+  // The time at which the last delayed message is due, by sender and receiver.  A later message
+  // does not overtake that message.
   std::map<std::pair<openr_host::ObjectId, openr_host::ObjectId>, int64_t> last_due_us_;
   std::deque<RefusedMessage> refused_;
 };

@@ -25,7 +25,7 @@
 
 // Number of frames of a vector outside of motions: 4 x 8 ms, which is the period of the sensor
 // vectors.  Because two vectors are in the effector, a command begins to act after 64 ms at most.
-// With full vectors of 128 ms it would be 256 ms; shorter vectors would double the messages for
+// Full vectors of 128 ms would make that 256 ms; shorter vectors would double the messages for
 // little gain.
 const int MANUAL_VECTOR_FRAMES = 4;
 

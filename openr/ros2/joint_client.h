@@ -1,8 +1,8 @@
 // A client of the remote control inside the program.  It sends joint targets of ROS 2 to the robot
 // as a client on the network does (docs/remote-control.md).
 //
-// It is placed between a robot and its network, and opens a connection of its own to the robot's
-// port, without a socket.  The client's data come out of Poll() like all data from outside.
+// The client is placed between a robot and its network, and opens a connection of its own to the
+// robot's port, without a socket.  The client's data come out of Poll() like all data from outside.
 // Therefore the robot, the order of events and a recording treat it like any other client, a run
 // with commands can be replayed, and the robot's limits of position, speed and acceleration hold.
 #pragma once

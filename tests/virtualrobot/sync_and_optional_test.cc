@@ -120,8 +120,8 @@ TEST_F(SyncTest, AKeyThatDoesNotExistHoldsNothingUp) {
   });
 }
 
-// It is not known when the frames of a wait begin for a vector with a key.  Here they begin when
-// all parts are there.
+// The frames of a wait of a vector with a key begin when all parts are there.  That is our choice,
+// because no source says when they begin.
 TEST_F(SyncTest, AWaitCountsFromTheCommonStart) {
   Divide();
   As([&] {
