@@ -16,7 +16,8 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// Defaults of 802.11b, above the longest frame: no frame needs a request to send or is split.
+// Two limits of the frame size, the defaults of 802.11b.  No frame is longer, so the card never
+// sends a request before a frame and never splits a frame.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
@@ -49,8 +50,8 @@ extern "C" {
 
 EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
   return Ask(msg, [msg](const IpStack& stack) {
-    // 0x02 marks a locally administered address, which no real card has.  The last octets differ
-    // between robots.
+    // The first octet, 0x02, marks a locally administered address, which no real card has.  The
+    // last octets are the number of the robot, so each robot has an address of its own.
     const int robot = stack.host().robot + 1;
     const byte octets[6] = {0x02,
                             0x00,
@@ -63,7 +64,7 @@ EtherStatus ERA201D1_GetMACAddress(EtherDriverGetMACAddressMsg* msg) {
 }
 
 EtherStatus ERA201D1_GetEtherStatistics(EtherDriverGetStatisticsMsg* msg) {
-  return Ask(msg, [](const IpStack&) {});  // all counts of errors stay 0
+  return Ask(msg, [](const IpStack&) {});  // the host has no counters, so all counts are 0
 }
 
 EtherStatus ERA201D1_GetWLANSettings(EtherDriverGetWLANSettingsMsg* msg) {

@@ -1,4 +1,5 @@
-// The functions of antEnvMsg, which send messages to the network stack, wait and answer.
+// The functions of antEnvMsg, the base of all messages to the network stack: they send a message,
+// wait for its answer, or answer it.
 #include <antEnvMsg.h>
 #include <fmt/format.h>
 
@@ -29,7 +30,8 @@ Message* NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // Data outside of a mapped buffer are not hashed: the program may not own that memory.
+  // The hash of the message covers data only if they are in a mapped buffer.  Data elsewhere are
+  // not read, because the address may be invalid.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,

@@ -1,4 +1,5 @@
-// The functions of network messages that need no stack: references and constructors.
+// Constructors of the messages that set parameters of the network stack or ask the DNS, and
+// functions that print the reference of an endpoint.
 #include <DNSEndpointMsg.h>
 #include <OPENR/OSyslog.h>
 #include <antEnvMsg.h>
@@ -9,7 +10,8 @@
 
 namespace {
 
-// Copies `from`, cut if it is too long, and fills the rest of `to` with at least one NUL.
+// Copies the text `from` into the array `to`.  A text that is too long is cut; the rest of the
+// array becomes NUL, at least one character.
 template <size_t N>
 void CopyText(char (&to)[N], const char* from) {
   std::memset(to, 0, N);
@@ -24,7 +26,7 @@ std::ostream& operator<<(std::ostream& out, const antModuleRef& ref) {
   return out << fmt::format("module {}", ref.index);
 }
 
-// ---- parameters of the stack
+// ---- Messages about parameters of the network stack
 
 antEnvInitGetParamMsg::antEnvInitGetParamMsg() : antEnvInitGetParamMsg("") {}
 antEnvInitGetParamMsg::antEnvInitGetParamMsg(const char* name)
@@ -52,7 +54,7 @@ antEnvInitSetParamMsg::antEnvInitSetParamMsg(const char* name, const char* text)
 antEnvInitStartMsg::antEnvInitStartMsg()
     : antEnvMsg(antEnv_Operation_InitStart, Entry_antEnv_Initialize), error(ANT_FAIL) {}
 
-// ---- DNS
+// ---- Messages to the DNS
 
 DNSEndpointSetServerAddressesMsg::DNSEndpointSetServerAddressesMsg()
     : DNSEndpointBaseMsg(DNSEndpoint_Operation_SetServerAddresses), nscount(0) {}

@@ -1,7 +1,8 @@
 #include <MCOOP.h>
 #include <antStackRef.h>
 
-// If no object has that name, Find() leaves oid_ invalid.
+// Finds a network stack by the name of its object.  If no object is called `name`, oid_ stays
+// invalid.
 antStackRef::antStackRef(const char* name) {
   dispatcher_ = nullptr;
   Find(name, &oid_);

@@ -6,7 +6,7 @@
 namespace openr_host {
 
 struct CivilDate {
-  int64_t year = 2000;  // with all its digits
+  int64_t year = 2000;  // all digits: 2000, not 0
   int month = 1;        // 1..12
   int day = 1;          // 1..31
 };

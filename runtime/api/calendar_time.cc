@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kDayNames[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
 constexpr const char* kMonthNames[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                        "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // texts have four digits for the year
+constexpr int kYearMax = 9999 - otimeSTART_YEAR;  // because texts have four digits for the year
 
 int64_t DayOf(const OCalendarTime& t) {
   return openr_host::DaysToMonth(int64_t{otimeSTART_YEAR} + t.year_, t.month_) + t.day_ - 1;
@@ -22,8 +22,8 @@ int64_t DayOf(const OCalendarTime& t) {
 
 bool InRange(int value, int least, int most) { return value >= least && value <= most; }
 
-// Returns the name of the weekday.  Because programs may set dow_ to any value, the weekday is
-// computed from the date.
+// Returns the name of the weekday.  The weekday is computed from the date, because a program may
+// set dow_, the stored weekday, to any value.
 const char* DayName(const OCalendarTime& t) {
   return kDayNames[openr_host::WeekdayOfDay(DayOf(t))];
 }

@@ -12,7 +12,8 @@
 
 namespace {
 
-// The index of each name, here and in the arrays below, is the value of its constant.
+// Names of the errors of the network stack.  The index of a name, here and in the arrays below, is
+// the value of the error's constant.
 constexpr const char* kAntErrors[] = {
     "ANT_SUCCESS",
     "ANT_FAIL",

@@ -13,7 +13,7 @@ using namespace openr_host;
 
 namespace {
 
-constexpr uint64_t kTimeCallsMax = 1'000'000;  // calls in one handler that cause a finding
+constexpr uint64_t kTimeCallsMax = 1'000'000;  // this many calls in a handler mean a busy loop
 
 Message* NewBytes(const OID& oid, Selector selector, const void* msg, size_t size) {
   Message* const message = t_current.system->NewMessage(ObjectIdOf(oid), selector);
@@ -22,7 +22,8 @@ Message* NewBytes(const OID& oid, Selector selector, const void* msg, size_t siz
   return message;
 }
 
-// Returns sSUCCESS if the current object may wait for, or drop, the reply that `rbox` names.
+// Returns sSUCCESS if `rbox` names an open reply box of the current object, so that the object may
+// wait for the reply or give up the box; otherwise an error.
 sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
@@ -80,8 +81,9 @@ sError Unregister(const char* name) {
   return t_current.system->calls().UnregisterName(name);
 }
 
-// Finds an extra entry of the calling object by name.  Only extras are searched.  This is our
-// choice, because no source says which names the robot searches.
+// Finds the selector of an extra entry of the calling object (an Extra line of its stub.cfg) by
+// name.  Only extra entries are searched.  This is our choice, because no source says which names
+// the robot searches.
 sError FindSelector(const char* name, Selector* selector) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;

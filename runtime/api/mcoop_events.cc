@@ -1,4 +1,5 @@
-// The Aperios functions of MCOOP.h for later messages (events) and for limits.
+// The Aperios functions of MCOOP.h that order messages for a later time (events), and those that
+// read and set limits of an object.
 #include <MCOOP.h>
 
 #include "runtime/api/mcoop_limits.h"

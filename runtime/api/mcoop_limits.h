@@ -9,8 +9,8 @@
 namespace openr_host {
 
 constexpr size_t kMessageMax = 256;    // size of AperiosMessage; longer messages are refused
-constexpr size_t kObjectNameMax = 63;  // oobjectNAME_MAX
-constexpr int kEventsMax = 32;         // events of one object at a time; our choice
+constexpr size_t kObjectNameMax = 63;  // value of oobjectNAME_MAX in the SDK
+constexpr int kEventsMax = 32;         // pending events of one object; our choice
 constexpr int kEntriesMax = 64;        // number of selectors of an object
 
 inline int64_t Microseconds(const RelativeTime& time) {

@@ -1,4 +1,4 @@
-// The Aperios functions of MCOOP.h for memory.
+// The Aperios functions of MCOOP.h for private and shared memory.
 #include <MCOOP.h>
 #include <fmt/format.h>
 

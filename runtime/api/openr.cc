@@ -1,5 +1,6 @@
-// The functions of namespace OPENR.  Those about devices call the RobotServices of the robot; the
-// others are implemented here, and those for the memory of vectors in vectors.cc.
+// The functions of namespace OPENR.  Functions about devices call the RobotServices of the robot;
+// the other functions do their work here.  Functions that make and delete vectors are in
+// vectors.cc.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 

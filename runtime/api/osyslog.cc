@@ -40,8 +40,7 @@ std::string Format(const char* format, va_list arguments) {
   return text;
 }
 
-// Stores the text after "state: " in a message of level info.  It is the state that the object
-// reports.
+// Stores the state that the object reports: the text after "state: " in a message of level info.
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;

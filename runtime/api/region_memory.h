@@ -1,4 +1,4 @@
-// Makes shared memory in functions of the SDK, for the object that calls them.
+// Makes shared memory for the object that calls a function of the SDK.
 #pragma once
 
 #include <MemoryRegion.h>

@@ -17,17 +17,17 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// The functions that switch stacks have no ApiScope, because code of the image runs before and
-// after the switch.
+// ApiScope marks code of the runtime.  The functions that switch stacks do not use it, because code
+// of the object runs directly before and after the switch.
 struct OpenrSecondStack {
-  // Like the stack of handlers, this stack is at the planned addresses of its object and is
-  // cleared.
+  // Like the stack of handlers, this stack lies at the planned addresses of its object and is
+  // cleared after use, so that its content is the same in every run.
   openr_host::HandlerStack stack{Address()};
   openr_host::Fiber fiber;     // calls the body on `stack`
   openr_host::MainFiber home;  // the handler that switched to `stack`
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
-  std::optional<ArithmeticWatch> watch;  // for `stack`; the watch of handlers does not cover it
+  std::optional<ArithmeticWatch> watch;  // finds NaN and the like in code on `stack`
   // floating-point flags raised since the last switch to `stack`
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the body waits to be continued
@@ -43,19 +43,20 @@ struct OpenrSecondStack {
     if (watch) watch->Begin(openr_host::kFpCaught);
     stack.Call(body, argument);
     GoHome();
-    __builtin_unreachable();  // an ended body is not continued
+    __builtin_unreachable();  // nothing switches back to a body that has ended
   }
 
-  // Switches to the handler.  A switch saves and restores floating-point flags for each stack, so
-  // the flags raised on `stack` are stored for GoThere().
+  // Switches back to the handler.  Each stack has floating-point flags of its own, which a switch
+  // saves and restores.  So the flags that were raised on `stack` are stored, and GoThere() adds
+  // them to those of the handler.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack` until the body goes home.  The bytes that the body uses count as stack of
-  // the object, because on the robot there is only one stack.
+  // Switches to `stack`; returns when the body has left or ended.  The bytes that the body uses
+  // count as stack of the object, because on the robot there is only one stack.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

@@ -1,5 +1,6 @@
-// The functions that make and delete vectors.  A program should make its vectors once and fill them
-// again and again (Level 2 Reference Guide, section 5; robot.md, 7.2).
+// The functions that make and delete vectors: shared memory for commands, sounds and colour
+// detection.  A program should make its vectors once and fill them again and again (Level 2
+// Reference Guide, section 5; robot.md, 7.2).
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 
@@ -13,10 +14,11 @@ using namespace openr_host;
 
 namespace {
 
-// The number of regions at which a robot stopped, whose program had made a vector for every command
-// (field-notes.md, 3.4).
+// The number of regions at which a real robot stopped.  Its program had made a new vector for every
+// command (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
-// Our limit of regions for a warning.  Samples need two regions per service.
+// The number of regions of one object above which a warning is given.  This is our choice; the
+// sample programs need two regions per service.
 constexpr int kRegionsOfObject = 64;
 
 int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) {
@@ -78,9 +80,9 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
-// Returns the size of `count` elements of `each` bytes.  If the size is more than a robot's memory,
-// returns the size of that memory.  With a header this is too much for any region, so the call
-// fails.
+// Returns the size of `count` elements of `each` bytes.  If this is more than a robot's memory,
+// returns the size of that memory; the header of the vector then makes the region too large, so
+// that making it fails.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }
