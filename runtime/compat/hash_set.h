@@ -1,4 +1,5 @@
-// The header <hash_set.h> of old C++: a container from before the standard, without its namespace.
+// The header <hash_set.h> of old C++: the hash sets from before the C++ standard, without their
+// namespace.
 #ifndef OPENR_COMPAT_HASH_SET_H_INCLUDED
 #define OPENR_COMPAT_HASH_SET_H_INCLUDED
 

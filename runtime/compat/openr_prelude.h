@@ -1,7 +1,7 @@
-// Includes the headers that programs for the robot use without including them.
+// Includes the headers whose functions old programs call without including the header.
 //
 // In the SDK's library <string> also declared strlen(), and <iostream> exit(), so a missing
-// #include went unnoticed.  The compiler wrappers of the host kit include this header before a
+// #include was not noticed.  The compiler wrappers of the host kit include this header before a
 // source that does not compile otherwise.
 #ifndef OPENR_COMPAT_OPENR_PRELUDE_H_INCLUDED
 #define OPENR_COMPAT_OPENR_PRELUDE_H_INCLUDED
@@ -28,8 +28,8 @@
 #include <vector>
 
 // The operators a <? b (minimum) and a >? b (maximum) of g++ 3.3, and their assigning forms a <?= b
-// and a >?= b.  `openr build` replaces them, for instance by a <openr_old::minimum> b, which the
-// operators < and > below evaluate.
+// and a >?= b.  Compilers of today do not know them, so `openr build` replaces for instance a <? b
+// by a <openr_old::minimum> b.  The operators < and > below compute the result of that text.
 namespace openr_old {
 
 enum Minimum { minimum };

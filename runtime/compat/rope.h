@@ -1,4 +1,5 @@
-// The header <rope.h> of old C++: a container from before the standard, without its namespace.
+// The header <rope.h> of old C++: strings for long texts from before the C++ standard, without
+// their namespace.
 #ifndef OPENR_COMPAT_ROPE_H_INCLUDED
 #define OPENR_COMPAT_ROPE_H_INCLUDED
 

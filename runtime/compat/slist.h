@@ -1,4 +1,5 @@
-// The header <slist.h> of old C++: a container from before the standard, without its namespace.
+// The header <slist.h> of old C++: the singly linked list from before the C++ standard, without its
+// namespace.
 #ifndef OPENR_COMPAT_SLIST_H_INCLUDED
 #define OPENR_COMPAT_SLIST_H_INCLUDED
 

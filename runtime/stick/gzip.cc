@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// Our limit for the unpacked size, far above any file of a stick.  Without a limit, a small file
-// could unpack to more bytes than the host has memory.
+// The limit for the unpacked size, our choice and far above any file of a stick.  Without a limit,
+// a small file could unpack to more bytes than the host has memory.
 constexpr size_t kBytesMax = 512u << 20;
 
 }  // namespace

@@ -76,7 +76,7 @@ std::optional<std::vector<std::string>> PartsOf(std::string_view name) {
 bool IsBelow(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto real_path = std::filesystem::canonical(path, error);
-  if (error) return true;  // a dangling link leads nowhere; opening it fails with the right error
+  if (error) return true;  // a dangling link leads to no file, so to none outside
   const auto real_folder = std::filesystem::canonical(folder, error);
   const auto [end, rest] =
       std::mismatch(real_folder.begin(), real_folder.end(), real_path.begin(), real_path.end());
@@ -163,7 +163,8 @@ uint64_t FolderStick::ContentHash() {
   for (fs::recursive_directory_iterator it(root_, error), end; !error && it != end;
        it.increment(error)) {
     const std::string extension = UpperCase(it->path().extension().string());
-    // The record of an earlier run's crash is no input of this run.
+    // The hash leaves out the record of a crash in an earlier run, because this run does not read
+    // that file.
     const bool is_crash_record = UpperCase(it->path().filename().string()) == kCrashRecord;
     if (it->is_regular_file(error) && extension != ".BIN" && extension != ".DBG" &&
         !is_crash_record)

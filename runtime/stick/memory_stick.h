@@ -22,8 +22,9 @@ class MemoryStick {
   virtual ~MemoryStick() = default;
 
   // The place of a file or folder on the host.  `error` is 0 or an errno: ENOENT (also for names
-  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  If the file does not exist but
-  // its folder does, `path` is the place to create it, `exists` is false and `error` is 0.
+  // outside of /MS), EINVAL (a zero byte in the name), EACCES, EIO.  For a file that does not exist
+  // in a folder that does, `path` is the place to create the file, `exists` is false and `error` is
+  // 0.
   struct Location {
     std::string path;
     bool exists = false;
@@ -44,7 +45,7 @@ class MemoryStick {
   virtual uint64_t ContentHash() = 0;
 
   // Notes that an object is about to make, write, rename or remove `name`.  From then on the
-  // content of the file is part of the state hash.
+  // content of the file is part of HashState().
   void NoteWritten(std::string_view name);
 
   // Sets the `listener` that is called for each file or folder before an object first changes it.
@@ -54,11 +55,13 @@ class MemoryStick {
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
 
-  // Adds the names and contents of the files that objects have written.
+  // Adds all state of the stick that can change what happens later to the hash: the names and
+  // contents of the files that objects have written.
   void HashState(Hasher* hasher);
 
  protected:
-  // Adds the size and the bytes of a file, or the text `otherwise` if the file cannot be read.
+  // Adds the size and the bytes of the file `name` to the hash, or the text `otherwise` if the file
+  // cannot be read.
   void HashFile(std::string_view name, std::string_view otherwise, Hasher* hasher);
 
  private:
@@ -68,7 +71,7 @@ class MemoryStick {
   std::set<std::string> changed_;  // host paths for which `listener_` was called
 };
 
-// A folder of the host that holds OPEN-R/.
+// A stick whose files are in a folder of the host.  The folder contains OPEN-R/.
 class FolderStick : public MemoryStick {
  public:
   explicit FolderStick(std::string root) : root_(std::move(root)) {}
@@ -80,8 +83,8 @@ class FolderStick : public MemoryStick {
   std::string root_;
 };
 
-// A stick for tests, whose Locate() number `nth` fails with `error`.  All other calls go to
-// `inner`.
+// A stick for tests: call number `nth` of Locate(), counted from 1, fails with `error`.  All other
+// calls go to `inner`.
 class FailingStick : public MemoryStick {
  public:
   FailingStick(std::shared_ptr<MemoryStick> inner, int nth, int error)
@@ -98,7 +101,8 @@ class FailingStick : public MemoryStick {
   const int error_;
 };
 
-// Returns whether `name` (one part of a path) has the form 8.3 and only characters that FAT allows.
+// Returns whether `name`, one part of a path, is an 8.3 name (at most 8 characters, a dot and at
+// most 3 characters) of characters that FAT allows.
 bool IsShortName(std::string_view name);
 
 }  // namespace openr_host
