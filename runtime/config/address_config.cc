@@ -31,9 +31,11 @@ std::optional<uint32_t> AddressOf(std::string_view text) {
   return ip;
 }
 
-bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }  // any, multicast, broadcast
+// Returns whether `ip` is not the address of one computer, but any address (0), multicast, reserved
+// or broadcast.
+bool IsOfNobody(uint32_t ip) { return ip == 0 || ip >> 28 >= 0xe; }
 
-// Fills `pair` from two texts.  Returns "" or the reason why the texts are no pair.
+// Parses two addresses into `pair`.  Returns "" or the reason why one of them is invalid.
 std::string ReadPair(std::string_view robot, std::string_view host, AddressPair* pair) {
   for (const auto& [text, ip] : {std::pair{robot, &pair->robot}, std::pair{host, &pair->host}}) {
     const std::optional<uint32_t> address = AddressOf(text);

@@ -1,9 +1,9 @@
-// Replaces the IP addresses that programs contain by addresses of today.
+// Replaces fixed IP addresses in old programs by addresses of the network of today.
 //
-// A program of the period knows its peers as 10.0.1.2 and itself as 10.0.1.100.  A pair tells which
-// address to use instead of such an address.  Pairs come from the command line (openr run --ip
-// ROBOT=HOST) and from the file HOSTADDR.CFG beside CONNECT.CFG, which has one pair per line.  The
-// robot ignores that file.
+// A program for the robot often contains fixed addresses, such as 10.0.1.2 for a PC.  A pair of
+// addresses tells which address the host uses instead of such an address.  Pairs come from the
+// command line (openr run --ip ROBOT=HOST) and from the file HOSTADDR.CFG beside CONNECT.CFG, which
+// has one pair per line.  The robot ignores that file.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ std::string ParseAddressPair(std::string_view text, AddressPair* pair);
 // returns an error text.
 std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pairs);
 
-// Parses the text of a HOSTADDR.CFG, one "ROBOT HOST" per line, for the robot design `design`
-// ("ERS-210").  A bad line is reported and skipped.
+// Parses the text of a HOSTADDR.CFG, one "ROBOT HOST" per line.  `design` is the robot design
+// ("ERS-210") for which lines are read.  A bad line is reported and skipped.
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 

@@ -19,15 +19,16 @@ struct ConnectRecord {
 };
 
 struct ConnectConfig {
-  std::vector<ConnectRecord> connections;  // in the order of the file, in which they are connected
+  std::vector<ConnectRecord> connections;  // in the order of the file; connected in this order
   std::vector<Diagnostic> diagnostics;
 };
 
 // Parses the text of CONNECT.CFG, one "subject observer" per line, for one robot design ("ERS-210",
 // or kEveryDesign).  A bad line (a name without four parts, a wrong direction, data types that
-// differ) is reported and skipped; all other lines hold, as measured on the original library.  A
-// pair that is listed twice is connected once, with a warning.  Whether the services exist is
-// checked not here but by the service directory.  `consequence` is appended to each error message.
+// differ) is reported and skipped; all other lines are used, as measured on the original library.
+// A pair that is listed twice is connected once, with a warning.  Does not check whether the
+// services exist; the service directory does that later.  `consequence` is appended to each error
+// message.
 ConnectConfig ParseConnectConfig(const std::string& file, std::string_view text,
                                  std::string_view design,
                                  std::string_view consequence = " (the line is skipped)");

@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kCostMaxUs = 10'000'000;  // our limit: a longer handler is surely a typing error
+constexpr int64_t kCostMaxUs = 10'000'000;  // our limit; more is taken for a typing error
 constexpr int64_t kFrameMinUs = 1'000, kFrameMaxUs = 1'000'000;
 
 constexpr char kForm[] = "write: OBJECT ENTRY MICROSECONDS [+-JITTER%]";

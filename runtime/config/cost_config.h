@@ -1,4 +1,4 @@
-// A cost file: the time that the robot's processor takes for each handler.
+// A cost file says how long each handler takes on the robot's processor.
 //
 //   # OBJECT     ENTRY                                   MICROSECONDS [+-JITTER%]
 //   *            *                                       50
@@ -7,9 +7,10 @@
 //   frame 8021
 //
 // OBJECT and ENTRY are the names that traces show (Object::EntryName); '*' stands for any text.
-// The last line that matches a handler decides, so general lines come first; a handler without a
-// matching line costs nothing.  `frame` gives the length of a frame of the robot's devices,
-// nominally 8 ms, on the clock that programs read.  A line that begins with '#' is a comment.
+// The last line that matches a handler decides, so general lines come first.  A handler without a
+// matching line costs nothing.  `frame` gives the true length of a frame of the robot's devices
+// (nominally 8000 us) in microseconds of the clock that programs read.  A line that begins with '#'
+// is a comment.
 #pragma once
 
 #include <cstdint>

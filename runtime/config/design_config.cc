@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-// The keyword odesignkeywordCPUINFO, for which the system has an answer without a file.
+// The keyword odesignkeywordCPUINFO.  OPENR::FindDesignData() answers it without a file.
 constexpr std::string_view kBuiltInKeyword = "SYS_CPUINFO";
 
 bool CheckWords(const RecordLine& line, std::vector<Diagnostic>* diagnostics) {

@@ -9,7 +9,8 @@
 
 namespace openr_host {
 
-// odesignkeywordNAME_MAX of <OPENR/OPENR.h>, without the closing NUL.
+// The length of the longest keyword: odesignkeywordNAME_MAX of <OPENR/OPENR.h>, without the closing
+// NUL.
 inline constexpr int kDesignKeywordBytesMax = 127;
 
 struct DesignRecord {
@@ -26,9 +27,9 @@ struct DesignConfig {
 };
 
 // Parses the text of DESIGNDB.CFG, one "keyword path" per line, for one robot design ("ERS-210", or
-// kEveryDesign).  A bad line is reported and skipped; all other lines hold.  A keyword given twice
-// keeps its first path, with a warning.  This is our choice, because no source says which path the
-// robot takes.
+// kEveryDesign).  A bad line is reported and skipped; all other lines are used.  A keyword given
+// twice keeps its first path, with a warning.  This is our choice, because no source says which
+// path the robot takes.
 DesignConfig ParseDesignConfig(const std::string& file, std::string_view text,
                                std::string_view design);
 

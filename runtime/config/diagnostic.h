@@ -1,4 +1,4 @@
-// Messages of parsers about lines of text files, and their form for the user.
+// Messages of parsers about lines of text files, and the text in which a user sees them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace openr_host {
 
 enum class Severity {
   kError,    // the line is skipped, or the file cannot be used
-  kWarning,  // the line holds, but is probably not what the author wanted
+  kWarning,  // the line is used, but is probably not what the author wanted
   kNote,     // nothing is wrong; information only
 };
 
@@ -21,7 +21,7 @@ struct FilePosition {
   std::string text;  // the line, without its end
 };
 
-// Returns `place` with another column.
+// Returns `place` with its column replaced by `column`.
 FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {

@@ -50,8 +50,9 @@ class GatewayReader {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
-  // Reads the record for the OPEN-R calls of remote programs: on the robot's side the port where
-  // they arrive, on the host's side the address to which they go.
+  // Reads the record for OPEN-R calls of programs on a PC to the robot.  In the robot's file it has
+  // the port where calls arrive.  In the PC's file it has the port and address to which calls are
+  // sent.
   void ReadProxy(const RecordLine& line) {
     const bool is_of_host = line.words[0].text == kProxyRecord;
     if (is_of_host != (side_ == GatewaySide::kHost)) {
@@ -193,7 +194,8 @@ std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const Gate
     int line;
   };
   std::vector<Wire> known;
-  // Checks one end of a wire: its service must exist, and no earlier wire may use the service.
+  // Checks one end of a wire (a line of CONNECT.CFG): its service must exist, and no earlier wire
+  // may use the service.
   const auto check = [&](const ServiceName& service, const std::string& section,
                          const FilePosition& place) {
     if (!Compose(service).starts_with(kGatewayPrefix)) return;

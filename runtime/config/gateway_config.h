@@ -1,9 +1,10 @@
-// ROBOTGW.CFG and HOSTGW.CFG: the services that TCPGateway carries over the network.
+// Parses ROBOTGW.CFG and HOSTGW.CFG, which list the services that TCPGateway connects over the
+// network.
 //
 // Each service has a port and carries exactly one connection; the robot's side listens, the host's
 // side connects.  An observer (.O) on one side and a subject (.S) on the other side belong together
 // if they have the same port: TCPGateway sends the data that the observer receives over the
-// network, and the subject notifies them on the other side. (core.md, 5.4)
+// network, and on the other side the subject sends the data on to its observer.  (core.md, 5.4)
 #pragma once
 
 #include <cstdint>

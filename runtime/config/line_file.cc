@@ -35,13 +35,14 @@ std::string_view TakeLine(std::string_view* rest) {
   return line;
 }
 
-// Follows section headers and decides which records hold for a robot design.
+// Keeps the current section of a file, such as [ERS-210], and tells whether records of this section
+// are valid for a robot design.
 class SectionFilter {
  public:
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // True while records of the current section hold for the design.
+  // True while records of the current section are valid for the design.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }
 
@@ -53,7 +54,7 @@ class SectionFilter {
 
   const std::string_view design_;
   std::vector<Diagnostic>* const diagnostics_;
-  bool is_open_ = true;  // records before the first section hold for every robot
+  bool is_open_ = true;  // records before the first section are valid for every robot
   std::string section_;
 };
 
@@ -96,7 +97,7 @@ void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& 
   }
 }
 
-// Returns whether a record has a control byte, and reports the first of them.  Comments are not
+// Returns whether a record has a control byte, and reports the first such byte.  Comments are not
 // checked: they may contain any byte, as comments in Japanese do.
 bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
@@ -167,7 +168,8 @@ std::vector<FilePosition> SplitLines(const std::string& file, std::string_view t
 
 namespace {
 
-// Removes a comment after a record, with a warning, because no source says how the robot reads it.
+// Removes a comment after a record, with a warning, because no source says how the robot reads such
+// a comment.
 void DropTrailingComment(RecordLine* line, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 1; i < line->words.size(); ++i) {
     if (line->words[i].text[0] != '#') continue;

@@ -1,11 +1,11 @@
-// Reads lines and words, the common form of all text files of a Memory Stick.
+// Splits a text file of a Memory Stick into lines and words, the form that all these files share.
 //
 // Lines end in LF or CR LF, which may be missing after the last line.  Blanks and tabs separate
 // words and may follow the last word.  A line that begins with '#' is a comment.  A comment after a
 // record is skipped with a warning, because no source says that the robot allows such a comment.
 // "[ERS-210]" alone on a line opens a section for that robot design; records before the first
-// section hold for every robot. (Programmer's Guide 4.2, and the configuration files of Sony's
-// samples, 16 of which have CR LF.)
+// section are valid for every robot.  (Programmer's Guide 4.2, and the configuration files of
+// Sony's samples, 16 of which have CR LF.)
 #pragma once
 
 #include <string>
@@ -16,11 +16,12 @@
 
 namespace openr_host {
 
-// Our own limit for the length of a line.  The longest record that makes sense is two service names
-// of 127 characters.
+// The longest line, our own limit.  It is ample, because the longest record that makes sense is two
+// service names of 127 characters.
 inline constexpr int kLineBytesMax = 1024;
 
-// A value that selects the records of every section when given instead of a robot design.
+// A value for the parameter `design` of parsers.  It selects the records of all sections instead of
+// those for one robot design.
 inline constexpr std::string_view kEveryDesign = "*";
 
 struct Word {
@@ -45,13 +46,13 @@ struct RecordLine {
   FilePosition At(const Word& word) const { return AtColumn(place, word.column); }
 };
 
-// Returns the records of a file that hold for `design` ("ERS-210", or kEveryDesign).  Section names
-// are compared without regard to case, with a warning if the case differs.  In sections of other
-// designs only the header is checked.
+// Returns the records of a file that are valid for `design` ("ERS-210", or kEveryDesign).  Section
+// names are compared without regard to case, with a warning if the case differs.  In sections of
+// other designs only the header is checked.
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);
 
-// Returns true if records of both sections can hold for the same robot.
+// Returns true if records of the sections `section` and `other` can be valid for the same robot.
 bool MayHoldTogether(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

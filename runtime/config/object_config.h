@@ -21,8 +21,9 @@ struct ObjectConfig {
 };
 
 // Parses the text of OBJECT.CFG, one path per line, for one robot design ("ERS-210", or
-// kEveryDesign).  A bad line is reported and skipped; all other lines hold.  A path that is listed
-// twice (in any case) is loaded once, with a warning.  `file` is the file's name for messages.
+// kEveryDesign).  A bad line is reported and skipped; all other lines are used.  A path that is
+// listed twice (in any case) is loaded once, with a warning.  `file` is the file's name for
+// messages.
 ObjectConfig ParseObjectConfig(const std::string& file, std::string_view text,
                                std::string_view design);
 

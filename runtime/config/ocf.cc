@@ -12,9 +12,9 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kShortFieldCount = 7;  // after the word "object"
+constexpr size_t kShortFieldCount = 7;  // fields after the word "object", short form
 constexpr size_t kLongFieldCount = 14;
-constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // the robot has 32 bits
+constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // limit of a 32-bit robot
 constexpr int kPriorityMax = 255;
 // A typing error for 16384 that Sony's samples contained for half a year.
 constexpr int64_t kMistypedHeapBytes = 16386;
@@ -37,7 +37,7 @@ std::vector<Field> ReadFields(const std::string& file, std::string_view text,
   return fields;
 }
 
-// Takes fields one by one and reports the wrong ones.
+// Reads the fields of a record one after the other and reports fields that are wrong.
 class FieldReader {
  public:
   FieldReader(const std::vector<Field>& fields, std::vector<Diagnostic>* diagnostics)
@@ -66,7 +66,8 @@ class FieldReader {
   std::string TakeName();
   int64_t TakeSize(const char* what);
   int TakePriority();
-  // Returns true if the field is `yes`, false if it is `no`; anything else is an error.
+  // Takes the next field.  Returns true if it is `yes`, false if it is `no`; anything else is an
+  // error.
   bool TakeChoice(const char* what, const char* yes, const char* no);
   bool TakeCache();
 

@@ -18,7 +18,7 @@ inline constexpr int kObjectNameBytesMax = 63;
 // which the short form implies; the other defaults are the values of Sony's samples.
 struct Ocf {
   std::string name;    // run-time object name, unique among all objects
-  std::string module;  // the name again if the file has the short form
+  std::string module;  // equal to `name` if the file has the short form
   // The next five fields and install_selector exist in the long form only.  They are kept as
   // written and mean nothing to the host.
   std::string metaspace = "mCOOP";
@@ -29,11 +29,11 @@ struct Ocf {
   std::string install_selector = "-1";
   int64_t stack_bytes = 3072;  // fixed size on the robot
   int64_t heap_bytes = 16384;  // step by which the heap grows on the robot
-  int priority = 128;         // 0..255; the upper 4 bits are the class, the lower 4 the share in it
-  bool is_cached = true;      // "cache"
-  bool is_translated = true;  // "tlb"
-  bool is_user_mode = true;   // "user", not "kernel"
-  FilePosition place;         // position of the name
+  int priority = 128;          // 0..255; upper 4 bits: class; lower 4 bits: share in the class
+  bool is_cached = true;       // "cache"
+  bool is_translated = true;   // "tlb"
+  bool is_user_mode = true;    // "user", not "kernel"
+  FilePosition place;          // position of the name
 };
 
 struct OcfResult {

@@ -8,7 +8,8 @@
 
 namespace openr_host {
 
-// oserviceNAME_MAX of <OPENR/OPENR.h>, without the closing NUL.
+// The length of the longest service name: oserviceNAME_MAX of <OPENR/OPENR.h>, without the closing
+// NUL.
 inline constexpr int kServiceNameBytesMax = 127;
 
 struct ServiceName {

@@ -92,9 +92,9 @@ void StubParser::ReadLine(const FilePosition& place) {
   }
 }
 
-// Tracks whether the lines are inside a block comment.  Only Sony's tool for hosts knows such
-// comments, and a stub.cfg for the robot cannot have them.  So lines inside them hold, with a
-// warning.
+// Tracks whether the lines are between /* and */.  Only Sony's stub generator for PCs knows such
+// comments; the generator for the robot reads the lines inside.  So these lines are used here, with
+// a warning.
 void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");
   const size_t close = place.text.rfind("*/");
@@ -206,8 +206,8 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
   }
 }
 
-// Reports an extra with the name of another entry: the stub declares a C function _X for each entry
-// X, and two functions of the same name would not compile.
+// Reports an Extra line whose function has the name of another entry.  The stub declares a C
+// function _X for each entry X, and two functions of the same name would not compile.
 void StubParser::CheckExtra(const StubExtra& extra) {
   std::vector<std::string> taken = {"Init",    "Start", "Stop",    "Destroy", "Hook",
                                     "Control", "Ready", "Connect", "Notify"};

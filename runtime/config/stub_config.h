@@ -1,4 +1,5 @@
-// stub.cfg: an object's services and entry points, from which its stub is generated.
+// Parses stub.cfg, which lists the services and entries of an object.  The object's stub is
+// generated from this list.
 #pragma once
 
 #include <string>
@@ -27,8 +28,8 @@ struct StubExtra {
   FilePosition place;
 };
 
-// The content of a stub.cfg.  Subjects and observers are numbered independently, each in file
-// order.
+// The content of a stub.cfg.  Subjects are numbered from 0 in the order of the file; so are
+// observers.
 struct StubConfig {
   std::string object_name;  // C++ class of the object
   std::vector<StubService> subjects;
@@ -36,7 +37,8 @@ struct StubConfig {
   std::vector<StubExtra> extras;
   FilePosition object_name_place;
 
-  // Returns the number of selectors: 4 for the life cycle, two per service and one per extra.
+  // Returns the number of selectors: 4 for DoInit, DoStart, DoStop and DoDestroy, two per service
+  // and one per Extra line.
   int NumOfSelectors() const;
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kHooks[] = {"Init", "Start", "Stop", "Destroy"};
 constexpr int kHookCount = static_cast<int>(std::size(kHooks));
 
-// One row of the object's entry table; the index of the row is the selector.
+// A row of the object's table of entries; the index of the row is the selector.
 struct EntryPoint {
   std::string name;        // "Ready0" for the C function _Ready0
   std::string definition;  // source text that defines the function
@@ -33,7 +33,7 @@ std::string Guarded(const std::string& opening, const char* guard, const std::st
   return fmt::format("{0}#ifndef {1}\n#define {1}\n\n{2}\n#endif // {1}\n", opening, guard, body);
 }
 
-// def.h
+// ---- Generates def.h, which numbers the services
 
 void AppendServiceNames(const char* array, const char* count,
                         const std::vector<StubService>& services, std::string* text) {
@@ -66,7 +66,7 @@ std::string MakeDefHeader(const StubConfig& config, const std::string& source) {
                  body);
 }
 
-// entry.h
+// ---- Generates entry.h, which has the selectors of the entries
 
 // Returns a list such as "{ 4, 5, 6 }": `count` numbers from `first` on.
 std::string NumberList(int first, size_t count) {
@@ -105,7 +105,7 @@ std::string MakeEntryHeader(const StubConfig& config, const std::string& source)
   return Guarded(Opening(source, "Selectors of the object's entries."), "_entry_h_DEFINED", body);
 }
 
-// <ObjectName>Stub.h
+// ---- Generates <ObjectName>Stub.h, which declares a C function for each entry
 
 std::string MakeStubHeader(const StubConfig& config, const std::string& source) {
   std::string body =
@@ -131,7 +131,7 @@ std::string MakeStubHeader(const StubConfig& config, const std::string& source) 
                  body);
 }
 
-// <ObjectName>Stub.cc
+// ---- Generates <ObjectName>Stub.cc, which defines these functions and the table of entries
 
 // Returns for instance "StubFuncDefine_Ready(0, Resend)", or "StubFuncDefine_Ready_nofunc(0)" if
 // `function` is "".

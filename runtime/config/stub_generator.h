@@ -20,8 +20,8 @@ struct GeneratedFile {
 // ours.  Their first comment names `source` ("stub.cfg"; without a folder, so that the output does
 // not depend on the place of the file).
 //
-// The symbol openr_extra_names is our addition: the names of the extras in selector order, ended by
-// 0.  A host shows these names in traces; on the robot the symbol has no effect.
+// The symbol openr_extra_names is our addition: the names of the extra entries in selector order,
+// ended by 0.  A host shows these names in traces; on the robot the symbol has no effect.
 //
 // REQUIRES: `config` was parsed without an error.
 std::vector<GeneratedFile> GenerateStub(const StubConfig& config, const std::string& source);

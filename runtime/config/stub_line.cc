@@ -13,7 +13,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kCountMax = 10'000;  // far more than 64 selectors allow; sums still fit into an int
+constexpr int kCountMax = 10'000;  // far above the limit of 64 selectors; sums still fit an int
 
 struct KeywordName {
   const char* word;
@@ -88,8 +88,8 @@ const KeywordName* FindKeyword(std::string_view word) {
   return nullptr;
 }
 
-// Warns about an ignored line that was probably meant to hold.  `rest` begins with `word`, which is
-// not a keyword followed by a colon.
+// Warns about an ignored line that the author probably did not mean as a comment.  `rest` is the
+// text of the line from its first word, `word`, on.
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
     // "Service" and "Extra" are also words of plain English, so a comment may begin with them.
@@ -144,7 +144,8 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
     reporter->Error(column, fmt::format("service name of {} characters, the limit is {}",
                                         text.size(), kServiceNameBytesMax));
   }
-  // The generated def.h has a constant whose name contains the service.
+  // The generated def.h has a constant such as sbjMove, whose name contains the service.  So the
+  // service must have only characters that a C++ name may have.
   const bool makes_names = std::all_of(name->service.begin(), name->service.end(), IsNameCharacter);
   if (!makes_names) {
     const char* const prefix = name->is_subject() ? "sbj" : "obs";
@@ -156,7 +157,7 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   return name;
 }
 
-// Returns the advice that ends a message about unexpected text.
+// Returns the end of a message about unexpected text `rest`: the advice what to do with the text.
 const char* RemedyForRest(std::string_view rest) {
   const bool is_comment = StartsWith(rest, "//") || StartsWith(rest, "#") || StartsWith(rest, "/*");
   return is_comment ? "; a comment needs a line of its own" : "; remove it";
