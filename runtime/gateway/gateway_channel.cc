@@ -18,7 +18,8 @@ void GatewayChannel::HashState(Hasher* hasher) const {
 void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
-  // The subject may have sent the data before it received the deassert of Down().
+  // Data that arrive without a connection are dropped.  The subject may have sent them before it
+  // received the deassert of Down().
   if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
     return;
@@ -60,7 +61,7 @@ void OutgoingChannel::Received(std::string_view bytes) {
   SendHeld();
 }
 
-// Deasserts ready to the local subject, because without a connection its data would be lost.
+// Takes the ready back from the local subject, because without a connection its data would be lost.
 void OutgoingChannel::Down() {
   stream_ = {};
   peer_is_ready_ = false;
@@ -102,7 +103,8 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // A peer that ignores ready only causes a warning, because the local subject can keep the data.
+    // A peer that sends data without a ready causes only a warning, because the local subject can
+    // keep the data until its observer is ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

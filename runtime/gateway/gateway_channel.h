@@ -1,9 +1,9 @@
 // One service of the gateway: carries the notifications of a subject to an observer of the peer.
 //
-// Readies go in the other direction, as measured.  On the side of the subject, the gateway asserts
-// ready to the subject when the connection is made, holds one set of data until the peer is ready,
-// sends the set and asserts ready again.  On the side of the observer, the gateway sends the
-// observer's readies to the peer.
+// Readies go in the other direction, as measured on Sony's gateway.  On the side of the subject,
+// the gateway asserts ready to the subject when the connection is made, keeps one set of data until
+// the peer is ready, sends the set and asserts ready again.  On the side of the observer, the
+// gateway sends the observer's readies to the peer.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -70,7 +70,8 @@ class IncomingChannel : public GatewayChannel {
   void HashState(Hasher* hasher) const override;
 
  private:
-  // Sends the ready word `word` to the peer, now or when the word before has been sent.
+  // Sends `word`, which says ready or not ready, to the peer: now, or when the word before has been
+  // sent.
   void Tell(uint32_t word);
 
   TcpGateway* const gateway_;

@@ -20,9 +20,9 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// Returns advice for a HOSTGW.CFG of the period.  The robot's address in that file may belong to no
-// computer of today, because the robot is a run on this computer.  Returns "" if the advice does
-// not apply.
+// Returns the advice to write 127.0.0.1 for a robot that is a run on this computer.  An old
+// HOSTGW.CFG has the address of a real robot instead, which may belong to no computer of today.
+// Returns "" if the advice does not apply.
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";
@@ -188,7 +188,7 @@ void GatewayConnection::TakeAnswer(const antEnvMsg& answer) {
     default:
       break;
   }
-  if (!is_up_ || answer.dstModule != endpoint_) return;  // from a connection that has ended
+  if (!is_up_ || answer.dstModule != endpoint_) return;  // answer for an ended connection
   if (static_cast<const TCPEndpointBaseMsg&>(answer).error != TCP_SUCCESS) return Lose();
   if (answer.dstOperation == TCPEndpoint_Operation_Send) return SendNext();
   const auto& receive = static_cast<const TCPEndpointReceiveMsg&>(answer);

@@ -1,4 +1,4 @@
-// The network end of one service of the gateway: one connection at a time.
+// The TCP connection of one service of the gateway; there is at most one at a time.
 //
 // The robot's side listens on the service's port; the host's side connects and tries again every
 // second.  Both use IPStack like any object (TCPEndpointMsg.h), so input from outside enters at the
@@ -30,7 +30,8 @@ class GatewayConnection {
   };
 
   static constexpr int64_t kRetryUs = 1'000'000;
-  // The time without an answer after which a warning names the address of a robot on this computer.
+  // The time to wait for an answer to a connect.  After it a warning advises to check the address:
+  // a robot that is a run on this computer is 127.0.0.1.
   static constexpr int64_t kHintUs = 5'000'000;
 
   // `index` is the number of the service within the gateway.  The functions of `owner` are called

@@ -3,8 +3,8 @@
 //
 // All words have 32 bits, little-endian.  A set of data goes from the subject's side to the
 // observer's side: the number of bytes that follow, the number of items, then the size and bytes of
-// each item.  A single word goes from the observer's side to the subject's side: assert or
-// deassert.
+// each item.  A single word goes from the observer's side to the subject's side: it asserts ready
+// (kGatewayAssert) or takes the ready back (kGatewayDeassert).
 #pragma once
 
 #include <cstddef>
@@ -35,9 +35,10 @@ class GatewayStream {
 
   void Feed(std::string_view bytes) { bytes_.append(bytes); }
 
-  // Take the next word, or the next whole set. kBroken means that the rest of the stream cannot be
-  // decoded; error() then returns the reason.  Announced sizes are checked against limits before
-  // they are used.
+  // Remove the next word, or the next whole set, from the received bytes. kNeedsMore means that it
+  // has not arrived completely. kBroken means that the rest of the stream cannot be decoded;
+  // error() then returns the reason.  Announced sizes are checked against limits before they are
+  // used.
   Result NextWord(uint32_t* word);
   Result NextSet(GatewaySet* set);
 

@@ -30,8 +30,8 @@ void ProxyClient::Take(const void* payload, size_t size) {
   SendNext();
 }
 
-// Posts the message that calls Expire(), unless one is posted.  One timer is enough, because the
-// first request is the oldest.
+// Posts a message that calls Expire(), unless such a message is posted already.  One message is
+// enough, because the first request is the oldest, so its time limit is the next.
 void ProxyClient::WatchTime() {
   if (watches_ || requests_.empty()) return;
   watches_ = true;

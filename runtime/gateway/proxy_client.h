@@ -17,7 +17,8 @@
 
 namespace openr_host {
 
-// The head of a message that asks the gateway for a call.  The message of the call itself follows.
+// The head of a message by which an object asks the gateway to call a system object of the robot.
+// The bytes of the call follow this head.
 struct ProxyRequest {
   char object[16];      // name of the system object to call
   uint32_t selector;    // entry of that object
@@ -65,7 +66,7 @@ class ProxyClient : public GatewayChannel {
 
   TcpGateway* const gateway_;
   std::deque<Request> requests_;
-  std::map<std::string, uint32_t> oids_;  // the robot's objects; valid while the connection lasts
+  std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
   bool waits_ = false;                    // the first request was sent but not answered yet
   // a call had no answer, so calls fail until a new connection is made
   bool gave_up_ = false;

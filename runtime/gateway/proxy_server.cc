@@ -26,7 +26,8 @@ uint32_t OidOfSystem(const std::string& name) {
              : kFirstSystemOid + static_cast<uint32_t>(found - std::begin(kNames));
 }
 
-// Replaces control bytes, because text from the network is shown on terminals.
+// Replaces control bytes and bytes that are not ASCII, because text from the network is shown on
+// terminals, where such bytes can do harm.
 std::string WithoutControls(std::string text) {
   for (char& c : text)
     if (c < ' ' || c > '~') c = '?';

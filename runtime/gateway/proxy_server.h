@@ -1,8 +1,8 @@
-// Answers OPEN-R calls from a program on a PC: the robot's side, which is the service
-// TCPGateway.Proxy.AperiosMessage.P of ROBOTGW.CFG.
+// Answers OPEN-R calls that a program on a PC sends to this robot.  ROBOTGW.CFG names the service
+// for such calls: TCPGateway.Proxy.AperiosMessage.P.
 //
-// A program finds a system object by its name and calls the object; this robot answers
-// (system_messages.h).  Objects of the stick cannot be called, because their messages contain
+// The program asks for a system object by name and then calls this object; the answers come from
+// system_messages.h.  Objects of the stick cannot be called, because their messages contain
 // addresses of memory.
 #pragma once
 

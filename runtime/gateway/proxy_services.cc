@@ -17,9 +17,9 @@ namespace {
 
 constexpr size_t kGainsBytes = 6 * sizeof(word);
 
-// Returns whether `object` can wait for the network.  Only a handler that runs on a fiber of this
-// process can wait.  An object in another process cannot, because the master would have to wait for
-// it.
+// Returns whether `object` can wait for the network.  The object must run in this process, where
+// its handler can be suspended.  An object in another process cannot wait, because the master would
+// have to wait for it.
 bool CanWait(const Object* object) {
   return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||
@@ -165,7 +165,7 @@ OStatus ProxyServices::NewSyncKey(OVRSyncKey* key) {
 OStatus ProxyServices::CancelSyncKey(OVRSyncKey key) {
   return Control(ControlRequest::kCancelSyncKey, EncodeWord(key));
 }
-// Divides the key without a message to the robot, as the original does (binary.md, 4.1).
+// Divides the key here without a message to the robot, as Sony's library does (binary.md, 4.1).
 OStatus ProxyServices::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) {
   return local_->DivideSyncKey(key, key1, key2);
 }
@@ -205,7 +205,7 @@ OStatus ProxyServices::GetVolumeSwitch(OVolumeSwitch* volume) {
   return LocalInstead("GetVolumeSwitch").GetVolumeSwitch(volume);
 }
 
-// Shuts down this run, not the robot to which calls go.
+// Shuts down the robot of this run, not the robot to which calls go.
 OStatus ProxyServices::Shutdown(const OBootCondition& condition) {
   return local_->Shutdown(condition);
 }

@@ -1,8 +1,8 @@
 // Carries the OPENR:: functions about the robot's devices from a program on a PC to the robot that
 // !ROBOT_PROXY of HOSTGW.CFG names.
 //
-// A function is not carried if no source describes its message; a program that calls it gets a
-// warning (docs/network.md has the list).
+// A function whose message no source describes is not sent to the robot; a program that calls it
+// gets a warning (docs/network.md has the list).
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ class System;
 
 class ProxyServices : public RobotServices {
  public:
-  // Sends calls to entry `selector` of the object `gateway` (proxy_client.h).  `local` executes all
-  // functions that are not carried.
+  // Sends calls to entry `selector` of the object `gateway` (proxy_client.h).  `local` executes the
+  // functions that are not sent to the robot.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
 
@@ -66,8 +66,8 @@ class ProxyServices : public RobotServices {
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
   OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);
   OStatus NotCarried(const char* function);
-  // Warns that `function` is not carried because its message is unknown, and returns the local
-  // services.
+  // Warns that `function` is not sent to the robot because its message is unknown, and returns the
+  // services of this run's own robot, which execute it instead.
   RobotServices& LocalInstead(const char* function);
 
   System* const system_;

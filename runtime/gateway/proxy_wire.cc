@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kNameBytes = 64;
 
-// Takes words from the front of an item.
+// Reads the 32-bit words at the beginning of an item, the bytes of one call or answer.
 class ItemReader {
  public:
   explicit ItemReader(const std::string& item) : item_(item) {}

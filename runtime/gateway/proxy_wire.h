@@ -38,7 +38,7 @@ struct ProxyFrame {
   uint32_t error = 0;       // answers: an sError
   uint32_t oid = 0;         // kFindReply, kSend, kCall
   uint32_t selector = 0;    // kSend, kCall
-  uint32_t reply_size = 0;  // kCall: the largest number of bytes of the answer that are taken
+  uint32_t reply_size = 0;  // kCall: the answer is cut to this number of bytes
   std::string bytes = {};   // kSend, kCall, kCallReply
 };
 

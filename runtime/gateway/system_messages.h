@@ -1,11 +1,11 @@
 // Messages to the robot's system objects, which the OPENR:: functions send (binary.md, 4).  All
 // words have 32 bits, little-endian; the first word is a type.
 //
-// Messages are carried if their layout is known: those of OVirtualRobot about primitives, gains,
+// Only messages with a known layout are supported: those of OVirtualRobot about primitives, gains,
 // joint and sensor values and sync keys, the robot design of ODesignedRobot, and two messages of
-// OPowerManager.  SetMotorPower has a type word and a place of the argument that are inferred from
-// its size; GetPowerStatus is inferred from OPowerStatusMessage, which has the same size.  Other
-// messages of OPowerManager are not carried, because only their sizes are known.
+// OPowerManager.  Both are inferred: SetMotorPower from the size of its message, GetPowerStatus
+// from OPowerStatusMessage, which has the same size.  Other messages of OPowerManager are not
+// supported, because only their sizes are known.
 #pragma once
 
 #include <cstddef>
@@ -54,7 +54,7 @@ inline constexpr uint32_t kStatusType = 2;       // type of a reply that is only
 inline constexpr uint32_t kOpenType = 1024;
 inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close request
 inline constexpr uint32_t kControlType = 1027;
-inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, never read here
+inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, ignored on receipt
 
 // Returns the word at `offset`, or 0 beyond the end of `bytes`.
 uint32_t WordIn(const std::string& bytes, size_t offset);
@@ -64,7 +64,7 @@ uint32_t WordIn(const std::string& bytes, size_t offset);
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
 // Returns the answer of the system object `name` to a message.  If the object or entry is not
-// carried, or the message is too short, returns "" and sets `*why` to the reason.
+// supported, or the message is too short, returns "" and sets `*why` to the reason.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

@@ -37,8 +37,8 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
   });
-  // A channel waits for a few answers of the network, its data and its readies; 8 messages are
-  // ample.
+  // The message queue must hold the messages of all channels: answers of the network, data and
+  // readies. 8 messages per channel are ample.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
 
@@ -76,8 +76,8 @@ void TcpGateway::AddProxies(const GatewayConfig& config) {
   expire_ = AddExtra("Expire", [this](void*) { proxy_client_->Expire(); });
 }
 
-// Connects to the robot that is called.  The connection is needed this early, because objects call
-// the robot in their DoInit.
+// Connects to the robot for OPEN-R calls.  DoStart would be too late, because objects call the
+// robot in their DoInit.
 OStatus TcpGateway::DoInit(const OSystemEvent&) {
   stack_ = antStackRef(IpStack::kName);
   if (proxy_client_ != nullptr && stack_.IsValid()) proxy_client_->connection().Open();
@@ -131,8 +131,8 @@ class GatewayLoader {
         has_robot_file_(Text(kRobotGatewayFile).has_value()),
         config_(Read(kRobotGatewayFile, GatewaySide::kRobot)) {
     GatewayConfig other = Read(kHostGatewayFile, GatewaySide::kHost);
-    // If both files have a record for calls, the record of ROBOTGW.CFG counts: a robot answers
-    // calls itself and calls no other robot.
+    // If both files have a record for OPEN-R calls, the record of ROBOTGW.CFG counts: this run is a
+    // robot, which answers calls itself and sends none to another robot.
     if (!config_.proxy) config_.proxy = std::move(other.proxy);
     std::move(other.services.begin(), other.services.end(), std::back_inserter(config_.services));
     std::move(other.diagnostics.begin(), other.diagnostics.end(),
@@ -159,8 +159,8 @@ class GatewayLoader {
     if (!text && !CallsARobot()) return;
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
-    // A stick for PCs does not name the gateway in OBJECT.CFG, so the gateway is also added if it
-    // is only used.
+    // OBJECT.CFG of a stick for PCs does not name the gateway.  So the gateway is also added if
+    // CONNECT.CFG connects one of its services, or if programs call a robot.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)
@@ -188,7 +188,8 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // Returns whether this is a program on a PC that calls a robot.  Its gateway need not be named.
+  // Returns whether the stick is that of a PC, whose programs call a robot.  Then the gateway is
+  // needed even if no file names it.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {

@@ -42,7 +42,7 @@ class TcpGateway : public CodeObject {
     return call_;
   }
 
-  // ---- for channels
+  // ---- Functions for the channels of this gateway
 
   const antStackRef& stack() const { return stack_; }
   // Sends `message` to IPStack.  The answer goes to the channel whose number is the message's
@@ -71,8 +71,9 @@ class TcpGateway : public CodeObject {
   std::vector<std::unique_ptr<GatewayChannel>> channels_;
 };
 
-// Does what LoadStick() does, and adds the gateway if the stick asks for it: OBJECT.CFG names
-// TCPGW.BIN, or CONNECT.CFG names a service of TCPGateway.
+// Does what LoadStick() does, and adds the gateway if the stick needs it: OBJECT.CFG names
+// TCPGW.BIN, CONNECT.CFG names a service of TCPGateway, or HOSTGW.CFG names a robot for OPEN-R
+// calls.
 bool LoadStickAndGateway(System* system, int robot, StandIns stand_ins = {});
 
 }  // namespace openr_host
