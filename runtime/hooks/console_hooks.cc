@@ -65,8 +65,9 @@ int fgetc(FILE* file) {
   return next(Resolve(file));
 }
 
-// <stdio.h> defines these two functions inline, and clang accepts no second definition of them.  So
-// they are defined under other names.
+// <stdio.h> defines getchar() and getline() inline, and clang accepts no second definition of them.
+// So they are defined under other names in C++, which become getchar and getline in the object
+// file.
 int OpenrGetchar() __asm__("getchar");
 ssize_t OpenrGetline(char** line, size_t* size, FILE* file) __asm__("getline");
 
@@ -84,7 +85,8 @@ char* fgets(char* line, int size, FILE* file) {
   return next(line, size, Resolve(file));
 }
 
-// Reads a line without its newline.  Like every gets(), it does not know the size of the buffer.
+// Reads a line without its newline.  Like every gets(), it does not know the size of the buffer, so
+// a long line overflows the buffer.
 char* gets(char* line) {
   char* end = line;
   int c = getc(stdin);
@@ -100,9 +102,9 @@ size_t fread(void* data, size_t size, size_t count, FILE* file) {
   return next(data, size, count, Resolve(file));
 }
 
-// Defines the scanf() functions with a prefix of their names.  glibc has each of them twice: one
-// follows C99, the other an older standard.  <stdio.h> maps the plain name to one of the two by the
-// language level of the caller, so both are defined here.
+// Defines the scanf() functions whose names begin with `prefix`. glibc has each of them twice: one
+// follows C99, the other an older standard. <stdio.h> chooses one of the two by the language level
+// of the caller, so both are defined here.
 #define OPENR_SCANF_FAMILY(tag, prefix)                                                          \
   int tag##vfscanf(FILE* file, const char* format, va_list arguments) __asm__(prefix "vfscanf"); \
   int tag##vscanf(const char* format, va_list arguments) __asm__(prefix "vscanf");               \
@@ -164,7 +166,7 @@ ssize_t read(int descriptor, void* data, size_t size) {
   return next(descriptor, data, size);
 }
 
-// For objects the descriptors 0, 1 and 2 are the console, and no other descriptor is.
+// Returns whether `descriptor` is the console.  For objects it is if it is 0, 1 or 2.
 int isatty(int descriptor) noexcept {
   static const auto next = OPENR_NEXT(isatty);
   if (!InObject()) return next(descriptor);

@@ -1,8 +1,8 @@
-// File functions for objects: paths lead to the Memory Stick.  Everything else behaves as on the
-// robot, or fails.
+// File functions for objects: open(), fopen(), stat() and the like.  Paths of an object lead to its
+// Memory Stick.  What the robot's file system cannot do fails.
 //
 // A call from anywhere in the process, even in std::ifstream, reaches these definitions before
-// those of the C library.  They change something only while code of an image runs.
+// those of the C library.  They differ from the C library only while code of an object runs.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdarg.h>
@@ -141,7 +141,8 @@ bool ForgetDescriptor(int descriptor) {
   return false;
 }
 
-// Calls `next`, a function of the C library, with the host's path in place of the object's.
+// Calls `next`, a function of the C library.  For an object, replaces `path` by the path of the
+// same file on the host.
 template <typename Function, typename... Rest>
 int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   if (!InObject()) return next(path, rest...);

@@ -41,8 +41,9 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-// Returns the entries sorted by name, because the order in which the host lists them may differ
-// from run to run.  `name` is the object's path, for messages.
+// Returns the entries of the host's folder `path`, sorted by name, because the order in which the
+// host lists them may differ from run to run.  `name` is the path that the object has used, for
+// messages.
 std::vector<Folder::Name> ReadFolder(const std::string& path, const char* name) {
   static const auto next_open = OPENR_NEXT(opendir);
   static const auto next_read = OPENR_NEXT(readdir);
@@ -88,7 +89,7 @@ DIR* opendir(const char* path) {
   {
     const ApiScope scope;
     DIR* const probe = next(host.c_str());
-    if (probe == nullptr) return nullptr;  // with the errno of the host
+    if (probe == nullptr) return nullptr;  // next() has set errno
     closedir(probe);
     names = ReadFolder(host, path);
     if (names.size() > kEntriesMax) {

@@ -111,8 +111,8 @@ void* realloc(void* block, size_t size) {
     free(block);
     return nullptr;
   }
-  // A block may even move from one heap to the other, because the new block is on the heap of the
-  // code that calls.
+  // The new block is on the heap of the code that calls realloc().  So a block may even move from
+  // an object's heap to the host's, or back.
   const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
   if (from_arena && size <= old_size && size > old_size / 2) return block;
   void* const moved = malloc(size);

@@ -12,7 +12,8 @@
 
 namespace openr_host {
 
-// Returns whether code of an image runs, and not the runtime on behalf of an object.
+// Returns whether code of an image, an object's own program, runs.  Returns false while the runtime
+// works for an object.
 inline bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
 // Returns the C library's function `name`, for which this folder has a hook.

@@ -1,5 +1,5 @@
-// Wraps printf(), sscanf() and the like, so that the C library's stack use is not counted as the
-// object's.
+// Wraps printf(), sscanf() and the like, so that the stack that the C library uses in them is not
+// counted as stack of the object that calls them.
 //
 // Of the functions that objects call often, these need the most stack: up to 2 KiB on this host,
 // while the .ocf file of an object may allow 3 KiB in all.

@@ -29,7 +29,7 @@ constexpr int64_t kRobotEpochS = 946'684'800;
 int64_t VirtualUs() { return t_current.system->now_us(); }
 
 // Returns the next random number of the current object.  Every object has a generator of its own,
-// and all of them start with the same state.
+// so its numbers do not depend on other objects.  All generators start with the same state.
 int ObjectRandom() {
   uint32_t& state = t_current.object->random_state;
   state = state * 1103515245u + 12345u;

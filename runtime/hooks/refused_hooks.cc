@@ -1,6 +1,6 @@
 // Functions of the C library that do not exist on the robot (Programmer's Guide, appendix A).  For
-// objects they fail with a finding, also because several of them would reach files and processes of
-// the host.
+// objects they fail with a finding.  This also keeps objects away from files and processes of the
+// host.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -22,7 +22,8 @@ namespace {
 
 using openr_host::t_current;
 
-// Returns whether code of an object makes the call.  If so, adds a finding.
+// Returns whether code of an object has called the function `name`.  If so, adds a finding and sets
+// errno, because the call is to fail.
 bool Refuses(const char* name) {
   if (!openr_host::InObject()) return false;
   const openr_host::ApiScope scope;
@@ -37,7 +38,8 @@ bool Refuses(const char* name) {
 
 }  // namespace
 
-// Defines the function `name`, which returns `failure` to objects.
+// Defines the function `name`.  If an object calls it, it returns `failure`; otherwise it calls the
+// C library's function.
 #define OPENR_REFUSE(type, name, failure, parameters, arguments) \
   extern "C" type name parameters {                              \
     static const auto next = OPENR_NEXT(name);                   \
@@ -85,8 +87,8 @@ OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
-// Passes on the third argument as a pointer, because this ABI passes all types of this argument
-// alike.
+// Passes the third argument of fcntl() on as a pointer.  The argument may also be an int, but the
+// calling convention passes both types in the same way.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;

@@ -107,7 +107,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->handler.self_reply = &self;
-  // As when the dispatcher calls the entry, the running code is now code of the object.
+  // From here on code of the object runs, so its heap and files are used, as when the dispatcher
+  // calls the entry.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -120,7 +121,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
-  // The findings of this observer name its service, whose name is known only from now on.
+  // Findings about this observer name its service.  The name is known only now, when the connection
+  // is made.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -172,7 +174,8 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
-  // Every notification, from whichever subject, starts the count of readies anew.
+  // The count of readies without a notification begins anew with every notification, from whichever
+  // subject it comes.
   state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

@@ -172,7 +172,7 @@ OStatus OSubject::NotifyObserver(const ObserverID& id) {
 
 namespace {
 
-// Returns how many more data for one observer fit into the subject's buffer.
+// Returns how many more data for the observer of `link` fit into the subject's buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
   // Like the robot's ring buffer, the buffer holds one entry less than its size.
@@ -261,7 +261,8 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
 OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
-  // A ready gives back the regions of earlier notifications; the subject releases them here.
+  // A ready also gives back the regions of earlier notifications, which the observer no longer
+  // uses.  The subject's references to them are removed here.
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
   if (link == nullptr) return oNOT_FOUND;
