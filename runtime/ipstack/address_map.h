@@ -1,4 +1,5 @@
-// Translates addresses between programs and the host (runtime/config/address_config.h).
+// Translates the IP addresses in programs of the robot to addresses of the host, and back
+// (runtime/config/address_config.h).
 #pragma once
 
 #include <cstdint>
@@ -15,20 +16,20 @@ class AddressMap {
  public:
   explicit AddressMap(std::vector<AddressPair> pairs) : pairs_(std::move(pairs)) {}
 
-  // Returns whether the configuration has an entry for the address `robot`, as programs know it.
+  // Returns whether a pair of addresses exists for `robot`, an address that programs use.
   bool Has(uint32_t robot) const;
 
-  // Returns the host's address for `address`, which a program uses, or `address` itself if it has
-  // no entry.
+  // Returns the host's address for `address`, which a program uses, or `address` itself if no pair
+  // has it.
   uint32_t ToHost(uint32_t address) const;
 
-  // Translates the address of `peer`, to which a program talks, and remembers the peer.  Several
-  // addresses of programs may map to one address of the host, and FromHost() distinguishes them by
-  // the port.
+  // Translates the address of `peer`, to which a program talks, and remembers the peer for
+  // FromHost().  Several addresses of programs may map to one address of the host; FromHost() tells
+  // them apart by the port.
   NetAddress ToHost(NetAddress peer);
 
   // Returns the address under which programs know `host`: the address that a program last used for
-  // this peer, else that of the first entry with `host`, else `host` itself.
+  // this peer, else that of the first pair with `host`, else `host` itself.
   NetAddress FromHost(NetAddress host) const;
   uint32_t FromHost(uint32_t host) const { return FromHost(NetAddress{host, 0}).ip; }
 
@@ -36,7 +37,7 @@ class AddressMap {
   static constexpr size_t kPeersMax = 1024;
 
   const std::vector<AddressPair> pairs_;
-  // key: the peer's address and port on the host
+  // key: the peer's address and port on the host; value: the address that the program has used
   std::map<std::pair<uint32_t, uint16_t>, uint32_t> peers_;
 };
 

@@ -197,8 +197,8 @@ void AddParameter(Hasher* h, const T& m) {
   if (m.paramType == antEnv_InitParam_String) Add(h, m.value.str);
 }
 
-// Adds nothing: queue and mode messages have no fields besides operation and error, and the fields
-// of unknown messages have no known meaning.
+// Adds nothing, because the other types of messages have no fields besides operation and error, or
+// fields whose meaning is not known.
 void AddFields(Hasher*, const antEnvMsg&) {}
 
 void AddFields(Hasher* h, const TCPEndpointListenMsg& m) { AddFourAddresses(h, m); }

@@ -1,8 +1,8 @@
 // Properties of messages to the network stack: size, name, and the fields that are hashed.
 //
 // The reference of an endpoint contains the number of the endpoint's protocol, where the robot has
-// a pointer (MakeModuleRef).  So the type of a message is known without a table, and no message
-// contains an address of the host.
+// a pointer (MakeModuleRef).  So the type of a message is known without a table, and the reference
+// has no memory address, which would differ between runs.
 #pragma once
 
 #include <antEnvMsg.h>
@@ -33,8 +33,9 @@ void SetAntError(antEnvMsg* message, int32_t error);
 // error.
 void ClearCounts(antEnvMsg* message);
 
-// Returns the XXH3 hash of the transferred bytes at `data` and of the fields that have a meaning,
-// without addresses, continuation and padding.  Never returns 0.
+// Returns the XXH3 hash of the transferred bytes at `data` and of the fields that have a meaning.
+// Memory addresses, continuation and padding are left out.  Never returns 0, which means "no hash"
+// in a Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
 // The bytes that a Send of TCP or UDP refers to; the size is 0 for other messages.
@@ -44,9 +45,9 @@ struct AntData {
 };
 AntData DataToSend(const antEnvMsg& message);
 
-// The pointer field of `message` that points into a shared buffer, or null if `message` has no such
-// field.  `sent` and `received` are the numbers of bytes there that belong to the request and to
-// the answer.
+// The field of `message` that points into a shared buffer, or null if `message` has no such field.
+// `sent` is the number of bytes there that a request sends, `received` the number that its answer
+// may fill.
 struct AntBuffer {
   byte** pointer = nullptr;
   int sent = 0;

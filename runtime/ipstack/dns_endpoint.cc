@@ -13,7 +13,7 @@
 namespace openr_host {
 namespace {
 
-// Copies a name that is cut to the field's size; the rest of the field is zero.
+// Copies the name `from`, cut to the size of the field, and fills the rest of the field with zeros.
 void CopyName(char (&to)[MAXDNAME], const std::string& from) {
   std::memset(to, 0, sizeof to);
   std::memcpy(to, from.data(), std::min(from.size(), sizeof to - 1));
@@ -139,12 +139,12 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the query.  A failed answer keeps the name of the question, because NTP programs take
-// that name for an address after a failure.
+// Answers the query.  After a failure the message keeps the name that the program asked for,
+// because NTP programs use the name in the answer as an address even then.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
-  // The messages of the two questions (by name, by address) have the same fields but different
-  // types, so one generic lambda fills both.
+  // The messages for a query by name and by address have the same fields but different types, so
+  // one generic lambda fills both.
   const auto fill = [&](auto& message) {
     message.n_address = static_cast<int32>(host_.addresses.size());
     message.n_alias = 1 + static_cast<int32>(host_.aliases.size());

@@ -1,4 +1,4 @@
-// A DNS endpoint: answers questions for names and addresses of hosts.
+// A DNS endpoint: answers a program's queries for names and addresses of hosts.
 //
 // The answers come from the Network: from the host's resolver or from a table.  The list of DNS
 // servers is kept only because programs set and read it; answers name its first server as the
@@ -41,16 +41,16 @@ class DnsEndpoint : public Endpoint {
   void FinishQuery(DNSEndpointError error);
   void Refuse(Operation operation, DNSEndpointError error);
 
-  // Returns a program's `name` in its complete form: without a final dot, or with the default
-  // domain.
+  // Returns the complete form of `name`, which a program has given: a name with a final dot loses
+  // the dot, any other name gets the default domain.
   std::string FullName(const std::string& name) const;
 
   std::string domain_;    // the default domain; "": none
-  NetHandle socket_ = 0;  // the handle for the question that is being answered
+  NetHandle socket_ = 0;  // the handle of the pending query
   int64_t asked_us_ = 0;
   std::optional<Operation> query_;  // the pending GetHostByName or GetHostByAddr
   std::optional<NetworkEvent> answer_;
-  HostInfo host_;  // the host that was found last
+  HostInfo host_;  // the host that was found last, for GetAddress and GetAlias
 };
 
 }  // namespace openr_host

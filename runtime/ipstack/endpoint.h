@@ -16,7 +16,7 @@ class EventSink {
  public:
   virtual ~EventSink() = default;
 
-  // Stores `event`.  Answers no operation.
+  // Stores `event`.  Does not answer any operation yet.
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
@@ -36,7 +36,7 @@ class Endpoint : public EventSink {
   // Returns whether an operation waits for the network, so that the stack has to poll.
   virtual bool WaitsForNetwork() const = 0;
 
-  // Prepares the endpoint for a new poll.  Called at the beginning of each poll.
+  // Called at the beginning of each poll of the network, before Take().
   virtual void BeginFrame() {}
 
   // Releases all sockets without answering operations.
@@ -53,7 +53,7 @@ class Endpoint : public EventSink {
   IpStack* const stack_;
   const int32_t protocol_;  // EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
-  // The largest number of bytes that are sent but not yet accepted by the network; > 0.
+  // The pool: the largest number of bytes that are sent but not yet accepted by the network; > 0.
   const int32_t pool_bytes_;
   bool dead_ = false;
 };

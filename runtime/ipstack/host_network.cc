@@ -77,8 +77,8 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // If the robot does not listen on this port, there is no peer: a program of the host with that
-  // port is none.
+  // The robot's own address reaches only ports on which the robot listens.  Port 0 says that there
+  // is no such port, so that the program does not reach a program of the host instead.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -236,7 +236,8 @@ void HostNetwork::AcceptAll(Listener* listener) {
     NetAddress remote;
     Fd fd = AcceptFrom(listener->fd, &remote);
     if (!fd.valid()) {
-      // The client has closed its connection before it was accepted, but another client may wait.
+      // ECONNABORTED: the client has closed its connection before it was accepted.  Another client
+      // may wait, so the loop goes on.
       if (errno == ECONNABORTED) continue;
       if (!MustWait(errno)) {
         events_.push_back(NoteEvent(fmt::format("a connection waits: {}", std::strerror(errno))));
@@ -297,7 +298,7 @@ void HostNetwork::Discard(NetHandle handle, Connection* connection) {
     if (count > 0) continue;
     if (!connection->ended) return;  // this side still has data to send
     events_.push_back(EventOf(NetworkEvent::Kind::kClosed, handle));
-    connection->failed = true;  // so that nothing more is reported
+    connection->failed = true;  // no more events for this connection
     return;
   }
 }

@@ -40,7 +40,7 @@ struct HostNetworkOptions {
 class HostNetwork : public Network {
  public:
   static constexpr int kBacklog = 8;  // connections held until they are accepted
-  // limit of the bytes read from one connection in one Poll()
+  // largest number of bytes read from one connection in one Poll()
   static constexpr size_t kReadBytesMax = 65536;
 
   explicit HostNetwork(HostNetworkOptions options = {});
@@ -93,8 +93,8 @@ class HostNetwork : public Network {
   // Returns whether `ip` is an address of the robot: its own address, loopback, or the address of a
   // bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns the address of the host at which the server socket `handle` is to be bound, and forgets
-  // what At() has set for it.
+  // Returns the address of the host at which the server socket `handle` is to be bound, and removes
+  // the address that At() has stored for it.
   uint32_t BindIp(NetHandle handle);
   // Adds a note for the user if `error` means that the host has no such address.
   void NoteBindError(uint32_t ip, int error);

@@ -24,7 +24,8 @@ int HostPorts::Bind(uint16_t port, const std::function<int(uint16_t)>& take,
         protocol, port, first, std::strerror(error));
     return error;
   }
-  // The next numbers are tried before any free port, so that a user finds the port near its number.
+  // The next numbers are tried before any free port, so that the user finds the port near the
+  // number that the program uses.
   for (int next = port + 1; error == EADDRINUSE && next <= port + kNextPorts && next <= 65535;
        ++next)
     error = take(static_cast<uint16_t>(next));

@@ -24,10 +24,10 @@ class HostPorts {
       : protocol_(protocol), wished_(std::move(wished)) {}
 
   // Binds the robot's `port` and returns 0 or an errno.  Calls take(host port), which also returns
-  // 0 or an errno, until it succeeds: first with the port of an earlier call, the wished port or
-  // the port's own number, then with the next numbers, finally with 0.  If `wished` has a certain
-  // number, tries no other number.  After success `bound` must return the host's port.  If the
-  // expected port was in use, sets `note` to a text for the user.
+  // 0 or an errno, until it succeeds: first with the host's port that an earlier Bind() has found,
+  // the wished port or the port's own number, then with the next numbers, finally with 0.  If
+  // `wished` has a certain number, tries no other number.  After success `bound` must return the
+  // host's port.  If the expected port was in use, sets `note` to a text for the user.
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 

@@ -8,9 +8,10 @@
 
 namespace openr_host {
 
-// Ask the host's resolver and wait for its answer.  The wait takes seconds of wall time if the
-// resolver's servers do not answer, but virtual time stands still, so runs do not differ.  Return
-// kNone if there was an answer; an answer without addresses means that there is no such host.
+// Ask the host's resolver and wait for its answer.  The wait takes seconds of real time if the
+// resolver's servers do not answer.  The run is the same nevertheless, because virtual time stands
+// still during the wait.  Return kNone if there was an answer; an answer without addresses means
+// that there is no such host.
 NetError ResolveOnHost(const std::string& name, HostInfo* host);
 NetError ResolveAddressOnHost(uint32_t ip, HostInfo* host);
 

@@ -30,7 +30,7 @@ const sockaddr* Generic(const sockaddr_in* address) {
 
 void SetOption(int fd, int level, int option) {
   const int on = 1;
-  // Errors are ignored, since nothing depends on the option.
+  // An error is ignored, because the socket also works without the option.
   setsockopt(fd, level, option, &on, sizeof on);
 }
 

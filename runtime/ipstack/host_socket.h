@@ -35,7 +35,7 @@ NetError NetErrorOf(int error);
 // Opens a socket.  On failure returns an invalid Fd and sets errno.
 Fd OpenSocket(NetProtocol protocol);
 
-// Change a socket.  The functions below return 0 or an errno.
+// Bind a socket, listen on it or connect it.  Each of the three functions returns 0 or an errno.
 int BindSocket(const Fd& fd, NetAddress local);
 int ListenOn(const Fd& fd, NetAddress local, int backlog);  // binds as well
 int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see ConnectResult()
@@ -44,7 +44,8 @@ int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see 
 // or an errno.
 int ConnectResult(const Fd& fd);
 
-// Returns the next connection.  If there is none, returns an invalid Fd and sets errno.
+// Accepts the next connection to `listener`.  If none waits, or on an error, returns an invalid Fd
+// and sets errno.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
 // Send bytes.  Return the number of bytes sent, or -1 with errno set.

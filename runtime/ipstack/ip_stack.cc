@@ -268,14 +268,16 @@ void IpStack::EraseDead() {
   std::erase_if(endpoints_, [](const auto& entry) { return entry.second->dead(); });
 }
 
-// Posts the Poll message for the next frame if an endpoint waits for the network.
+// Posts the Poll message for the beginning of the next frame (a multiple of 8 ms) if an endpoint
+// waits for the network.
 void IpStack::KeepPolling() {
   if (poll_posted_) return;
   bool needed = false;
   for (const auto& [index, endpoint] : endpoints_) needed = needed || endpoint->WaitsForNetwork();
   if (!needed) return;
-  // Post() adds creep_us() to the delay.  The message must be due exactly at the boundary, so
-  // creep_us() is subtracted here.
+  // The message must be due exactly at the beginning of the frame.  But Post() adds creep_us() to
+  // the delay (1 us while too many messages are delivered at one instant), so creep_us() is
+  // subtracted here.
   const int64_t now_us = system().now_us();
   const int64_t delay_us = kFrameUs - now_us % kFrameUs - system().dispatcher().creep_us();
   system().Post(system().NewMessage(host().id, poll_entry_), delay_us);

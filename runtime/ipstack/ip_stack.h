@@ -36,7 +36,8 @@ struct IpStackOptions {
 
   std::string address;  // the robot's dotted address; "": ETHER_IP of the robot's WLANCONF.TXT
   Card card = Card::kPresent;
-  // Further addresses, to which programs may bind as well as to the robot's own (address_config.h).
+  // Pairs of addresses.  Programs may bind to AddressPair::robot of each pair, besides the robot's
+  // own address (address_config.h).
   std::vector<AddressPair> addresses = {};
 };
 
@@ -44,12 +45,12 @@ class IpStack : public CodeObject {
  public:
   static constexpr char kName[] = "IPStack";
 
-  // The robot's limits are not known.  These limits keep a faulty program from using up the host's
-  // memory.
+  // Our own limits, because the robot's are not known.  They keep a faulty program from using up
+  // the host's memory.
   static constexpr size_t kEndpointsMax = 256;  // endpoints that exist at the same time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
-  // The pool of an endpoint that was created with poolSize 0.  This is our choice, because the
-  // meaning of 0 is not documented.
+  // The pool (limit of bytes that are being sent) of an endpoint that was created with poolSize 0.
+  // This is our choice, because the meaning of 0 is not documented.
   static constexpr int32_t kPoolBytesDefault = 1 << 20;
 
   IpStack(std::unique_ptr<Network> network, IpStackOptions options);
@@ -61,8 +62,8 @@ class IpStack : public CodeObject {
   // Returns the entry of this object for a documented selector (Entry_antEnv_...), 0 to 2.
   Selector EntryFor(Selector selector) const { return first_entry_ + selector; }
 
-  // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 if the
-  // port has no port of the host (yet).
+  // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 if `port`
+  // is not (yet) bound to a port of the host.
   uint16_t HostPort(NetProtocol protocol, uint16_t port) const {
     return network_->HostPort(protocol, port);
   }
@@ -88,7 +89,8 @@ class IpStack : public CodeObject {
   // robot's own address, or a further address (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
-  // Returns `ip` if it is a further address, otherwise 0, which stands for the robot's own address.
+  // Returns `ip` if it is one of IpStackOptions::addresses and not the robot's own address.
+  // Otherwise returns 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
   // Returns the local address that a program sees after it has bound to `ip`.
@@ -99,7 +101,7 @@ class IpStack : public CodeObject {
   void Drop(NetHandle handle, bool reset);
 
   // Returns a port of 1024 to 4999 (IPPORT_RESERVED, IPPORT_USERRESERVED) that no UDP endpoint has
-  // bound, or 0 if all these ports are taken.
+  // bound and that is not open for TCP, or 0 if there is none.
   uint16_t ChoosePort();
   bool TakeUdpPort(uint16_t port) { return udp_ports_.insert(port).second; }
   void ReturnUdpPort(uint16_t port) { udp_ports_.erase(port); }
@@ -114,7 +116,7 @@ class IpStack : public CodeObject {
   // Adds a finding if `data`, which are sent now, differ from the bytes that were there at Send().
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
-  // The DNS servers, common to all objects.
+  // The addresses of the DNS servers, which programs can set; common to all objects of the robot.
   std::vector<uint32_t>& dns_servers() { return dns_servers_; }
 
  private:

@@ -1,4 +1,5 @@
-// Networks inside the process.  They use no sockets of the host, so every run is the same.
+// Networks inside the process, for tests and for runs without the host's network.  They use no
+// sockets of the host, so every run is the same.
 //
 //   auto hub = std::make_shared<LoopbackHub>();
 //   AddIpStack(&system, 0, std::make_unique<LoopbackNetwork>(hub));
@@ -22,7 +23,7 @@ class LoopbackNetwork;
 // The hub that connects all LoopbackNetworks of a test, and their table of names.
 class LoopbackHub {
  public:
-  // The answers to questions for names, by name without a final dot.
+  // The hosts that Resolve() finds.  The key is the name without a final dot.
   std::map<std::string, HostInfo> names;
 
  private:

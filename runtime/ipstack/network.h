@@ -56,10 +56,10 @@ struct NetworkEvent {
     kReceived,   // answer to Receive(): at least one byte, at most as many as requested
     kEnd,        // answer to Receive(): the peer has ended the stream
     kClosed,     // answer to Close(): both sides have ended
-    kDatagram,   // answer to ReceiveFrom(): bytes and remote
-    kResolved,   // answer to Resolve() and ResolveAddress(): host; without addresses: not found
-    kFailed,     // error: the socket can only be dropped
-    kNote,       // bytes is a text for the user
+    kDatagram,   // answer to ReceiveFrom(): `bytes` came from `remote`
+    kResolved,   // answer to Resolve(), ResolveAddress(): `host`; no addresses: not found
+    kFailed,     // `error` tells why; the socket can only be dropped
+    kNote,       // `bytes` is a text for the user
   };
   Kind kind = Kind::kNote;
   NetHandle handle = 0;
@@ -92,8 +92,8 @@ class Network {
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
   // Copies the bytes at `data` and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
-  // Requests the bytes that have arrived or will arrive next, at most `size_max`.  One event
-  // answers.  Replaces an earlier request that has no answer yet.
+  // Requests the bytes that have arrived or will arrive next, at most `size_max`.  One kReceived or
+  // kEnd answers.  Replaces an earlier request that has no answer yet.
   virtual void Receive(NetHandle handle, size_t size_max) = 0;
   // Ends the stream after the bytes that were given to Send().  Input is discarded from now on.
   virtual void Close(NetHandle handle) = 0;

@@ -1,4 +1,4 @@
-// The parameters of the stack, which antEnvInitGetParamMsg reads by key.
+// The settings of the network stack, which programs read by key with antEnvInitGetParamMsg.
 //
 // The keys are those of WLANCONF.TXT.  Only ETHER_IP, as text, is documented.  It is our choice
 // that programs can read the other keys too, flags and numbers as Int32.
@@ -22,12 +22,12 @@ class MemoryStick;
 class Parameters {
  public:
   // Reads WLANCONF.TXT of `stick`, or WLANDFLT.TXT if there is no WLANCONF.TXT.  Without both
-  // files, or if `stick` is null, the values of Sony's file hold.  `address` replaces ETHER_IP
-  // unless it is "".
+  // files, or if `stick` is null, uses the values of Sony's WLANDFLT.TXT.  `address` replaces
+  // ETHER_IP unless it is "".
   Parameters(MemoryStick* stick, const std::string& address);
 
-  // Puts the value of the key in `message` into `message`.  Returns ANT_REGISTRY_NO_KEY for an
-  // unknown key.  A text is cut to ANTENV_VALUE_LENGTH_MAX.
+  // Looks up the key that `message` names and stores the value in `message`.  Returns
+  // ANT_REGISTRY_NO_KEY for an unknown key.  A text is cut to ANTENV_VALUE_LENGTH_MAX.
   antError Get(antEnvInitGetParamMsg* message) const;
 
   // Sets the value of the key in `message`.  Returns ANT_REGISTRY_WRONG_TYPE for an unknown type.

@@ -32,12 +32,13 @@ class SharedBuffers {
   // is mapped.
   antError Destroy(const antSharedBuffer& buffer);
 
-  // Map or unmap a buffer.  A second call changes nothing.  `*base` becomes the address of the
-  // first byte.
+  // Map() makes a buffer usable and sets `*base` to the address of its first byte; UnMap() ends the
+  // use.  A second call changes nothing.
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
 
-  // Add and remove a buffer in a worker, after the master's stack has created or destroyed it.
+  // Add and remove a buffer in a worker process, after the stack in the master process has created
+  // or destroyed it.
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 

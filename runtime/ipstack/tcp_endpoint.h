@@ -21,12 +21,13 @@ class TcpEndpoint : public Endpoint {
   static constexpr int64_t kUnsentUs = 60'000'000;
 
   // The number of bytes read from the network at a time, even if a Receive asks for fewer.
-  // Otherwise the header of a message and its body would take a frame each.
+  // Otherwise a program that receives the header of a message and then its body would wait a frame
+  // (8 ms) for each.
   static constexpr size_t kReadAheadBytes = 16384;
 
   // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
   // second up to 200 ms after the first (network.md, 4.3).  More than kRobotSendBytes is slow (BBS
-  // 254).
+  // 254, a message of Sony's developer board).
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;

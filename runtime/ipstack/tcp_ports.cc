@@ -14,7 +14,7 @@ void TcpPorts::Port::Take(const NetworkEvent& event) {
 
 bool TcpPorts::Accept(uint16_t number, uint32_t ip, NetHandle socket, EventSink* endpoint) {
   const auto known = ports_.find(number);
-  if (known != ports_.end() && known->second->failed) Close(number);  // opens the port again
+  if (known != ports_.end() && known->second->failed) Close(number);  // opened again below
   std::unique_ptr<Port>& port = ports_[number];
   if (port == nullptr) {
     if (ports_.size() > kPortsMax) {  // the new entry is counted already

@@ -31,7 +31,7 @@ class TcpPorts {
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }
 
-  // Closes the socket of a port that the stack has chosen for one endpoint.
+  // Closes the socket of `port`.  Called for ports that the stack has chosen for one endpoint.
   void Close(uint16_t port);
   void CloseAll();
 

@@ -107,7 +107,8 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // A broadcast has no destination here, because broadcasts failed on the robot too (BBS 402).
+  // Returns no address for a broadcast, so that Send refuses it.  Broadcasts failed on the robot
+  // too (BBS 402, a message of Sony's developer board).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
@@ -206,8 +207,8 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// Drops datagrams of other peers if the endpoint is connected.  Returns whether any datagram is
-// left.
+// Drops datagrams that wait before the first datagram of the connected peer; without a peer, drops
+// none.  Returns whether any datagram is left.
 bool UdpEndpoint::DropStrangers() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
     waiting_.pop_front();
