@@ -1,4 +1,5 @@
-// The Aperios functions of MCOOP.h that send messages, wait and answer.
+// The functions of MCOOP.h that send messages, wait and answer.  MCOOP.h is the interface of
+// Aperios, the robot's operating system.
 #include <MCOOP.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The Aperios functions of MCOOP.h that order messages for a later time (events), and those that
-// read and set limits of an object.
+// The functions of MCOOP.h that order messages for a later time (events), and those that read and
+// set limits of an object.  MCOOP.h is the interface of Aperios, the robot's operating system.
 #include <MCOOP.h>
 
 #include "runtime/api/mcoop_limits.h"

@@ -1,4 +1,5 @@
-// Limits and conversions that the Aperios functions share.
+// Limits and a conversion that the functions of MCOOP.h share, the interface of the robot's
+// operating system.
 #pragma once
 
 #include <Time_a.h>

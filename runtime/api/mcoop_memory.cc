@@ -1,4 +1,5 @@
-// The Aperios functions of MCOOP.h for private and shared memory.
+// The functions of MCOOP.h for private and shared memory.  MCOOP.h is the interface of Aperios, the
+// robot's operating system.
 #include <MCOOP.h>
 #include <fmt/format.h>
 
@@ -114,7 +115,8 @@ sError GetPageSize(size_t* size) {
   return sSUCCESS;
 }
 
-// Returns the memory of the robot that the heaps of its objects do not use.
+// Sets `*size` to the number of bytes of the robot's memory that the heaps of its objects do not
+// use.
 sError GetFreeMemorySize(size_t* size) {
   if (t_current.object == nullptr || size == nullptr) return sINVALIDARG;
   const size_t used = t_current.system->robot(t_current.object->robot).memory.used_bytes;

@@ -32,7 +32,7 @@ struct GatewayRecord {
   ServiceName service;
   uint16_t port = 0;
   std::string host;       // address of the robot to connect to; "": this side listens
-  std::string section;    // the robot design for which the line holds; "" for every robot
+  std::string section;    // the robot design for which the line is valid; "" for every robot
   bool is_proxy = false;  // true: the record is for OPEN-R calls of remote programs, not a service
   FilePosition place;
 

@@ -11,7 +11,7 @@ namespace openr_host {
 
 struct ObjectRecord {
   std::string path;     // as written, e.g. /MS/OPEN-R/MW/OBJS/MOVER.BIN; any case
-  std::string section;  // the robot design for which the line holds; "" for every robot
+  std::string section;  // the robot design for which the line is valid; "" for every robot
   FilePosition place;
 };
 

@@ -16,7 +16,7 @@ constexpr size_t kShortFieldCount = 7;  // fields after the word "object", short
 constexpr size_t kLongFieldCount = 14;
 constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // limit of a 32-bit robot
 constexpr int kPriorityMax = 255;
-// A typing error for 16384 that Sony's samples contained for half a year.
+// A wrong heap size: a typing error for 16384 that Sony's samples contained for half a year.
 constexpr int64_t kMistypedHeapBytes = 16386;
 
 struct Field {

@@ -11,7 +11,8 @@
 
 namespace openr_host {
 
-// oobjectNAME_MAX of <OPENR/OPENR.h>, without the closing NUL.
+// The length of the longest object name: oobjectNAME_MAX of <OPENR/OPENR.h>, without the closing
+// NUL.
 inline constexpr int kObjectNameBytesMax = 63;
 
 // The description of an object.  Fields that the short form does not have keep the defaults below,

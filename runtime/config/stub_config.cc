@@ -190,7 +190,7 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
                       dummy));
     return;
   }
-  if (side.count < 0) return;  // reported already
+  if (side.count < 0) return;  // a bad number, which was reported already
   const std::string& word = side.count_line.word;
   if (side.count == 0 && found == 0) {
     Error(side.count_line.place, fmt::format("{} is 0{}, and write 1 here", word, dummy));

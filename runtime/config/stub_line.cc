@@ -32,7 +32,7 @@ constexpr KeywordName kKeywords[] = {
 
 bool IsNameCharacter(char c) { return IsLetter(c) || IsDigit(c) || c == '_'; }
 
-// A piece of a line that remembers its column.
+// A piece of a line and the column at which it begins.
 struct Piece {
   std::string_view text;
   int column = 1;

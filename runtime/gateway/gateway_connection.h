@@ -80,7 +80,7 @@ class GatewayConnection {
   antModuleRef listener_;  // the endpoint that waits for the next client
   antModuleRef endpoint_;  // the endpoint of the connection, also while it is being made
   bool is_up_ = false;
-  bool had_answer_ = false;  // a connect has succeeded or failed
+  bool had_answer_ = false;  // true after a connect has succeeded or failed
   bool is_sending_ = false;
   std::string out_;  // bytes to send that were not given to the stack yet
 };

@@ -57,11 +57,12 @@ class ProxyServices : public RobotServices {
 
  private:
   // Sends `message` to entry `selector` of the robot's system object `object`, and waits for a
-  // reply of `reply_size` bytes.  If no reply comes, returns false and adds a finding with the
-  // reason.
+  // reply of `reply_size` bytes.  Returns false if no reply comes, or if the caller cannot wait;
+  // the latter also adds a finding.
   bool Ask(const char* object, uint32_t selector, const std::string& message, size_t reply_size,
            std::string* reply);
-  // Sends a control request to OVirtualRobot.  `result` may be null if the result is not needed.
+  // Sends a control request to OVirtualRobot and returns its status.  Stores its result in
+  // `*result`, unless `result` is null.
   OStatus Control(ControlRequest request, const std::string& param, std::string* result = nullptr);
   OStatus ControlGains(ControlRequest request, OPrimitiveID id, const word gains[6]);
   OStatus TakeGains(ControlRequest request, OPrimitiveID id, word gains[6]);

@@ -44,8 +44,8 @@ enum class ControlRequest : uint32_t {
 };
 
 inline constexpr size_t kLocatorBytes = 128;
-inline constexpr size_t kOpenReplyBytes = 12;    // type, status, primitive
-inline constexpr size_t kStatusReplyBytes = 8;   // type, status
+inline constexpr size_t kOpenReplyBytes = 12;    // type, status, primitive ID, 4 bytes each
+inline constexpr size_t kStatusReplyBytes = 8;   // type, status, 4 bytes each
 inline constexpr size_t kControlBytes = 224;     // size of a control request and of its reply
 inline constexpr size_t kControlParamAt = 32;    // offset of the parameter, or of the result
 inline constexpr size_t kPowerStatusBytes = 24;  // type, OPowerStatus

@@ -1,4 +1,5 @@
-// TCPGateway: the system object that carries subjects and observers over TCP.
+// TCPGateway: the system object that connects subjects and observers of different computers over
+// TCP.
 //
 // On a robot the gateway is the image TCPGW.BIN, which OBJECT.CFG names; here it is part of the
 // runtime.  Its services come from ROBOTGW.CFG, each with a port to listen on, and from HOSTGW.CFG,

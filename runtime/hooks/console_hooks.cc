@@ -166,7 +166,8 @@ ssize_t read(int descriptor, void* data, size_t size) {
   return next(descriptor, data, size);
 }
 
-// Returns whether `descriptor` is the console.  For objects it is if it is 0, 1 or 2.
+// Returns whether `descriptor` is a terminal.  For objects the descriptors 0, 1 and 2 are
+// terminals; all others are files.
 int isatty(int descriptor) noexcept {
   static const auto next = OPENR_NEXT(isatty);
   if (!InObject()) return next(descriptor);

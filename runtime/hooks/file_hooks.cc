@@ -37,7 +37,7 @@ bool HasShortNames(std::string_view path) {
   for (path.remove_prefix(std::min<size_t>(path.size(), 3)); !path.empty();) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
-    const bool is_dots = part == "." || part == "..";  // every folder but the root has them
+    const bool is_dots = part == "." || part == "..";  // all folders but the root have these names
     if (!part.empty() && !is_dots && !openr_host::IsShortName(part)) return false;
     path.remove_prefix(part.size());
   }
@@ -247,7 +247,7 @@ int close(int descriptor) {
   static const auto next = OPENR_NEXT(close);
   if (!InObject()) return next(descriptor);
   const ApiScope scope;
-  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // the console stays
+  if (descriptor >= STDIN_FILENO && descriptor <= STDERR_FILENO) return 0;  // console stays open
   if (ForgetDescriptor(descriptor)) return next(descriptor);
   errno = EBADF;  // a descriptor of the host, which an object must not close
   return -1;

@@ -22,7 +22,7 @@ using openr_host::t_current;
 
 namespace {
 
-constexpr size_t kEntriesMax = 682;  // entries that readdir() of the robot returns
+constexpr size_t kEntriesMax = 682;  // readdir() of the robot returns no more entries
 
 // The memory behind the DIR* of an object.  It is on the object's heap, because it belongs to the
 // object's state.

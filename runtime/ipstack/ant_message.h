@@ -18,9 +18,9 @@ antModuleRef MakeModuleRef(int32_t protocol, uint32_t index);
 // that no stack has made.
 int32_t ProtocolOf(const antModuleRef& ref);
 
-// Returns the size of the struct that selector, protocol and operation of `message` stand for.  The
-// size given to Send() and Call() is not trusted, because Sony's samples pass the size of another
-// struct.  For unknown operations, counts only the base and the error field.
+// Returns the size of the struct of `message`, which its selector, protocol and operation tell.
+// The size given to Send() and Call() is not trusted, because Sony's samples pass the size of
+// another struct.  For unknown operations, counts only the base and the error field.
 size_t AntMessageSize(const antEnvMsg& message);
 
 // Returns a name such as "TCP Listen", for messages to the user.
@@ -38,7 +38,7 @@ void ClearCounts(antEnvMsg* message);
 // in a Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
-// The bytes that a Send of TCP or UDP refers to; the size is 0 for other messages.
+// The bytes that a Send message of TCP or UDP refers to; the size is 0 for other messages.
 struct AntData {
   const byte* begin = nullptr;
   int size = 0;

@@ -19,7 +19,7 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest number of addresses kept of one answer, and of aliases.
+  // The largest number of addresses, and of aliases, that are kept of one answer.
   static constexpr size_t kAddressesMax = 16;
   // The time limit for an answer, in virtual time.  After it the query fails with DNS_TRY_AGAIN.
   static constexpr int64_t kAnswerUs = 30'000'000;

@@ -21,8 +21,8 @@ class EventSink {
 };
 
 // An endpoint of a program.  Start() stores operations, Take() stores events, and AnswerReady()
-// answers the operations that can be answered.  So the order of answers does not depend on the
-// order of events: answers are ordered by endpoint, then open, send, receive, close.
+// later answers all operations that can be answered: of each endpoint first Listen or Connect, then
+// Send, Receive and Close.  So the order of answers does not depend on the order of events.
 class Endpoint : public EventSink {
  public:
   Endpoint(IpStack* stack, int32_t protocol, ObjectId owner, int32_t pool_bytes)

@@ -1,4 +1,4 @@
-// The UDP part of HostNetwork.
+// The UDP part of HostNetwork, which connects the robot's network to sockets of the host.
 #pragma once
 
 #include <cstdint>

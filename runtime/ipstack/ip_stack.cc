@@ -63,7 +63,7 @@ IpStack::IpStack(std::unique_ptr<Network> network, IpStackOptions options)
   network_->Attach(address_);
 
   const auto take = [this](void* payload) { TakeMessage(payload); };
-  first_entry_ = AddExtra("Initialize", take);  // EntryFor() needs the order of Entry_antEnv_...
+  first_entry_ = AddExtra("Initialize", take);  // EntryFor() relies on this order
   AddExtra("HartBeat", take);
   AddExtra("External", take);
   poll_entry_ = AddExtra("Poll", [this](void*) { PollNetwork(); });
@@ -119,7 +119,7 @@ void IpStack::WarnIfChanged(const Operation& operation, const void* data, size_t
                    AntMessageName(operation.message())));
 }
 
-// Handles one message of antEnvMsg::Send() or Call().
+// Handles a message that an object has sent with antEnvMsg::Send() or Call().
 void IpStack::TakeMessage(void* payload) {
   const Message& request = *host().handler.running;
   Operation operation;

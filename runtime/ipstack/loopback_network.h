@@ -28,11 +28,12 @@ class LoopbackHub {
 
  private:
   friend class LoopbackNetwork;
-  std::map<uint32_t, LoopbackNetwork*> hosts_;  // key: address
+  std::map<uint32_t, LoopbackNetwork*> hosts_;  // connected hosts by IP address
 };
 
-// A host at a hub.  Sent data arrive at once, and the receiver gets these data from its next
-// Poll().  If a peer does not read, its sender stops after kWindowBytes.
+// A host, such as a robot, that is connected to a hub.  Sent data arrive at once, and the receiver
+// gets these data from its next Poll().  If a peer does not read, its sender stops after
+// kWindowBytes.
 class LoopbackNetwork : public Network {
  public:
   static constexpr size_t kWindowBytes = 65536;

@@ -30,7 +30,7 @@ enum class NetProtocol : uint8_t { kTcp, kUdp };
 enum class NetError : uint8_t {
   kNone,
   kFailed,  // any other error
-  kClosed,  // the peer has closed the connection before a write
+  kClosed,  // a write failed because the peer had closed the connection
   kReset,
   kTimeout,
   kAddressInUse,
@@ -41,7 +41,7 @@ enum class NetError : uint8_t {
   kTooLong,
 };
 
-// The answer to a question for a name or an address.
+// A host that Resolve() or ResolveAddress() has found.
 struct HostInfo {
   std::string name;  // the official name
   std::vector<std::string> aliases;

@@ -20,7 +20,7 @@ struct Operation {
   antEnvMsg& message() { return *reinterpret_cast<antEnvMsg*>(bytes); }
   const antEnvMsg& message() const { return *reinterpret_cast<const antEnvMsg*>(bytes); }
 
-  // Returns the message as its own type T.  REQUIRES: the operation code stands for T.
+  // Returns the message as the type T.  REQUIRES: T is the type for the message's operation code.
   template <typename T>
   T& As() {
     static_assert(sizeof(T) <= sizeof bytes);

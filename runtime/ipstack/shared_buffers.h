@@ -63,7 +63,7 @@ class SharedBuffers {
   Buffer* Find(const antSharedBuffer& buffer);
 
   RegionTable* const regions_;
-  std::map<uint32_t, Buffer> buffers_;  // key: cookie
+  std::map<uint32_t, Buffer> buffers_;  // key: the cookie, a buffer's number
   uint32_t last_cookie_ = 0;
   uint64_t bytes_ = 0;
 };

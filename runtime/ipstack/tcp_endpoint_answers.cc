@@ -39,7 +39,7 @@ void TcpEndpoint::FinishSend() {
   const auto& message = send_->As<TCPEndpointSendMsg>();
   if (state_ == State::kFailed) return Finish(&send_, error_);
   if (unsent_ + message.size > pool_bytes_) return;
-  // The program may have destroyed or unmapped the buffer since the request.
+  // The buffer is checked again, because the program may have destroyed or unmapped it.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, TCP_BUFFER_INVALID);
   }
@@ -67,7 +67,7 @@ void TcpEndpoint::FinishReceive() {
     return;
   }
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  // The program may have destroyed or unmapped the buffer since the request.
+  // The buffer is checked again, because the program may have destroyed or unmapped it.
   if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {
     return Finish(&receive_, TCP_BUFFER_INVALID);
   }

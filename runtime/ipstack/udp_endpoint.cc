@@ -195,7 +195,7 @@ void UdpEndpoint::FinishSend() {
   const auto& message = send_->As<UDPEndpointSendMsg>();
   if (error_ != UDP_SUCCESS) return Finish(&send_, error_);
   if (sent_in_frame_ + message.size > pool_bytes_) return;
-  // The program may have destroyed or unmapped the buffer since the request.
+  // The buffer is checked again, because the program may have destroyed or unmapped it.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, UDP_BUFFER_INVALID);
   }
@@ -225,7 +225,7 @@ void UdpEndpoint::FinishReceive() {
     asked_ = true;
     return;
   }
-  // The program may have destroyed or unmapped the buffer since the request.
+  // The buffer is checked again, because the program may have destroyed or unmapped it.
   if (!stack_->buffers().Contains(message.buffer, room)) {
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }

@@ -26,7 +26,7 @@ OObserver::OObserver() {
           .get();
 }
 
-OObserver::~OObserver() = default;  // the state is deleted with the object
+OObserver::~OObserver() = default;  // the Object owns *state_ and deletes it
 
 OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
   state_->id = ENTRY2OBSERVERID(entry);

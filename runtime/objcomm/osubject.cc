@@ -48,7 +48,7 @@ OSubject::OSubject() {
                .get();
 }
 
-OSubject::~OSubject() = default;  // the state is deleted with the object
+OSubject::~OSubject() = default;  // the Object owns *state_ and deletes it
 
 OStatus OSubject::SetReadyEntry(const OServiceEntry& entry) {
   const ApiScope scope;
