@@ -16,7 +16,7 @@ namespace {
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
-  const char* dummy;       // rest of the name of a dummy service, after the object's name
+  const char* dummy;       // the end of a dummy service's name, after the object's name
   std::vector<StubService>* services;
 
   bool has_count = false;

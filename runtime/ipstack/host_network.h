@@ -26,8 +26,8 @@ namespace openr_host {
 
 struct HostNetworkOptions {
   uint32_t bind_ip = 0x7f000001;  // the host's address for server ports; 0: every interface
-  // The host's port that each robot's port in the map must get; 0: any free port.  Other ports keep
-  // their number if it is free.
+  // Fixed ports.  The key is a port of the robot, the value the host's port that it must get (0:
+  // any free port).  A port without an entry keeps its number if that is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
   // Pairs of an address in programs and the host's address in its place.  If several pairs have the

@@ -60,7 +60,7 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       any = true;
       events->push_back(std::move(event));
     }
-    // one answer is enough, even with fewer datagrams than the request allows
+    // The datagrams that have arrived answer the request, even if it allows more.
     if (any) socket.want = 0;
   }
 }

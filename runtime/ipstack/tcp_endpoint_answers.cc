@@ -1,4 +1,5 @@
-// The part of TcpEndpoint that answers operations.
+// The functions of TcpEndpoint that answer pending operations (Listen, Connect, Send, Receive,
+// Close) as soon as the network allows it.
 #include <algorithm>
 #include <cstring>
 
