@@ -1,8 +1,10 @@
-// openr: runs software for Sony's AIBO on a PC.  Start reading here.
+// The main function of the program openr, which runs software for Sony's AIBO on a PC.  Start
+// reading here.
 //
-// Each command is a file of commands/, which describes its flags and has a function that does the
-// work.  `openr run` makes a Simulation (simulation.h), a Runner runs it frame by frame (runner.h),
-// and the result becomes a report (report.h).
+// Each command of the program has a file in openr/commands/, which describes the flags of the
+// command and has the function that does the work.  For `openr run`, this function makes a
+// Simulation (simulation.h), lets a Runner (runner.h) run it frame by frame, and makes a report of
+// the result (report.h).
 #include "cli/standard_streams.h"
 #include "openr/commands/commands.h"
 

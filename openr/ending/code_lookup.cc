@@ -15,7 +15,8 @@ namespace {
 
 using Session = std::unique_ptr<Dwfl, decltype(&dwfl_end)>;
 
-// The address at which the file is placed in the session of libdwfl.  Any address will do.
+// The load address of the file that is told to libdwfl.  Any address will do, because instructions
+// are looked up by their distance from this address.
 constexpr GElf_Addr kBase = 0x10000;
 
 std::string Readable(const char* symbol) {
@@ -39,10 +40,11 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  // In this scope, memory and files belong to the program and not to an object.
+  // No object is current in this scope.  So malloc() and fopen() work on the heap and the files of
+  // the host, and not on those of an object.
   const CurrentScope scope(nullptr, nullptr);
-  // Debug information is searched only beside the file, because packages installed on a machine
-  // must not change the output of a run.
+  // Debug information is searched only beside the file, not in the folders of installed debug
+  // packages.  Such packages would change the output of a run from machine to machine.
   static char only_beside[] = ":.";
   static char* path = static_cast<char*>(only_beside);
   static const Dwfl_Callbacks kCallbacks = {.find_elf = nullptr,

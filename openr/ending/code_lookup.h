@@ -1,4 +1,5 @@
-// Finds functions and lines of instructions, by the debug information of images.
+// Finds the function and the source line of a machine instruction, by the debug information of the
+// file that contains the instruction.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +7,20 @@
 
 namespace openr_host {
 
-// The function and line of an instruction; "" for parts that are not known.
+// The function and the source line that a machine instruction belongs to.  A field is "" if the
+// debug information does not tell it.
 struct CodeLookup {
   std::string function;  // "Trouble::DoStart(OSystemEvent const&)"
   std::string line;      // "Trouble.cc:57"
 };
 
-// Looks up the instruction at `offset` of a loaded ELF file.  The debug information is in the file,
-// or beside it in a file that it names (NAME.DBG).
+// Looks up the instruction at `offset` bytes from the address at which the ELF file `file` is
+// loaded.  The debug information is read from `file` itself, or from the file beside it that `file`
+// names (NAME.DBG).
 CodeLookup LookUpCode(const char* file, uintptr_t offset);
 
-// Returns the line of an instruction in memory; "" if it is not known.
+// Returns the source line of the machine instruction at `address` in memory; "" if the line is not
+// known.
 std::string LineOfAddress(const void* address);
 
 }  // namespace openr_host

@@ -41,16 +41,19 @@ namespace openr_host {
 namespace {
 
 constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
-constexpr size_t kAlternateStackBytes = 256 << 10;  // enough to make a report on it
+constexpr size_t kAlternateStackBytes = 256 << 10;  // large enough to make a report on this stack
 
-// Paths of the record files, by robot.  They are set before the run.
+// Paths of the record files, by number of the robot.  CrashLog's constructor sets them; null while
+// no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
 bool g_adds = false;
-// The text `place` of CrashLog; without it the finding does not name the file.
+// The argument `place` of CrashLog's constructor.  If it has no value, the finding in the report
+// does not name the record file.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 
-// Returns the FpFlag that caused SIGFPE; 0: a division of integers.
+// Returns the kind of floating-point error (FpFlag) that caused the SIGFPE; 0 if a division of
+// integers caused it.
 unsigned KindOf(const siginfo_t& info) {
   switch (info.si_code) {
     case FPE_FLTINV:
@@ -59,7 +62,7 @@ unsigned KindOf(const siginfo_t& info) {
       return kFpDivByZero;
     case FPE_FLTOVF:
       return kFpOverflow;
-    case FPE_FLTUND:  // also sent for a denormal operand; FpFlag has a flag for that
+    case FPE_FLTUND:  // also means a denormal operand; underflow raises no SIGFPE here
       return kFpDenormal;
     default:
       return 0;
@@ -82,8 +85,8 @@ const char* MeaningOfAddress(const siginfo_t& info, const void* context) {
   return "an address that is not the object's";
 }
 
-// Adds the name and the cause of the signal, such as "SIGSEGV (an address that is not the
-// object's)".  REQUIRES: a handler runs.
+// Adds the name and the cause of the signal to `text`, such as "SIGSEGV (an address that is not the
+// object's)".  REQUIRES: a handler of an object runs.
 void AddName(int signal, const siginfo_t& info, const void* context, SignalText* text) {
   switch (signal) {
     case SIGSEGV:
@@ -107,9 +110,10 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
-// Handles the signal of an arithmetic error that is reported and does not stop the object: notes
-// the address of the instruction for ImageObject, and masks the error so that the instruction can
-// run again.  Returns false if the error must stop the object.
+// Handles a SIGFPE whose error is only reported and does not stop the object.  Stores the address
+// of the instruction for ImageObject, which reports the error, and masks this kind of error, so
+// that the instruction runs again without a signal.  Returns false if the error must stop the
+// object.
 bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);
@@ -127,7 +131,7 @@ bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #endif
 }
 
-// Returns the path of the robot's record file; null if it has none.
+// Returns the path of the record file of `robot`; null if `robot` has no record file.
 const std::string* FileOf(int robot) {
   if (g_files == nullptr || robot < 0 || static_cast<size_t>(robot) >= g_files->size())
     return nullptr;
@@ -135,13 +139,15 @@ const std::string* FileOf(int robot) {
   return file.empty() ? nullptr : &file;
 }
 
-// The file for the record.  It is opened and written with calls that a signal handler may use.
+// The file to which the record of a crash is written.  It is opened and written only with calls
+// that are allowed in a signal handler.
 class RecordFile {
  public:
-  // Opens the file `name`; null means that there is no file.
+  // Opens the file `name`.  If `name` is null, no file is opened or written.
   explicit RecordFile(const std::string* name) : name_(name) {
     if (name == nullptr) return;
-    // open() is not used, because it is a hook in this process that may act for an object.
+    // The system call is made directly, because this process replaces open() by a function of its
+    // own, which may open a file of the object's Memory Stick instead.
     descriptor_ =
         static_cast<int>(syscall(SYS_openat, AT_FDCWD, name->c_str(),
                                  O_WRONLY | O_CREAT | (g_adds ? O_APPEND : O_TRUNC), 0666));
@@ -152,8 +158,8 @@ class RecordFile {
     if (descriptor_ >= 0 && error_ == 0) error_ = WriteAll(descriptor_, text.text());
   }
 
-  // Prints on standard error that the file was written, or why not.  Returns whether it was
-  // written.
+  // Prints on standard error that the file was written, or why it could not be written.  Returns
+  // true if it was written.
   bool Tell() const {
     if (name_ == nullptr) return false;
     SignalText note;
@@ -172,11 +178,11 @@ class RecordFile {
  private:
   const std::string* const name_;
   int descriptor_ = -1;
-  int error_ = 0;  // errno of the first failure
+  int error_ = 0;  // errno of the first call that failed; 0: none failed
 };
 
-// Writes the record of the crash.  The stack comes last, because it may be too damaged to be
-// walked.
+// Writes the record of the crash to standard error and to the robot's record file.  The call stack
+// is written last, because it may be so damaged that walking it crashes again.
 void WriteRecordInSignal(Ending* ending, const void* context, int robot) {
   const std::string* const name = FileOf(robot);
   RecordFile file(name);
@@ -195,7 +201,8 @@ void WriteRecordInSignal(Ending* ending, const void* context, int robot) {
     ending->finding.Add("; record: ").Add(*name).Add(**g_place);
 }
 
-// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL.
+// Handles SIGSEGV, SIGBUS, SIGFPE and SIGILL: ends the process with a record if an object was
+// running.
 void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (signal == SIGFPE && GoesOnInSignal(*info, context)) return;
   Ending ending;
@@ -204,16 +211,17 @@ void OnCrashSignal(int signal, siginfo_t* info, void* context) {
   if (t_current.object != nullptr) AddName(signal, *info, context, &name);
   text.Add("EXCEPTION ").Add(name.text());
   const bool is_overflow = StackMemory::AnyGuardContains(info->si_addr);
-  // The address of an instruction, or in a stack guard, differs from run to run, so it is not
-  // printed; the stack says where the crash was.
+  // Only an address that the object has accessed is printed.  The address of the instruction
+  // (SIGFPE, SIGILL) and an address in a stack guard differ from run to run, so they are left out;
+  // the call stack in the record shows the place of the crash.
   if ((signal == SIGSEGV || signal == SIGBUS) && !is_overflow)
     text.Add(" at address 0x").AddNumber(reinterpret_cast<uint64_t>(info->si_addr), 16);
   text.Add("\nOBJECT ");
-  if (!AddCurrentHandler(&text)) {  // the program itself has crashed
+  if (!AddCurrentHandler(&text)) {  // no object was running: the program itself has crashed
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
     sigaction(signal, &action, nullptr);
-    return;  // the instruction runs again, now with the default action
+    return;  // the instruction runs again, and its signal now has the default action
   }
   text.Add("\n");
   ending.finding.Add("crash: ").Add(name.text()).Add(" in ");
@@ -271,7 +279,9 @@ CrashLog::~CrashLog() {
 }
 
 void CrashLog::BeginAfresh(const std::string& file) {
-  // If there is no such file, or it cannot be removed, no record can be added either.
+  // Errors are ignored.  A file that does not exist needs no removing.  If the file cannot be
+  // removed, writing the record to it later will most likely fail too, and RecordFile::Tell()
+  // reports that.
   std::error_code error;
   std::filesystem::remove(file, error);
 }

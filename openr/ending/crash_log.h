@@ -1,8 +1,9 @@
-// Writes the record of a crash that ends a run: to EMON.LOG in OPEN-R/ of a stick, where the
-// robot's emergency monitor writes it, and to standard error.
+// Writes a record when the crash of an object, which is a program of the robot, ends the run.  The
+// record goes to standard error and to the file OPEN-R/EMON.LOG of a Memory Stick, where the
+// emergency monitor of the real robot writes its record.
 //
-// On the robot a crash of one object is a crash of the robot.  Here it ends the run with exit
-// status 1.
+// On the real robot the crash of one object stops the whole robot.  So a crash ends the whole run
+// here, with exit status 1.
 #pragma once
 
 #include <optional>
@@ -11,23 +12,26 @@
 
 namespace openr_host {
 
-// While a CrashLog exists, SIGSEGV, SIGBUS, SIGFPE and SIGILL of an object end the run with a
-// record.  The same signals of the program itself have their default action.  Does nothing under
-// AddressSanitizer, whose own report says more.
+// While a CrashLog exists, a SIGSEGV, SIGBUS, SIGFPE or SIGILL that comes while an object runs ends
+// the run with a record.  The same signals have their default action while the program itself runs.
+// A CrashLog does nothing under AddressSanitizer, because the report of AddressSanitizer says more
+// about a crash.
 class CrashLog {
  public:
-  // `files` are the record files by robot (RunStick::crash_log()); an empty name: no file.  With
-  // `adds`, records in a file stay, because other processes of the run write there too.  `place` is
-  // set if the file is on no stick that the user has named: then the finding names the file,
-  // followed by this text (" on HOST").
+  // `files` has the path of the record file for each robot (RunStick::crash_log()); an empty path
+  // means that no file is written.  If `adds` is true, a record is added at the end of its file,
+  // because other processes of the run write records to the same file; otherwise it replaces the
+  // file.  `place` is set if the user cannot know where the file is, because it is on no stick that
+  // the user has named.  Then the finding in the report names the file, followed by the text
+  // `place`, such as " on HOST".
   explicit CrashLog(std::vector<std::string> files, bool adds = false,
                     const std::optional<std::string>& place = {});
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;
 
-  // Removes the record of an earlier run.  Called before processes of a run add their records to
-  // the file.
+  // Removes `file`, which may have the records of an earlier run.  Called at the beginning of a run
+  // in which several processes add their records to this file.
   static void BeginAfresh(const std::string& file);
 };
 

@@ -24,7 +24,7 @@ struct Walk {
   uintptr_t* addresses;
   size_t max;
   size_t count = 0;
-  bool is_outside = false;  // the walk has left the signal handler
+  bool is_outside = false;  // the walk has passed the frames of the signal handler
 };
 
 _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
@@ -34,14 +34,15 @@ _Unwind_Reason_Code Take(_Unwind_Context* context, void* data) {
   walk->is_outside = walk->is_outside || is_interrupted != 0;
   if (!walk->is_outside || IsStackChange(address)) return _URC_NO_REASON;
   if (walk->count == walk->max) return _URC_END_OF_STACK;
-  // The return address may belong to another line or function than the call, so the address before
-  // it is stored.
+  // For a function that has called another one, `address` is the return address, which may already
+  // belong to the next line or function.  So the address before it is stored, which is inside the
+  // call instruction.
   walk->addresses[walk->count++] = is_interrupted != 0 ? address : address - 1;
   return _URC_NO_REASON;
 }
 
-// Returns the caller of an address that is no code.  There is no frame to unwind for such an
-// address, but the return address is on the stack.
+// Returns the address of the call when a call to an address without code has crashed.  The unwinder
+// cannot find the caller then, but the return address is on top of the stack.
 uintptr_t CallerOfNothing([[maybe_unused]] const void* context) {
 #if defined(__x86_64__)
   const auto* const machine = &static_cast<const ucontext_t*>(context)->uc_mcontext;

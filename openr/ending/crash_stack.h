@@ -1,4 +1,4 @@
-// The stack of calls at a crash, as text for people.
+// The call stack of an object at a crash, as text for people.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,26 @@ namespace openr_host {
 
 class Object;
 
-// The stack of calls of a crashed object.  Made in the signal handler of the crash, after
-// BeginEnding(), because the stack may be so damaged that walking it crashes again.  Frames are
-// named by file and offset, not by address, so that the same crash gives the same text in each run.
-// Callers of the object's handler are left out.
+// The call stack of an object at a signal that its code has caused.  Made in the handler of this
+// signal.  A stack may be so damaged that walking it crashes again, so for a crash BeginEnding() is
+// called first, which prepares for such a second signal.  Frames are named by file and offset, not
+// by address, so that the same crash gives the same text in each run.  The functions of the runtime
+// that called the object's handler are left out.
 class CrashStack {
  public:
   // Walks the stack of `object`.  `context` is the third argument of the signal handler.
   CrashStack(const Object& object, const void* context);
 
-  // Adds "STACK" and a line per frame, the innermost first: "  #0 TROUBLE.BIN+0x1234 Trouble::Go()
-  // (Trouble.cc:57)".
+  // Adds "STACK" and one line per frame, the innermost frame first: "  #0 TROUBLE.BIN+0x1234
+  // Trouble::Go() (Trouble.cc:57)".
   void AddTo(SignalText* text) const;
 
   // Adds the innermost frame of the object's own code: ", at TROUBLE.BIN+0x1234 Trouble::Go()
-  // (Trouble.cc:57)".  Adds nothing if there is none.
+  // (Trouble.cc:57)".  Adds nothing if no frame is of the object's own code.
   void AddPlace(SignalText* text) const;
 
-  // Returns the address of the innermost frame of the object's own code; null if there is none.
+  // Returns the address of the innermost frame of the object's own code; null if no frame is of the
+  // object's own code.
   const void* OwnAddress() const;
 
  private:
@@ -35,7 +37,7 @@ class CrashStack {
 
   struct Frame {
     uintptr_t address = 0;
-    const char* file = nullptr;  // null: the address is no code of a file
+    const char* file = nullptr;  // null: the address is in no loaded file
     uintptr_t offset = 0;
     bool is_own = false;  // the code is in the object's image
   };

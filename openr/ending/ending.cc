@@ -17,10 +17,12 @@
 namespace openr_host {
 namespace {
 
-// Time limit for all actions together; they take some milliseconds.
+// Time limit for all registered EndingActions together, after which the remaining actions are left
+// out.  Actions normally take some milliseconds.
 constexpr unsigned kActionsMaxS = 10;
 
-// Signals that show that an action failed; SIGALRM shows that an action took too long.
+// Signals that are handled while EndingActions run: the first five show that an action has crashed,
+// SIGALRM shows that the actions took too long.
 constexpr int kHandledSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
 EndingAction* g_newest = nullptr;
@@ -28,8 +30,8 @@ Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the end began
 bool g_is_awaited = false;  // an EndingAnswer exists
 int g_answer = -1;
-// The file for the answer.  It is prepared in advance, because OnSignalDuringEnding() must not
-// allocate memory.
+// The file for the JSON answer.  Its names are worked out when the EndingAnswer is made, because
+// OnSignalDuringEnding() must not allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {
@@ -50,8 +52,8 @@ void AnswerInSignal(const Ending& ending) {
   g_answer_file->Close();
 }
 
-// Handles a signal that comes while actions run: writes the answer without the remaining actions,
-// and ends the process.
+// Handles a signal that comes while EndingActions run: writes the answer without the remaining
+// actions, and ends the process.
 void OnSignalDuringEnding(int) {
   const Ending* const ending = std::exchange(g_ending, nullptr);
   if (ending != nullptr) AnswerInSignal(*ending);
@@ -76,7 +78,7 @@ void RunEndingActions(Ending* ending) {
 }
 
 EndingAnswer::EndingAnswer(int descriptor, const std::string& file) {
-  ASSERT(!g_is_awaited);  // one at a time
+  ASSERT(!g_is_awaited);  // only one EndingAnswer may exist at a time
   g_is_awaited = true;
   g_answer = descriptor;
   if (!file.empty()) g_answer_file.emplace(file);

@@ -1,7 +1,7 @@
-// Ends the process after a crash of an object, or after a handler that does not return.
+// Ends the process after a crash of an object, or when a handler of an object does not return.
 //
-// All of this runs in a signal handler.  docs/endings.md names every function that does, and says
-// which of them call what a signal handler may not call, and why that is safe here.
+// The process is ended in a signal handler.  docs/endings.md lists all functions that run in signal
+// handlers.  Some of them make calls that are not allowed there; the list says why this is safe.
 #pragma once
 
 #include <functional>
@@ -14,20 +14,20 @@ namespace openr_host {
 
 class Object;
 
-// The facts about the end of the process, as texts and data for those that report it.
+// The reason why the process ends, as texts and data for the functions that report it.
 struct Ending {
   EndKind kind = EndKind::kCrash;
   SignalText record;         // lines for a person to read
   SignalText finding;        // one sentence for the report
-  Object* object = nullptr;  // the object that ran; null if none did
-  bool answered = false;     // an EndingAction has written the answer; see EndingAnswer
+  Object* object = nullptr;  // the object that was running; null if none was
+  bool answered = false;     // an EndingAction has written the JSON answer; see EndingAnswer
 };
 
 RunEnd EndOf(const Ending& ending);
 
-// Registers the function `action` while the EndingAction exists.  CrashLog and Watchdog call the
-// function, in a signal handler, before they end the process.  `action` may add to the ending's
-// texts.
+// Registers the function `action` for as long as the EndingAction exists.  Before CrashLog or
+// Watchdog ends the process, all registered functions are called in the signal handler.  `action`
+// may add to the texts of `ending`.
 class EndingAction {
  public:
   explicit EndingAction(std::function<void(Ending* ending)> action);
@@ -46,20 +46,22 @@ class EndingAction {
 void RunEndingActions(Ending* ending);
 
 // While an EndingAnswer exists, a run that ends early says on the last line of standard error what
-// ended it.  If an answer in JSON is due and no EndingAction has written the answer, {"error",
-// "ended_by", "findings"} is written.  Only one may exist at a time.
+// ended it.  For a command that has to answer in JSON, the object {"error", "ended_by", "findings"}
+// is written too, unless an EndingAction has already written an answer.  Only one EndingAnswer may
+// exist at a time.
 class EndingAnswer {
  public:
-  // The answer goes to `descriptor` (-1: none) and to `file` ("": none).
+  // The JSON answer is written to `descriptor` (-1: none) and to `file` ("": none).
   explicit EndingAnswer(int descriptor, const std::string& file = "");
   ~EndingAnswer();
   EndingAnswer(const EndingAnswer&) = delete;
   EndingAnswer& operator=(const EndingAnswer&) = delete;
 };
 
-// The two functions end the process, as two steps of a signal handler.  BeginEnding() writes out
-// what objects have printed so far, and prepares for signals that come while the process ends.
-// FinishEnding() runs the registered actions, writes the answer, and does not return.
+// The two steps by which a signal handler ends the process.  BeginEnding() writes out what objects
+// have printed so far, and prepares for further signals that come while the process ends.
+// FinishEnding() calls the functions registered by EndingActions, writes the answer, and does not
+// return.
 void BeginEnding(Ending* ending);
 [[noreturn]] void FinishEnding();
 

@@ -11,8 +11,9 @@ namespace {
 
 const char* const kSystemEntries[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
-// Returns the name of an entry.  The tables of the object can be read while its own code runs,
-// because only the runtime changes them.
+// Returns the name of the handler with the number `selector`; "" if it has none.  The tables of the
+// object are read only if the object's own code was interrupted.  If the runtime was interrupted,
+// it may have been changing the tables.
 const char* EntryOf(const Object& object, uint32_t selector) {
   if (selector < 4) return kSystemEntries[selector];
   if (!t_current.image_code) return "";
@@ -46,7 +47,8 @@ SignalText& SignalText::AddQuoted(const SignalText& text) {
   std::string_view rest = text.text();
   while (rest.ends_with('\n')) rest.remove_suffix(1);
   Add("\"");
-  // Number of bytes of the longest escaped character and the closing quote.
+  // Number of bytes that must be free to add a character: those of the longest escaped character
+  // and of the closing quote.
   constexpr size_t kTail = sizeof "\\n\"" - 1;
   for (const char c : rest) {
     if (size_ + kTail > sizeof text_) break;

@@ -1,4 +1,4 @@
-// Builds text in signal handlers, where nothing may be allocated.
+// Builds text in signal handlers, which may not allocate memory.
 #pragma once
 
 #include <cstddef>
@@ -27,17 +27,18 @@ class SignalText {
   size_t size_ = 0;
 };
 
-// Adds a description of the handler that runs on this thread: "JointMover, NotifyMover (selector
-// 7), message 4711, t=1248000 us".  Returns false, and adds nothing, if no handler runs.
+// Adds a description of the object and the object's handler that run on this thread: "JointMover,
+// NotifyMover (selector 7), message 4711, t=1248000 us".  Returns false, and adds nothing, if no
+// object runs.
 bool AddCurrentHandler(SignalText* text);
 
-// Adds only the entry of the handler that runs: "NotifyMover (selector 7)".  REQUIRES: a handler
-// runs.
+// Adds only the name and the number (selector) of the object's handler that runs: "NotifyMover
+// (selector 7)".  REQUIRES: an object runs.
 void AddCurrentEntry(SignalText* text);
 
-// Writes the shortest report, because the state of the run may not be readable any more: {"error":
-// record, "ended_by": ended_by, "findings": [...]} with one error about the handler that ran.  Does
-// nothing if `descriptor` is negative.
+// Writes a short report of a run that has ended early: {"error": record, "ended_by": ended_by,
+// "findings": [...]}, with one error about the handler that ran.  Longer reports need the state of
+// the run, which may be damaged after a crash.  Writes nothing if `descriptor` is negative.
 void WriteEndingAsJson(const SignalText& record, const SignalText& finding, const char* ended_by,
                        const Current& current, int descriptor);
 

@@ -17,12 +17,12 @@ namespace openr_host {
 namespace {
 
 constexpr int kSignal = SIGVTALRM;
-constexpr int kTicks = 8;  // checks per limit, so a handler is stopped at most 1/8 too late
+constexpr int kTicks = 8;  // checks per time limit; a handler ends at most 1/8 of it too late
 
 timer_t g_timer;
 uint64_t g_limit_s_tenths = 0;
-uint64_t g_message = 0;  // number of the message that was handled at the last tick
-int g_seen = 0;          // ticks in a row with this message
+uint64_t g_message = 0;  // number of the message whose handler ran at the last check
+int g_seen = 0;          // number of checks in a row at which this handler still ran
 
 void EndTheHandler() {
   Ending ending;
@@ -44,7 +44,8 @@ void EndTheHandler() {
   FinishEnding();
 }
 
-// Handles SIGVTALRM: ends the process if the same handler has run for the whole limit.
+// Handles SIGVTALRM, which comes kTicks times per limit: ends the process if the same handler has
+// run during the whole time limit.
 void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =

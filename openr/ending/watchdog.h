@@ -6,9 +6,9 @@
 namespace openr_host {
 
 // While a Watchdog exists, a handler that uses more than `limit_us` of processor time is reported
-// on standard error, and the process ends with status 1.  Only handlers of the thread that made the
-// Watchdog are watched.  Time spent stopped in a debugger does not count.  Only one Watchdog may
-// exist at a time.  A limit of 0 switches it off.
+// on standard error, and the process ends with status 1.  Only handlers on the thread that made the
+// Watchdog are watched.  The time during which a debugger stops the process does not count.  A
+// Watchdog with a limit of 0 does nothing.  Only one Watchdog may exist at a time.
 class Watchdog {
  public:
   explicit Watchdog(int64_t limit_us);
