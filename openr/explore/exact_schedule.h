@@ -1,11 +1,15 @@
-// The schedule of a search: a list of choices, and the choices that need not be tried.
+// The schedule of one run of an exhaustive search.  It makes the choices that the search gives it,
+// and then avoids orders of messages that equal an order explored before.
 //
-// Two deliveries can be swapped without an effect unless they use the same memory, or send to the
-// same object, whose queue keeps their order.  A delivery uses the memory of the receiver, of the
-// sender of a notification, whose region is read, and of all objects whose regions the receiver
-// still holds.  A delivery that has been explored sleeps: it need not be tried again until another
-// one that it cannot be swapped with has happened (sleep sets, Godefroid).  A run in which only
-// sleeping deliveries are left is cut, because its orders equal those of an earlier run.
+// The deliveries of two messages can be swapped without an effect unless both use the same memory,
+// or both send to the same object, whose queue keeps the order of sending.  A delivery uses the
+// memory of the receiver, of the sender of a notification, whose region is read, and of all objects
+// whose regions the receiver still has.
+//
+// After a delivery has been explored, it "sleeps" in later runs (sleep sets, Godefroid): it is not
+// chosen until another delivery has happened with which it cannot be swapped.  A run in which only
+// sleeping deliveries are left is cut, that is, stopped early, because it can only repeat orders of
+// earlier runs.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +21,10 @@
 
 namespace openr_host {
 
-// The objects that a delivery has to do with, one bit each.  Objects from 63 on share the last bit,
-// which only makes more orders count as different.
+// The objects that the delivery of a message concerns, one bit for each object: `memory` for
+// objects whose memory is used, `queues` for objects to which a message is sent.  Objects with an
+// id from 63 on share the last bit.  Then more deliveries seem to concern the same object, and the
+// search tries more orders than necessary, but misses none.
 struct Touched {
   uint64_t memory = 0;
   uint64_t queues = 0;
@@ -29,8 +35,8 @@ struct Touched {
 };
 constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
 
-// Deliveries that need not be tried, by receiver.  Each stands for the delivery of the receiver's
-// next message.
+// The sleeping deliveries, which need not be tried, with the objects that they concern.  The key is
+// a receiver; it stands for the delivery of the next message to this receiver.
 using SleepSet = std::map<ObjectId, Touched>;
 
 nlohmann::ordered_json TouchedToJson(const Touched& touched);
@@ -40,19 +46,20 @@ SleepSet SleepFromJson(const nlohmann::ordered_json& json);
 
 class ExactSchedule : public ExploreSchedule {
  public:
-  // `plan` has "choices" (indices of the candidates, for the first questions), "sleep" (the sleep
-  // set at the last of these questions) and "reduce" (false: nothing sleeps).  Later questions get
-  // the first candidate that does not sleep.
+  // `plan` is a JSON object.  "choices" has the indices of the candidates to take at the first
+  // choices of the run.  "sleep" has the sleep set at the last of these choices.  At later choices
+  // the schedule takes the first candidate that does not sleep.  If "reduce" is false, nothing
+  // sleeps, so equal orders are tried too.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Notes the delivery of `message`.  Called before its handler runs.
+  // Notes the delivery of `message`.  Called before the handler of the receiver runs.
   void SawDelivery(const Message& message);
 
-  // Returns whether this run was cut, because it can show nothing new.
+  // Returns whether this run was cut, because it can only repeat orders of earlier runs.
   bool is_cut() const { return is_cut_; }
 
-  // Returns {"cut": bool, "nodes": [{"candidates": [ids], "chosen": index, "touched": .., "sleep":
-  // ..}]} with a node for every question.
+  // Returns what this run tells the search: {"cut": bool, "nodes": [{"candidates": [ids], "chosen":
+  // index, "touched": .., "sleep": ..}]}, with a node for every choice of the run.
   nlohmann::ordered_json Tell();
 
  protected:
@@ -78,14 +85,15 @@ class ExactSchedule : public ExploreSchedule {
 
   const bool reduce_;
   std::vector<size_t> choices_;
-  SleepSet next_sleep_;  // sleep set after the last of choices_
+  SleepSet next_sleep_;  // sleep set to use at the last of choices_
   SleepSet sleep_;
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- The current delivery, from its choice or its beginning to the choice of the next delivery
+  // ---- The current delivery.  It is current from its choice, or from its beginning if nothing
+  // could be chosen, until the next delivery is chosen or begins.
   bool has_event_ = false;
-  bool is_begun_ = false;  // its message has been delivered
+  bool is_begun_ = false;  // the message of this delivery has been delivered
   ObjectId event_target_ = kNoObject;
   size_t event_node_ = kNone;
   Touched touched_;

@@ -1,4 +1,5 @@
-// Reads the costs of handlers from a cost file; the schedule of the run chooses the jitter.
+// The costs of handlers, that is, their processor times, in a run of an exploration.  A cost file
+// gives the costs; the schedule of the run chooses their jitter, the random part.
 #pragma once
 
 #include <utility>

@@ -11,12 +11,14 @@
 namespace openr_host {
 namespace {
 
-// Largest delays of a seed; the seed chooses one.  On a real dog the longest gap between two sensor
-// vectors that an application saw was below 188 ms, where 32 ms are usual (docs/exploring.md).
+// Largest delays of messages inside the robot; each seed uses one of the three.  The largest one is
+// realistic: on a real robot the longest gap between two sensor vectors was below 188 ms, where 32
+// ms are usual (docs/exploring.md), so a vector was up to about 150 ms late.  The smaller ones
+// disturb a run less.
 constexpr int64_t kDelayMaxUs[] = {2'000, 20'000, 150'000};
 
-// Largest delay of the network.  On the robot, data came in steps of about 200 ms under load
-// (field-notes.md, 11.6).
+// Largest delay of messages from the network, in frames of 8 ms: 200 ms.  On the robot, data came
+// in steps of about 200 ms under load (field-notes.md, 11.6).
 constexpr int64_t kNetworkFramesMax = 25;
 
 }  // namespace
@@ -61,9 +63,10 @@ bool ExploreSchedule::IsNetwork(ObjectId id) {
   return known != 0;
 }
 
-// Delays a message.  Messages to one object keep the order of sending, as in the robot's queues, so
-// a delay of one message also delays the messages behind it.  Answers to Call() and messages of a
-// clock are not delayed.
+// Returns the time by which `message` is delayed.  Messages to one object keep the order of
+// sending, as in the robot's queues, so a delay of one message also delays the messages behind it.
+// Answers to Call() and messages that their sender has timed are not delayed, nor are messages to
+// system objects.
 int64_t ExploreSchedule::ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) {
   SawPost(message);
   if (message.is_reply || delay_us != 0 || system_.object(message.target)->is_system) return 0;
@@ -127,8 +130,8 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& 
     const double all[] = {static_cast<double>(rates)...};
     return all[temper.NextBelow(sizeof...(rates))];
   };
-  // All values are drawn in this order, also for parts that are switched off, so that switching off
-  // one part does not change the others.
+  // All values are drawn in this order, also for parts that are switched off.  So the values of the
+  // other parts stay the same when one part is switched off.
   const double start = one_of(0, 1, 1), tie = one_of(0.02, 0.3, 1);
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);
@@ -162,7 +165,8 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
   return static_cast<int64_t>(cost_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
 }
 
-// Picks a frame number such that the counter wraps within the run.
+// Picks a number so near to the largest frame number that the frame counter starts again at 0
+// within the run.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -

@@ -1,6 +1,7 @@
-// Schedules that write down where they leave the canonical order.
+// Schedules for exploration: they choose between the orders of messages that the robot allows, and
+// write down each choice that leaves the canonical order.
 //
-// docs/exploring.md says what may be chosen, and why the robot could do the same.
+// docs/exploring.md says what may be chosen, and why the real robot could do the same.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@ namespace openr_host {
 class Object;
 class System;
 
-// A list of deviations in memory that another process can read.
+// A list of deviations in memory that is shared with another process.  So that process can read the
+// list even after a crash of this one.
 struct DeviationLog {
   static constexpr uint64_t kMax = 1'000'000;
   uint64_t count;
@@ -28,14 +30,15 @@ struct DeviationLog {
 struct Vary {
   bool starts = true;   // the order of DoStart
   bool ties = true;     // which of several objects with a message due is first
-  bool delays = true;   // objects hear messages late
+  bool delays = true;   // objects get messages late
   bool network = true;  // data from the network come late
-  bool costs = true;    // the jitter of a cost file
+  bool costs = true;    // the jitter, that is the random part, of handler costs
   bool frames = true;   // the number of the robot's first frame
 };
 
-// Works out which choice is asked for, keeps every object's messages in order, and writes down
-// answers that differ from the canonical one.
+// Base class of the schedules.  It finds out which place in the run a choice is about, lets the
+// derived class choose, and writes down each choice that differs from the canonical one.  It keeps
+// the messages to each object in order when some are delayed.
 class ExploreSchedule : public Schedule {
  public:
   explicit ExploreSchedule(const System& system);
@@ -43,7 +46,8 @@ class ExploreSchedule : public Schedule {
   size_t Choose(Question question, const std::vector<ObjectId>& candidates) final;
   int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us) final;
 
-  // Returns how much longer (or shorter, if negative) a call of a handler takes, at most range_us.
+  // Returns how much longer (or shorter, if negative) a call of a handler takes, by at most
+  // range_us.
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
   // Returns the number of the first frame of `robot`, in a run of `frames` frames.
@@ -54,13 +58,14 @@ class ExploreSchedule : public Schedule {
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // Answers the question `spot`, which has all fields but the answer: returns the index of a
-  // candidate.
+  // Make a choice.  `spot` names the place of the choice; its fields for the result are not set
+  // yet.  PickOf() returns the index of a candidate, the others a time or a frame number.  0 is the
+  // canonical choice in each.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
   virtual int64_t PickFrame(const Deviation& spot, int64_t frames) = 0;
-  // Notes a message.  Called for every message that is posted.
+  // Tells the derived class about a message.  Called for every message that is posted.
   virtual void SawPost(const Message&) {}
 
   const System& system() const { return system_; }
@@ -77,18 +82,19 @@ class ExploreSchedule : public Schedule {
   const System& system_;
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
-  uint64_t tie_count_ = 0;  // number of ties at tie_time_us_
-  // By sender, target, selector.
+  uint64_t tie_count_ = 0;  // number of ties so far at tie_time_us_
+  // Facts about the messages so far, by sender, receiver and selector.
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // by receiver, for messages from inside the robot
-  std::vector<int8_t> is_network_;    // by object; -1: not known yet
+  std::vector<int64_t> last_due_us_;  // by receiver, for all messages but those of the network
+  std::vector<int8_t> is_network_;    // by object: is it the IPStack; -1: not known yet
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;
 };
 
-// Draws the answers from a seed.  Seeds also differ in how much they disturb a run: some do so
-// rarely, some all the time, and some make one object slow.  Seed 1 is the canonical order.
+// Draws the choices from the random generators of a seed.  Seeds also differ in how much they
+// disturb a run: with some, few choices leave the canonical order; with some, all may; some make
+// one object slow.  Seed 1 is the canonical order.
 class RandomSchedule : public ExploreSchedule {
  public:
   RandomSchedule(const System& system, uint64_t seed, const Vary& vary);
@@ -102,15 +108,17 @@ class RandomSchedule : public ExploreSchedule {
  private:
   bool Happens(Rng* rng, double rate) { return rate > 0 && rng->NextDouble() < rate; }
 
-  // The generators are separate, so that switching one part off does not change the others.
+  // Separate generators, so that the choices of one kind do not depend on how many choices of
+  // another kind were drawn before.
   Rng order_, delay_, cost_, frame_;
   double start_rate_ = 0, tie_rate_ = 0, delay_rate_ = 0, network_rate_ = 0, cost_rate_ = 0,
          frame_rate_ = 0;
   int64_t delay_max_us_ = 1;
-  ObjectId slow_ = kNoObject;  // object that is often delayed
+  ObjectId slow_ = kNoObject;  // object whose messages are often delayed
 };
 
-// Plays deviations again.  Ignores deviations whose place does not occur in the run.
+// Repeats the deviations of a list, and makes the canonical choice everywhere else.  Ignores
+// deviations whose place does not occur in the run.
 class ScriptedSchedule : public ExploreSchedule {
  public:
   ScriptedSchedule(const System& system, const std::vector<Deviation>& script);

@@ -17,11 +17,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kTail = 12;        // number of last messages shown in a failure
-constexpr size_t kSeedsNamed = 10;  // number of differing seeds that are named
+constexpr size_t kSeedsNamed = 10;  // number of seeds with differences that a result names
 
 bool IsBroken(const Json& answer) { return !answer.at("broken").is_null(); }
 
-// Passes answers on in the order of their numbers, as soon as there is no gap.
+// Passes the answers of runs on in the order of their numbers.  An answer that comes early is kept
+// until all answers before it have come.  So the result does not depend on how fast each process
+// is.
 class InOrder {
  public:
   explicit InOrder(std::function<void(const Json&)> take) : take_(std::move(take)) {}
@@ -46,7 +48,7 @@ class Sum {
  public:
   explicit Sum(const ExplorePlan& plan) : plan_(plan) {}
 
-  // Returns false when no more runs are needed.
+  // Returns false when plan_ asks to stop at the first broken property and one was found.
   bool wants_more() const { return !(plan_.stop_at_first && first_broken_); }
 
   void Add(const Json& answer) {
@@ -77,7 +79,7 @@ class Sum {
  private:
   const ExplorePlan& plan_;
   uint64_t runs_ = 0, broken_ = 0, messages_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // by reason: number of runs that it ended
+  std::map<std::string, uint64_t> ended_by_;  // number of runs for each reason of their end
   Hasher digest_;
   std::optional<Json> first_broken_;
 };
@@ -124,7 +126,7 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 Json VerifySeeds(const ExplorePlan& plan) {
   ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
-  // The seeds with a certain mark in their answer: their number, and the first of these seeds.
+  // Counts the seeds in whose answer the field `mark` is true, and keeps the first of these seeds.
   struct Marked {
     uint64_t count = 0;
     Json seeds = Json::array();

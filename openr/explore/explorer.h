@@ -1,4 +1,5 @@
-// Explores one graph with many runs: random orders, each seed twice, or all orders.
+// Explores one graph of objects with many runs: random orders of messages, two runs of each seed
+// that must be equal, or all possible orders.
 #pragma once
 
 #include <cstdint>
@@ -16,39 +17,45 @@ struct ExplorePlan {
   ForkLimits limits;
   uint64_t first_seed = 1;
   uint64_t runs = 100;        // number of seeds; for a search, limit of runs
-  int jobs = 1;               // child processes that run plans
-  bool reduce = true;         // for a search: leave out orders equal to others
+  int jobs = 1;               // number of child processes that make runs
+  bool reduce = true;         // for a search: of orders with equal results, try only one
   bool stop_at_first = true;  // stop at the first seed that breaks a property
   int shorten_runs = 2000;    // limit of runs for shortening; 0: no shortening
-  // A function that is called now and then with the number of finished runs, to show progress; may
-  // be empty.
+  // A function that is called after every counted run with the number of runs so far, to show
+  // progress; may be empty.
   std::function<void(uint64_t runs)> progress;
 };
 
-// Makes a run per seed.  The result does not depend on `jobs`.  It has
-//   "runs", "broken" (number of seeds that broke a property), "messages", "digest" (of all hashes,
-//   in the order of seeds), and "failure" of the lowest seed that broke a property, if one did.
-// With stop_at_first, "runs" counts the runs up to that seed.
+// Makes one run for each seed.  Returns a JSON object, which does not depend on `jobs`, with
+//   "runs", "broken" (number of seeds that broke a property), "ended_by" (number of runs for each
+//   reason of their end), "messages", "digest" (hash over all runs, in the order of seeds), and
+//   "failure" (MakeFailure()) of the lowest seed that broke a property, if one did.
+// With stop_at_first, only the runs up to that seed are counted.
 nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 
-// Makes two runs per seed, the second one in time slices of another length.  The result is as
-// above, with "differences" (number of seeds whose hashes of trace or state differ) and the first
-// "different_seeds".
+// Makes two runs for each seed; the second one is in a process with other memory addresses, in time
+// slices of another length.  Returns the fields of ExploreSeeds(), and "differences" (number of
+// seeds whose two runs differ in the hash of trace or state), "address_dependent" (number of seeds
+// that differ only because of the other addresses), and the first seeds of both kinds.
 nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
-// Tries all orders of starts and ties, depth first.  The result has
-//   "runs", "orders" (runs with an order of their own), "cut" (runs that turned out to be equal to
-//   others), "complete", "covered" (explored share of the tree, 0 to 1), "choices_max" (in one
-//   run), "stopped" (the reason, if not complete), "failure".
+// Tries all orders in which objects can start, and in which objects with messages due at the same
+// time can get them, depth first.  Returns a JSON object with
+//   "runs", "orders" (runs with an order of their own), "cut" (runs stopped early because they
+//   repeated an earlier order), "broken", "ended_by", "complete" (all orders were tried), "covered"
+//   (explored share of the tree of choices, 0 to 1), "choices_max" (largest number of choices in a
+//   run), "stopped" (the reason, if not complete), "failure" (MakeFailure()).
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
-// Runs `plan` with given deviations.  Returns the answer of RunPlan(), with its tail.
+// Makes one run with the deviations `script`.  Returns the answer of RunPlan(), with the last
+// messages of the run.
 nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
                                         const nlohmann::ordered_json& script, uint64_t seed);
 
-// Returns the "failure" of all functions above:
-//   "seed", "property", "time_us", "message", "text", "waits", "tail", "deviations" (shortened),
-//   "deviations_found" (number before shortening), "shorten_runs", "canonical" (true: the property
+// Returns the field "failure" of the functions above, for the `answer` of a run that broke a
+// property.  First removes the deviations that are not needed to break it.  Returns
+//   "seed", "property", "time_us", "message", "text", "waits", "tail", "deviations" (needed ones),
+//   "deviations_found" (number before the removal), "shorten_runs", "canonical" (true: the property
 //   is broken without any deviation too).
 nlohmann::ordered_json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool,
                                    const nlohmann::ordered_json& answer);

@@ -30,7 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kReady[] = "ready";
-constexpr int64_t kOddSliceUs = 50'021;  // slice of second runs; no multiple of any period
+constexpr int64_t kOddSliceUs = 50'021;  // time slice of second runs; no multiple of a frame
 
 void SilenceOutput() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -40,7 +40,7 @@ void SilenceOutput() {
   close(nowhere);
 }
 
-// Returns false if the other end of the channel is closed.
+// Sends `line` to the process at the other end of `channel`.  Returns false if that end is closed.
 bool Send(int channel, const std::string& line) {
   for (size_t done = 0; done < line.size();) {
     const ssize_t size = send(channel, line.data() + done, line.size() - done, MSG_NOSIGNAL);
@@ -51,14 +51,14 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Moves everything that is allocated from here on to other addresses, so that results which depend
-// on an address change.
+// Moves all memory that is allocated from now on to other addresses than in the first process.  If
+// the result of a program depends on addresses, the hashes of the two processes then differ.
 void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
-    return;  // the heap continues after this hole
+    return;  // the heap continues after the memory that sbrk() has skipped
   static void* volatile hole = malloc(4099);
   (void)hole;
 }
@@ -68,8 +68,8 @@ bool AreEqual(const Json& one, const Json& other) {
          one.value("trace", "") == other.value("trace", "");
 }
 
-// Runs plans in one process.  Plans with "twice" are run a second time in a process with other
-// addresses.
+// Runs plans in copies of this process.  A plan with "twice" is also run in the process
+// `elsewhere`, which has other memory addresses.
 class PlanServer {
  public:
   PlanServer(PreparedRun prepared, const RunOptions& options, const ForkLimits& limits,
@@ -82,8 +82,8 @@ class PlanServer {
     Json again = {{"seed", plan.at("seed")}, {"slice_us", kOddSliceUs}, {"blind", true}};
     if (answer.contains("time_us")) again["until_us"] = answer["time_us"];
     const bool differs = !AreEqual(answer, elsewhere_->RunOne(again));
-    // A third run, at the addresses of the first one, shows whether the addresses made the
-    // difference.
+    // A third run, at the addresses of the first one, shows whether the other addresses have made
+    // the difference.
     const bool differs_here = differs && !AreEqual(answer, server_.Run(again));
     answer["differs"] = differs_here;
     answer["depends_on_addresses"] = differs && !differs_here;
@@ -95,7 +95,8 @@ class PlanServer {
   ExplorerProcesses* const elsewhere_;
 };
 
-// Reads lines of plans and writes lines of answers until the other end is closed.
+// Reads a plan from each line that comes through `channel`, runs the plan, and sends the answer as
+// a line, until the other end of `channel` is closed.
 void Serve(PlanServer* server, int channel) {
   std::string heard;
   char buffer[65536];
@@ -122,8 +123,8 @@ struct ExplorerProcesses::Job {
   Memory memory;
   int outer_channel;
 
-  // Does the work of one child process.  The function returns and does not call _exit(), so that
-  // the destructor of the prepared run removes the folder with the copies of the images.
+  // Does the work of one child process.  Returns at the end instead of calling _exit(), so that the
+  // destructor of the prepared run removes the folder with the copies of the images.
   void Work(int channel) const;
 };
 
@@ -172,8 +173,8 @@ void ExplorerProcesses::Start(const Job& job) {
   if (pid < 0) throw std::runtime_error(fmt::format("cannot fork: {}", std::strerror(errno)));
   if (pid == 0) {
     close(channel[0]);
-    // Closes the channels to the other processes, because those would not notice the end of the
-    // explorer while this process keeps them open.
+    // Closes the inherited channels to the other child processes.  They would not notice the end of
+    // the explorer while this process keeps their channels open.
     for (const Child& other : children_) close(other.channel);
     if (job.outer_channel >= 0) close(job.outer_channel);
     job.Work(channel[1]);

@@ -1,4 +1,5 @@
-// A pool of child processes that run plans, each with a prepared run of its own.
+// A pool of child processes that make runs.  Each child process assembles the graph of objects
+// once, and then makes a run for each plan (run_plan.h) that it gets.
 #pragma once
 
 #include <sys/types.h>
@@ -21,13 +22,12 @@ enum class Memory {
 
 class ExplorerProcesses {
  public:
-  // Starts the processes and waits until each has its prepared run.  A plan with "twice" is run a
-  // second time in a process with kElsewhere and another length of time slices; `twice` says that
-  // such plans will come.  If state or trace differ, it is run a third time at the addresses of the
-  // first run.  In the answer, "depends_on_addresses" says that the third run was like the first,
-  // "differs" that it was not.  The child processes close `outer_channel`.  Throws
-  // std::runtime_error when a process cannot make its prepared run.  REQUIRES: this process has one
-  // thread.
+  // Starts `count` child processes and waits until each has assembled its graph.  `twice` says that
+  // plans with "twice" will come.  Such a plan is run again in a process with kElsewhere and time
+  // slices of another length.  If the hash of state or trace differs, a third run has the addresses
+  // of the first run.  If the third run is like the first, the answer has "depends_on_addresses",
+  // otherwise "differs".  The child processes close `outer_channel`.  Throws std::runtime_error
+  // when a process cannot assemble its graph.  REQUIRES: this process has one thread.
   ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
                     const ForkLimits& limits, int count, bool twice = false,
                     Memory memory = Memory::kAsItComes, int outer_channel = -1);
@@ -35,9 +35,9 @@ class ExplorerProcesses {
   ExplorerProcesses(const ExplorerProcesses&) = delete;
   ExplorerProcesses& operator=(const ExplorerProcesses&) = delete;
 
-  // Calls `next` until it returns nothing, gives each plan to an idle process, and calls `take` for
-  // each answer as it comes, with the number of its plan, from 0.  Throws std::runtime_error when a
-  // plan has a problem or a process has ended.
+  // Calls `next` for a plan whenever a process is idle, until `next` returns nothing.  Calls `take`
+  // for each answer as soon as it comes; `number` is the number of its plan, counted from 0.
+  // Throws std::runtime_error when a plan has a problem or a process has ended.
   void Run(const std::function<std::optional<nlohmann::ordered_json>()>& next,
            const std::function<void(size_t number, nlohmann::ordered_json answer)>& take);
 
@@ -48,12 +48,12 @@ class ExplorerProcesses {
     pid_t pid = -1;
     int channel = -1;
     bool is_busy = false;
-    size_t number = 0;  // number of its plan
-    std::string heard;  // start of the next line
+    size_t number = 0;  // number of the plan that it runs
+    std::string heard;  // received part of the next line
   };
   struct Job;  // options of a child process
   void Start(const Job& job);
-  // Returns the next line of a process if one is there, without waiting.
+  // Reads what `child` has sent, without waiting.  Returns the next line if it is complete.
   std::optional<std::string> ReadLine(Child* child);
   std::string WaitForLine(Child* child);
 

@@ -71,8 +71,9 @@ Json ForkServer::Broken(const Json& plan, const char* property, const std::strin
           {"deviations", std::move(deviations)}};
 }
 
-// Returns the answer for a copy of the process that ended early.  The copy normally writes an
-// answer without hashes before its end; if it could not, the answer is an error.
+// Returns the answer for a copy of the process that ended early.  Normally the copy has written
+// this answer itself.  If it has written only an error (EndingAnswer) or nothing, the answer is
+// made from the error or from the exit status.
 Json ForkServer::AnswerOfEndedCopy(const Json& plan, const std::string& said, int status) {
   const Json json = Json::parse(said, nullptr, false);
   if (json.is_object() && json.contains("broken")) return json;

@@ -1,7 +1,7 @@
-// Makes runs of one graph, each in a copy of the process (fork).
+// Makes runs of one graph of objects, each in a copy of the process (fork).
 //
-// Assembling a run costs more than the run itself.  A copy of the process is ready at once, and
-// every run begins in the same state, whatever an earlier run has done.
+// Assembling a graph takes longer than a run of it.  A copy of the process has the graph ready at
+// once.  Every run begins in the same state, because an earlier run has changed only its own copy.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@
 namespace openr_host {
 
 struct ForkLimits {
-  int64_t handler_us = 2'000'000;  // limit of processor time of one handler
-  int wall_s = 120;                // limit of real time of a run; only a run that hangs reaches it
+  int64_t handler_us = 2'000'000;  // limit for the processor time of a handler
+  int wall_s = 120;  // limit for the real time of a run; only a run that hangs is so long
 };
 
 class ForkServer {
  public:
-  // REQUIRES: the prepared run has not booted, and the process has one thread.
+  // REQUIRES: System::Boot() has not been called for the prepared run; the process has one thread.
   ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
   // Runs `plan` in a copy of the process and returns the answer of RunPlan().  If the copy crashes,
-  // the answer says that the property no-crash is broken; if the copy must be killed, that
-  // handlers-return is broken.  Both name the handler.  A plan that does not fit gives {"problem":
-  // text}.
+  // the answer says that the property no-crash is broken.  If a handler exceeds its limit, or the
+  // copy must be killed after wall_s, the answer says that the property handlers-return is broken.
+  // If the plan does not fit the graph, the answer is {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:
@@ -41,7 +41,7 @@ class ForkServer {
   PreparedRun prepared_;
   const RunOptions options_;
   const ForkLimits limits_;
-  DeviationLog* log_;  // shared with the copies, so that a crash does not lose it
+  DeviationLog* log_;  // memory shared with the copies, so the log outlives a crash of a copy
 };
 
 }  // namespace openr_host
