@@ -1,4 +1,5 @@
-// A prepared run: a graph of objects, assembled up to the point before System::Boot().
+// A prepared run: a robot and the objects that run on it, assembled but not started yet
+// (System::Boot() has not been called).
 #pragma once
 
 #include <functional>
@@ -16,15 +17,17 @@ struct PreparedRun {
   System* system = nullptr;
   std::vector<VirtualRobot*> robots;  // empty: a graph without a body
   ExploredCost* cost = nullptr;       // null: handlers take no time
-  std::shared_ptr<void> owner;        // keeps all of these alive
-  std::string problem;                // the reason why it cannot run, or ""
+  std::shared_ptr<void> owner;        // keeps the system, the robots and the cost alive
+  std::string problem;                // the reason why the run cannot start; "": it can
 };
 
-// Assembles the same run each time it is called.  Each explorer process calls it once.
+// A function that assembles the same run each time it is called.  Each child process of the
+// explorer calls it once.
 using PrepareRun = std::function<PreparedRun()>;
 
-// Assembles the run of a stick on a robot with a body.  Objects cannot write to the stick, and
-// there is no network outside.  Throws std::runtime_error when it cannot be assembled.
+// Assembles a run of the objects on a Memory Stick, on a robot with a simulated body.  The objects
+// cannot write to the stick and cannot reach the network of the host.  Throws std::runtime_error
+// when the run cannot be assembled.
 PreparedRun PrepareSimulation(SimulationOptions options);
 
 }  // namespace openr_host

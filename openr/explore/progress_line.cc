@@ -13,7 +13,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kPauseNs = 200'000'000;  // time between two drawings
+constexpr int64_t kPauseNs = 200'000'000;  // least time between two drawings
 constexpr char kToStart[] = "\r\x1b[K";    // moves to the start of the line and clears it
 
 std::string TimeLeft(double left_s) {

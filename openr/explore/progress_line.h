@@ -1,4 +1,4 @@
-// A line on the terminal that shows the progress of an exploration.
+// A line on the terminal that shows how far an exploration is.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,13 @@
 
 namespace openr_host {
 
-// Returns "openr explore: 40 of 100 seeds, about 90 s left".  `what` is the plural of what is
-// counted.  The time is left out at the beginning, when it is not known.
+// Returns the text of the line: "openr explore: 40 of 100 seeds, about 90 s left".  `what` is the
+// plural of what is counted, such as "seeds".  The time is left out at the beginning, when it is
+// not known.
 std::string ProgressText(uint64_t done, uint64_t total, const std::string& what, double elapsed_s);
 
-// Draws the line repeatedly in one place.  Writes nothing if `descriptor` is no terminal.
+// Draws the line on a terminal; each drawing replaces the one before.  Writes nothing if
+// `descriptor` is no terminal.
 class ProgressLine {
  public:
   ProgressLine(int descriptor, uint64_t total, std::string what);
@@ -18,7 +20,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Draws the line unless it was drawn a moment ago.
+  // Draws the line, unless the last drawing was less than 0.2 s ago.
   void Show(uint64_t done);
 
  private:

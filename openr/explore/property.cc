@@ -160,7 +160,7 @@ std::vector<std::unique_ptr<Property>> PropertyChoice::Make() const {
       for (const PropertyEntry& each : PropertyTable()) {
         if (each.by_default) properties.push_back(each.make());
       }
-    } else if (name.find(' ') != std::string::npos) {  // a line as in a file
+    } else if (name.find(' ') != std::string::npos) {  // `name` is a line as in a property file
       for (auto& property : MakeProperties("--property", name)) {
         properties.push_back(std::move(property));
       }

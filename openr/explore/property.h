@@ -1,4 +1,4 @@
-// Properties, which must hold in every run.
+// Properties: conditions that must hold in every run of an exploration.
 //
 // PropertyTable() has the built-in properties; property_file.h reads others from files.
 #pragma once
@@ -14,11 +14,11 @@
 
 namespace openr_host {
 
-// The state of a run as properties see it.
+// The parts of a run that properties can read.
 struct RunView {
   const PreparedRun* prepared = nullptr;
-  const std::vector<StandingMonitor>* standing = nullptr;  // by robot
-  int64_t last_activity_us = 0;                            // activity.h
+  const std::vector<StandingMonitor>* standing = nullptr;  // one for each robot
+  int64_t last_activity_us = 0;  // time of the last activity of an object (activity.h)
 };
 
 class Property {
@@ -28,7 +28,7 @@ class Property {
 
   const std::string& name() const { return name_; }
 
-  // Checks the property after the boot, after every frame and at the end of the run.  Returns "",
+  // Check() is called after every frame, CheckEnd() once at the end of the run.  Each returns "",
   // or a text that says how the property is broken; then the run is over.
   virtual std::string Check(const RunView&) { return ""; }
   virtual std::string CheckEnd(const RunView&) { return ""; }
@@ -44,21 +44,25 @@ struct PropertyEntry {
   std::unique_ptr<Property> (*make)();
 };
 
-// Returns the built-in properties, without no-crash and handlers-return.  These two are always on,
-// and are judged by another process, because a run that breaks them cannot go on.
+// Returns the built-in properties, without no-crash and handlers-return.  These two always have to
+// hold.  Another process checks them, because a run that breaks one of them cannot go on.
 const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
 
-// Returns kNoCrash or kHandlersReturn, whichever the text `record` (ending.h) is about.
+// Returns the property that a run broke when its process ended early.  `record` is the text that
+// was written then (Ending::record in ending.h); it is about a crash or about a handler that does
+// not return.
 const char* PropertyOfEnding(std::string_view record);
 
-// The properties to check: names of built-in ones, "default" for the default ones, names of files,
-// or a line as in such a file ("finally objects.B.state == done").
+// The properties to check in every run.  Each name is that of a built-in property, "default" for
+// all default ones, the name of a property file, or a line as in such a file ("finally
+// objects.B.state == done").
 struct PropertyChoice {
   std::vector<std::string> names = {"default"};
 
-  // Makes the properties.  Throws std::runtime_error when a name is not known or a file is wrong.
+  // Makes the properties.  Throws std::runtime_error when a name is not known or a property file
+  // has an error.
   std::vector<std::unique_ptr<Property>> Make() const;
 };
 

@@ -26,7 +26,7 @@ using When = PropertyRule::When;
 const std::vector<std::string> kWhens = {"always", "eventually", "finally"};
 const std::vector<std::string> kOps = {"==", "!=", "<=", ">=", "<", ">"};
 
-// Reads the words of one line from left to right.
+// Reads one line of a property file, word by word from left to right.
 class LineReader {
  public:
   LineReader(const RecordLine& line, std::vector<Diagnostic>* diagnostics)
@@ -158,7 +158,7 @@ class RuleProperty : public Property {
   const PropertyRule rule_;
   Quantity quantity_;
   Value last_;
-  bool has_been_ = false;  // for kEventually: the condition was true once
+  bool has_been_ = false;  // for kEventually: the comparison was true once
   bool was_looked_at_ = false;
 };
 
@@ -199,7 +199,8 @@ std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_v
 
 namespace {
 
-// Checks that names differ, because a failure is reported by name.
+// Checks that all properties have different names, because a failure is reported by the name of the
+// property.
 void CheckNames(const std::vector<PropertyRule>& rules, std::vector<Diagnostic>* diagnostics) {
   std::set<std::string> names = {kNoCrash, kHandlersReturn};
   for (const PropertyEntry& entry : PropertyTable()) names.insert(entry.name);

@@ -5,9 +5,10 @@
 //   calm:   always from 15s robots[0].pitch_deg < 10
 //   done:   finally objects.Planner.state == finished with all
 //
-// `always` means at every frame; `eventually` at one frame at least, with `within D` up to that
-// time; `finally` at the end of the run.  `from D` ignores frames before that time.  OP is == != <
-// <= > >=; texts have only == and !=.  Quantities are those of quantity.h.
+// WHEN says at which frames the comparison must be true: `always` at every frame, `eventually` at
+// one frame at least (up to time D, if `within D` is given), `finally` at the end of the run.
+// `from D` leaves out the frames before time D.  QUANTITY names a value of the run (quantity.h).
+// OP is == != < <= > >=; for texts only == and !=.
 #pragma once
 
 #include <memory>
@@ -29,20 +30,22 @@ struct PropertyRule {
   int64_t within_us = -1;  // -1: no limit
   std::string quantity;
   std::string op;
-  std::string value;   // the rest of the line, after OP
-  FilePosition place;  // place of the quantity
+  std::string value;   // the rest of the line after OP
+  FilePosition place;  // place of QUANTITY in the file, for error messages
 };
 
 // Reads the rules in `text`.  A wrong line is reported in `diagnostics` and skipped.
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 
-// `actual` is a number when the quantity is one; then `expected` must be a number too.  Throws
-// std::runtime_error when the two cannot be compared like this.
+// Compares `actual`, the value of a quantity, with the text `expected`, by an operator such as
+// "<=".  If `actual` is a number, `expected` must be a number too.  Throws std::runtime_error when
+// `expected` is none then, or when `op` cannot compare texts.
 bool Compares(const std::variant<double, std::string>& actual, const std::string& op,
               const std::string& expected);
 
-// The next two functions throw std::runtime_error with the texts of all errors.
+// Make the properties of a text, and of a file.  Both throw std::runtime_error with the texts of
+// all errors.  `file` is the name of the text in these errors.
 std::vector<std::unique_ptr<Property>> MakeProperties(const std::string& file,
                                                       std::string_view text);
 std::vector<std::unique_ptr<Property>> LoadPropertyFile(const std::string& path);

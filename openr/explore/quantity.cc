@@ -33,7 +33,7 @@ Quantity OfObject(const Object* object, const std::string& field) {
   Unknown("field of an object", field, {"state", "messages", "dropped", "queue_max"});
 }
 
-// Finds a quantity such as "JointMover.state".
+// Returns the quantity of an object with a name such as "JointMover.state".
 Quantity FindInObjects(const System& system, int robot, const std::string& name) {
   const size_t dot = name.rfind('.');
   if (dot == kNone)
@@ -48,7 +48,8 @@ Quantity FindInObjects(const System& system, int robot, const std::string& name)
   Unknown(fmt::format("object of robot {}", robot), object_name, known);
 }
 
-// Finds a joint by its name, "LF_j1", or locator.  The value is in degrees.
+// Returns the quantity for the angle of a joint, in degrees.  `name` is the joint's name in the
+// model, such as "LF_j1", or its locator, which is its name in OPEN-R.
 Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& name) {
   int joint = model.FindJoint(name);
   if (joint < 0) joint = model.FindJointByLocator(name);
@@ -62,7 +63,8 @@ Quantity FindJoint(const RobotModel& model, size_t robot, const std::string& nam
   };
 }
 
-// Finds a sensor by its locator.  The value is in OPEN-R's unit.
+// Returns the quantity for the value of a sensor, in OPEN-R's unit.  `locator` is the name of the
+// sensor in OPEN-R.
 Quantity FindSensor(const RobotModel& model, size_t robot, const std::string& locator) {
   const int sensor = model.FindSensorByLocator(locator);
   if (sensor < 0) {

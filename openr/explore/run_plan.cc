@@ -49,7 +49,8 @@ class PlanRun {
     schedule_->set_log(log);
   }
 
-  // Returns the answer for a run that an object ended together with the process.
+  // Returns the answer for a run in which an object has ended the process, by a crash or by a
+  // handler that does not return.
   Json AnswerForEnding(const Ending& ending) {
     std::string_view text = ending.record.text();
     while (text.ends_with('\n')) text.remove_suffix(1);
@@ -162,7 +163,7 @@ class PlanRun {
     return broken_.is_null() ? EndName(EndKind::kTime) : "property";
   }
 
-  // Adds the property that was broken, and the last messages before it was.
+  // Adds the broken property (null: none), the deviations and the last messages of the run.
   void AddBroken(Json* to) const {
     Json& answer = *to;
     answer["broken"] = broken_;
@@ -190,11 +191,11 @@ class PlanRun {
   const int64_t slice_us_;
   const size_t tail_max_;
   const std::unique_ptr<ExploreSchedule> schedule_;
-  ExactSchedule* const exact_;  // null: it is no ExactSchedule
+  ExactSchedule* const exact_;  // schedule_ if it is an ExactSchedule, else null
   std::vector<std::unique_ptr<Property>> properties_;
   std::vector<StandingMonitor> standing_;
   RunView view_;
-  uint64_t last_message_ = 0;  // number of the last message
+  uint64_t last_message_ = 0;  // number of the last delivered message
   std::deque<TraceRecord> tail_;
   Json broken_;
 };

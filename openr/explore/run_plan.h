@@ -1,4 +1,5 @@
-// Runs a prepared run from Boot() to its end and makes its answer.
+// Makes one run of an exploration, from the boot of the robot to the end, and returns its result as
+// an answer in JSON.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +13,36 @@ namespace openr_host {
 
 // Options that are the same for all runs of an exploration.
 struct RunOptions {
-  int64_t for_us = 20'000'000;  // virtual time
+  int64_t for_us = 20'000'000;  // length of a run in virtual time
   Vary vary;
   PropertyChoice properties;
 };
 
 // Makes one run.  Its plan and its answer are JSON, because they are sent between processes.
 //
-// Plan: "seed"; then the schedule is drawn from the seed, or
-//   "script"  deviations to play again (deviation.h)
-//   "exact"   choices of a search (exact_schedule.h)
-// and, all optional:
-//   "until_us"  instead of RunOptions::for_us     "slice_us"  time run in one go (a frame)
-//   "blind"     true: no property is looked at    "deviations" true: also given when all is well
-//   "tail"      number of last messages in the answer
+// The plan has "seed", from which the choices of the schedule are drawn, unless it has
+//   "script"  the deviations to repeat (deviation.h), or
+//   "exact"   the choices of a search (exact_schedule.h)
+// It may also have
+//   "until_us"    end of the run, instead of RunOptions::for_us
+//   "slice_us"    time from one check of the properties to the next (default: a frame)
+//   "blind"       true: no property is checked
+//   "deviations"  true: the answer has the deviations even if no property is broken
+//   "tail"        number of last messages in the answer
 //
-// Answer: "seed", "time_us", "messages", "state" and "trace" (hashes, 16 hex digits), "warnings",
-// "errors" (findings); and
-//   "broken"      null, or the first property that did not hold:
-//                 {"property", "time_us", "message" (number of the last one), "text"}
-//   "deviations"  when broken, or asked for
-//   "waits"       when broken: who waits, a text each
-//   "tail"        the last messages, a text each
-//   "exact"       of a search
+// The answer has "seed", "time_us", "messages", "state" and "trace" (hashes, 16 hex digits),
+// "warnings", "errors" (numbers of findings), and
+//   "broken"      null, or the first property that did not hold: {"property", "time_us",
+//                 "message" (number of the last message before that), "text"}
+//   "deviations"  if a property is broken or the plan asks for them
+//   "waits"       if a property is broken: a text for each object that waits for something
+//   "tail"        the last messages, a text for each
+//   "exact"       the result for the search (ExactSchedule::Tell())
 // Throws std::runtime_error when the plan does not fit the prepared run.
 //
-// Uses the prepared run up: it cannot boot again.  `log` hears of deviations as they come.
-// `on_death` gets the answer of a run that ends with the process (ending.h): "broken" says why,
-// hashes are not in it.
+// `prepared` can be used only once, because the robot cannot boot again.  Each deviation is also
+// written to `log` at once.  If the process ends during the run (ending.h), `on_death` gets the
+// answer; its "broken" says why the process ends, and it has no hashes.
 nlohmann::ordered_json RunPlan(
     PreparedRun* prepared, const nlohmann::ordered_json& plan, const RunOptions& options,
     DeviationLog* log = nullptr,

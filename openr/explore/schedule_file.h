@@ -15,10 +15,11 @@
 
 namespace openr_host {
 
-// The stick and options of an exploration, without seeds and orders.
+// The stick and the options of an exploration.  The seed and the order of messages are not part of
+// it.
 struct ExploredStick {
-  // The options of the exploration.  The file has stick, robot, world, body, robots, strict,
-  // guard_regions, cost_file and battery.
+  // The options of the exploration.  A schedule file has only stick, robot, world, body, robots,
+  // strict, guard_regions, cost_file and battery of them.
   SimulationOptions simulation;
   int64_t for_us = 20'000'000;
   std::vector<std::string> properties = {"default"};
@@ -34,11 +35,12 @@ struct ScheduleFile {
   std::string text;
 };
 
-// Reads the file; its list "deviations" goes to `deviations`.  Throws std::runtime_error with the
-// name of the file and the error.
+// Reads a schedule file.  Its list "deviations" is put into `deviations`.  Throws
+// std::runtime_error with the name of the file and the error.
 ScheduleFile ReadScheduleFile(const std::string& path, nlohmann::ordered_json* deviations);
 
-// Returns a text for people: property, time, text, the deviations and the last messages.
+// Returns the failure as a text for people: property, time, text, the deviations and the last
+// messages.
 std::string DescribeFailure(const nlohmann::ordered_json& failure);
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// Searches all orders of one graph, depth first.  Each run is given the choices that lead to it.
+// Searches all orders of messages of one graph, depth first.  Each run is given its first choices,
+// so that it begins like the run before and then takes another branch.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,13 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A question on the path to the last run, and its answers that have been explored.
+// A choice in the last run: its candidates, and which of them have been explored.
 struct Frame {
   std::vector<ObjectId> candidates;
-  SleepSet sleep;  // sleep set when the question was first asked
-  SleepSet done;   // explored candidates
+  SleepSet sleep;  // deliveries that need not be tried at this choice
+  SleepSet done;   // explored candidates, with the objects that each concerns
   size_t current = 0;
-  Touched touched;  // objects touched by the current answer
+  Touched touched;  // objects that the current candidate concerns
 };
 
 class Search {
@@ -81,14 +82,15 @@ class Search {
     }
   }
 
-  // Counts a run that crashed and ends the search.  Such a run does not report its questions, so
-  // their other answers stay unknown.
+  // Counts a run that crashed, and ends the search.  Such a run cannot report the choices that it
+  // made, so the search does not know their other candidates.
   void CountCrashedRun() {
     ++orders_;
     stopped_ = "at a run that did not come to its end";
   }
 
-  // Goes to the next answer that is worth a run.  Returns false when no such answer is left.
+  // Goes back to the last choice with a candidate that has to be explored, and takes this
+  // candidate.  Returns false when no such choice is left.
   bool Backtrack() {
     while (!stack_.empty()) {
       Frame& frame = stack_.back();
@@ -104,7 +106,8 @@ class Search {
     return false;
   }
 
-  // Returns the explored share of the tree.  The answers of one question have equal weights.
+  // Returns the explored share of the tree of choices, 0 to 1.  The candidates of one choice have
+  // equal weights.
   double Covered() const {
     if (stopped_.empty()) return 1;
     double covered = 0, weight = 1;
@@ -131,7 +134,7 @@ class Search {
   ExplorerProcesses& pool_;
   std::vector<Frame> stack_;
   uint64_t runs_ = 0, orders_ = 0, cut_ = 0, broken_ = 0;
-  std::map<std::string, uint64_t> ended_by_;  // by reason: number of orders that it ended
+  std::map<std::string, uint64_t> ended_by_;  // number of orders for each reason of their end
   size_t choices_max_ = 0;
   std::string stopped_;
   std::optional<Json> failure_;

@@ -15,7 +15,7 @@ class Shortener {
   Shortener(const StillBreaks& still_breaks, int runs_max, Json* script, Json* answer)
       : still_breaks_(still_breaks), left_(runs_max), script_(*script), answer_(*answer) {}
 
-  // Removes parts of half the length of the list, then of a quarter and so on, then single
+  // Tries to remove parts of half the length of the list, then of a quarter and so on, then single
   // deviations, until no deviation can be removed.
   void LeaveOut() {
     if (Try(Json::array())) return;
@@ -51,7 +51,7 @@ class Shortener {
         if (i < begin || i >= end) rest.push_back(script_[i]);
       }
       if (Try(std::move(rest))) {
-        any = true;  // the following part is at `begin` now
+        any = true;  // the part behind the removed one is at `begin` now
       } else {
         begin = end;
       }

@@ -7,16 +7,16 @@
 
 namespace openr_host {
 
-// A function that runs a script and returns the answer if the run breaks the property in question,
-// else nullopt.
+// A function that makes a run with the deviations `script`.  Returns the answer of the run if it
+// still breaks the same property, else nullopt.
 using StillBreaks =
     std::function<std::optional<nlohmann::ordered_json>(const nlohmann::ordered_json& script)>;
 
-// Removes deviations of `script` as long as the property stays broken, in large parts first (delta
-// debugging, Zeller and Hildebrandt), then makes delays and costs smaller.  Changes `script`, and
-// sets `answer` to that of the run with it.  Returns the number of runs, at most `runs_max`.
-// Unless that limit was reached, the property holds if any one of the remaining deviations is
-// removed.
+// Removes deviations from `script` as long as the property stays broken, first many at a time and
+// then fewer (delta debugging, Zeller and Hildebrandt); then makes delays and costs smaller.  Sets
+// `answer` to the answer of the run with the new `script`.  Returns the number of runs made, at
+// most `runs_max`.  Unless that limit was reached, no single one of the remaining deviations could
+// be removed.
 int Shorten(const StillBreaks& still_breaks, int runs_max, nlohmann::ordered_json* script,
             nlohmann::ordered_json* answer);
 
