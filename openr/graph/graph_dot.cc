@@ -1,5 +1,5 @@
-// Draws a graph in the language of Graphviz: a box per object, with its observers on the left and
-// its subjects on the right.
+// Draws a graph of objects in the language of Graphviz: a box per object, with its observers on the
+// left and its subjects on the right.
 #include <fmt/format.h>
 
 #include <map>
@@ -35,7 +35,7 @@ std::string Escaped(const std::string& text) {
   return result;
 }
 
-// Returns the name of a service without its object.
+// Returns only the part of a service's full name that follows the name of the object.
 std::string ShortName(const std::string& service) {
   const std::optional<ServiceName> name = ParseServiceName(service, nullptr);
   return name ? name->service : service;
@@ -63,8 +63,8 @@ class DotWriter {
   }
 
  private:
-  // Adds the box of an object.  A part of the robot gets two boxes: one on the left with its
-  // subjects, one on the right with its observers.
+  // Adds the box of an object.  A part of the robot (a system object) gets two boxes: one on the
+  // left with its subjects, one on the right with its observers.
   void AddObject(size_t index) {
     const GraphObject& object = graph_.objects[index];
     const std::string node = fmt::format("o{}", index);
@@ -83,8 +83,8 @@ class DotWriter {
       const GraphService& service = object.services[i];
       if (!(service.is_subject ? with_subjects : with_observers)) continue;
       ports_[{object.robot, service.name}] = fmt::format("{}:s{}", node, i);
-      // Services that no line of CONNECT.CFG names are left out, because they only fill the
-      // picture.
+      // Services without a connection in CONNECT.CFG are not drawn, because they would only make
+      // the box larger.
       if (wires_.count({object.robot, service.name}) == 0) continue;
       (service.is_subject ? right : left) +=
           fmt::format("<tr><td port=\"s{}\" align=\"{}\">{}</td></tr>", i,
@@ -129,7 +129,7 @@ class DotWriter {
 
   const GraphView& graph_;
   std::map<std::pair<int, std::string>, int> wires_;
-  std::map<std::pair<int, std::string>, std::string> ports_;  // "o1:s2"
+  std::map<std::pair<int, std::string>, std::string> ports_;  // by robot and service: "o1:s2"
   std::string text_;
 };
 

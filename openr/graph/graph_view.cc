@@ -53,8 +53,8 @@ GraphView CollectGraph(System* system_pointer) {
     const Robot& robot = system.robot(wire.robot);
     GraphConnection seen{wire.robot, wire.subject, wire.observer, wire.where, false, 0};
     const SubjectState* const subject = FindSubject(system, robot, wire.subject);
-    // The n-th connection of a subject is its n-th link, because a subject keeps its observers in
-    // the order of connecting.
+    // The n-th connection of a subject in CONNECT.CFG is the n-th of the subject's `links`, because
+    // a subject keeps its observers in the order of connecting.
     if (subject != nullptr && robot.directory.contains(wire.observer)) {
       const size_t link = links_used[{wire.robot, wire.subject}]++;
       seen.connected = link < subject->links.size();

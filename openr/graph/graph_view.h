@@ -11,7 +11,7 @@ namespace openr_host {
 class System;
 
 struct GraphService {
-  std::string name;  // full name, of four parts
+  std::string name;  // full name with four parts, such as "RCServer.Move.MoveCommand.S"
   bool is_subject = true;
 };
 
@@ -19,7 +19,7 @@ struct GraphObject {
   int robot = 0;
   std::string name;
   std::string path;   // path of the image; empty for parts of the system
-  std::string state;  // see Object::state
+  std::string state;  // text of the last line "state: ..." that the object printed
   bool is_system = false;
   std::vector<GraphService> services;  // sorted by name
 };
@@ -27,23 +27,23 @@ struct GraphObject {
 struct GraphConnection {
   int robot = 0;
   std::string subject, observer;  // names of services
-  std::string where;              // "CONNECT.CFG:4"
+  std::string where;              // line that makes the connection: "CONNECT.CFG:4"
   bool connected = false;         // false: the runtime refused the line
   uint64_t events = 0;            // number of events sent so far
 };
 
 struct GraphView {
   double virtual_time_s = 0;
-  std::vector<GraphObject> objects;          // objects with services
+  std::vector<GraphObject> objects;          // objects of the stick or with services
   std::vector<GraphConnection> connections;  // in the order of CONNECT.CFG
 };
 
-// Collects the objects, services and connections of `system`.  REQUIRES: the system has booted.
+// Returns the objects, services and connections of `system`.  REQUIRES: the system has booted.
 GraphView CollectGraph(System* system);
 
 nlohmann::ordered_json GraphToJson(const GraphView& graph);
 
-// Returns the graph in the language of Graphviz.
+// Returns the graph as a drawing in the language of Graphviz.
 std::string GraphToDot(const GraphView& graph);
 
 }  // namespace openr_host

@@ -77,7 +77,8 @@ void Breakpoints::CheckObject(const std::string& name) const {
   throw std::runtime_error(fmt::format("there is no object '{}'{}", name, DidYouMean(name, known)));
 }
 
-// Checks that a service of this name exists.  Services are known after booting.
+// Throws if no entry of an object has `part` in its name.  Any `part` is accepted while an object
+// has no names of entries, because entries get their names during the boot.
 void Breakpoints::CheckService(const std::string& part) const {
   for (const auto& object : replayer_->system().objects()) {
     if (object == nullptr) continue;

@@ -1,4 +1,4 @@
-// Conditions at which a replay stops.
+// Breakpoints: conditions at which a replay of a recorded run stops.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@
 
 namespace openr_host {
 
-// The state of a replay as quantities see it (openr/explore/quantity.h).
+// The parts of a replayed run that the condition of a breakpoint can read, such as joint angles
+// (openr/explore/quantity.h).
 class ReplayView {
  public:
   explicit ReplayView(Replayer* replayer);
 
-  // Updates the values once a frame.  Called after every message.
+  // Finds out once a frame whether each robot stands.  Called after every message.
   void Sample();
   const RunView& run() const { return run_; }
 
@@ -28,41 +29,45 @@ class ReplayView {
   int64_t frame_ = -1;
 };
 
-// The breakpoints of a session.  They are kept as text, so that they survive going back: "object
-// JointMover", "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg
-// > 10", "finding".
+// The breakpoints of a session of openr replay --step.  Each is a text: "object JointMover",
+// "service Effector", "state JointMover accepting-commands", "when robots[0].pitch_deg > 10",
+// "finding".  As text the breakpoints can be passed to another process, in which the session
+// continues after going back (stepper.h).
 class Breakpoints {
  public:
   Breakpoints(Replayer* replayer, const ReplayView* view) : replayer_(replayer), view_(view) {}
 
-  // Adds a breakpoint.  Returns "" or what is wrong with `text`.
+  // Adds the breakpoint `text`.  Returns "", or what is wrong with `text`.
   std::string Add(const std::string& text);
-  // Removes breakpoint `number`, from 1.  Returns false if there is none.
+  // Removes the breakpoint `number`, counted from 1.  Returns false if no breakpoint has this
+  // number.
   bool Remove(size_t number);
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Makes Hit() ignore conditions that hold now until they have been false once.
+  // Prepares for running on: if the condition of a "when" breakpoint holds now, Hit() ignores it
+  // until it has been false once.
   void Arm();
-  // Returns the number, from 1, of the first breakpoint that holds after the last message; 0 if
-  // none does.
+  // Returns the number, counted from 1, of the first breakpoint at which the last message has to
+  // stop the replay; 0 if there is none.
   size_t Hit();
 
-  // Returns the breakpoints as text, one per line.
+  // Save() returns all breakpoints as text, one per line; Load() replaces all breakpoints by those
+  // of such a text.
   std::string Save() const;
   void Load(const std::string& text);
 
  private:
   struct Break {
     std::string text;
-    std::optional<PropertyRule> rule;  // for "when"
+    std::optional<PropertyRule> rule;  // condition of a breakpoint "when"
     Quantity quantity;                 // the quantity of `rule`
     bool held = false;
   };
 
   Break Read(const std::string& text) const;
-  // The next two functions throw std::runtime_error when there is no object or service of this
-  // name.
+  // Both throw std::runtime_error: CheckObject() when no object has this name, CheckService() when
+  // no entry of an object has `part` in its name.
   void CheckObject(const std::string& name) const;
   void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;

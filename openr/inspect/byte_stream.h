@@ -13,13 +13,15 @@ class ByteWriter {
   void U8(uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
   void U32(uint32_t value) { Fixed(value, 4); }
   void U64(uint64_t value) { Fixed(value, 8); }
-  // Writes a number with seven bits per byte, the lowest bits first.
+  // Writes a number with seven bits per byte, the lowest bits first, so that small numbers take few
+  // bytes.
   void Varint(uint64_t value);
-  // Writes small negative numbers in few bytes: 0, -1, 1, -2 become 0, 1, 2, 3.
+  // Writes a number that may be negative, so that small numbers of either sign take few bytes: 0,
+  // -1, 1, -2 become 0, 1, 2, 3.
   void Zigzag(int64_t value) {
     Varint(static_cast<uint64_t>(value) << 1 ^ static_cast<uint64_t>(value >> 63));
   }
-  void Text(std::string_view text);  // length, then the bytes
+  void Text(std::string_view text);  // writes the length, then the bytes of the text
 
   const std::string& bytes() const { return bytes_; }
   void Clear() { bytes_.clear(); }
@@ -29,8 +31,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-// Reads bytes of ByteWriter.  Throws std::runtime_error when the bytes end too early or a number
-// has too many.
+// Reads what a ByteWriter has written.  Throws std::runtime_error when the bytes end too early, or
+// when a number of variable length has more than ten bytes.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}

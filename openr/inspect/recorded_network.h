@@ -1,5 +1,5 @@
-// Networks for recordings: one records what comes from outside, the other plays the recording
-// again.
+// Two implementations of Network: one records what comes from the network during a run, the other
+// gives a replay what was recorded.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-// Passes all calls to another network, and calls `heard` with what Poll() returned, if that was
-// anything.
+// Passes all calls to the network `inner`.  If Poll() has returned events, calls `heard` with these
+// events, so that they can be recorded.
 class RecordingNetwork : public PassingNetwork {
  public:
   using Heard = std::function<void(const std::vector<NetworkEvent>&)>;
@@ -30,7 +30,8 @@ class RecordingNetwork : public PassingNetwork {
   const Heard heard_;
 };
 
-// A network that ignores all commands.  Poll() returns the events that `say` returns.
+// The network of a replay.  All commands are ignored, because a replay sends nothing.  Poll()
+// returns the recorded events, which come from `say`.
 class ReplayedNetwork : public Network {
  public:
   using Say = std::function<std::vector<NetworkEvent>()>;

@@ -1,4 +1,4 @@
-// Records a run to a file.
+// Records a run to a file, from which openr replay can run it again.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Sets `options` so that the networks of the simulation report to this recorder.  Called before
-  // the simulation is made.
+  // Sets `options` so that this recorder is told what comes from the network.  Called before the
+  // simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
-  // Begins the file.  Throws std::runtime_error when it cannot be created or another run writes to
-  // it.  `stick` is the folder in which a replay finds the files (RunStick::name()).  `is_free`
-  // says that the run is free-running and cannot be replayed.  REQUIRES: System::Boot() has not
-  // been called; `simulation` was made with `options`.
+  // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
+  // (RunStick::name()).  `is_free` says that the run is free-running and cannot be replayed.
+  // Throws std::runtime_error when the file cannot be created or another run is writing to it.
+  // REQUIRES: System::Boot() has not been called; `simulation` was made with `options`.
   void Begin(Simulation* simulation, const SimulationOptions& options, const std::string& stick,
              bool is_free = false);
 
@@ -30,7 +30,7 @@ class Recorder {
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
-  // Ends the file.  Returns "" or the error in writing it.
+  // Writes the end of the recording.  Returns "", or the error in writing the file.
   std::string Finish(System* system) { return writer_->Finish(system); }
 
  private:

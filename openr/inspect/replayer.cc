@@ -41,8 +41,9 @@ SimulationOptions Replayer::OptionsOf(const TraceHeader& header, const ReplayOpt
   return options;
 }
 
-// Makes a copy of the stick as it was at the beginning of the run: undoes the recorded changes, the
-// last one first.
+// Makes a copy of the Memory Stick as it was at the beginning of the recorded run: copies the
+// folder `now`, and undoes in the copy the changes that are in the recording, the last one first.
+// Returns the folder of the copy.
 std::string Replayer::StickOfThen(const std::string& now) {
   namespace fs = std::filesystem;
   const fs::path stick = fs::path(folder_.path()) / "stick";
@@ -78,7 +79,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // several robots share a stick, which is read-only then
+  if (options.robots == 1) {  // a stick that several robots share is read-only
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));
@@ -172,7 +173,7 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind == Kind::kEnd) {
-    at_end_ = true;  // the recording ends inside this instant
+    at_end_ = true;  // the recording ends before the last message of this instant
     return;
   }
   if (next->kind == Kind::kLoss) return EndAtLoss();
@@ -191,8 +192,8 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (difference_.empty()) ++count_;
 }
 
-// Ends the replay where the run lost a process.  A handler may have been interrupted there, so the
-// run cannot be repeated from this place on.
+// Ends the replay where the recorded run lost a process.  The loss may have interrupted a handler
+// anywhere in its code, so the run cannot be repeated from this place on.
 void Replayer::EndAtLoss() {
   at_end_ = true;
   loss_ = fmt::format(
@@ -214,7 +215,9 @@ void Replayer::CompareEnd(const TraceEntry& end) {
   }
 }
 
-// Applies input of this instant that is not a message.  Returns whether there was any.
+// Applies the next recorded input if it is due now and is a pressed pause button, a shutdown or
+// typed text.  Returns whether input was applied.  At the end of the recording, compares the hashes
+// instead.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
@@ -275,8 +278,8 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // No message is delivered before the time of the next entry.  That is right if the next entry is
-  // input.
+  // No message was delivered before the time of the next entry of the recording.  That is right if
+  // this entry is input.  If it is a message, the replay differs from the recording.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
   const TraceEntry missing = *next;

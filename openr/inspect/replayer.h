@@ -1,4 +1,4 @@
-// Runs a recorded run again and compares it message by message.
+// Runs a recorded run again and compares each message with the recording.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ namespace openr_host {
 
 struct ReplayOptions {
   std::string file;
-  std::string stick;  // folder; "": the stick of the recording
+  std::string stick;  // folder of the Memory Stick; "": the one that the recording names
   std::function<void(std::string_view)> console;
 };
 
 class Replayer {
  public:
-  // Assembles the run up to Boot(), on a copy of the stick as it was then.  Throws
-  // std::runtime_error when the recording, or a file that it needs, cannot be used, or when the
-  // stick was changed by others than the recorded run.
+  // Assembles the run and boots it, on a copy of the Memory Stick as it was at the beginning of the
+  // recorded run.  Throws std::runtime_error when the recording, or a file that it needs, cannot be
+  // used, or when something besides the recorded run has changed files of the stick.
   explicit Replayer(const ReplayOptions& options);
   ~Replayer();
   Replayer(const Replayer&) = delete;
@@ -34,29 +34,30 @@ class Replayer {
   Simulation& simulation() { return *simulation_; }
   System& system() { return simulation_->system(); }
 
-  // Delivers one message, and all input before the next one.  Returns false at the end of the
-  // recording and after a difference.
+  // Applies the recorded input that is due, then delivers one message, or none if the next entry of
+  // the recording is later input.  Returns false at the end of the recording and after a
+  // difference.
   bool Step();
   // Runs to the end of the recording, to `time_us`, or to the first difference.
   void RunUntil(int64_t time_us);
 
-  // Returns the recording's entry for the last message.
+  // Returns the entry of the recording for the last message that was compared.
   const TraceEntry& last() const { return last_; }
   // Returns the time of the next message or input in the recording; INT64_MAX at its end.
   int64_t NextTimeUs();
-  uint64_t count() const { return count_; }  // messages that were equal
+  uint64_t count() const { return count_; }  // number of messages that were equal to the recording
   // Returns how many messages the recording has up to the message `number`; nullopt if there is no
   // such message.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns the reason why the replay ends before the recorded run did: a process was lost.  "" if
-  // the replay does not.
+  // Returns a text if the replay has to end early, at the place where the recorded run lost a
+  // process; otherwise "".
   const std::string& loss() const { return loss_; }
 
-  // Returns a text about the first difference, with number, time, port and byte; "" while there is
-  // none.
+  // Returns a text about the first difference from the recording: message, time, sender, receiver,
+  // entry, and what differs.  Returns "" while no difference was found.
   const std::string& difference() const { return difference_; }
-  // Returns the damage of the file found so far.
+  // Returns texts about damaged places of the recording that have been found so far.
   const std::vector<std::string>& problems() const { return reader_.problems(); }
   const TraceReader& reader() const { return reader_; }
 
@@ -75,7 +76,7 @@ class Replayer {
 
   const std::string file_;
   TraceReader reader_;
-  TempFolder folder_;  // holds the copy of the stick
+  TempFolder folder_;  // holds the copy of the Memory Stick
   std::unique_ptr<Simulation> simulation_;
   TraceEntry last_;
   uint64_t count_ = 0;

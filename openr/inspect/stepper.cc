@@ -43,17 +43,17 @@ constexpr char kHelp[] =
 const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
                                          "breaks", "delete", "print", "help", "quit"};
 
-// Memory that all copies of the process share.
+// Data that all copies of the process share: the state of the session of openr replay --step.
 struct Shared {
-  bool went_back;    // the copy has ended in order to go back
-  uint64_t target;   // number of messages to go back to
-  int64_t until_us;  // virtual time to run to after that; 0: stay
-  bool ends;         // the user has ended the session
+  bool went_back;    // a copy has ended because the session goes back
+  uint64_t target;   // number of messages after which going back ends
+  int64_t until_us;  // virtual time to run to after going back; 0: none
+  bool ends;         // the session is over
   bool differs;
   char breaks[kBreaksBytes];
 };
 
-// Returns the number that `text` consists of; nullopt if it is none or too large.
+// Returns the number in `text`; nullopt if `text` is no number, or the number is too large.
 std::optional<uint64_t> NumberIn(const std::string& text) {
   uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -61,8 +61,9 @@ std::optional<uint64_t> NumberIn(const std::string& text) {
   return number;
 }
 
-// Reads a line from descriptor 0, byte by byte.  A buffer cannot be used, because copies of the
-// process share the position in the input but would each have a buffer of their own.
+// Reads a line from standard input, byte by byte.  A buffer cannot be used: copies of the process
+// share the position in the input, but each would have a buffer of its own.  Returns false at the
+// end of the input.
 bool ReadLine(std::string* line) {
   line->clear();
   for (char c = 0; read(0, &c, 1) == 1;) {
@@ -90,8 +91,9 @@ class Stepper {
   }
 
  private:
-  // Forks.  Returns true in the copy, which continues, and false in the original when the session
-  // is over.
+  // Takes a snapshot: forks, and the original process waits for the copy as a snapshot of this
+  // place.  Returns true in the copy, in which the session continues.  If the session goes back to
+  // this place, makes another copy.  Returns false in the original when the session is over.
   bool Snapshot() {
     const uint64_t here = replayer_->count();
     for (;;) {
@@ -113,13 +115,14 @@ class Stepper {
         shared_->ends = shared_->differs = true;
       }
       if (shared_->ends) return false;
-      if (shared_->target < here && is_copy_) _exit(0);  // an earlier original goes back further
+      if (shared_->target < here && is_copy_) _exit(0);  // an earlier snapshot goes back further
     }
   }
 
-  // Runs from the snapshot at message `here` to the message at which going back is to end.
+  // Runs from the snapshot, which was taken after `here` messages, to the message or time to which
+  // the session goes back.
   void CatchUp(uint64_t here) {
-    went_back_ = false;  // snapshots on the way are new ones
+    went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) Forward(shared_->target - here);
     if (shared_->until_us > 0) ForwardTo(shared_->until_us);
     went_back_ = true;
@@ -142,8 +145,8 @@ class Stepper {
     return ReadLine(line);
   }
 
-  // Runs forward by `count` messages, with snapshots on the way.  Returns false if the replay ends
-  // before.
+  // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
+  // ends earlier, or if the session has gone back to one of these snapshots.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();
@@ -153,7 +156,8 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // The process came back to this snapshot, so the command to run forward is obsolete.
+        // If the session has gone back to this snapshot, the command that was running forward here
+        // is an old one and must not continue.
         if (went_back_) return false;
       }
     }
@@ -236,7 +240,7 @@ class Stepper {
   void PrintQueue();
   void PrintQuantity(const std::string& name);
 
-  // Handles the commands that take a number: steps, back and delete.  Returns false if `verb` is
+  // Handles the commands that take a number: step, back and delete.  Returns false if `verb` is
   // another command.
   bool ObeyWithNumber(const std::string& verb, const std::string& rest) {
     const bool steps = verb == "step" || verb == "s", backs = verb == "back" || verb == "b";
@@ -256,7 +260,7 @@ class Stepper {
     return true;
   }
 
-  // Handles a command.  Returns false for "quit".
+  // Handles the command `line`.  Returns false if it ends the session ("quit").
   bool Obey(const std::string& line) {
     went_back_ = false;
     std::istringstream words(line);

@@ -6,7 +6,8 @@
 namespace openr_host {
 namespace {
 
-// Largest payload that is read.  No region of this size fits the robot.
+// Largest payload that is read from a file.  No region of this size fits into the robot's memory,
+// so a larger size means that the file is damaged.
 constexpr uint64_t kPayloadMax = 64 << 20;
 
 void WriteEvent(const NetworkEvent& event, ByteWriter* out) {
@@ -57,7 +58,7 @@ void TraceCoder::WritePayload(const TraceEntry& entry, ByteWriter* out) {
   for (size_t at = 0; at < now.size();) {
     size_t equal = at;
     while (equal < now.size() && now[equal] == last[equal]) ++equal;
-    size_t other = equal;  // a new piece costs more than a short equal stretch saves
+    size_t other = equal;  // ends after 4 equal bytes; fewer would save less than a new piece costs
     for (size_t run = 0; other < now.size() && run < 4; ++other)
       run = now[other] == last[other] ? run + 1 : 0;
     out->Varint(equal - at);

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "OPENRTRC";
 constexpr size_t kBlockBytes = 64 << 10;
-constexpr size_t kBlockHead = 4 + 8;  // size and checksum
+constexpr size_t kBlockHead = 4 + 8;  // size and checksum of the block
 
 std::string HeaderText(const TraceHeader& h) {
   Json json = {{"program", h.program},
@@ -66,7 +66,7 @@ TraceHeader HeaderOf(std::string_view text) {
   json.at("images").get_to(h.images);
   json.at("strict").get_to(h.strict);
   json.at("payloads").get_to(h.payloads);
-  // Recordings that were made before this field was added mean "drain".
+  // Older recordings have no field "battery".  Their runs had a battery that drains.
   h.battery = json.value("battery", "drain");
   h.is_free = json.value("free_running", false);
   h.addresses = json.value("ip", h.addresses);
@@ -233,7 +233,8 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   coder_.emplace(header_.payloads);
 }
 
-// Returns "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
+// Returns the place of the last message for an error text: "after message 500 (t=1.248000 s,
+// Controller -> JointMover "...")".
 std::string TraceReader::AfterWhat() const {
   if (last_.number == 0) return "before the first message";
   return fmt::format("after message {} (t={:.6f} s, {} -> {} \"{}\")", last_.number,

@@ -1,7 +1,7 @@
-// A recorded run in a file: what it was made of, all input from outside, and every message.
+// The file of a recorded run: the options of the run, all input from outside, and every message.
 //
-// docs/trace-format.md describes the layout.  A file is a header and blocks with a checksum each,
-// so the file of a run that was killed can be used up to its last whole block.
+// docs/trace-format.md describes the layout.  A file is a header and blocks, each with a checksum.
+// So the file of a run that was killed can be used up to its last whole block.
 #pragma once
 
 #include <cstdint>
@@ -22,38 +22,39 @@ class System;
 struct RunEnd;
 
 constexpr uint32_t kTraceVersion = 3;
-constexpr uint32_t kOldestTraceVersion = 2;  // oldest version that can be read; it has no kEnded
+constexpr uint32_t kOldestTraceVersion = 2;  // oldest version that can be read; has no entry kEnded
 
-// Everything besides the recorded input that determines a run.
+// The options that determine a run, together with the recorded input.
 struct TraceHeader {
   std::string program;  // version of openr
-  std::string stick;    // folder, as the user wrote it
+  std::string stick;    // folder of the stick, as the user wrote it
   uint64_t stick_hash = 0;
   std::string robot, body, world;
-  std::string cost;                    // cost file; "": zero cost
-  std::string battery;                 // see ParseBattery()
-  std::string microphone, images;      // file, folder; "": none
+  std::string cost;                    // cost file; "": handlers take no time
+  std::string battery;                 // value of --battery, see ParseBattery()
+  std::string microphone, images;      // sound file, folder of pictures; "": none
   std::vector<std::string> addresses;  // arguments of --ip, "10.0.1.2=127.0.0.1"
   int robots = 1;
   uint64_t seed = 1;
   bool strict = false;
-  bool is_free = false;  // free-running runs cannot be replayed
-  bool payloads = true;  // messages carry their bytes
+  bool is_free = false;  // the run was free-running and cannot be replayed
+  bool payloads = true;  // the bytes of messages are recorded, not only their hashes
 };
 
 struct TraceEntry {
+  // The kinds of entries.  Each comment names the fields of TraceEntry that such an entry has.
   enum class Kind : uint8_t {
     kObject = 1,    // id, robot, name; comes before the first message of the object
-    kEntry = 2,     // id (of the object), selector, name
-    kMessage = 3,   // record, payload
-    kNetwork = 4,   // robot, events: result of one Poll(), during the message before
+    kEntry = 2,     // id (of the object), selector, name; comes before the first message to it
+    kMessage = 3,   // record, payload: a delivered message
+    kNetwork = 4,   // robot, events: what Poll() returned during the message before
     kPause = 5,     // time_us: the pause button was pressed
     kShutdown = 6,  // time_us: no object handled the pause button, so the program shut down
-    kEnd = 7,       // time_us, trace_hash, state_hash
-    kConsole = 8,   // time_us, robot, name: what was typed
-    kStick = 9,     // what, name, payload: a file or folder before an object changed it
-    kLoss = 10,     // time_us, name: a process was lost; the rest cannot be replayed
-    // Name, payload: EndName() and the reason, before kEnd; missing if the run was killed.
+    kEnd = 7,       // time_us, trace_hash, state_hash: the last entry
+    kConsole = 8,   // time_us, robot, name: text that was typed
+    kStick = 9,     // what, name, payload: content before an object changed a file or folder
+    kLoss = 10,     // time_us, name: a process was lost; what follows cannot be replayed
+    // name, payload: how the run ended (EndName()) and why; missing if the process was killed.
     kEnded = 11,
   };
   enum class OnStick : uint8_t { kNothing = 0, kFile = 1, kFolder = 2 };
@@ -71,8 +72,8 @@ struct TraceEntry {
   uint64_t state_hash = 0;
 };
 
-// Encodes and decodes entries.  A number that can be predicted from the entry before takes few
-// bytes.
+// Encodes and decodes entries.  Most numbers are stored as the difference to the entry before, so
+// that they take few bytes.
 class TraceCoder {
  public:
   explicit TraceCoder(bool payloads) : payloads_(payloads) {}
@@ -82,40 +83,42 @@ class TraceCoder {
  private:
   void WriteMessage(const TraceEntry& entry, ByteWriter* out);
   void ReadMessage(ByteReader* in, TraceEntry* entry);
-  // Writes the difference to the last payload of the same sender and size.
+  // Writes only the bytes of the payload that differ from the last payload of the same sender and
+  // size.
   void WritePayload(const TraceEntry& entry, ByteWriter* out);
   void ReadPayload(ByteReader* in, TraceEntry* entry);
 
   const bool payloads_;
   uint64_t number_ = 0;
   int64_t time_us_ = 0;
-  std::map<std::pair<int32_t, size_t>, std::string> last_;  // by sender and size
+  std::map<std::pair<int32_t, size_t>, std::string> last_;  // last payloads by sender and size
 };
 
 class TraceWriter {
  public:
-  // Creates `file`.  Throws std::runtime_error when it cannot be created, or another process writes
-  // to it.
+  // Creates `file`.  Throws std::runtime_error when the file cannot be created, or when another
+  // process is writing to it.
   TraceWriter(const std::string& file, const TraceHeader& header);
   ~TraceWriter();
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
 
-  // Adds a message.  Called by a sink of the System's trace.
+  // Adds an entry for a delivered message.  Called by a sink of the System's trace for every
+  // message.
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
   void AddLoss(const std::string& process, int64_t time_us);
   void AddEnded(const RunEnd& end);
   void AddConsole(int robot, std::string_view text, int64_t time_us);
-  // Adds the file or folder `path` of the host, which is about to change.  `name` is its path below
-  // the stick's folder.
+  // Adds the content of the file or folder `path` of the host, which an object is about to change.
+  // `name` is the path below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
-  // Writes out what has been added.  May be called in a signal handler that ends the process.
+  // Writes the added entries to the file.  May be called in a signal handler that ends the process.
   void Flush();
 
-  // Adds the last entry.  Returns "" or the error in writing the file.
+  // Adds the last entry and writes everything to the file.  Returns "", or the error in writing it.
   std::string Finish(System* system);
 
  private:
@@ -141,26 +144,32 @@ class TraceReader {
 
   const TraceHeader& header() const { return header_; }
 
-  // Returns the next entry without taking it; null at the end of the readable part.
+  // Returns the next entry, which the next call returns again; null at the end of the readable
+  // part.
   const TraceEntry* Peek();
-  // Takes the next entry.  REQUIRES: Peek() is not null.
+  // Returns the next entry and goes on to the entry behind it.  REQUIRES: Peek() is not null.
   TraceEntry Take();
 
-  // Returns what is damaged or missing so far: "FILE: block 3 at offset 4711: ...".
+  // Returns texts about damaged or missing places that have been found so far: "FILE: block 3 at
+  // offset 4711: ...".
   const std::vector<std::string>& problems() const { return problems_; }
 
-  // Returns "FILE: the recording does not say how the run ended: ..." when the last block is whole
-  // but no end was recorded; otherwise, and before the end of the file, "".
+  // Returns "FILE: the recording does not say how the run ended: ..." when the file ends with a
+  // whole block but without an entry about the end of the run.  Otherwise, and before the end of
+  // the file is reached, returns "".
   const std::string& note() const { return note_; }
 
-  // Returns the name of an object, or a text with its id if no entry has named it yet.
+  // Returns the name of the object `id`, or a text with the id if no entry read so far has the
+  // name.
   std::string ObjectName(int32_t id) const;
   std::string EntryName(int32_t id, uint32_t selector) const;
   int RobotOf(int32_t id) const;
-  // Returns EndName() and the reason of the run's end; empty when not recorded or not reached yet.
+  // Returns how the run ended (a word of EndName()) and the reason as text.  Both are empty if the
+  // recording does not have them, or has not been read up to them.
   const std::pair<std::string, std::string>& ended() const { return why_ended_; }
-  // At the end of the file, returns "" or an error such as "there is no object 'JointMvoer'; did
-  // you mean ...".  An empty name is never an error.
+  // Explains why no message matches a filter: returns an error such as "there is no object
+  // 'JointMvoer'; did you mean ...", or "" if the recording has the object and the service.  An
+  // empty name is no filter.  Called at the end of the file, when all names have been read.
   std::string WhyNothing(const std::string& object, const std::string& service) const;
 
  private:
@@ -173,13 +182,13 @@ class TraceReader {
   std::string bytes_;
   size_t at_ = 0;
   int block_count_ = 0;
-  size_t block_size_ = 0;  // size of the last block
+  size_t block_size_ = 0;  // size of the last block that was read
   TraceHeader header_;
   std::optional<TraceCoder> coder_;
   std::optional<ByteReader> block_;
   std::optional<TraceEntry> next_;
   bool ended_ = false;
-  TraceRecord last_{};  // record of the message before
+  TraceRecord last_{};  // record of the last message that was read
   std::pair<std::string, std::string> why_ended_;
   std::vector<std::string> problems_;
   std::string note_;

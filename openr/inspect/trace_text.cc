@@ -57,7 +57,7 @@ std::string DescribeInput(const TraceEntry& entry) {
   }
 }
 
-// Returns a field of the table, in quotes if it needs them.
+// Returns `text` as a field of a CSV table: in quotes if it has a comma, a quote or a newline.
 std::string Field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -65,8 +65,8 @@ std::string Field(const std::string& text) {
   return quoted + "\"";
 }
 
-// Length of a slice.  The length must not be 0, because the viewer draws each slice with its length
-// and ends arrows at slices.
+// Length of a slice, the bar that the Perfetto viewer draws for a handler.  Handlers take no time
+// in the recording, but a slice of length 0 could not be seen, and no arrow could end at it.
 constexpr double kSliceUs = 0.8;
 
 class PerfettoWriter {
@@ -90,7 +90,7 @@ class PerfettoWriter {
   }
 
   void AddMessage(const TraceRecord& record) {
-    // Messages of one instant are drawn side by side, in order.
+    // Messages of one instant are drawn side by side in their order, 1 us apart.
     at_ = record.time_us == instant_us_ ? at_ + 1 : static_cast<double>(record.time_us);
     instant_us_ = record.time_us;
     if (at_ < last_) at_ = last_;

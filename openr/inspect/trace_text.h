@@ -1,4 +1,4 @@
-// Shows a recorded run as text, as CSV and for the Perfetto viewer.
+// Writes a recorded run as text, as CSV and for the Perfetto viewer.
 #pragma once
 
 #include <cstdint>
@@ -10,30 +10,31 @@
 
 namespace openr_host {
 
-// Returns virtual time in seconds.
+// Converts a virtual time to seconds.
 inline double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// The messages to show; empty texts match all.
+// The filter for messages to show.  An empty text matches all messages.
 struct TraceFilter {
   std::string object;   // sender or receiver, by name
-  std::string service;  // part of the entry's name
+  std::string service;  // part of the name of the receiving entry
   int64_t from_us = 0;
   int64_t until_us = INT64_MAX;  // inclusive
 };
 
 using TextSink = std::function<void(std::string_view)>;
 
-// Writes one line per message and per input.
+// Writes one line for each message that matches, and for each input from outside.
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Writes the same table as CSV, with a line of headings.
+// Writes the messages that match as a CSV table, with a line of headings.
 void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Writes trace events in JSON for ui.perfetto.dev: a process per robot, a track per object, a slice
-// per handler, and an arrow from the handler that posted a message to the handler that got it.
+// Writes the messages that match as JSON events for ui.perfetto.dev: a process per robot, a track
+// per object, a slice per handler, and an arrow from the handler that posted a message to the
+// handler that received it.
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Returns one line: "4711 t=1.248000 JointMover -> OVirtualRobotComm ...  132 bytes".
+// Returns a line about a message: "4711 t=1.248000 JointMover -> OVirtualRobotComm ... 132 bytes".
 std::string DescribeMessage(const TraceReader& reader, const TraceRecord& record);
 
 }  // namespace openr_host
