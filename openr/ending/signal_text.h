@@ -17,7 +17,8 @@ class SignalText {
   // Writes the text to `descriptor`.
   void WriteTo(int descriptor) const;
 
-  // Adds `text` as a JSON string.  Text that does not fit is cut off inside of the string.
+  // Adds `text` as a JSON string.  If `text` is too long, its end is left out; the JSON string is
+  // closed all the same.
   SignalText& AddQuoted(const SignalText& text);
 
   std::string_view text() const { return {text_, size_}; }

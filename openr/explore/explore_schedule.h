@@ -1,5 +1,6 @@
 // Schedules for exploration: they choose between the orders of messages that the robot allows, and
-// write down each choice that leaves the canonical order.
+// write down each choice that leaves the canonical order, which is the order of a run without
+// exploration.
 //
 // docs/exploring.md says what may be chosen, and why the real robot could do the same.
 #pragma once
@@ -36,9 +37,9 @@ struct Vary {
   bool frames = true;   // the number of the robot's first frame
 };
 
-// Base class of the schedules.  It finds out which place in the run a choice is about, lets the
-// derived class choose, and writes down each choice that differs from the canonical one.  It keeps
-// the messages to each object in order when some are delayed.
+// Base class of the schedules for exploration.  It finds out which place in the run a choice is
+// about, lets the derived class choose, and writes down each choice that is not the canonical one
+// (index 0, no delay).  It keeps the messages to each object in order when some are delayed.
 class ExploreSchedule : public Schedule {
  public:
   explicit ExploreSchedule(const System& system);
@@ -83,10 +84,10 @@ class ExploreSchedule : public Schedule {
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
   uint64_t tie_count_ = 0;  // number of ties so far at tie_time_us_
-  // Facts about the messages so far, by sender, receiver and selector.
+  // Number of messages and last due time, by sender, receiver and selector (number of the handler).
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // by receiver, for all messages but those of the network
+  std::vector<int64_t> last_due_us_;  // due time of the last message, by receiver (without network)
   std::vector<int8_t> is_network_;    // by object: is it the IPStack; -1: not known yet
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;
@@ -94,7 +95,7 @@ class ExploreSchedule : public Schedule {
 
 // Draws the choices from the random generators of a seed.  Seeds also differ in how much they
 // disturb a run: with some, few choices leave the canonical order; with some, all may; some make
-// one object slow.  Seed 1 is the canonical order.
+// one object slow.  Seed 1 gives the canonical order, as without exploration.
 class RandomSchedule : public ExploreSchedule {
  public:
   RandomSchedule(const System& system, uint64_t seed, const Vary& vary);

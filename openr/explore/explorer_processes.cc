@@ -57,8 +57,9 @@ void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;
   mmap(nullptr, kHoleBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  // Leaves a hole in the heap, so that malloc() takes memory behind the hole from now on.
   if (sbrk(13 * 4096 + 16) == reinterpret_cast<void*>(-1))
-    return;  // the heap continues after the memory that sbrk() has skipped
+    return;  // sbrk() has failed: the heap stays where it is
   static void* volatile hole = malloc(4099);
   (void)hole;
 }

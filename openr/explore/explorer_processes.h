@@ -23,11 +23,12 @@ enum class Memory {
 class ExplorerProcesses {
  public:
   // Starts `count` child processes and waits until each has assembled its graph.  `twice` says that
-  // plans with "twice" will come.  Such a plan is run again in a process with kElsewhere and time
-  // slices of another length.  If the hash of state or trace differs, a third run has the addresses
-  // of the first run.  If the third run is like the first, the answer has "depends_on_addresses",
-  // otherwise "differs".  The child processes close `outer_channel`.  Throws std::runtime_error
-  // when a process cannot assemble its graph.  REQUIRES: this process has one thread.
+  // plans with the field "twice" will come.  Such a plan is run again in a process with kElsewhere
+  // and time slices of another length.  If the hash of state or trace differs, a third run follows,
+  // at the addresses of the first run.  In the answer, "depends_on_addresses" is true if the third
+  // run is like the first, "differs" is true if it is not.  The child processes close
+  // `outer_channel`.  Throws std::runtime_error when a process cannot assemble its graph.
+  // REQUIRES: this process has one thread.
   ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
                     const ForkLimits& limits, int count, bool twice = false,
                     Memory memory = Memory::kAsItComes, int outer_channel = -1);

@@ -15,7 +15,7 @@ class ExploredCost;
 
 struct PreparedRun {
   System* system = nullptr;
-  std::vector<VirtualRobot*> robots;  // empty: a graph without a body
+  std::vector<VirtualRobot*> robots;  // empty: objects without a simulated body
   ExploredCost* cost = nullptr;       // null: handlers take no time
   std::shared_ptr<void> owner;        // keeps the system, the robots and the cost alive
   std::string problem;                // the reason why the run cannot start; "": it can

@@ -5,10 +5,10 @@
 //   calm:   always from 15s robots[0].pitch_deg < 10
 //   done:   finally objects.Planner.state == finished with all
 //
-// WHEN says at which frames the comparison must be true: `always` at every frame, `eventually` at
-// one frame at least (up to time D, if `within D` is given), `finally` at the end of the run.
-// `from D` leaves out the frames before time D.  QUANTITY names a value of the run (quantity.h).
-// OP is == != < <= > >=; for texts only == and !=.
+// WHEN says at which frames (steps of 8 ms) the comparison must be true: `always` at every frame,
+// `eventually` at one frame at least (up to time D, if `within D` is given), `finally` at the end
+// of the run.  `from D` leaves out the frames before time D.  QUANTITY names a value of the run
+// (quantity.h).  OP is == != < <= > >=; for texts only == and !=.
 #pragma once
 
 #include <memory>

@@ -23,7 +23,7 @@ struct Frame {
   SleepSet sleep;  // deliveries that need not be tried at this choice
   SleepSet done;   // explored candidates, with the objects that each concerns
   size_t current = 0;
-  Touched touched;  // objects that the current candidate concerns
+  Touched touched;  // objects that the current candidate's delivery concerns
 };
 
 class Search {

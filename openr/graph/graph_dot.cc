@@ -129,7 +129,8 @@ class DotWriter {
 
   const GraphView& graph_;
   std::map<std::pair<int, std::string>, int> wires_;
-  std::map<std::pair<int, std::string>, std::string> ports_;  // by robot and service: "o1:s2"
+  // Box and row of each service in the drawing, such as "o1:s2", by robot and name of the service.
+  std::map<std::pair<int, std::string>, std::string> ports_;
   std::string text_;
 };
 

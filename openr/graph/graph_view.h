@@ -34,7 +34,7 @@ struct GraphConnection {
 
 struct GraphView {
   double virtual_time_s = 0;
-  std::vector<GraphObject> objects;          // objects of the stick or with services
+  std::vector<GraphObject> objects;          // objects of the stick; system objects with services
   std::vector<GraphConnection> connections;  // in the order of CONNECT.CFG
 };
 

@@ -31,7 +31,7 @@ class RecordingNetwork : public PassingNetwork {
 };
 
 // The network of a replay.  All commands are ignored, because a replay sends nothing.  Poll()
-// returns the recorded events, which come from `say`.
+// returns the recorded events, which the function `say` gives.
 class ReplayedNetwork : public Network {
  public:
   using Say = std::function<std::vector<NetworkEvent>()>;

@@ -43,7 +43,7 @@ void Recorder::Begin(Simulation* simulation, const SimulationOptions& options,
   system.OnConsoleInput([this, &system](int robot, std::string_view text) {
     writer_->AddConsole(robot, text, system.now_us());
   });
-  if (options.robots == 1) {  // a stick that several robots share is read-only
+  if (options.robots == 1) {  // one robot: a stick that several share is read-only
     const std::string root = simulation->stick() + "/";
     system.robot(0).stick->OnFirstChange([this, root](const MemoryStick::Location& location) {
       writer_->AddStick(location.path.substr(root.size()), location.path);

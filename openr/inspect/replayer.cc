@@ -79,7 +79,7 @@ Replayer::Replayer(const ReplayOptions& replay) : file_(replay.file), reader_(re
   }
   SimulationOptions options = OptionsOf(reader_.header(), replay);
   const std::string stick = options.stick;
-  if (options.robots == 1) {  // a stick that several robots share is read-only
+  if (options.robots == 1) {  // one robot: a stick that several share is read-only
     if (std::error_code error; !std::filesystem::is_directory(stick, error)) {
       throw std::runtime_error(
           fmt::format("{}: the stick {} is no longer there; give it with --stick", file_, stick));

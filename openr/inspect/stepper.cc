@@ -91,9 +91,9 @@ class Stepper {
   }
 
  private:
-  // Takes a snapshot: forks, and the original process waits for the copy as a snapshot of this
-  // place.  Returns true in the copy, in which the session continues.  If the session goes back to
-  // this place, makes another copy.  Returns false in the original when the session is over.
+  // Takes a snapshot of this place: forks; the copy continues the session, and the original process
+  // waits.  If the session goes back to this place, the original makes another copy.  Returns true
+  // in a copy, and false in the original when the session is over.
   bool Snapshot() {
     const uint64_t here = replayer_->count();
     for (;;) {
@@ -115,7 +115,7 @@ class Stepper {
         shared_->ends = shared_->differs = true;
       }
       if (shared_->ends) return false;
-      if (shared_->target < here && is_copy_) _exit(0);  // an earlier snapshot goes back further
+      if (shared_->target < here && is_copy_) _exit(0);  // the target is before this snapshot
     }
   }
 

@@ -103,8 +103,8 @@ class TraceWriter {
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
 
-  // Adds an entry for a delivered message.  Called by a sink of the System's trace for every
-  // message.
+  // Adds an entry for a delivered message.  Called for every message by a sink (callback) of the
+  // System's trace.
   void AddMessage(const System& system, const TraceRecord& record, const Message& message);
   void AddNetwork(int robot, std::vector<NetworkEvent> events);
   void AddAt(TraceEntry::Kind kind, int64_t time_us);
@@ -144,10 +144,10 @@ class TraceReader {
 
   const TraceHeader& header() const { return header_; }
 
-  // Returns the next entry, which the next call returns again; null at the end of the readable
-  // part.
+  // Returns the next entry without removing it; null at the end of the readable part.
   const TraceEntry* Peek();
-  // Returns the next entry and goes on to the entry behind it.  REQUIRES: Peek() is not null.
+  // Returns the next entry and removes it, so that Peek() returns the one behind it.  REQUIRES:
+  // Peek() is not null.
   TraceEntry Take();
 
   // Returns texts about damaged or missing places that have been found so far: "FILE: block 3 at

@@ -65,8 +65,9 @@ std::string Field(const std::string& text) {
   return quoted + "\"";
 }
 
-// Length of a slice, the bar that the Perfetto viewer draws for a handler.  Handlers take no time
-// in the recording, but a slice of length 0 could not be seen, and no arrow could end at it.
+// Length of a slice, the bar that the Perfetto viewer draws for a handler.  The recording does not
+// say how long handlers took, but a slice of length 0 could not be seen, and no arrow could end at
+// it.
 constexpr double kSliceUs = 0.8;
 
 class PerfettoWriter {

@@ -13,7 +13,7 @@ namespace openr_host {
 // Converts a virtual time to seconds.
 inline double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-// The filter for messages to show.  An empty text matches all messages.
+// The filter for the messages to show.  An empty text matches all messages.
 struct TraceFilter {
   std::string object;   // sender or receiver, by name
   std::string service;  // part of the name of the receiving entry
@@ -23,15 +23,15 @@ struct TraceFilter {
 
 using TextSink = std::function<void(std::string_view)>;
 
-// Writes one line for each message that matches, and for each input from outside.
+// Writes one line for each message that matches `filter`, and for each input from outside.
 void WriteTraceText(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Writes the messages that match as a CSV table, with a line of headings.
+// Writes the messages that match `filter` as a CSV table, with a line of headings.
 void WriteTraceCsv(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
-// Writes the messages that match as JSON events for ui.perfetto.dev: a process per robot, a track
-// per object, a slice per handler, and an arrow from the handler that posted a message to the
-// handler that received it.
+// Writes the messages that match `filter` as JSON events for ui.perfetto.dev: a process per robot,
+// a track per object, a slice per handler, and an arrow from the handler that posted a message to
+// the handler that received it.
 void WriteTracePerfetto(TraceReader* reader, const TraceFilter& filter, const TextSink& out);
 
 // Returns a line about a message: "4711 t=1.248000 JointMover -> OVirtualRobotComm ... 132 bytes".
