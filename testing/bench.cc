@@ -1,4 +1,4 @@
-// Bench: its construction, and the parts it is made of.
+// Bench: its construction, and how a test adds objects, probes and connections to it.
 #include "testing/bench.h"
 
 #include <fmt/format.h>
@@ -173,7 +173,7 @@ Object& Bench::AddImage(const std::string& file) {
   stick_->ImportImage(file, name);
   Object* const object = openr_host::LoadImage(system_.get(), 0, name, "AddImage");
   if (object == nullptr) {
-    AllowFinding(findings().size() - 1);  // the failure above reports it already
+    AllowFinding(findings().size() - 1);  // the exception below reports this finding
     throw std::runtime_error(findings().back().text);
   }
   return *object;
@@ -197,8 +197,8 @@ std::vector<std::string> Bench::KnownServices() {
   for (const auto& object : system_->objects()) {
     for (const auto& [selector, entry] : object->entry_names)
       services.push_back(entry.substr(0, entry.rfind(" (")));
-    // The names in the file of an image are added, because an object lists its services only after
-    // the boot.
+    // Names are also read from the image's file, because the object itself gives its services their
+    // names only while it boots.
     if (!object->is_image) continue;
     const std::string file = stick_->Locate(object->path).path;
     for (std::string& text : openr_host::ServicesInImage(openr_host::ReadImageFile(file).bytes))
@@ -227,7 +227,7 @@ std::string Bench::FullName(const std::string& name, char direction) {
   }
   if (!others.empty()) return others[0];
   const auto dots = std::count(name.begin(), name.end(), '.');
-  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // throws the error
+  if (dots == 0 || dots > 2) Probe::CheckServices({name});  // throws: no service has such a name
   throw std::invalid_argument(fmt::format(
       "there is no {} '{}' on this bench yet{}; add its object first, or write the "
       "whole name",

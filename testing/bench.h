@@ -12,11 +12,11 @@
 //     EXPECT_EQ(light.values<int>(), (std::vector{1, 0}));
 //   }
 //
-// A run is a function of the bench, its seed and the calls of the test, because everything is
-// virtual; so the run repeats bit for bit.  If a function cannot do what it is asked for, the test
-// fails at the line of the call, with the last messages, who waits for whom, and how to repeat the
-// run, and the function returns false.  A bench belongs to one test and one thread. docs/testing.md
-// is the tutorial.
+// Everything on a bench is virtual.  So a run depends only on the bench, its seed and the calls of
+// the test, and repeats bit for bit.  A function that cannot do what the test asks for returns
+// false, and the test fails at the line of the call.  The failure shows the last messages, the
+// objects that wait and what they wait for, and how to repeat the run.  A bench belongs to one test
+// and one thread.  docs/testing.md is the tutorial.
 #pragma once
 
 #include <chrono>
@@ -61,10 +61,10 @@ using Duration = std::chrono::microseconds;
 
 class Bench;
 
-// A replacement for an object of a stick.
+// A replacement for an object of a stick.  The test uses it instead of the object's image.
 struct StandIn {
-  // Replaces the object by a Probe with the services that CONNECT.CFG names for the object: the
-  // services whose first part is the object's name.
+  // Replaces the object by a Probe, an object through which the test sends and receives.  The probe
+  // has the services that CONNECT.CFG names for the object.
   StandIn(const char* the_object) : object(the_object) {}
   StandIn(std::string the_object, std::function<void(Bench&)> the_make)
       : object(std::move(the_object)), make(std::move(the_make)) {}
@@ -77,7 +77,7 @@ struct StandIn {
 // std::runtime_error when it is not found.
 std::string DefaultStick();
 
-// Returns the number in the environment variable OPENR_SEED; 1 without that variable.
+// Returns the seed in the environment variable OPENR_SEED; 1 when the variable is not set.
 uint64_t SeedOfEnvironment();
 
 struct BenchOptions {
@@ -89,17 +89,17 @@ struct BenchOptions {
   // The battery.  "drain": full at boot; "100%": stays full; "N%": N percent at boot.
   std::string battery = "drain";
   uint64_t seed = SeedOfEnvironment();
-  bool strict = false;  // limits of the robot are enforced
-  // Durations of handlers; null: handlers take no time.
+  bool strict = false;  // whether the limits of the robot (memory, stack) are enforced
+  // The virtual time that handlers take; null: handlers take none.
   std::shared_ptr<openr_host::CostModel> cost = {};
-  // Objects get read-only copies of the data that they receive.  A copy is gone once its object has
-  // said ready.  Writing to a copy crashes at that line, and using it later is an error finding or
-  // a crash.
+  // Gives objects read-only copies of the data that they receive, to find wrong uses.  A copy is
+  // unmapped when its receiver asserts ready.  A write to a copy crashes at that line.  A later use
+  // of the copy is an error finding or a crash.
   bool guard_regions = false;
-  bool measure_stacks = false;  // Object::stack_max
+  bool measure_stacks = false;  // measures how much stack each object uses: Object::stack_max
   bool allow_threads = false;  // allows other threads in the process; they must not touch the bench
   // The processor time that one call of a handler may use.  A handler that uses more ends the
-  // process with a failure that names the handler.  0s: there is no limit, for use with a debugger.
+  // process with a failure that names the handler.  0s: no limit, as needed in a debugger.
   std::chrono::microseconds handler_limit = std::chrono::seconds(10);
 };
 
@@ -107,15 +107,17 @@ class Bench {
  public:
   // Loads the stick.  Throws std::runtime_error when stick, model or world cannot be used.
   explicit Bench(BenchOptions options = {}, Place place = Place::Here());
-  // Calls Verify(), unless the test has failed fatally or no test is running.
+  // Calls Verify(), unless the test has failed fatally or throws an exception, or no test is
+  // running.
   ~Bench();
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
 
   // ---- Building: before Boot()
 
-  // Loads an object image for the host, such as the file that openr_add_object() builds, as
-  // /MS/OPEN-R/MW/OBJS/<its name>.  Throws std::runtime_error if it cannot be loaded.
+  // Loads the image of an object, such as the file that openr_add_object() builds.  The image gets
+  // the name /MS/OPEN-R/MW/OBJS/<name of `file`> on the stick.  Throws std::runtime_error if it
+  // cannot be loaded.
   openr_host::Object& AddImage(const std::string& file);
 
   // Adds an object of class T, a CodeObject that is written in the test.
@@ -123,23 +125,24 @@ class Bench {
   T& Add(const std::string& name, Args&&... args) {
     return *system().AddObject<T>(0, name, std::forward<Args>(args)...);
   }
-  // Adds an object with these services, through which the test sends and receives.
+  // Adds an object with the services `services`, through which the test sends and receives.
   Probe& AddProbe(const std::string& name, const std::vector<std::string>& services);
 
   // Connects a subject with an observer by their full names, like a line of CONNECT.CFG.
   void Wire(const std::string& subject, const std::string& observer);
 
-  // Each adds a probe with the other end of a service, and connects the two ends.  If the service's
-  // object is on the bench, the first parts of the name are enough ("Blinker.Light").
+  // Watch() adds a probe that receives from the subject `subject`.  Feed() adds a probe that sends
+  // to the observer `observer`.  Both connect the probe.  If the object is on the bench already,
+  // the first parts of the service's name are enough ("Blinker.Light").
   ProbeObserver& Watch(const std::string& subject);
   ProbeSubject& Feed(const std::string& observer);
 
-  // Returns the probe of that name, which may be a replacement for an object of the stick.  Throws
-  // std::invalid_argument when there is none.
+  // Returns the probe with this name, also if it replaces an object of the stick.  Throws
+  // std::invalid_argument when the bench has no such probe.
   Probe& probe(const std::string& name);
 
-  // Runs DoInit of all objects, makes the connections, and runs DoStart of all, until the last one
-  // has returned.
+  // Runs DoInit of all objects, makes the connections, and runs DoStart of all objects.  Returns
+  // after the last DoStart.
   bool Boot(Place place = Place::Here());
 
   // ---- Running
@@ -149,34 +152,35 @@ class Bench {
   bool Step(Place place = Place::Here());
 
   // Runs until the next handler of an object ("JointMover") or of a service ("JointMover.Mover")
-  // has returned or waits.  The overload runs until the handler of the next message that fits
-  // `spec` has.
+  // has returned or waits for a reply.  With `spec`: until the handler of the next message that
+  // fits `spec` has.
   bool StepTo(const std::string& end, Duration budget = 10s, Place place = Place::Here());
   bool StepTo(const MessageSpec& spec, Duration budget = 10s, Place place = Place::Here());
-  // Runs until the message with this number has been handled.  Failures print such numbers.
+  // Runs until the handler of message `number` has returned.  Failures print numbers of messages,
+  // so this function goes to the place of a failure.
   bool StepToMessage(uint64_t number, Place place = Place::Here());
 
   bool RunFor(Duration duration, Place place = Place::Here());
   // Runs until `predicate`, which is called after every message, returns true.
   bool RunUntil(const std::function<bool()>& predicate, Duration budget,
                 Place place = Place::Here());
-  // Runs until all expected messages have come.
+  // Runs until all messages of Expect() have come.
   bool RunUntilMet(Duration budget, Place place = Place::Here());
 
-  // Runs to the next boundary of a frame of 8 ms, with everything that is due there.
+  // Runs to the next boundary of a frame of 8 ms, and delivers everything that is due there.
   bool Frame(int count = 1, Place place = Place::Here());
-  // Runs to the end of the next sensor vector (4 frames), with everything that is due then.  Needs
-  // a body.
+  // Runs to the end of the next sensor vector (4 frames), and delivers everything that is due then.
+  // Needs a body.
   bool SensorVector(int count = 1, Place place = Place::Here());
-  // Runs until the body has made one more step, of which no object has received data yet.  Needs a
-  // body.
+  // Runs until the body has made one more step.  Stops before any object receives data of that
+  // step.  Needs a body.
   bool PhysicsStep(Place place = Place::Here());
 
   // ---- Interfering
 
-  // Posts a message as if its sender had posted it.  The ends must be connected objects of the
-  // bench.  Notify("Blinker.Light", "Eye.Light"): `data` arrive whether Eye is ready or not.
-  // ToEntry("Blinker", "Alarm").From("Clock"): `data` are the bytes of the message.
+  // Posts a message as if its sender had posted it.  Sender and receiver must be connected objects
+  // of the bench.  Notify("Blinker.Light", "Eye.Light"): Eye receives `data` whether it is ready or
+  // not.  ToEntry("Blinker", "Alarm").From("Clock"): `data` are the bytes of the message.
   template <typename T>
   bool Inject(const MessageSpec& spec, const T& data, Place place = Place::Here()) {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -189,14 +193,14 @@ class Bench {
   }
   bool InjectBytes(const MessageSpec& spec, std::string_view bytes, Place place = Place::Here());
 
-  // Prefers these objects, in this order, where the robot leaves the order open: whose DoStart is
-  // next, and whose message of those due at the same time.
+  // Prefers the objects `objects`, the first one most, where the robot leaves the order open: which
+  // object starts next, and which object gets its message first of those due at the same time.
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
 
-  // If what the next three functions are asked for never happens, the test fails.  Optional()
-  // allows that: bench.Drop(Notify("Blinker.Light")).Optional().
+  // The next three functions make the test fail if no message that fits ever comes.  Optional()
+  // prevents that failure: bench.Drop(Notify("Blinker.Light")).Optional().
 
-  // From now on, holds back messages that fit `spec`.
+  // Keeps back, from now on, messages that fit `spec`, until the test releases them.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
   HeldMessages& Hold(const std::string& subject, const std::string& observer,
                      Place place = Place::Here()) {
@@ -204,11 +208,11 @@ class Bench {
   }
   // Drops the next `count` messages that fit `spec`.
   DroppedMessages& Drop(const MessageSpec& spec, int count = 1, Place place = Place::Here());
-  // Refuses the n-th message that fits `spec`, counted from now: its sender gets sFULLMSGQENTRY, as
-  // on a robot when the queue of the receiver holds 32 messages.
+  // Refuses the n-th message that fits `spec`, counted from now.  Its sender gets sFULLMSGQENTRY,
+  // as on a robot when the queue of the receiver holds 32 messages.
   RefusedMessage& Refuse(const MessageSpec& spec, uint64_t nth = 1, Place place = Place::Here());
-  // From now on, messages that fit `spec` take longer by `extra`, but keep their order; 0: no
-  // longer.
+  // Delivers, from now on, messages that fit `spec` later by `extra`, in their old order.  0 ends
+  // the delay.
   void Delay(const MessageSpec& spec, Duration extra, Place place = Place::Here());
 
   // ---- Expecting; see expectations.h for the rules
@@ -216,7 +220,7 @@ class Bench {
   void Expect(const MessageSpec& spec, Place place = Place::Here());
   void Allow(const MessageSpec& spec, Place place = Place::Here());
   void Disallow(const MessageSpec& spec, Place place = Place::Here());
-  // Expects, allows or disallows data over a connection.
+  // Expects, allows or disallows notifications from the subject `from` to the observer `to`.
   void Expect(const std::string& from, const std::string& to, Place place = Place::Here()) {
     Expect(Notify(from, to), place);
   }
@@ -238,20 +242,22 @@ class Bench {
     expectations_.set_strict(strict, place);
   }
 
-  // Expects an error finding whose text matches.  The test fails if an error finding comes that no
-  // call of ExpectFinding() expects, or if an expected finding does not come.
+  // Expects an error finding of the runtime with a text that matches `text`.  The test fails if
+  // another error finding comes, or if an expected one does not come.
   void ExpectFinding(::testing::Matcher<const std::string&> text, Place place = Place::Here());
   void AllowFindings() { findings_allowed_ = true; }
 
-  // Reports expected messages, findings and steps of clients that have not happened, and forgets
-  // them.
+  // Reports a failure for everything that the test expects and that has not happened: messages,
+  // findings, and steps of network clients.  Forgets these expectations, so that they fail once
+  // only.
   void Verify();
 
   // ---- Looking
 
   int64_t now_us() const { return system_->now_us(); }
   const std::string& console() const { return console_; }  // text that objects have printed
-  // Returns the last text of the object's log after "state: "; "" if there is none yet.
+  // Returns the object's state: the text after "state: " in the last such line of its log.  Returns
+  // "" when it has logged none.
   const std::string& state(const std::string& object) const;
 
   // The next functions take the name of a device ("RF_j1", "head_led") or its locator
@@ -262,37 +268,38 @@ class Bench {
   int LedIntensity(std::string_view name) const;     // 0: dark
   double RollDeg() const;
   double PitchDeg() const;                     // right-handed: nose down is positive
-  bool Standing(Place place = Place::Here());  // the rule of docs/cli.md, over the next 0.6 s
+  bool Standing(Place place = Place::Here());  // after the next 0.6 s, by the rule of docs/cli.md
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
-  // Presses the pause button on the dog's back.  Needs a body.
+  // Presses the pause button on the dog's back, which tells the objects to shut down.  Needs a
+  // body.
   void PressPause();
 
   BenchStick& stick() { return *stick_; }
 
-  // Adds a client on another computer.
+  // Adds a network client on another computer.  Its script says what it sends and expects.
   TcpClient& AddClient();
-  // Returns the robot's network, for other peers and for host names.
+  // Returns the network that the robot is on.  A test can add other computers and host names to it.
   const std::shared_ptr<openr_host::LoopbackHub>& network() const { return hub_; }
 
   const std::vector<openr_host::Finding>& findings() const { return system_->findings().all(); }
-  std::string Findings() const;  // one line each
+  std::string Findings() const;  // one line for each finding
   uint64_t trace_hash() const { return system_->trace_hash(); }
   uint64_t state_hash() { return system_->state_hash(); }
 
-  // Give access to everything that the functions above do not offer.
+  // system() and object() give access to everything that the functions above do not offer.
   openr_host::System& system() { return *system_; }
   openr_host::Object& object(const std::string& name) const;  // throws std::invalid_argument
   // Makes the bench call `see` for every message, just before its handler runs.
   void OnMessage(std::function<void(const SeenMessage&)> see) { see_.push_back(std::move(see)); }
 
-  // Returns the end of a failure's text: the last messages, who waits for whom, how to repeat the
-  // run.
+  // Returns what each failure adds to its text: the last messages, the objects that wait and what
+  // they wait for, and how to repeat the run.
   std::string Story() const;
 
-  // Gives the bench a stick of its own.  Snapshot calls it in each copy of the process, so that
-  // copies share no files.
+  // Gives the bench a copy of its stick.  Snapshot calls OnCopied() in each copy of the process, so
+  // that copies share no files.
   void OnCopied();
 
  private:
@@ -311,24 +318,27 @@ class Bench {
   std::vector<std::string> ServicesOf(const std::string& object);
   // Returns the full names of all services of the objects on the bench.
   std::vector<std::string> KnownServices();
-  // Returns the full name of the service that `name` names, in full or by its first parts.
+  // Returns the full name of the service whose full name, or first parts, are `name`.  `direction`
+  // is 'S' for a subject, 'O' for an observer.  Throws std::invalid_argument when no service fits,
+  // or several do.
   std::string FullName(const std::string& name, char direction);
-  // Adds a probe with the other end of the service `given`.  Returns the probe and that service's
-  // name.
+  // Adds a probe with one service: the other end for the service `given`.  Connects the two ends.
+  // Returns the probe and the full name of its service.
   std::pair<Probe*, std::string> AddOtherEnd(const std::string& given, char direction);
 
-  // Runs `run` while threads and sockets are refused.  Reports refusals and findings as failures.
-  // Returns false if there were any.
+  // Runs the function `run`.  Meanwhile refuses objects new threads and sockets, because these
+  // would make runs differ.  Reports refusals and error findings as failures.  Returns false if
+  // there were any.
   bool Control(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }
-  // Reports a failure with Story(); returns false.
+  // Reports the failure `what` with Story() at the line `place`.  Always returns false.
   bool Miss(const Place& place, const std::string& what);
-  bool IsRunning(const Place& place);  // returns false, after a failure, before Boot()
+  bool IsRunning(const Place& place);  // reports a failure if Boot() was not called
   void See(const openr_host::Message& message);
 
-  // Reports a failure, now or after Boot(), if `spec` names an object or a service that does not
-  // exist.
+  // Reports a failure if `spec` names an object or a service that does not exist.  Before Boot()
+  // not all services are known; then Boot() makes the check.
   bool CheckNames(const MessageSpec& spec, const Place& place);
   bool CheckName(const std::string& name, const Place& place);
 
@@ -361,11 +371,11 @@ class Bench {
   std::optional<MessageSpec> goal_;  // set during StepTo()
   uint64_t goal_number_ = 0;         // set during StepToMessage()
   bool goal_reached_ = false;
-  std::vector<std::pair<MessageSpec, Place>> unchecked_;  // names to be checked at Boot()
+  std::vector<std::pair<MessageSpec, Place>> unchecked_;  // checked by Boot()
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;
-  std::set<size_t> told_;  // numbers of findings that were reported
+  std::set<size_t> told_;  // indices of findings that an exception has reported
   std::string command_;    // command that runs the test again
   // The last member, because its destructor uses the other members.
   std::unique_ptr<StoryTeller> story_teller_;

@@ -49,7 +49,7 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 // ---- Injecting
 
 // Returns whether the subject with the Ready entry `subject` is connected with the observer with
-// the Notify entry `observer`; reports a failure if not.
+// the Notify entry `observer`.  If not, reports a failure.
 bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
                          const Place& place) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);
@@ -129,7 +129,7 @@ bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
 }
 
 bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const Place& place) {
-  constexpr uint32_t kSelectors = 64;  // limit of entries of an object
+  constexpr uint32_t kSelectors = 64;  // most entries that an object can have
   const Object& target = object(spec.to());
   uint32_t selector = 0;
   while (selector < kSelectors && target.EntryName(selector) != spec.entry()) ++selector;
@@ -149,7 +149,7 @@ bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const P
          Miss(place, "Inject: the queue of the receiver is full");
 }
 
-// ---- Orders and doors
+// ---- Changing the order of messages, holding and dropping messages
 
 void Bench::Reorder(std::vector<std::string> objects, Place place) {
   for (const std::string& name : objects) CheckNames(AnyMessage().To(name), place);
@@ -159,7 +159,7 @@ void Bench::Reorder(std::vector<std::string> objects, Place place) {
 HeldMessages& Bench::Hold(const MessageSpec& spec, Place place) {
   const bool is_good = CheckNames(spec, place);
   HeldMessages& held = doors_.Hold(spec, place);
-  return is_good ? held : held.Optional();  // avoids a second failure for the same cause
+  return is_good ? held : held.Optional();  // a wrong name has failed the test already
 }
 
 DroppedMessages& Bench::Drop(const MessageSpec& spec, int count, Place place) {

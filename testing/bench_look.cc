@@ -1,4 +1,4 @@
-// Bench: functions that look at the state of the robot and the objects.
+// Bench: functions that return the state of the robot and of the objects.
 #include <errno.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ size_t IndexOf(const std::vector<Device>& devices, std::string_view name, const 
 
 }  // namespace
 
-// Returns the command that runs this test again with this seed.
+// Returns the shell command that runs the present test again with the seed `seed`.
 std::string Bench::CommandOf(uint64_t seed) {
   const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
   std::string command = fmt::format("OPENR_SEED={} {}", seed, program_invocation_name);

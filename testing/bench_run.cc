@@ -1,4 +1,4 @@
-// Bench: functions that run it.
+// Bench: functions that run the robot, and those that check the test's expectations.
 #include <fmt/format.h>
 
 #include "testing/bench.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr int64_t kBootUsMax = 60'000'000;
 constexpr int64_t kStepToMessageUsMax = 3'600'000'000;
 constexpr int64_t kFrameUsMax =
-    10 * openr_host::kFrameUs;  // longer than the time to the next frame of any body
+    10 * openr_host::kFrameUs;  // every body makes its next frame within this time
 
 std::string Seconds(Duration duration) {
   return fmt::format("{} s", static_cast<double>(duration.count()) * 1e-6);

@@ -1,4 +1,5 @@
-// The order of messages on a bench: the order of the seed, until a test asks for another order.
+// BenchSchedule, the order of messages on a bench.  The seed gives the order, until a test asks for
+// another one, for delays or for refusals.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +15,18 @@
 
 namespace openr::testing {
 
-// The n-th message of a kind, which is refused as if the receiver's queue was full.
+// The n-th message that fits `spec`.  It is refused, as if the queue of its receiver was full.
 class RefusedMessage {
  public:
   RefusedMessage(MessageSpec spec, uint64_t nth, const Place& place)
       : spec_(std::move(spec)), nth_(nth), place_(place) {}
 
-  // Declares that it is no failure of the test if the message never comes.
+  // Says that the test does not fail if the message never comes.
   RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
-  uint64_t matches() const { return matches_; }  // messages of that kind so far, up to the n-th
-  // Returns the message as text for people; "" before it came.
+  uint64_t matches() const { return matches_; }  // messages that fitted so far; at most n
+  // Returns a description of the refused message; "" if it has not come yet.
   const std::string& text() const { return text_; }
 
  private:
@@ -42,18 +43,19 @@ class BenchSchedule : public openr_host::Schedule {
  public:
   BenchSchedule(openr_host::System* system, uint64_t seed);
 
-  // Sets the order in which objects come when several may be next: the earlier in `objects`, the
-  // earlier.
+  // Sets which object is next when the robot leaves the order open.  Objects at the front of
+  // `objects` come before those behind them, and before all objects that are not in it.
   void Prefer(std::vector<std::string> objects) { preferred_ = std::move(objects); }
 
-  // From now on, messages that fit `spec` take `extra_us` longer; 0: no longer.
+  // Delivers, from now on, messages that fit `spec` later by `extra_us`; 0 ends the delay.
   void Delay(MessageSpec spec, int64_t extra_us);
 
   RefusedMessage& Refuse(MessageSpec spec, uint64_t nth, const Place& place) {
     return refused_.emplace_back(std::move(spec), nth, place);
   }
 
-  // Reports, once, the messages to be refused that never came.
+  // Reports a failure for each message that was to be refused and never came; for each message
+  // once.
   void Verify(const ReportAt& report);
 
   size_t Choose(Question question, const std::vector<openr_host::ObjectId>& candidates) override;
@@ -67,8 +69,9 @@ class BenchSchedule : public openr_host::Schedule {
   const bool is_canonical_;
   std::vector<std::string> preferred_;
   std::vector<std::pair<MessageSpec, int64_t>> delays_;
-  // The time at which the last delayed message is due, by sender and receiver.  A later message
-  // does not overtake that message.
+  // The time at which the last delayed message from a sender to a receiver is due.  Later messages
+  // between the two are delayed to at least this time, because messages must not overtake each
+  // other.
   std::map<std::pair<openr_host::ObjectId, openr_host::ObjectId>, int64_t> last_due_us_;
   std::deque<RefusedMessage> refused_;
 };

@@ -1,5 +1,5 @@
-// The Memory Stick of a bench.  It is a temporary folder that is removed with the bench, so a test
-// can neither spoil a stick nor disturb another test.
+// BenchStick, the Memory Stick of a bench: a temporary folder.  It is removed with the bench, so a
+// test can neither spoil a stick nor disturb another test.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@ namespace openr::testing {
 
 class BenchStick : public openr_host::MemoryStick {
  public:
-  // Copies the folder `model`, which holds OPEN-R/; "" makes an empty stick.  Throws
-  // std::runtime_error when there is no such folder or no room for the copy.
+  // Copies the folder `model`, which must contain the folder OPEN-R; "" makes an empty stick.
+  // Throws std::runtime_error when OPEN-R is missing or the disk has no room for the copy.
   explicit BenchStick(const std::string& model);
 
-  // ---- For tests; names are those that objects use: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
+  // ---- For tests.  Names of files are those of the robot: "/MS/OPEN-R/MW/DATA/P/TABLE.TXT"
 
   // Creates or replaces a file, and creates the folders above it.  Throws std::runtime_error when
   // the name is not below /MS.
@@ -31,12 +31,13 @@ class BenchStick : public openr_host::MemoryStick {
   std::vector<std::string> List(const std::string& folder = "/MS");
   void Remove(const std::string& name);
 
-  // Copies the image `host_file` to `name` on the stick, with the debug information beside it if
-  // there is any.  Throws std::runtime_error when the file cannot be read.
+  // Copies the image `host_file` to `name` on the stick.  Links the file with its debug information
+  // (.DBG), if it has one, beside the copy.  Throws std::runtime_error when the image cannot be
+  // read.
   void ImportImage(const std::string& host_file, const std::string& name);
 
-  // Makes a copy of the files, and uses the copy from now on.  Called in a copy of the process
-  // (fork).
+  // Copies the files to a new folder, and uses only that from now on.  Called in a copy of the
+  // process (fork), so that it cannot change the files of the original process.
   void MoveToCopy();
 
   // ---- MemoryStick

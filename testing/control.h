@@ -1,5 +1,5 @@
-// Refuses threads and real sockets, which a bench cannot control, because their timing differs from
-// run to run.
+// Refuses new threads and real sockets to objects on a bench, because their timing differs from run
+// to run, so the bench could not repeat a run.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace openr::testing {
 
-// While a ControlledScope exists on this thread, code on this thread cannot make threads or
-// sockets.  Each attempt is noted.
+// While a ControlledScope exists on a thread, code on this thread cannot create threads or sockets.
+// The scope remembers each try.
 class ControlledScope {
  public:
   ControlledScope();
@@ -16,11 +16,12 @@ class ControlledScope {
   ControlledScope(const ControlledScope&) = delete;
   ControlledScope& operator=(const ControlledScope&) = delete;
 
-  // Returns the attempts in order: "Blinker, in Alarm (message #45), asked for a thread".
+  // Returns the refused tries in order, as "Blinker, in Alarm (message #45), asked for a thread".
   const std::vector<std::string>& refused() const { return refused_; }
 
-  // Notes an attempt and returns true, or returns false when no scope exists.  `what` is "a thread"
-  // or "a socket".  Called by the functions that refuse.
+  // Returns true, and remembers the try, if this thread has a ControlledScope; returns false if it
+  // has none.  `what` is "a thread" or "a socket of the host".  Called by our pthread_create() and
+  // socket(), which fail when the result is true.
   static bool Refuse(const char* what);
 
  private:
@@ -31,7 +32,7 @@ class ControlledScope {
 // Returns the number of threads of this process.
 int ThreadCount();
 
-// Notes that a thread was made.  Called by pthread_create().
+// Notes that the process has created a thread.  Called by our pthread_create().
 void NoteThread();
 
 }  // namespace openr::testing

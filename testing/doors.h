@@ -1,4 +1,4 @@
-// Changes that a test makes to messages on their way: hold them back, drop them.
+// Doors, through which a test holds back or drops messages between two objects.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ class System;
 
 namespace openr::testing {
 
-// Messages that are held back until the test releases them.  Released messages are the first at the
-// instant at which the system runs next.
+// Messages that are held back until the test releases them.  A released message is due at once, and
+// is delivered before all other messages that are due then with the same priority.
 class HeldMessages {
  public:
   HeldMessages(openr_host::System* system, MessageSpec spec, const Place& place)
@@ -26,23 +26,23 @@ class HeldMessages {
 
   size_t count() const { return messages_.size(); }
 
-  // Declares that it is no failure of the test if no message comes to be held.
+  // Says that the test does not fail if no message was ever held.
   HeldMessages& Optional() { return is_optional_ = true, *this; }
 
-  // Ends holding, and releases all messages, the oldest first.
+  // Releases all held messages, the oldest first, and holds no more messages.
   void Release();
-  // Releases the oldest message, if there is one; goes on holding.
+  // Releases the oldest held message, if there is one.  Later messages are still held.
   void ReleaseOne();
-  // Ends holding, and releases the messages in the order `order`, which has the index of each held
-  // message once.  Throws std::invalid_argument otherwise.
+  // Releases all held messages in the order `order`, and holds no more messages.  `order` has the
+  // index of each held message exactly once; else std::invalid_argument is thrown.
   void ReleaseInOrder(const std::vector<size_t>& order);
 
-  // Returns a text for people: "2 held: notify Blinker.Blink -> Eye.Light".
+  // Returns a description: "2 held: notify Blinker.Blink -> Eye.Light".
   std::string Text() const;
 
  private:
   friend class Doors;
-  // Takes `message` if it is to be held.  Returns whether it is.
+  // Holds `message` if it fits and holding has not ended.  Returns whether the message is held now.
   bool Take(openr_host::Message* message);
 
   openr_host::System* const system_;
@@ -52,10 +52,10 @@ class HeldMessages {
   bool has_held_ = false;
   bool is_open_ = false;
   std::deque<openr_host::Message*> messages_;
-  std::set<uint64_t> passing_;  // numbers of the messages that were released one by one
+  std::set<uint64_t> passing_;  // numbers of messages released one by one; not held again
 };
 
-// Messages that are dropped, so that their receivers do not get them.
+// Messages that are dropped on their way: their receivers never get them.
 class DroppedMessages {
  public:
   DroppedMessages(MessageSpec spec, int count, const Place& place)
@@ -63,7 +63,7 @@ class DroppedMessages {
 
   int count() const { return static_cast<int>(texts_.size()); }
 
-  // Declares that it is no failure of the test if fewer messages come than were to be dropped.
+  // Says that the test does not fail if fewer messages were dropped than Drop() asked for.
   DroppedMessages& Optional() { return is_optional_ = true, *this; }
   const std::vector<std::string>& texts() const { return texts_; }
 
@@ -87,12 +87,13 @@ class Doors : public openr_host::Gate {
     return dropped_.emplace_back(std::move(spec), count, place);
   }
 
-  // Reports, once, messages to be held or dropped that never came.
+  // Reports a failure for each Hold() that never held a message, and each Drop() that dropped too
+  // few.  Reports each of them once.
   void Verify(const ReportAt& report);
 
   bool Admit(openr_host::Message* message) override;
 
-  // Returns a line for every door that is closed and holds messages.
+  // Returns one line for each Hold() that holds messages now.
   std::string Text() const;
 
  private:

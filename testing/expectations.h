@@ -1,8 +1,8 @@
 // Messages that a test expects, allows or disallows.
 //
-// Expected messages must come in the order of the calls.  Other messages may come between them,
-// unless the bench is strict: then every notification that is neither expected next nor allowed is
-// a failure.
+// Expected messages must come in the order in which the test has named them.  Other messages may
+// come between them.  In a strict bench a notification must be expected next or allowed; any other
+// is a failure.
 #pragma once
 
 #include <deque>
@@ -22,9 +22,9 @@ class Expectations {
 
   void Expect(MessageSpec spec, const Place& place);
   void Allow(MessageSpec spec) { allowed_.push_back(std::move(spec)); }
-  // From now on, reports the first message that fits `spec`.
+  // Reports, from now on, the first message that fits `spec` as a failure.
   void Disallow(MessageSpec spec, const Place& place);
-  // Sets strictness.  Failures because of it point to `place`.
+  // Sets whether the bench is strict.  Failures that follow from strictness point to `place`.
   void set_strict(bool strict, const Place& place);
 
   // Compares a message with the expectations.  Called for every message, just before its handler
@@ -34,16 +34,16 @@ class Expectations {
   // Returns whether all expected messages have come.
   bool met() const { return expected_.empty(); }
 
-  // Reports the expected messages that have not come, and forgets them.
+  // Reports a failure for the expected messages that have not come, and forgets them.
   void Verify(const Report& report);
 
  private:
   struct Expected {
     MessageSpec spec;
     Place place;
-    std::string early;  // last message that fitted, but came too early
-    // The last message between the same ends with another payload, and the reason why it did not
-    // fit.
+    std::string early;  // last message that fits, but came before its turn
+    // The last message that fits except for its payload, and the reason why the payload does not
+    // fit.  For the text of a failure.
     std::string other;
   };
   struct Disallowed {
@@ -52,7 +52,7 @@ class Expectations {
     bool reported = false;
   };
 
-  // Notes, for each expectation that has not been met, the reason why `message` does not fit.
+  // Stores `message` as `early` or `other` of each expectation that it almost fits.
   void Compare(const SeenMessage& message);
   void SeeUnexpected(const SeenMessage& message, const Report& report);
 

@@ -1,4 +1,4 @@
-// The last delivered messages, for the text of failures.
+// History, the last delivered messages.  Failures print them.
 #pragma once
 
 #include <deque>

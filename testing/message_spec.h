@@ -1,12 +1,12 @@
-// A description of messages, which all functions of a bench that concern messages take.
+// MessageSpec, a description of messages.  All functions of a bench that concern messages take one.
 //
 //   Notify("Blinker.Blink", "Eye.Light")                     data over that connection
 //   Notify("Blinker.Blink").With(Data<int>(Gt(3)))           with a payload, to anybody
 //   Ready("Eye.Light", "Blinker.Blink")                      AssertReady() of an observer
 //   ToEntry("Blinker", "Alarm")                              an extra entry, DoStart, ...
 //
-// An end is an object ("Blinker"), a service ("Blinker.Blink", or its full name), or ""
-// for any.
+// Sender and receiver are an object ("Blinker") or a service ("Blinker.Blink", or its full name).
+// "" stands for any of them.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -30,14 +30,14 @@ class MessageSpec {
  public:
   explicit MessageSpec(std::optional<MessageKind> kind = {}) : kind_(kind) {}
 
-  // Each returns a copy of this description with a further condition.
+  // From(), To(), ToEntry() and With() return a copy of this description with one more condition.
   MessageSpec From(std::string end) const;
   MessageSpec To(std::string end) const;
   MessageSpec ToEntry(std::string name) const;
   MessageSpec With(PayloadMatcher payload) const;
 
-  // Return whether `message` fits, Matches() with and MatchesEnds() without the condition on the
-  // payload.
+  // Matches() returns whether `message` meets all conditions.  MatchesEnds() does not check the
+  // condition on the payload.
   bool Matches(const SeenMessage& message) const;
   bool MatchesEnds(const SeenMessage& message) const;
 
@@ -47,7 +47,8 @@ class MessageSpec {
   const std::string& entry() const { return entry_; }
   const std::optional<PayloadMatcher>& payload() const { return payload_; }
 
-  // Returns "notify Blinker.Blink -> Eye.Light with a datum that is equal to 3".
+  // Returns a description such as "notify Blinker.Blink -> Eye.Light with a datum that is equal to
+  // 3".
   std::string Text() const;
 
  private:
@@ -63,14 +64,14 @@ MessageSpec Ready(std::string observer = "", std::string subject = "");
 MessageSpec NotReady(std::string observer = "", std::string subject = "");
 MessageSpec ToEntry(std::string object, std::string name);
 
-// Returns whether `name` is the name `service` or its first parts: "Blinker.Blink" for
-// "Blinker.Blink.int.S".
+// Returns whether `name` is the service's full name or the first parts of it, as "Blinker.Blink" is
+// of "Blinker.Blink.int.S".
 bool NamesService(std::string_view name, std::string_view service);
 
 // ---- Payloads
 
-// Reads all data of a message as values of type T.  Returns false, and writes the reason, when the
-// size of a datum does not fit.
+// Appends all data of a message to `values`, each as a T.  If a datum has not the size of a T,
+// writes that to `why` and returns false.
 template <typename T>
 bool ReadData(const SeenMessage& message, std::vector<T>* values, std::ostream* why) {
   static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -153,21 +154,22 @@ class DataMatcher : public ::testing::MatcherInterface<const SeenMessage&> {
   const ::testing::Matcher<const std::vector<T>&> inner_;
 };
 
-// Matches a message with one datum of type T that `matcher` (or a value) matches.
+// Matches a message with exactly one datum, a T that `matcher` accepts.  If `matcher` is a plain
+// value, the datum must be equal to it.
 template <typename T, typename M>
 PayloadMatcher Data(M matcher) {
   return ::testing::MakeMatcher(
       new DatumMatcher<T>(::testing::SafeMatcherCast<const T&>(std::move(matcher))));
 }
 
-// Matches a message with any number of data, as a vector of T.
+// Matches a message whose data, as a vector of T, `matcher` accepts.
 template <typename T, typename M>
 PayloadMatcher DataAre(M matcher) {
   return ::testing::MakeMatcher(
       new DataMatcher<T>(::testing::SafeMatcherCast<const std::vector<T>&>(std::move(matcher))));
 }
 
-// Matches a message with one datum, as a text up to its first NUL.
+// Matches a message with exactly one datum: a text, up to its first NUL, that `matcher` accepts.
 PayloadMatcher Text(::testing::Matcher<const std::string&> matcher);
 
 }  // namespace openr::testing

@@ -1,4 +1,4 @@
-// A line of a test that asked for something, so that a failure can point there.
+// Place, a line of a test.  A failure points to the line that made the call.
 #pragma once
 
 #include <functional>
@@ -10,21 +10,22 @@ struct Place {
   const char* file = "";
   int line = 0;
 
-  // Returns, when used as a default argument, the line of the test that makes the call.
+  // Returns the line of the call, if Here() is the default argument of a function's parameter: the
+  // compiler then takes file and line from the caller.
   static constexpr Place Here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
     return {file, line};
   }
 };
 
-// A function that takes a failure: the line of the test, and what did not hold.
+// A function that reports a failure: its line in the test and its text.
 using ReportAt = std::function<void(const Place&, const std::string&)>;
 
 // Adds a failure of the running test that points to `place`.  The test goes on.
 void Fail(const Place& place, const std::string& text);
 
-// Returns whether the running test has failed fatally.  In a copy of the process, only the part of
-// the test that runs in the copy counts.
+// Returns whether the running test has failed fatally.  A process that was copied for a test (see
+// RunInCopy()) counts only failures in the copy.
 bool FailedFatally();
-void NoteFatalFailure();  // called in the copy
+void NoteFatalFailure();  // called in such a copy
 
 }  // namespace openr::testing

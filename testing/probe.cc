@@ -26,8 +26,8 @@ std::string NameOf(const System& system, const OServiceEntry& entry) {
   return ShortName({object->name, std::string_view(name).substr(0, name.find(" ("))});
 }
 
-// Returns the end whose name, with or without the object, is `name` or begins with the parts of
-// `name`.
+// Returns the subject or observer of `ends` that has the name `name`.  `name` may leave out the
+// object and the last parts of the full name.
 template <typename End>
 End& FindEnd(std::deque<End>& ends, const Object& object, std::string_view name, const char* kind) {
   std::vector<std::string> known;

@@ -1,7 +1,7 @@
 // Probe: an object through which a test sends and receives.
 //
-// A Probe has the services that the test gives it.  Its observers store what they get.  Its
-// subjects send what the test says, and store who is ready.
+// A Probe has the services that the test gives it.  Its observers store the data they receive.  Its
+// subjects send data for the test, and store which observers are ready.
 //
 //   Probe& eye = bench.AddProbe("Eye", {"Eye.Light.int.O", "Eye.Speed.int.S"});
 //   eye.subject("Speed").Send(5);
@@ -22,7 +22,7 @@
 
 namespace openr::testing {
 
-// An event that an observer received: data of one notification, and its circumstances.
+// A notification that an observer received, with all its data.
 struct ReceivedEvent {
   int64_t time_us = 0;
   uint64_t number = 0;  // number of the message
@@ -30,7 +30,8 @@ struct ReceivedEvent {
   int notify_count = 1;
   std::vector<std::string> data;  // bytes of each datum
 
-  // Returns datum `i` as a T; reports a failure and returns zeros if its size does not fit.
+  // Returns datum `i` as a T.  If the message has no such datum, or one of another size, reports a
+  // failure and returns zeros.
   template <typename T>
   T as(size_t i = 0, Place place = Place::Here()) const {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -60,8 +61,8 @@ class ProbeObserver {
     }
     return all;
   }
-  // Returns the last datum of the last event; reports a failure and returns zeros when there is
-  // none.
+  // Returns the last datum of the last event.  If no data have come, reports a failure and returns
+  // zeros.
   template <typename T>
   T last(Place place = Place::Here()) const {
     if (CheckAny(place)) return events_.back().as<T>(events_.back().data.size() - 1, place);
@@ -69,8 +70,8 @@ class ProbeObserver {
   }
   void Clear() { events_.clear(); }
 
-  // Sets whether the observer says ready when the probe starts and after every event (`on`, the
-  // default), or only when the test calls AssertReady().
+  // Sets when the observer asserts ready.  If `on`, which is the default: when the probe starts and
+  // after every event.  If not: only when the test calls AssertReady().
   void set_auto_ready(bool on) { auto_ready_ = on; }
   OStatus AssertReady();
   OStatus DeassertReady();
@@ -93,7 +94,7 @@ class ProbeObserver {
   std::function<void(const ONotifyEvent&)> on_event_;
 };
 
-// A ready or deassert of an observer that a subject of a probe received.
+// A ready or deassert that a probe's subject received from an observer.
 struct ReceivedReady {
   int64_t time_us = 0;
   std::string from;       // "Eye.Light"
@@ -102,14 +103,15 @@ struct ReceivedReady {
 
 class ProbeSubject {
  public:
-  // Sends `value` to the observers.  Data for observers that are not ready wait, as on the robot.
-  // Reports a failure when no observer is connected.
+  // Sends `value` to the connected observers.  Data for an observer that is not ready wait until it
+  // is, as on the robot.  Reports a failure when no observer is connected.
   template <typename T>
   OStatus Send(const T& value, Place place = Place::Here()) {
     Set(value, place);
     return Notify();
   }
-  // Set() and Notify() do the same as Send() in two steps, for several data in one event.
+  // Set() and Notify() are the two steps of Send().  Several calls of Set() before Notify() send
+  // several data in one event.
   template <typename T>
   OStatus Set(const T& value, Place place = Place::Here()) {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
@@ -117,10 +119,10 @@ class ProbeSubject {
   }
   OStatus SetBytes(const void* bytes, size_t size, Place place = Place::Here());
   OStatus Notify();
-  // Sends a text with its NUL.
+  // Sends the characters of `text` and a NUL at their end.
   OStatus SendText(const std::string& text, Place place = Place::Here());
 
-  // Return whether all observers are ready, and whether at least one observer is ready.
+  // Return whether all connected observers are ready, and whether any of them is.
   bool all_ready() const { return end_->IsAllReady() != 0; }
   bool any_ready() const { return end_->IsAnyReady() != 0; }
   const std::vector<ReceivedReady>& readies() const { return readies_; }
@@ -142,21 +144,23 @@ class ProbeSubject {
 
 class Probe : public openr_host::CodeObject {
  public:
-  // Creates the ends of `services`, which are full names.  REQUIRES: CheckServices() accepts them.
+  // Creates a subject or an observer for each name in `services`, such as "Eye.Light.int.O".
+  // REQUIRES: CheckServices(services) does not throw.
   explicit Probe(const std::vector<std::string>& services);
 
-  // Throws std::invalid_argument if `services` has a name that no service can have.
+  // Throws std::invalid_argument if a name in `services` is not the full name of a service.
   static void CheckServices(const std::vector<std::string>& services);
 
-  // Return the end of a service by its full name or the first parts of it, with or without the
-  // object: "Eye.Light" or "Light".  If there is none, throw std::invalid_argument that lists the
-  // existing services.
+  // Return the subject or observer with the name `service`.  The first parts of its name are
+  // enough, with or without the object: "Eye.Light" or "Light".  If the probe has none,
+  // std::invalid_argument lists those that it has.
   ProbeSubject& subject(std::string_view service);
   ProbeObserver& observer(std::string_view service);
 
-  // Returns the names of the called handlers "DoInit", "DoStart", ... in the order of the calls.
+  // Returns the names of the handlers "DoInit", "DoStart", "DoStop", "DoDestroy" that were called,
+  // in order.
   const std::vector<std::string>& calls() const { return calls_; }
-  // Sets a function that runs in DoStart, before the observers say that they are ready.
+  // Sets a function that DoStart calls before the observers assert ready.
   void set_on_start(std::function<void()> call) { on_start_ = std::move(call); }
 
   OStatus DoInit(const OSystemEvent& event) override;

@@ -31,8 +31,8 @@ struct ResultHeader {
   size_t message_size;
 };
 
-// Takes every test result in a copy, also inside of EXPECT_NONFATAL_FAILURE(), and sends it to the
-// original at once, so that no result is lost when the copy crashes.
+// Sends every test result of a copy to its original process at once, so that no result is lost when
+// the copy crashes.  That includes results inside of EXPECT_NONFATAL_FAILURE().
 class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
  public:
   explicit ResultSender(int pipe)
@@ -41,13 +41,13 @@ class ResultSender : public ::testing::ScopedFakeTestPartResultReporter {
   void ReportTestPartResult(const TestPartResult& result) override {
     if (result.fatally_failed()) NoteFatalFailure();
     const std::string file = result.file_name() == nullptr ? "" : result.file_name();
-    // The copy adds the story itself, because the original process knows only the story of its own
-    // bench.
+    // The copy adds its story (last messages, who waits) itself, because the original process does
+    // not know what happened in the copy.
     const std::string message =
         result.failed() ? StoryTeller::WithStory(result.message()) : result.message();
     const ResultHeader header{result.type(), result.line_number(), file.size(), message.size()};
-    // Errors are ignored: they mean that the original process is gone, and then the results are of
-    // no use.
+    // Errors of WriteAll() are ignored: the original process has ended then, and nobody needs the
+    // results.
     WriteAll(pipe_, {reinterpret_cast<const char*>(&header), sizeof header});
     WriteAll(pipe_, file);
     WriteAll(pipe_, message);

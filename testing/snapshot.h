@@ -1,5 +1,5 @@
-// A state that takes long to reach is reached once.  Every test gets a copy of the process in this
-// state.
+// Snapshot, a state of a bench that takes long to reach.  The state is reached once, and every test
+// gets a copy of the process in this state.
 //
 //   Snapshot<Bench>& Standing() {
 //     static Snapshot<Bench> standing([] {
@@ -14,9 +14,9 @@
 //     Standing().Run([](Bench& bench) { ... });
 //   }
 //
-// A copy (fork) takes a fraction of a millisecond and shares nothing with other copies, so a test
-// may change the state or crash.  Failures and skips in a copy belong to the test that asked for
-// it, at the same lines.
+// A copy (made with fork) takes less than a millisecond and shares nothing with other copies, so a
+// test may change the state or crash.  A failure or a skip in a copy counts for the test that runs
+// there, at the same line.
 #pragma once
 
 #include <functional>
@@ -27,18 +27,19 @@
 
 namespace openr::testing {
 
-// Runs `body` in a copy of this process.  A failure in the copy, and a crash of it, is a failure of
-// the running test.  REQUIRES: the process has one thread (reports a failure otherwise).
+// Runs `body` in a copy of this process.  Failures of the copy, and its crash, are failures of the
+// running test.  Reports a failure, and does not run `body`, if this process has more than one
+// thread.
 void RunInCopy(const std::function<void()>& body, const Place& place);
 
-// A state of a World that several tests go on from, each in a copy of the process.  World may be
-// any type.  If it has a member OnCopied(), each copy calls it first, to replace what copies must
-// not share (a Bench replaces its stick).
+// A state from which several tests go on, each in a copy of the process.  World is any type, such
+// as Bench.  If it has a function OnCopied(), each copy calls that first, to replace what copies
+// must not share (a Bench replaces its stick).
 template <typename World>
 class Snapshot {
  public:
-  // `make` reaches the state.  `make` is called once, when the first test asks for the state.  A
-  // null result means that it failed.
+  // Takes the function `make`, which makes a World and brings it to the state.  The first test
+  // calls `make`, no later test does.  A null result means that the state was not reached.
   explicit Snapshot(std::function<std::unique_ptr<World>()> make) : make_(std::move(make)) {}
 
   void Run(const std::function<void(World&)>& test, Place place = Place::Here()) {

@@ -12,15 +12,15 @@
 namespace openr::testing {
 namespace {
 
-// The beginning of the last part of a story; see Bench::Story().
+// The first words of the last line of a story.  A failure that contains them has a story already.
 constexpr char kMark[] = "To see it again: ";
 
 StoryTeller* g_newest = nullptr;
-// The running test.  It is kept here, because GoogleTest holds a lock while it reports a failure,
-// so that asking for the test would block.
+// The running test.  Stored here, because GoogleTest holds a lock while it reports a failure; a
+// call that asks for the test would then wait for ever.
 const ::testing::TestInfo* g_test = nullptr;
 
-// Prints the story after the first failure of each test.
+// Prints the story of the bench after the first failure of each test.
 class Listener : public ::testing::EmptyTestEventListener {
  public:
   void OnTestStart(const ::testing::TestInfo& test) override {
@@ -53,7 +53,8 @@ void Listen() {
 
 }  // namespace
 
-// The objects that handle crashes and handlers that do not return, in this process.
+// Handlers for crashes and for object handlers that do not return.  Only the newest bench of the
+// process has them.
 struct StoryTeller::Guards {
   explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
 
@@ -64,7 +65,7 @@ struct StoryTeller::Guards {
     std::fflush(nullptr);
   }};
 
-  static inline std::unique_ptr<Guards> now;  // of the newest bench
+  static inline std::unique_ptr<Guards> now;  // those of the newest bench
 };
 
 StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_limit_us)
@@ -75,8 +76,8 @@ StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_lim
   OnCopied();
 }
 
-// Takes this StoryTeller out of the list.  It need not be the newest, because a test may destroy
-// its benches in any order.
+// Removes this StoryTeller from the list that begins with `g_newest`.  A test may destroy its
+// benches in any order, so this StoryTeller may be anywhere in the list.
 StoryTeller::~StoryTeller() {
   StoryTeller** link = &g_newest;
   while (*link != this) link = &(*link)->outer_;

@@ -1,5 +1,5 @@
-// Adds to every failure of a test what happened on its bench: to failures of the bench's own
-// functions, of plain EXPECTs, to crashes, and to handlers that do not return.
+// StoryTeller adds to each failure of a test what happened on its bench.  That holds for failures
+// of the bench's functions, plain EXPECTs, crashes, and handlers that do not return.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@ class TestInfo;
 
 namespace openr::testing {
 
-// The object of a bench that adds its story to failures.  Each bench has a StoryTeller.
+// The part of a bench that adds its story (last messages, who waits for what) to failures.
 class StoryTeller {
  public:
-  // `story` returns Bench::Story().  It is called while GoogleTest reports a failure, so it must
-  // not call GoogleTest.  A handler that uses more than `handler_limit_us` of processor time (0: no
-  // limit) ends the process, as a crash of an object does.
+  // The function `story` returns Bench::Story().  It must not call GoogleTest, which holds a lock
+  // while it reports a failure.  A handler that uses more than `handler_limit_us` of processor time
+  // ends the process like a crash; 0: no limit.
   StoryTeller(std::function<std::string()> story, int64_t handler_limit_us);
   ~StoryTeller();
   StoryTeller(const StoryTeller&) = delete;
   StoryTeller& operator=(const StoryTeller&) = delete;
 
-  // Starts the timer again and notes the running test.  Called in a copy of the process, which
-  // inherits no timer and may belong to another test.
+  // Starts the watchdog's timer again and notes the running test.  Called in a copy of the process,
+  // because a copy inherits no timer and may run another test.
   void OnCopied();
 
-  // Returns `failure` followed by the story of the test's newest bench.  Returns `failure`
-  // unchanged if it has a story already or the test has no bench.  The bench of a Snapshot belongs
-  // to a test only in the copy of the process, so failures in the original do not get its story.
+  // Returns `failure` followed by the story of the newest bench of the running test.  Returns
+  // `failure` unchanged if it has a story already, or if the test has no bench.  The bench of a
+  // Snapshot belongs to the test in the copy of the process only.
   static std::string WithStory(const std::string& failure);
 
  private:
@@ -37,7 +37,7 @@ class StoryTeller {
 
   const std::function<std::string()> story_;
   const int64_t handler_limit_us_;
-  StoryTeller* outer_;                         // that of the bench before
+  StoryTeller* outer_;                         // next older bench's; null: none
   const ::testing::TestInfo* test_ = nullptr;  // test of the bench
 };
 

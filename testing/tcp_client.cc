@@ -78,7 +78,8 @@ std::string TcpClient::WaitsFor() const {
   }
 }
 
-// Makes the client look at its connection at the next frame boundary.
+// Posts a message to the client at the next frame boundary, where Poll() handles its events and
+// steps.
 void TcpClient::PostPoll() {
   if (std::exchange(poll_posted_, true)) return;
   const openr_host::CurrentScope scope(&system(), &host());
@@ -122,7 +123,7 @@ void TcpClient::Take(const NetworkEvent& event) {
   }
 }
 
-// Does the part of `step` that is possible now.  Returns true when the step is done.
+// Does what is possible of `step` now.  Returns true when the step is finished.
 bool TcpClient::Do(const Step& step) {
   const size_t left = heard_.size() - passed_;
   switch (step.kind) {
@@ -156,7 +157,7 @@ bool TcpClient::Do(const Step& step) {
 
 bool TcpClient::DoConnect(const Step& step) {
   if (connected_) return true;
-  if (connecting_) return false;  // a later Poll() brings the answer
+  if (connecting_) return false;  // the answer comes with a later Poll()
   connecting_ = true;
   ended_ = broken_ = false;
   ++handle_;

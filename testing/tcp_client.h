@@ -1,11 +1,11 @@
-// A client on another computer: a script on the bench's own network.
+// TcpClient, a network client on another computer.  It follows a script of the test.
 //
 //   bench.AddClient().Connect(54000).Send("PING\n").Hear("PONG\n").Close();
 //   bench.RunFor(1s);
 //
-// The script proceeds by virtual time, at the frame boundaries at which input from outside enters a
-// robot, so a run with clients repeats itself too.  A script that has not ended fails the test when
-// the bench is verified.
+// The client acts only at frame boundaries of the virtual time (every 8 ms), where all input from
+// outside enters a robot.  So a run with clients repeats itself, too.  A script that has not ended
+// makes the test fail when the bench is verified.
 #pragma once
 
 #include <cstdint>
@@ -29,24 +29,24 @@ class TcpClient : public openr_host::CodeObject {
   // Waits until an object listens on `port` of the robot and accepts the connection.
   TcpClient& Connect(uint16_t port, Place place = Place::Here());
   TcpClient& Send(std::string bytes, Place place = Place::Here());
-  // Waits until `bytes` have come.  Bytes before them are skipped.
+  // Waits until the robot has sent `bytes`.  Skips the bytes before them.
   TcpClient& Hear(std::string bytes, Place place = Place::Here());
-  // Waits until `count` more bytes have come.
+  // Waits until the robot has sent `count` more bytes.
   TcpClient& HearBytes(size_t count, Place place = Place::Here());
   // Waits until the robot has ended the connection.
   TcpClient& HearEnd(Place place = Place::Here());
-  // Close() ends the connection properly.  Reset() breaks it off, as when the client's computer is
-  // switched off.
+  // Close() ends the connection as TCP does normally.  Reset() breaks it off, as when the client's
+  // computer is switched off.
   TcpClient& Close(Place place = Place::Here());
   TcpClient& Reset(Place place = Place::Here());
 
   bool done() const { return script_.empty(); }
-  // Returns the present step as text, "to hear 'PONG\n'", and what has come so far; "" when the
-  // script is done.
+  // Describes the step that the script waits in and the bytes received so far: "to hear 'PONG\n',
+  // has heard ''".  Returns "" when the script is done.
   std::string WaitsFor() const;
-  // Returns the line of the test that has added the present step.  REQUIRES: !done().
+  // Returns the line of the test that added the step in which the script waits.  REQUIRES: !done().
   const Place& place() const;
-  // Forgets the steps that are left.
+  // Drops the steps of the script that are not done.
   void DropScript() { script_.clear(); }
 
   // ---- What happened
@@ -54,7 +54,7 @@ class TcpClient : public openr_host::CodeObject {
   bool connected() const { return connected_; }
   bool ended() const { return ended_; }                // the robot has ended the connection
   bool broken() const { return broken_; }              // the robot has reset the connection
-  const std::string& heard() const { return heard_; }  // all bytes that have come
+  const std::string& heard() const { return heard_; }  // all bytes received
 
  private:
   enum class Kind { kConnect, kSend, kHear, kHearBytes, kHearEnd, kClose, kReset };
@@ -62,7 +62,7 @@ class TcpClient : public openr_host::CodeObject {
     Kind kind;
     Place place;
     std::string bytes = {};
-    size_t count = 0;  // for kConnect: the port
+    size_t count = 0;  // kHearBytes: number of bytes; kConnect: the port
   };
 
   TcpClient& Add(Step step);
@@ -83,7 +83,7 @@ class TcpClient : public openr_host::CodeObject {
   bool ended_ = false;
   bool broken_ = false;
   std::string heard_;
-  size_t passed_ = 0;  // bytes of heard_ that the script has used
+  size_t passed_ = 0;  // bytes at the beginning of heard_ that steps have used
 };
 
 }  // namespace openr::testing
