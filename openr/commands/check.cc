@@ -21,7 +21,8 @@ struct CheckFlags {
   bool json = false;
 };
 
-// Returns the names of all devices that robot_get_device() knows, of all robots.
+// Returns the locators of the devices of all robots.  A controller names one of these in
+// robot_get_device().
 std::vector<std::string> AllLocators() {
   std::vector<std::string> locators;
   for (const char* robot : {"ers210", "ers220", "ers7"}) {

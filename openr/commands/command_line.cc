@@ -15,15 +15,16 @@
 namespace openr_host {
 namespace {
 
-// Returns the words that lead to the command, such as "rc mtn"; "" for the program itself.
+// Returns the words with which the user calls `command`, such as "rc mtn"; "" for the program
+// itself.
 std::string PathOf(const CLI::App& command) {
   if (command.get_parent() == nullptr) return "";
   const std::string parent = PathOf(*command.get_parent());
   return parent.empty() ? command.get_name() : parent + " " + command.get_name();
 }
 
-// Returns the last command that the words of the command line have chosen; the program itself if
-// none.
+// Returns the last command that the words of the command line name.  Returns the program itself if
+// they name none.
 const CLI::App& Chosen(const CLI::App& app) {
   const std::vector<CLI::App*> next = app.get_subcommands();
   return next.empty() ? app : Chosen(*next.back());
@@ -44,8 +45,8 @@ std::vector<std::string> CommandNames(const CLI::App& parent) {
   return names;
 }
 
-// Returns the error for `word`, which stands where a command of `parent` is expected.  An empty
-// `word` means that no word stands there.
+// Returns the error message for `word`, which is not a command of `parent` although a command must
+// stand there.  If `word` is "", the command line ends before that command.
 std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
   const std::vector<std::string> names = CommandNames(parent);
   const std::string path = PathOf(parent);
@@ -58,7 +59,8 @@ std::string NoSuchCommand(const CLI::App& parent, const std::string& word) {
 
 bool IsFlag(const std::string& word) { return word.starts_with('-'); }
 
-// Returns whether `command`, the last one chosen, needs the name of a further command.
+// Returns whether `command`, the last command on the command line, lacks the command that must
+// follow it.  A missing option is a different error.
 bool NeedsCommand(const CLI::App& command) {
   const auto is_missing = [](const CLI::Option* o) { return o->get_required() && o->count() == 0; };
   const auto options = command.get_options();
@@ -66,7 +68,7 @@ bool NeedsCommand(const CLI::App& command) {
          std::none_of(options.begin(), options.end(), is_missing);
 }
 
-// Returns the error for a word that no command and no flag takes.
+// Returns the error message for `word`, which belongs to no command and no flag.
 std::string NotExpected(const CLI::App& command, const std::string& word) {
   std::vector<std::string> flags;
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
@@ -87,7 +89,7 @@ void PrintHelp(const CLI::App& app, const std::vector<std::string>& words) {
   }
   const std::string path = PathOf(*about);
   const std::string name = path.empty() ? app.get_name() : app.get_name() + " " + path;
-  // help() is of no use here, because it describes the command that was chosen, which is `help`.
+  // CLI11's help() is not called, because it would describe the command `help` itself.
   PrintAnswer(app.get_formatter()->make_help(about, name, CLI::AppFormatMode::Normal));
 }
 
@@ -104,8 +106,8 @@ std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error
   const auto is = [&error](CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
   };
-  // A missing command is reported before words that are left over, because a misspelt command is
-  // such a word too.
+  // A missing command is checked before words that are left over, because a misspelt command counts
+  // as both.
   if (is(CLI::ExitCodes::RequiredError) && NeedsCommand(command)) {
     const auto word = std::find_if_not(rest.begin(), rest.end(), &IsFlag);
     if (word != rest.end()) return NoSuchCommand(command, *word);

@@ -1,4 +1,4 @@
-// Explains errors in the program's command line, and finds the words that ask for help.
+// Explains errors in the program's command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,11 +6,11 @@
 
 namespace openr_host {
 
-// Returns a line that says what is wrong and what may have been meant.  `app` is the whole program;
-// parsing its command line threw `error`.
+// Returns one line: what is wrong with the command line, and what the user may have meant.  `app`
+// is the whole program; `error` is what app.parse() threw.
 std::string ExplainCommandLine(const CLI::App& app, const CLI::ParseError& error);
 
-// Returns the words that ask for help about the command that was chosen: "openr help run".
+// Returns what to type for help about the command on the command line, such as "openr help run".
 std::string HelpWords(const CLI::App& app);
 
 }  // namespace openr_host

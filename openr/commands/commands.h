@@ -1,5 +1,5 @@
-// The commands of the program.  Each function adds a command to the command line.  If the command
-// is chosen, it runs and leaves the exit code (exit_code.h) in `*exit_code`.
+// The commands of the program.  Each AddXxxCommand() adds the command xxx to the command line.
+// When the user calls it, the command stores its exit code (exit_code.h) in `*exit_code`.
 #pragma once
 
 namespace CLI {
@@ -8,8 +8,7 @@ class App;
 
 namespace openr_host {
 
-// Runs the program: reads the command line and runs the command that it names.  Returns the exit
-// code.
+// Runs the program: reads the command line and runs the command in it.  Returns the exit code.
 int RunProgram(int argc, char** argv);
 
 void AddRunCommand(CLI::App* app, int* exit_code);

@@ -14,36 +14,37 @@ namespace openr_host {
 // Adds --stick, --robot, --world and --seed.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
-// Add --battery and --cost, for commands that run robots.
+// Add --battery and --cost, which commands that run robots have.
 void AddBatteryFlag(CLI::App* command, SimulationOptions* options);
 void AddCostFlag(CLI::App* command, SimulationOptions* options);
 
-// Adds a flag that takes a duration such as "20s".  `take` is called with microseconds if the flag
-// is given.
+// Adds a flag that takes a duration such as "20s".  If the user gives the flag, `take` is called
+// with the duration in microseconds.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name,
                              const std::function<void(int64_t us)>& take,
                              const std::string& description);
 
-// Adds a flag that stores a duration in a variable, whose present value is the default.
+// Adds a flag that stores a duration in `*us`.  The value that `*us` has now is the flag's default.
 CLI::Option* AddDurationFlag(CLI::App* command, const std::string& name, int64_t* us,
                              const std::string& description);
 
-// Refuses values that are not whole numbers of 64 bits.
+// Returns a check of a flag's value: it refuses all but whole numbers from 0 to 2^64 - 1.
 CLI::Validator IsCount();
 
-// Refuses files that cannot be written, before the command begins.
+// Returns a check of a flag's value: it refuses files that cannot be written.  So the error comes
+// before the command does its work.
 CLI::Validator IsWritable();
 
-// Refuses files that cannot be read, before the command begins.  The error is "FLAG FILE: reason".
+// Returns a check of a flag's value: it refuses files that cannot be read.  The error is "FLAG
+// FILE: reason".
 CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension);
 CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);
 
-// Throws the error of IsReadable() for `file` with the reason `problem`; does nothing if `problem`
-// is "".
+// Throws an error "FLAG FILE: `problem`".  Does nothing if `problem` is "".
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem);
 
-// Refuses folders that can be neither created nor written to.
+// Returns a check of a flag's value: it refuses folders that can be neither created nor written to.
 CLI::Validator IsFolder();
 
 }  // namespace openr_host

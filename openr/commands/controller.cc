@@ -1,5 +1,5 @@
-// The command openr controller: makes and builds programs in Webots style, which run in the object
-// Controller.
+// The command openr controller: creates and builds controllers, programs in Webots style that run
+// in the object Controller.
 #include <fmt/format.h>
 
 #include <memory>
@@ -24,7 +24,8 @@ struct ControllerFlags {
   std::string folder;
 };
 
-// Makes a whole stick, because the robot's CONTROLL.BIN is linked with the object Controller.
+// Builds for the robot.  That makes a whole stick, because the robot's CONTROLL.BIN is the
+// controller linked with the object Controller.
 int BuildForRobot(const ControllerBuildOptions& build) {
   if (build.output.empty()) {
     throw std::runtime_error("--robot makes a whole stick: name a new folder for it with -o");

@@ -1,5 +1,5 @@
-// The parts of a run outside its own process: workers, ROS 2, listeners of its status.  Without the
-// flags of these parts nothing is done.
+// DistributedRun: the parts of a run outside its own process, which are workers, ROS 2 and openr
+// top.  Without the flags for these parts it does nothing.
 #pragma once
 
 #include <cstdint>
@@ -18,45 +18,48 @@ namespace openr_host {
 class InterruptCounter;
 class RunStick;
 
-// The outside parts of one run.  The functions are called in the order of their declarations.  The
-// object must outlive the simulation.
+// The parts of one run outside its process.  The caller calls the functions in the order in which
+// they are declared here.  The object must outlive the simulation.
 class DistributedRun {
  public:
-  // Starts the workers of this host.  `interrupts` must outlive this object.  Throws
-  // CLI::ValidationError, or std::runtime_error of DDS.
+  // Starts the worker processes of this host.  `interrupts` must outlive this object.  Throws
+  // CLI::ValidationError for wrong flags, std::runtime_error when DDS fails.
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Adds the stand-ins and ROS 2 to the options of a simulation that is not made yet.
+  // Adds to the options of a simulation, before it is made: stand-ins for objects in workers, and
+  // ROS 2 as a source of input.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
-  // Checks the placement when the simulation is loaded.  Throws std::runtime_error if the placement
-  // names an unknown object.
+  // Throws std::runtime_error if the placement names an object that the stick does not have.
+  // Called when the simulation has loaded all objects.
   void CheckPlaces() const;
 
-  // Sends the rest of the tables to all workers.  Returns false after an error message.
+  // Sends all workers the tables of objects that they still lack.  Returns false after printing an
+  // error.
   bool Connect(Simulation* simulation);
 
-  // Connects ROS 2 and the listeners, and sets the functions of `plan`.  Called before the runner
-  // of `plan` is made.
+  // Connects ROS 2 and openr top to the simulation, and sets functions in `plan`.  Called before
+  // the Runner gets `plan`.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Publishes the final status, and prints how many complaints about ROS 2 commands were left out.
+  // Sends the last status to openr top, and ends ROS 2, which prints how many complaints about
+  // commands were left out.
   void RunIsOver();
 
-  // Adds findings about messages that arrived for lost workers.
+  // Adds findings about messages to workers that had ended.
   void ReportLosses();
 
-  // Shortens the times for which workers are waited for.  Called when the run is being brought down
-  // and still needs a report.
+  // Shortens the time limits for answers of workers.  Called when a crash or a handler limit ends
+  // the run, so that the report is written soon.
   void ShortenTimeouts();
 
-  // Adds the workers, if there are any, to the report.
+  // Adds facts about the workers to the report; nothing without workers.
   void Describe(nlohmann::ordered_json* report) const;
 
-  // Ends the workers.
+  // Ends the worker processes.
   void EndProcesses();
 
  private:
@@ -65,7 +68,7 @@ class DistributedRun {
   const bool is_free_;
   const Ros2Flags ros2_flags_;
   const std::unique_ptr<WorkerGroup> workers_;  // null: all objects are in this process
-  std::unique_ptr<Bus> own_bus_;                // used without workers
+  std::unique_ptr<Bus> own_bus_;                // set if DDS is used without workers
   Bus* bus_ = nullptr;                          // null: DDS is not used
   std::unique_ptr<Ros2Link> ros2_;
   std::unique_ptr<Monitor> monitor_;

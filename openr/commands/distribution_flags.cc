@@ -35,10 +35,10 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
   command
       ->add_option("--dds-config", bus->config_file,
                    "File with settings of Cyclone DDS that are added (security)")
-      // A folder is refused, because Cyclone DDS reads a folder like an empty file and the run
-      // would not be protected.
+      // A folder is refused.  Cyclone DDS would take it for an empty file, so the run would lack
+      // the protection that the user wants.
       ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
-  // The file is checked after parsing, when both file and domain are known.
+  // This check needs file and domain, so it runs when all flags have been read.
   command->parse_complete_callback([bus] {
     if (bus->config_file.empty()) return;
     const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);
@@ -141,8 +141,8 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
-// Returns the lease of started workers.  A worker under --wrap keeps the long lease, since a
-// debugger may stop it.
+// Returns the lease of workers that this run starts: the seconds without a sign of life after which
+// a worker counts as dead.  Under --wrap it stays long, because a debugger may stop the worker.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;

@@ -1,4 +1,4 @@
-// Flags of runs in several processes: openr run and openr join.
+// Flags of runs with several processes, which openr run, openr join and openr top have.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,19 +14,19 @@ namespace openr_host {
 
 class RunStick;
 
-// Adds --dds-domain, --dds-address, --dds-peer and --dds-config.
+// Adds --dds-domain, --dds-address, --dds-peer, --dds-lease and --dds-config.
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
-// Validates --run-name and --process; `what` is "run" or "process".
+// Returns a check of the value of --run-name (`what` is "run") or --process (`what` is "process").
 CLI::Validator IsNameOf(const std::string& what);
 
 struct PlacementFlags {
   std::vector<std::string> places;  // each "OBJECT=PROCESS"
   std::string file;
-  std::vector<std::string> isolated;  // names of objects
-  std::string wrapper;                // command line of a debugger
+  std::vector<std::string> isolated;  // names of objects, each for a process of its own
+  std::string wrapper;                // command that starts workers, such as "gdb --args"
   bool is_free = false;
-  bool is_monitored = false;  // publishes its status also without workers
+  bool is_monitored = false;  // sends its status to openr top, also without workers
   BusOptions bus;
   int64_t wait_us = 60'000'000;
   int restarts = 0;
@@ -34,28 +34,28 @@ struct PlacementFlags {
   std::vector<const CLI::Option*> of_dds;        // flags without effect in a run without DDS
 };
 
-// Adds --place, --placement, --isolate, --wrap, --monitor, --run-name, --join-wait and the flags of
-// AddBusFlags().
+// Adds --place, --placement, --isolate, --wrap, --free-running, --restart, --monitor, --run-name,
+// --join-wait and the flags of AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 
-// Throws CLI::ValidationError if a flag was given that has no effect, either because the run has no
-// other processes or because it does not use DDS.
+// Throws CLI::ValidationError if the user gave a flag without effect.  Flags for processes have
+// none if all objects run in this process; flags for DDS have none if the run does not use DDS.
 void RefuseIdleFlags(const PlacementFlags& flags, bool has_processes, bool has_dds);
 
-// The flags --ros2 and --ros2-namespace.
+// Values of the flags --ros2 and --ros2-namespace.
 struct Ros2Flags {
   bool is_on = false;
-  std::string space = "aibo";  // the namespace
+  std::string space = "aibo";  // first part of the names of all topics
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
-// Starts the workers that the placement requires.  Returns null when all objects are in this
-// process.  Throws CLI::ValidationError.
+// Starts the worker processes for the flags.  Returns null when all objects run in this process.
+// Throws CLI::ValidationError for wrong flags.
 std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const RunStick& stick,
                                              int64_t handler_limit_us,
                                              std::function<int()> interrupts);
 
-// Makes the bus of a run that has no workers and uses DDS.
+// Makes the DDS participant of a run that has no workers.
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags);
 
 }  // namespace openr_host

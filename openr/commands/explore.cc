@@ -54,8 +54,8 @@ struct ExploreFlags {
   bool json = false;
 };
 
-// Refuses a property file that cannot be read.  A name with a dot or a slash means a file, because
-// no built-in property has one.
+// Refuses a file of properties that cannot be read.  A name with a dot or a slash is a file,
+// because the names of built-in properties have neither.  A name with a space is a property itself.
 std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";
@@ -143,8 +143,8 @@ Vary VaryOf(const std::vector<std::string>& names) {
   return vary;
 }
 
-// The output of objects.  Without a file the output is discarded; with a file, all runs in all
-// processes write to this file.
+// The output of objects.  All runs, in all processes, write it to one file.  Without a file it is
+// discarded.
 class SharedConsole {
  public:
   // Opens `file`; "" means no file.  Throws std::runtime_error when the file cannot be written.
@@ -171,7 +171,7 @@ class SharedConsole {
     *error_ = WriteAll(descriptor_, text);
   }
 
-  // Returns "FILE: cannot be written: why", or "".
+  // Returns "FILE: cannot be written: reason" if a write of any process has failed; else "".
   std::string Problem() const {
     return descriptor_ < 0 || *error_ == 0 ? "" : WhyNotWritten(file_, *error_);
   }
@@ -179,10 +179,11 @@ class SharedConsole {
  private:
   const std::string file_;
   int descriptor_ = -1;
-  int* error_ = nullptr;  // errno of the first failed write of any process
+  int* error_ = nullptr;  // errno of the first failed write; shared by all processes
 };
 
-// Returns `exit_code`; prints an error and returns 1 if the console could not be written.
+// Returns `exit_code`.  If the file of the objects' output could not be written, prints an error
+// and returns 1.
 int WithConsole(int exit_code, const SharedConsole& console) {
   const std::string problem = console.Problem();
   if (problem.empty()) return exit_code;
@@ -190,9 +191,9 @@ int WithConsole(int exit_code, const SharedConsole& console) {
   return kExitWrong;
 }
 
-// Sets the parts of the plan that depend on the stick.
+// Sets the parts of the plan that are made from `stick`.
 void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
-  LoadCostFile(stick.simulation.cost_file);  // reports a wrong file once, before processes start
+  LoadCostFile(stick.simulation.cost_file);  // reports a wrong file here, not in each process
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;
   plan->run.properties.Make();
@@ -201,7 +202,7 @@ void SetStick(const ExploredStick& stick, const SharedConsole& console, ExploreP
   plan->prepare_run = [simulation] { return PrepareSimulation(simulation); };
 }
 
-// Returns a line such as "ended before their time: 2 by battery\n", or "" if no run ended early.
+// Returns a line such as "ended before their time: 2 by battery\n"; "" if no run ended early.
 std::string EndsBeforeTime(const Json& result) {
   std::string text;
   for (const auto& [reason, runs] : result.at("ended_by").items()) {
@@ -241,11 +242,12 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   return text;
 }
 
-// Writes the failure to the file of the flags.  Returns false after printing an error.
+// Writes the failure to the file of -o, if the user gave one.  Returns false after printing an
+// error.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {
-    RemoveFile(flags.file);  // a file of an earlier exploration would look like a result
+    RemoveFile(flags.file);  // an old file would look like the result of this exploration
     return true;
   }
   const Json schedule = ScheduleToJson(flags.stick, result["failure"]);

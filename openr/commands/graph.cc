@@ -51,7 +51,7 @@ void Write(const std::string& text, const std::string& name) {
 
 int Graph(GraphFlags flags) {
   const Console console("");
-  flags.simulation.console = [](std::string_view) {};  // the console is not wanted, only the graph
+  flags.simulation.console = [](std::string_view) {};  // discards what objects print
   flags.simulation.host_network = false;
   const RunStick stick(flags.simulation.stick, true);
   flags.simulation.stick = stick.folder();

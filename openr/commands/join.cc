@@ -43,12 +43,12 @@ std::string WhyNoStick(const std::string& folder) {
   return fmt::format("{}: there is no such folder; give a copy of the run's stick", folder);
 }
 
-// Exit codes of the child process in which --restart runs the worker.
-constexpr int kRefused = 3;  // another attempt would fail as well
-constexpr int kOffline = 4;  // the network was not available, so no run was looked for
+// Exit codes of the child process in which the worker runs with --restart.
+constexpr int kRefused = 3;  // a further process would be refused as well
+constexpr int kOffline = 4;  // no network, so the worker could not look for a run
 
-// Makes this process end when the run `parent`, which has started it, ends for whatever reason.
-// Ctrl-C and a closing terminal are handled by the run.
+// Makes this process end with `parent`, the run that has started it, even if that run crashes.
+// Ignores Ctrl-C and a closing terminal, because the run handles them.
 void BecomeChild(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (kill(parent, 0) != 0) _exit(kExitWrong);  // the run has ended already
@@ -56,20 +56,19 @@ void BecomeChild(pid_t parent) {
   ::signal(SIGHUP, SIG_IGN);
 }
 
-volatile sig_atomic_t g_ended_by = 0;  // the first signal received
-volatile sig_atomic_t g_child = 0;     // child of JoinAgainAndAgain()
+volatile sig_atomic_t g_ended_by = 0;  // the first end signal; 0: none yet
+volatile sig_atomic_t g_child = 0;     // process id of the worker that --restart runs; 0: none
 
-// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker (in this process or in a
-// child) finishes its handler, tells the run and ends.  After the second signal, a child ends at
-// once.
+// Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes its handler,
+// tells the run and ends.  With --restart the worker is a child process, and the second signal
+// kills it.
 void OnEndSignal(int signal) {
   const int child = g_child;
   if (child > 0) kill(child, g_ended_by == 0 ? SIGTERM : SIGKILL);
   if (g_ended_by == 0) g_ended_by = signal;
 }
 
-// Installs OnEndSignal().  Signals that the starter of this process has set to be ignored stay
-// ignored.
+// Installs OnEndSignal().  A signal that this process was started to ignore stays ignored.
 void HandleEndSignals(int flags) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
@@ -83,7 +82,8 @@ void HandleEndSignals(int flags) {
   }
 }
 
-// Ends the process as if the signal had not been caught, so that its parent sees the signal.
+// Ends the process by the signal that it has caught, so that its parent process sees the signal and
+// not an exit code.
 [[noreturn]] void EndBySignal() {
   ::signal(g_ended_by, SIG_DFL);
   raise(g_ended_by);
@@ -116,9 +116,9 @@ struct Outcome {
   bool is_refused = false;
 };
 
-// Runs a worker.  `is_known` says that the user has been told already why the worker cannot take
-// part; then an exception is thrown without output.  When Work() returns, the other processes know
-// that this process leaves.
+// Runs a worker until the run or the user ends it.  `is_known` says that the user has read already
+// why the worker cannot join; then an exception is thrown without further output.  When Work()
+// returns, the run knows that the worker has left.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
@@ -134,7 +134,8 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
   return {problem, worker->is_refused()};
 }
 
-// Returns the folder of a copy of the default stick; "" when there is none.
+// Copies the default stick to a temporary folder and returns the folder; "" when that is not
+// possible.
 std::string OwnStick(std::optional<RunStick>* stick) {
   try {
     return stick->emplace("", true).folder();
@@ -164,7 +165,7 @@ int Join(JoinFlags flags, bool is_known = false) {
     const std::string file = flags.parent != 0 ? flags.crash_log
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
-    std::optional<std::string> place;  // none on the stick of the run, where the user looks first
+    std::optional<std::string> place;  // none if the user finds the record on the run's stick
     if (flags.parent == 0) {
       place = " on " + HostName();
     } else if (file != CrashLogOn(stick)) {
@@ -180,7 +181,7 @@ int Join(JoinFlags flags, bool is_known = false) {
   return outcome.is_refused ? kRefused : kExitWrong;
 }
 
-// Runs a worker in a process of its own.  Does not throw.
+// Runs a worker, in a child process.  Catches all exceptions, and returns the exit code.
 int JoinHere(const JoinFlags& flags, bool is_known) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
@@ -191,7 +192,7 @@ int JoinHere(const JoinFlags& flags, bool is_known) {
   }
 }
 
-// Runs JoinHere() in a child process.  Returns its status from waitpid().
+// Runs JoinHere() in a child process and waits for its end.  Returns the status of waitpid().
 int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   *child = fork();
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
@@ -203,10 +204,10 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   return status;
 }
 
-// Starts a new process whenever one ends before the run is over.  A new process needs no cleaning
-// up, whatever its predecessor was doing.  If the network is not available, reports that once and
-// tries again until the network is available.  At the first attempt this is an error, because the
-// flags are probably wrong.
+// Runs a worker in a child process, and starts another when it ends before the run is over.  A new
+// process works whatever state the last one was in.  Without a network, says so once and tries
+// again.  If the very first process has no network, that is an error, because the flags are
+// probably wrong.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   HandleEndSignals(0);
@@ -253,7 +254,7 @@ void AddJoinCommand(CLI::App* app, int* exit_code) {
   command->add_flag("--restart", flags->restarts,
                     "Come again, with objects as at the beginning, when it ends before the run is "
                     "over: by a crash, or because the run cannot be reached");
-  command->add_option("--child-of", flags->parent)->group("");  // for openr run
+  command->add_option("--child-of", flags->parent)->group("");  // given by openr run, not by users
   command->add_option("--crash-log", flags->crash_log)->group("");
   command->add_option("--session", flags->worker.session)->group("");
   AddBusFlags(command, &flags->worker.bus);

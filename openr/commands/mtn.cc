@@ -30,10 +30,11 @@ struct MtnFlags {
   std::vector<std::string> files;
   std::string robot = "ers210";
   bool json = false;
-  Json answers = Json::array();  // filled with --json
+  Json answers = Json::array();  // answers for all files; used with --json
 };
 
-// Reads the file `name` into `motion`.  Returns false, and sets `problem`, if it is no motion file.
+// Reads the file `name` into `motion`.  Returns false, and sets `problem`, if the file cannot be
+// read or is no motion file.
 bool Load(const std::string& name, MtnFile* motion, std::string* problem) {
   *problem = WhyNotReadable(name, "motion file", ".MTN");
   if (!problem->empty()) return false;
@@ -65,14 +66,14 @@ std::string CountedFrames(const MtnFile& motion) {
   return Counted(static_cast<uint64_t>(motion.NumKeyFrames()), "key frame");
 }
 
-// Returns whether the joint has two positions and no angle, as ears do: 0 is one position, any
-// other value the other.
+// Returns whether `locator` is an ear.  An ear has two positions instead of an angle: the value 0
+// is one position, any other value is the other.
 bool HasTwoPositions(const std::string& locator) {
   return locator.find("-Joint3:") != std::string::npos ||
          locator.find("-Joint4:") != std::string::npos;
 }
 
-// Returns the lowest and highest angle of the file's joint `j` in this motion, as text.
+// Returns, as text, the lowest and the highest angle that the motion gives to its joint `j`.
 std::string RangeOf(const MtnFile& motion, int j) {
   Sint32 low = motion.NumKeyFrames() > 0 ? motion.Angle(0, j) : 0, high = low;
   bool off = false, on = false;
@@ -143,8 +144,8 @@ bool Check(const std::string& name, MtnFlags* flags) {
   return good;
 }
 
-// Prints a line per key frame with time, attitude and joints: angles in degrees, and 0 or 1 for
-// joints with two positions.
+// Prints one line for each key frame: time, attitude and joints.  Angles are in degrees; ears,
+// which have two positions only, are 0 or 1.
 bool Dump(const std::string& name, MtnFlags*) {
   MtnFile motion;
   std::string problem;
@@ -172,7 +173,7 @@ bool Dump(const std::string& name, MtnFlags*) {
 
 using ForFile = bool (*)(const std::string& name, MtnFlags* flags);
 
-// Prints one JSON document: an object for one file, a list of objects for several.
+// Prints the answers as JSON: the answer itself for one file, a list for several files.
 void PrintAnswers(const Json& answers) {
   const Json& document = answers.size() == 1 ? answers[0] : answers;
   fmt::print("{}\n", document.dump(-1, ' ', false, Json::error_handler_t::replace));

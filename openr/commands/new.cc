@@ -21,7 +21,7 @@ struct NewFlags {
   std::string folder;
 };
 
-// Returns the commands that a user will want next.  Each can be run as printed, in the current
+// Returns the commands that a user needs next.  The user can paste them into a shell in the current
 // folder.
 std::string NextCommands(const std::string& folder) {
   const std::string openr = ShellWord(ProgramCall());

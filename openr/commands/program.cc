@@ -41,7 +41,8 @@ void AddCommands(CLI::App* app, int* exit_code) {
   AddVersionCommand(app, exit_code);
 }
 
-// Prints the error on standard error, and also as the JSON answer if one was asked for.
+// Prints the error `why` on standard error.  With `as_json`, because the user gave --json, also
+// prints it as a JSON object on standard output.
 void TellFailure(const std::string& why, bool as_json) {
   std::fprintf(stderr, "openr: %s\n", why.c_str());
   if (!as_json) return;
@@ -49,7 +50,7 @@ void TellFailure(const std::string& why, bool as_json) {
   std::printf("%s\n", nlohmann::json{{"error", why}}.dump(-1, ' ', false, replace).c_str());
 }
 
-// Prints the help or the version that was asked for.
+// Prints the help or the version, which CLI11 reports as an `error` with exit code 0.
 int PrintAskedFor(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int exit_code = app.exit(error, text, text);
@@ -81,7 +82,7 @@ int RunProgram(int argc, char** argv) {
     TellFailure(Explain(error), as_json);
     return kExitWrong;
   } catch (const std::system_error& error) {
-    if (std::ferror(stdout) != 0) {  // fmt::print() throws this error
+    if (std::ferror(stdout) != 0) {  // then fmt::print() threw: stdout cannot be written
       NoteLostAnswer(error.code().value());
     } else {
       TellFailure(error.what(), as_json);

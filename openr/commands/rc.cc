@@ -34,7 +34,8 @@ int Perform(const RcFlags& flags, const RcAction& action) {
   }
 }
 
-// Refuses numbers that no joint can have.  Limits of speed and acceleration must be positive.
+// Returns a check of a flag's value: it refuses numbers that no joint can have.  With `is_limit`,
+// for limits of speed and acceleration, it also refuses 0 and negative numbers.
 CLI::Validator JointValue(bool is_limit) {
   const auto problem = [is_limit](const std::string& text) {
     double value = 0;
@@ -60,7 +61,7 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
-// The commands of openr rc, which share their flags.
+// Adds the commands of openr rc.  They share one RcFlags.
 class RcCommands {
  public:
   RcCommands(CLI::App* app, int* exit_code)

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The payload of the requests that set one value of one device.
+// The payload of requests that set a value of a device.
 struct IndexAndValue {
   int index;
   Sint32 value;
@@ -41,7 +41,7 @@ void Say(const RcFlags& flags, uint32_t frame, const Json& json, const std::stri
   FlushAnswer();
 }
 
-// A device of the robot: its index, and its name for messages.
+// A device of the robot: the index that requests name it by, and its name for messages.
 struct Device {
   int index;
   std::string name;

@@ -1,4 +1,5 @@
-// The requests that the commands of `openr rc` send to the robot, and the printing of answers.
+// The actions of the commands of `openr rc`: each sends requests to the robot and prints its
+// answers.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ struct RcFlags {
   int key_frames = 0;
 };
 
-// A function that sends requests and prints one or more answers to standard output.  Throws the
-// errors of RemoteClient.
+// A function that sends requests through `client` and prints the answers to standard output.
+// Throws the errors of RemoteClient.
 using RcAction = std::function<void(RemoteClient* client, const RcFlags& flags)>;
 
 void RcInfoAction(RemoteClient* client, const RcFlags& flags);
@@ -35,10 +36,11 @@ void RcSensorsAction(RemoteClient* client, const RcFlags& flags);
 void RcPlayAction(RemoteClient* client, const RcFlags& flags);
 void RcStopAction(RemoteClient* client, const RcFlags& flags);
 
-// Returns the action for rcMOVE, rcSPEED or rcACCEL, with a value in `unit`.
+// Returns the action that sends `command`, which is rcMOVE, rcSPEED or rcACCEL.  `unit` is the unit
+// of the value, for the printed answer.
 RcAction RcJointAction(RcCommand command, const std::string& unit);
 
-// Returns the action for rcLED or rcEAR.
+// Returns the action that sends `command`, which is rcLED or rcEAR.
 RcAction RcLightAction(RcCommand command);
 
 }  // namespace openr_host

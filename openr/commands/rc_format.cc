@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint32_t kNoFrame = 0xffffffff;
 
-// The unit of a sensor in the group "other", by its SensorKind.
+// The unit in which sensors of one SensorKind are printed.  A printed value is the sensor's value
+// divided by `per_unit`.
 struct UnitOfKind {
   int kind;
   const char* unit;
@@ -35,7 +36,7 @@ UnitOfKind UnitOf(const RcDescription& sensor) {
   return found == std::end(kUnits) ? UnitOfKind{kind, "", 1} : *found;
 }
 
-// Returns a JSON object with a value for each name.
+// Returns a JSON object that has each value under its name.
 Json Values(const std::vector<RcDescription>& names, const std::vector<Sint32>& values) {
   Json json = Json::object();
   for (size_t i = 0; i < std::min(names.size(), values.size()); ++i) {

@@ -12,12 +12,14 @@ namespace openr_host {
 
 class RemoteClient;
 
-// Returns "frame 1234:"; before the first sensor values "frame -:".
+// Returns the frame of an answer as "frame 1234:".  Returns "frame -:" before the robot has sensor
+// values.
 std::string FrameText(uint32_t frame);
-// Returns the number of the frame, or null before the first sensor values.
+// Returns the frame of an answer as a number; null before the robot has sensor values.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// Returns the name of the MoverState `state`; "starting" while RCServer has not received a state.
+// Returns the name of the MoverState `state`.  Returns "starting" while RCServer, the robot's
+// remote control, has received no state yet.
 std::string StateName(int state);
 
 // Formats sensor values with the names and units of the robot's sensors.

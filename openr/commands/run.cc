@@ -51,7 +51,7 @@ struct RunFlags {
   bool no_payloads = false;
   bool json = false;
   bool no_panel = false;
-  const CLI::Option* panel = nullptr;  // its address may be left out
+  const CLI::Option* panel = nullptr;  // --panel, with or without an address
   std::string panel_address;
   std::string log = "info";
   std::string console_file;
@@ -178,7 +178,7 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
           ->expected(0, 1);
 }
 
-// Returns the reason why a run with these flags cannot take the picture, or "".
+// Returns the reason why a run with the flags `flags` cannot take the picture `plan`; "" if it can.
 std::string Misfit(const PictureRequest& plan, const RunFlags& flags) {
   if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
   if (flags.for_us && plan.time_us > *flags.for_us) {
@@ -215,7 +215,7 @@ double RateOf(const std::string& text) {
       "--rate", fmt::format("'{}' is neither 'max' nor a number from 0.001 to 1000", text));
 }
 
-// Throws if two outputs would go to the same file, because each output would overwrite the other.
+// Throws if two flags name the same file, because each would overwrite what the other writes.
 void CheckThatFilesDiffer(const RunFlags& flags) {
   std::vector<std::pair<std::string, std::string>> named = {
       {"--report", flags.report_file},   {"--record", flags.record_file},
@@ -225,7 +225,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   std::map<std::string, std::string> flag_of;
   for (const auto& [flag, file] : named) {
     if (file.empty() || file == "-" || file == "/dev/null") continue;
-    std::error_code error;  // of a stream such as /dev/stdout, which has no file
+    std::error_code error;  // set for a stream such as /dev/stdout, which is no file
     const std::string real = std::filesystem::weakly_canonical(file, error);
     const auto [first, is_new] = flag_of.emplace(error ? file : real, flag);
     if (!is_new) {
@@ -235,7 +235,7 @@ void CheckThatFilesDiffer(const RunFlags& flags) {
   }
 }
 
-// Throws if something else than the JSON object of --json would be written to standard output.
+// Throws if the run would write something else than the JSON object of --json to standard output.
 void CheckStandardOutput(const RunFlags& flags) {
   if (!flags.json) return;
   const std::pair<const char*, const std::string&> named[] = {
@@ -288,7 +288,8 @@ bool Answer(const std::string& text) {
   }
 }
 
-// Writes the report.  Returns false after printing an error.
+// Writes the report to standard output (with --json) and to the file of --report.  Returns false
+// after printing an error.
 bool WriteReport(const nlohmann::ordered_json& report, const RunFlags& flags) {
   const bool is_answered = !flags.json || Answer(JsonText(report) + "\n");
   if (flags.report_file.empty()) return is_answered;
@@ -309,8 +310,8 @@ std::string Summary(const nlohmann::ordered_json& report, const std::optional<Ru
   return text;
 }
 
-// Writes the report of a run that an object ends by a crash or by not returning.  The report has
-// the state at that moment, and the reason.
+// Writes the report when an object ends the run, by a crash or by a handler that does not return.
+// The report has the present state and, as "error", the record of the crash.
 void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* distribution,
                      const RunFacts& facts, const RunFlags& flags) {
   {
@@ -330,12 +331,12 @@ void ReportTheEnding(Ending* ending, Simulation* simulation, DistributedRun* dis
   distribution->EndProcesses();
 }
 
-// A run of `openr run`, from its command line to its report.
+// One run of `openr run`, from the flags to the report.
 class CommandedRun {
  public:
   explicit CommandedRun(const RunFlags& flags);
 
-  // Runs, and returns the exit code.
+  // Runs the simulation and writes the report.  Returns the exit code.
   int Run();
 
  private:
@@ -373,14 +374,16 @@ CommandedRun::CommandedRun(const RunFlags& flags)
   facts_.seed = options_.seed;
 }
 
-// Returns the options, with all listeners and workers added.
+// Returns the options of the simulation: those of the flags, with console, recorder and workers
+// added.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { console_.Print(text); };
   if (records()) recorder_.Listen(&options);
-  // Enter() is called after Listen(), so that the recorder records ROS 2 commands as input.
+  // Enter() adds ROS 2 after the recorder, because the recorder must see the commands of ROS 2 as
+  // input.
   distribution_.Enter(&options, plan_.say);
   return options;
 }
@@ -392,8 +395,8 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  // An interrupted run counts as booted, because it was interrupted before it was known whether the
-  // robot boots.
+  // If the user has interrupted the boot, nobody knows whether the robot would have booted.  So the
+  // report does not say that it does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
@@ -415,10 +418,11 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
   system().NoteRunEnd(end);
 }
 
-// Runs the simulation.  Returns false after printing an error.
+// Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // The finding names this place if the crash record is on no stick.
+  // If the crash record is not on a stick of the user, `place` is set, so that the finding names
+  // the record's file.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(
@@ -447,8 +451,8 @@ bool CommandedRun::RunToTheEnd() {
   return good;
 }
 
-// Writes the report, then ends the worker processes; in this order, because the report needs facts
-// from the workers.  Returns false after printing an error.
+// Writes the report, with facts that workers send, and then ends the worker processes.  Returns
+// false after printing an error.
 bool CommandedRun::Report() {
   distribution_.ReportLosses();
   const bool is_stopped = system().end() && system().end()->kind == EndKind::kStrict;

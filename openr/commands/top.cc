@@ -20,8 +20,8 @@
 namespace openr_host {
 namespace {
 
-constexpr int64_t kSliceUs = 50'000;      // interval of looking for Ctrl-C
-constexpr int64_t kOthersUs = 1'500'000;  // for --once: long enough to hear every run
+constexpr int64_t kSliceUs = 50'000;      // how often Ctrl-C is noticed
+constexpr int64_t kOthersUs = 1'500'000;  // --once listens so long; each run is heard once a second
 
 struct TopFlags {
   BusOptions bus;
@@ -36,7 +36,7 @@ class Top {
   explicit Top(const TopFlags& flags)
       : flags_(flags), bus_(flags.bus), reader_(&bus_), on_screen_(isatty(STDOUT_FILENO) == 1) {}
 
-  // Prints tables until Ctrl-C.
+  // Prints one table after another until Ctrl-C.
   int Watch() {
     for (int64_t next_us = flags_.interval_us; interrupts_.count() == 0;
          next_us += flags_.interval_us) {
@@ -48,7 +48,7 @@ class Top {
     return kExitGood;
   }
 
-  // Prints one table of all runs that are heard.
+  // Prints one table of all runs that send their status.
   int Once() {
     while (runs_.empty() && NowUs() < flags_.wait_us && interrupts_.count() == 0) Listen();
     if (runs_.empty()) return Complain();
@@ -70,7 +70,8 @@ class Top {
     runs_.Take(reader_.Take(), Now_s());
   }
 
-  // Prints the table.  Throws std::runtime_error when it cannot be written.
+  // Prints all runs once, as a table or as JSON.  Throws std::runtime_error when standard output
+  // cannot be written.
   void Show() {
     PrintAnswer(flags_.json ? JsonText(TopJson(runs_.All(), Now_s())) + "\n" : Table());
     FlushAnswer();

@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Run = RunsHeard::Run;
 
-constexpr double kSilent_s = 3;   // a run publishes its status once a second
-constexpr double kEnded_s = 10;   // an ended run stays on the screen so long
-constexpr size_t kStateMax = 40;  // characters of a state in the table
+constexpr double kSilent_s = 3;   // a run is silent after so long; it sends once a second
+constexpr double kEnded_s = 10;   // an ended run is shown for this time
+constexpr size_t kStateMax = 40;  // most characters of a state in the table
 
-// The process, host and process id of an object.
+// The process that an object runs in.
 struct ProcessHost {
   std::string process;
   std::string host;
@@ -35,7 +35,7 @@ ProcessHost HostOf(const RunStatus& run, const RunStatus::Object& object) {
   return {object.process, run.host, run.pid, ""};
 }
 
-// Returns the time since the last status of the run, if that is longer than usual; else 0.
+// Returns the time since the last status of `run`, if the run is silent for unusually long; else 0.
 double Silence_s(const Run& run, double now_s) {
   const double silent_s = now_s - run.heard_s;
   return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;
@@ -56,7 +56,7 @@ enum Column {
 };
 constexpr size_t kColumns = kState + 1;
 using Row = std::array<std::string, kColumns>;
-using Widths = std::array<size_t, kColumns>;  // of the columns; 0: left out
+using Widths = std::array<size_t, kColumns>;  // characters of each column; 0: left out
 
 Row RowOf(const RunStatus& run, const RunStatus::Object& object, bool has_robots) {
   const ProcessHost place = HostOf(run, object);
@@ -81,8 +81,8 @@ size_t LineWidth(const Widths& widths) {
   return sum;
 }
 
-// Returns the width of each column.  The state, which is the last column, is shortened before
-// another column is left out.
+// Returns the width of each column, so that a row has at most `columns` characters.  First the
+// state, the last column, is shortened; then columns are left out in the order of kGoes.
 Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
   constexpr size_t kStateMin = 12;
   constexpr Column kGoes[] = {kPriority, kPid, kHost, kP99, kMean, kDrops, kProcess};
@@ -101,7 +101,7 @@ Widths WidthsFor(const std::vector<Row>& rows, size_t columns) {
 }
 
 std::string Table(const std::vector<Row>& rows, size_t columns) {
-  // Columns of words are aligned left, numbers right.
+  // Columns of words are aligned left, columns of numbers right.
   constexpr Column kLeft[] = {kObject, kProcess, kHost, kState};
   const Widths widths = WidthsFor(rows, columns);
   std::string text;
@@ -119,8 +119,8 @@ std::string Table(const std::vector<Row>& rows, size_t columns) {
   return text;
 }
 
-// Breaks `line` at blanks into lines of at most `columns` characters; all but the first are
-// indented.
+// Breaks `line` at spaces into lines of at most `columns` characters.  Indents all lines but the
+// first.
 std::string Fold(const std::string& line, size_t columns) {
   constexpr size_t kIndent = 4;
   if (columns <= 2 * kIndent || line.size() <= columns) return line + "\n";
@@ -175,7 +175,7 @@ void RunsHeard::Take(const std::vector<RunStatus>& news, double now_s) {
     if (!status.objects.empty()) {
       runs_[key] = {status, now_s};
     } else if (const auto found = runs_.find(key); found != runs_.end()) {
-      found->second.status.has_ended = true;  // the run ended without publishing a last status
+      found->second.status.has_ended = true;  // a status without objects: the run is gone
       found->second.heard_s = now_s;
     }
   }
@@ -255,7 +255,7 @@ std::string OnScreen(const std::string& text, size_t rows, size_t columns) {
     lines.resize(rows - 1);
     lines.push_back(fmt::format("... {}", Counted(left_out, "more line")).substr(0, columns));
   }
-  std::string screen;  // each line is cleared to its end, and the screen after the last line
+  std::string screen;  // clears each line to its end, and the rest of the screen
   for (const std::string& line : lines) screen += (screen.empty() ? "" : "\r\n") + line + "\x1b[K";
   return screen + "\x1b[J";
 }

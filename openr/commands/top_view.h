@@ -1,4 +1,4 @@
-// Formats the runs for openr top, as a table or as JSON.
+// Formats the status of runs for openr top, as a table or as JSON.
 #pragma once
 
 #include <map>
@@ -11,17 +11,17 @@
 
 namespace openr_host {
 
-// The runs whose status was received, each with the time of its last status.
+// The runs that have sent their status, each with its last status and the time when that came.
 class RunsHeard {
  public:
   struct Run {
     RunStatus status;
-    double heard_s = 0;  // by the wall clock of this process
+    double heard_s = 0;  // time of the last status, by this process's clock
   };
 
   void Take(const std::vector<RunStatus>& news, double now_s);
 
-  // Removes runs that ended some time ago.
+  // Removes the runs that ended more than 10 s ago.
   void Forget(double now_s);
 
   bool empty() const { return runs_.empty(); }
@@ -32,15 +32,15 @@ class RunsHeard {
   std::map<Key, Run> runs_;
 };
 
-// Returns the table.  `columns` is the width of the screen: columns of the table are left out, the
-// least important first, and other lines are broken.  0: the width is not limited.
+// Returns the table of the runs.  If it is wider than `columns` characters, its least important
+// columns are left out and its other lines are broken.  0: no limit.
 std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s, size_t columns = 0);
 
-// Returns {"runs": [...]}.
+// Returns {"runs": [...]}, with one object for each run.
 nlohmann::ordered_json TopJson(const std::vector<RunsHeard::Run>& runs, double now_s);
 
-// Returns the first `rows` lines of `text`, cut to `columns` characters, for a screen with its
-// cursor at the top left.  Says how many lines are left out.
+// Returns `text` for a terminal with its cursor at the top left: at most `rows` lines of `columns`
+// characters.  The last of them says how many lines are left out.
 std::string OnScreen(const std::string& text, size_t rows, size_t columns);
 
 }  // namespace openr_host

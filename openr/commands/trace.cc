@@ -22,8 +22,8 @@ struct TraceFlags {
   TraceFilter filter;
 };
 
-// Checks that the recording has the object and the service of the filter.  Throws
-// std::runtime_error if not.
+// Throws std::runtime_error if the recording does not have the object or the service that the flags
+// name.
 void CheckFilter(const TraceFlags& flags) {
   if (flags.filter.object.empty() && flags.filter.service.empty()) return;
   TraceReader reader(flags.file);
