@@ -66,7 +66,7 @@ void RemoteClient::Connect() {
     Throw(fmt::format("no address of '{}' is known ({}); this machine is 127.0.0.1", address_.host,
                       gai_strerror(problem)));
   }
-  // The socket does not block, so that connecting can end after timeout_ms_.
+  // The socket does not block, because connect() must give up after timeout_ms_.
   socket_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const int result = connect(socket_, found->ai_addr, found->ai_addrlen);
   int error = result == 0 ? 0 : errno;
@@ -85,7 +85,8 @@ void RemoteClient::Connect() {
     Throw(fmt::format("cannot be reached: {}; are host and port those of the robot?",
                       std::strerror(error)));
   }
-  // Requests are small and are answered one by one, so Nagle's algorithm would only delay them.
+  // Nagle's algorithm holds small packets back.  It is switched off, because requests are small and
+  // must leave at once.
   const int on = 1;
   setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }

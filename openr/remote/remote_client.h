@@ -1,4 +1,5 @@
-// A client of the remote control: the protocol of docs/remote-control.md over a TCP connection.
+// RemoteClient, a client of the robot's remote control.  It speaks the protocol of
+// docs/remote-control.md over TCP.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,8 @@
 
 namespace openr_host {
 
-// "HOST" or "HOST:PORT"; without a port, the robot's port is used.
+// The address of a robot, which users write as "HOST" or "HOST:PORT".  Without a port it has the
+// remote control's usual port, 54000.
 struct RemoteAddress {
   std::string host;
   uint16_t port = RC_PORT;
@@ -18,10 +20,11 @@ struct RemoteAddress {
   std::string Text() const { return host + ":" + std::to_string(port); }
 };
 
-// Returns "" or the error.  IPv6 addresses are refused, because the robot's network is IPv4.
+// Reads `text` into `address`.  Returns "" or the error.  IPv6 addresses are refused, because the
+// robot's network is IPv4.
 std::string ParseRemoteAddress(const std::string& text, RemoteAddress* address);
 
-// The exception that is thrown when the robot refuses a request.
+// The exception that RemoteClient throws when the robot refuses a request.
 class RemoteRefusal : public std::runtime_error {
  public:
   RemoteRefusal(int the_status, uint32_t the_frame, const std::string& why)
@@ -30,15 +33,15 @@ class RemoteRefusal : public std::runtime_error {
   const uint32_t frame;  // frame number in the answer
 };
 
-// The answer to a request.
+// The robot's answer to a request.
 struct RemoteAnswer {
-  uint32_t frame = 0;  // number of the frame of 8 ms; 0xffffffff before the first sensor values
+  uint32_t frame = 0;  // number of the frame of 8 ms; 0xffffffff: no sensor values yet
   std::vector<uint8_t> payload;
 };
 
-// A connection to a robot, which answers requests in their order.  Throws std::runtime_error with a
-// remedy when the robot cannot be reached or does not answer in time, and RemoteRefusal when it
-// refuses a request.
+// A connection to a robot, which answers requests in the order in which they were sent.  The
+// functions throw RemoteRefusal when the robot refuses a request.  When it cannot be reached or is
+// silent for too long, they throw std::runtime_error, whose text says what the user can do.
 class RemoteClient {
  public:
   RemoteClient(const RemoteAddress& address, int timeout_ms)
@@ -49,11 +52,12 @@ class RemoteClient {
 
   RemoteAnswer Request(int command, const std::vector<uint8_t>& payload = {});
 
-  // Sends all requests, then waits for all answers: one round trip instead of many.
+  // Sends one request for each payload, then waits for all answers.  That takes one round trip
+  // instead of many.
   std::vector<RemoteAnswer> RequestAll(int command,
                                        const std::vector<std::vector<uint8_t>>& payloads);
 
-  // Sends a request whose payload is a struct of RemoteProtocol.h that has Write(); returns the
+  // Sends a request with the payload `payload`, a struct of RemoteProtocol.h, and returns the
   // answer.
   template <typename Payload>
   RemoteAnswer RequestWith(int command, const Payload& payload) {
@@ -63,7 +67,7 @@ class RemoteClient {
     return Request(command, {bytes, bytes + writer.Size()});
   }
 
-  // Reads a struct of RemoteProtocol.h from an answer.
+  // Reads the payload of `answer` into a struct of RemoteProtocol.h.
   template <typename Payload>
   Payload Read(const RemoteAnswer& answer) const {
     Payload payload{};
@@ -75,9 +79,9 @@ class RemoteClient {
  private:
   RemoteClient(const RemoteAddress& address, int timeout_ms, bool is_probe);
   void Connect();
-  // Returns whether the robot still answers a new client although this connection was lost.
+  // Tests with a new connection whether the robot still answers, after this connection was lost.
   bool RobotGoesOn() const;
-  int WaitForConnection() const;  // returns an errno
+  int WaitForConnection() const;  // returns 0 or an errno
   uint16_t SendRequest(int command, const std::vector<uint8_t>& payload);
   RemoteAnswer ReceiveAnswer(uint16_t tag);
   void Send(const std::vector<uint8_t>& bytes);
@@ -90,20 +94,21 @@ class RemoteClient {
 
   const RemoteAddress address_;
   const int timeout_ms_;
-  const bool is_probe_;  // this client was made by RobotGoesOn()
+  const bool is_probe_;  // made by RobotGoesOn() to test the robot
   int socket_ = -1;
   uint16_t tag_ = 0;
   RcFramer framer_;
 };
 
-// The devices of the robot, to be found by name, title, locator or number.
+// The devices of one kind that the robot has.  Users name them by name, title, locator or number.
 class RemoteDevices {
  public:
   RemoteDevices(RemoteClient* client, RcDeviceKind kind);
 
   const std::vector<RcDescription>& all() const { return all_; }
 
-  // Returns the index of the device.  Throws std::runtime_error that lists the names.
+  // Returns the index of the device that `name` names.  Throws std::runtime_error with a list of
+  // all devices when the robot has no such device.
   int Find(const std::string& name) const;
 
  private:

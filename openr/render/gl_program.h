@@ -1,7 +1,7 @@
-// Owners of shaders and textures of OpenGL 2.1.
+// GlProgram and DepthTarget, which own shaders and textures of OpenGL 2.1.
 #pragma once
 
-// The build defines GL_GLEXT_PROTOTYPES.
+// The build defines GL_GLEXT_PROTOTYPES, so that this header declares the functions for shaders.
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -10,8 +10,8 @@
 
 namespace openr_host::render {
 
-// A compiled pair of shaders.  The constructor throws std::runtime_error with the compiler's
-// message when a shader does not compile.
+// A vertex shader and a fragment shader, compiled and linked.  The constructor throws
+// std::runtime_error, with the compiler's message, when a shader does not compile.
 class GlProgram {
  public:
   GlProgram(const char* vertex_text, const char* fragment_text);
@@ -21,7 +21,7 @@ class GlProgram {
 
   void Use() const { glUseProgram(program_); }
 
-  // Sets a variable of the program in use.
+  // Sets the variable `name` of the shaders.  REQUIRES: this program is in use.
   void Set(const char* name, int value) const;
   void Set(const char* name, float value) const;
   void Set(const char* name, const Eigen::Vector3f& value) const;
@@ -31,7 +31,8 @@ class GlProgram {
   GLuint program_ = 0;
 };
 
-// A square picture of distances.  Between Bind() and the next Bind...(), OpenGL draws into it.
+// A square texture that holds the distance to the nearest surface at each pixel.  After Bind(),
+// OpenGL draws into this texture until something else is bound.
 class DepthTarget {
  public:
   explicit DepthTarget(int size_px);

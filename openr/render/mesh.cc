@@ -6,16 +6,16 @@
 namespace openr_host::render {
 namespace {
 
-// Adds one side of a box with rounded edges: a grid over [-1, 1] x [-1, 1].  The grid has its
-// middle line twice, once for each half; the flat part of the side lies between these two lines.
+// Adds one side of a rounded box: a square grid of points.  The middle line of the grid is there
+// twice, once for each rounded half; the flat part of the side lies between the two.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;
   const int v_axis = (axis + 2) % 3;
   const int per_line = 2 * (steps + 1);
-  // Angles along an edge are equal, so that the rounding is even.
+  // Equal angles between the lines of the grid make the edge evenly round.
   const auto slope = [steps](int i) {
-    const int step = i <= steps ? i - steps : i - steps - 1;  // -steps .. 0, 0 .. steps
+    const int step = i <= steps ? i - steps : i - steps - 1;  // -steps to 0, 0 to steps
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);
   };
   const auto half = [steps](int i) { return i <= steps ? -1.0f : 1.0f; };

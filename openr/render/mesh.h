@@ -1,4 +1,4 @@
-// Triangles of a box with rounded edges.
+// Makes the triangles of a box with rounded edges.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,11 +14,11 @@ struct Vertex {
 
 struct Mesh {
   std::vector<Vertex> vertices;
-  std::vector<uint32_t> triangles;  // three indices each, counterclockwise from outside
+  std::vector<uint32_t> triangles;  // three indices each; counterclockwise, seen from outside
 };
 
-// Returns a box centred on the origin, with edges along the axes.  `radius` is reduced to half of
-// the shortest edge if it is larger.  `steps` >= 1 is the number of segments for a quarter circle.
+// Returns a box whose centre is the origin.  `radius` is the radius of its edges, at most half of
+// its shortest edge.  `steps` is the number of segments in a quarter circle, at least 1.
 Mesh RoundedBox(const Eigen::Vector3f& size, float radius, int steps);
 
 }  // namespace openr_host::render

@@ -1,4 +1,4 @@
-// Pictures taken during a run: --snapshot t=5s,view=side -o a.png.
+// PictureRequest, a picture to be taken during a run: --snapshot t=5s,view=side -o a.png.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ struct PictureRequest {
   std::string file;
 };
 
-// Reads "t=5s,view=side,size=1280x720,robot=0".  All parts are optional; t=end means the end.
-// Returns "" or the error.
+// Reads a text such as "t=5s,view=side,size=1280x720,robot=0".  Each part may be left out; t=end is
+// the end of the run.  Returns "" or the error.
 std::string ParsePictureRequest(std::string_view text, PictureRequest* plan);
 
-// Draws the robot as it is now.  The first call loads libopenr_render.so, and Mesa with it.
-// Returns "" or the error.
+// Writes a picture of the robot in its present state to the file of `plan`.  The first call loads
+// libopenr_render.so and the graphics library Mesa.  Returns "" or the error.
 std::string TakePicture(const PictureRequest& plan, const VirtualRobot& robot, const World& world);
 
 }  // namespace openr_host

@@ -6,8 +6,8 @@
 
 namespace openr_host::render {
 
-// Returns a PNG file with the pixels `rgb`: rows of red, green, blue, the top row first, 3 * width
-// * height bytes.  Throws std::runtime_error.
+// Returns the bytes of a PNG file.  `rgb` has the pixels: three bytes each (red, green, blue), row
+// by row, the top row first.  Throws std::runtime_error.
 std::string EncodePng(int width, int height, const std::vector<uint8_t>& rgb);
 
 }  // namespace openr_host::render

@@ -1,4 +1,5 @@
-// The only function of this library that is called from outside; see scene.h.
+// openr_render_picture(), which draws a scene as a PNG file.  The program loads libopenr_render.so
+// and calls only this function of it (scene.h).
 #include <exception>
 
 #include "openr/render/png_file.h"

@@ -14,16 +14,16 @@
 namespace openr_host::render {
 namespace {
 
-constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, along each edge
-constexpr int kEdgeSteps = 8;   // segments of a quarter circle at rounded edges
+constexpr int kOversample = 3;  // drawn pixels per pixel of the picture, in each direction
+constexpr int kEdgeSteps = 8;   // segments of a quarter circle at the edges of shapes
 constexpr int kShadowPixels = 2048;
-constexpr double kShadowHalfM = 0.40;  // no shadows beyond this distance from the target
+constexpr double kShadowHalfM = 0.40;  // shadows reach so far from the camera's target
 constexpr double kFloorHalfM = 6;
 const Eigen::Vector3f kBackground(0.93f, 0.94f, 0.95f);
 const Colour kFloorColour{0.83f, 0.84f, 0.85f};
 const Eigen::Vector3d kToSun = Eigen::Vector3d(0.35, -0.55, 1.0).normalized();
 
-// An OpenGL context that draws into memory.  It is the current context while the OffScreen exists.
+// An OpenGL context of Mesa that draws into memory.  OpenGL calls go to it while it exists.
 class OffScreen {
  public:
   OffScreen(int width, int height)
@@ -38,7 +38,7 @@ class OffScreen {
   OffScreen(const OffScreen&) = delete;
   OffScreen& operator=(const OffScreen&) = delete;
 
-  const std::vector<uint8_t>& pixels() const { return pixels_; }  // bottom row first, RGBA
+  const std::vector<uint8_t>& pixels() const { return pixels_; }  // RGBA, the bottom row first
 
  private:
   std::vector<uint8_t> pixels_;
@@ -107,7 +107,8 @@ void BindDepth(int unit, const DepthTarget& target) {
   glBindTexture(GL_TEXTURE_2D, target.texture());
 }
 
-// Averages blocks of kOversample pixels and turns the rows upside down.
+// Returns the picture in its final size: each pixel is the average of kOversample x kOversample
+// drawn pixels.
 std::vector<uint8_t> Shrink(const std::vector<uint8_t>& rgba, int width, int height) {
   std::vector<uint8_t> rgb;
   rgb.reserve(size_t{3} * static_cast<size_t>(width) * static_cast<size_t>(height));
@@ -148,7 +149,7 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   glEnable(GL_DEPTH_TEST);
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
-  // First pass: the distances from the sun and from the sky, for the shadows of the second pass.
+  // The first pass draws the distances from sun and sky.  The second pass makes shadows of them.
   DrawDepths(items, sun, depth_program, sun_depth);
   DrawDepths(items, sky, depth_program, sky_depth);
 

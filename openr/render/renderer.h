@@ -7,8 +7,8 @@
 
 namespace openr_host::render {
 
-// Draws a scene off screen with Mesa and returns rows of red, green, blue, the top row first.
-// Throws std::runtime_error when this machine's OpenGL cannot do it.
+// Draws `scene` into memory, without a screen.  Returns three bytes (red, green, blue) for each
+// pixel, row by row, the top row first.  Throws std::runtime_error when Mesa cannot do it.
 std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px);
 
 }  // namespace openr_host::render

@@ -17,7 +17,7 @@ constexpr Colour kWood{0.72f, 0.60f, 0.46f};
 
 bool EndsWith(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
-// Returns the shape that is drawn for a part.  The simulated shape is a plain box.
+// Returns the shape with rounded edges that pictures show for `part`.  Physics uses a plain box.
 Shape ShapeOfPart(const BodyPart& part, const Eigen::Isometry3d& X_WL) {
   Shape shape;
   shape.X_WS = X_WL * Eigen::Translation3d(part.centre_m);
@@ -45,8 +45,8 @@ Colour LightColour(const std::string& name) {
   return {1.0f, 1.0f, 0.85f};
 }
 
-// Positions of the lights of the ERS-210, in the base frame at zero angles.  They were estimated
-// from photographs, because no document gives them.
+// Places of the lights of the ERS-210, for joints at 0 degrees.  No document gives them, so they
+// are estimated from photographs.
 struct LightPlace {
   const char* name;
   const char* body;
@@ -88,7 +88,7 @@ void AddLights(const RobotModel& model, const RobotLook& look, std::vector<Shape
   }
 }
 
-// Adds the dark mask around the eyes, and the nose with the camera.
+// Adds the dark mask around the eyes, and the nose, which holds the camera.
 void AddFace(const RobotModel& model, const RobotLook& look, std::vector<Shape>* shapes) {
   const int head = model.FindBody("head");
   if (head < 0 || !model.bodies[static_cast<size_t>(head)].has_box) return;
@@ -111,7 +111,7 @@ void AddFace(const RobotModel& model, const RobotLook& look, std::vector<Shape>*
   shapes->push_back(nose);
 }
 
-// Adds the ears.  An ear hangs down when it is off and stands up when it is on.
+// Adds the ears.  An ear that is off hangs down; an ear that is on stands up.
 void AddEars(const RobotModel& model, const RobotLook& look, std::vector<Shape>* shapes) {
   const int head = model.FindBody("head");
   for (size_t i = 0; head >= 0 && i < model.plungers.size(); ++i) {
@@ -144,7 +144,7 @@ void AddPaws(const RobotModel& model, const RobotLook& look, std::vector<Shape>*
   }
 }
 
-// Adds the hinges of the legs, which make the knees visible.
+// Adds the hinges between the two parts of each leg, which look like knees.
 void AddHinges(const RobotModel& model, const RobotLook& look, std::vector<Shape>* shapes) {
   for (const JointModel& joint : model.joints) {
     if (!EndsWith(joint.name, "_j3")) continue;
@@ -174,7 +174,7 @@ void AddWorld(const World& world, std::vector<Shape>* shapes) {
 struct ViewPlace {
   const char* name;
   View view;
-  Eigen::Vector3d from;  // position of the camera relative to the target, x along the heading, in m
+  Eigen::Vector3d from;  // camera minus target, in m; x is forward
 };
 
 const ViewPlace* Places(size_t* count) {
@@ -221,8 +221,8 @@ render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, con
                              View view) {
   render::Scene scene;
   for (size_t i = 0; i < model.bodies.size(); ++i) {
-    // The plates of 1 mm in place of the J1 blocks lie under the surface of the trunk, so they are
-    // not drawn.
+    // Thin bodies are not drawn.  They are the plates of 1 mm that the model has instead of the
+    // blocks of joint J1, and they lie inside the trunk.
     if (model.bodies[i].has_box && model.bodies[i].size_m.minCoeff() > 0.002) {
       scene.shapes.push_back(ShapeOfPart(model.bodies[i], look.X_WL[i]));
     }

@@ -1,4 +1,4 @@
-// Makes the scene of a robot in its world: the look of its bodies, lights and ears.
+// Makes the scene for a picture of a robot in its world: shapes for its parts, lights and ears.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,18 +12,19 @@
 
 namespace openr_host {
 
-// The data that decide how a robot looks at one instant.
+// The state of a robot that can be seen: its posture, lights and ears.
 struct RobotLook {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Isometry3d> X_WL;  // order of RobotModel::bodies, as Body::BodyPoses()
-  std::vector<bool> leds_on;            // order of RobotModel::leds; missing ones are off
-  std::vector<double> plungers_rad;     // order of RobotModel::plungers; missing ones are 0
+  std::vector<Eigen::Isometry3d> X_WL;  // of each body, in the order of Body::BodyPoses()
+  std::vector<bool> leds_on;            // in the order of RobotModel::leds; those missing are off
+  std::vector<double> plungers_rad;     // in the order of RobotModel::plungers; those missing are 0
 };
 
-// The place of the camera, relative to the robot's position and heading.
+// The place of the camera.  It moves and turns with the robot.
 enum class View { kSide, kFront, kTop, kIso, kFollow };
 
-// Reads "side", "front", "top", "iso" or "follow"; returns false for other names.
+// Sets `view` to the view "side", "front", "top", "iso" or "follow".  Returns false for other
+// names.
 bool ParseView(std::string_view name, View* view);
 
 render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, const World& world,

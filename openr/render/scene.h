@@ -1,7 +1,7 @@
-// The scene of a picture to be drawn, as plain data: shapes with places and colours, a light, a
-// camera.
+// Scene, a picture to be drawn, as plain data: shapes with places and colours, and a camera.
 //
-// World W: metres, right-handed, z up, floor at z = 0.  Nothing here depends on robots.
+// Coordinates are those of the world W: metres, right-handed, z up, the floor at z = 0.  Scenes
+// know nothing of robots.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,21 +14,21 @@ struct Colour {
   float r = 0.5f, g = 0.5f, b = 0.5f;  // 0 to 1, as seen on a screen (sRGB)
 };
 
-// A box with rounded edges; a ball when the radius is half of all edges.
+// A box with rounded edges.  It is a ball when `radius_m` is half of each edge.
 struct Shape {
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  // centre and axes of the box in W
-  Eigen::Vector3d size_m{0, 0, 0};                         // full edges
-  double radius_m = 0;  // of the edges; at most half of the shortest edge is used
+  Eigen::Vector3d size_m{0, 0, 0};                         // lengths of the edges
+  double radius_m = 0;  // of the rounding; at most half of the shortest edge is used
   Colour colour;
-  float gloss = 0.3f;  // 0 dull to 1 polished
-  bool glows = false;  // shines by itself, in its own colour
+  float gloss = 0.3f;  // from 0, dull, to 1, polished
+  bool glows = false;  // shines in its own colour, also in the shadow
 };
 
 struct Camera {
   Eigen::Vector3d p_W{1, -1, 0.5};  // place of the camera
   Eigen::Vector3d target_W{0, 0, 0};
-  Eigen::Vector3d up{0, 0, 1};  // must not be along the line of sight
-  double fov_rad = 0.5;         // angle over the height of the picture
+  Eigen::Vector3d up{0, 0, 1};  // direction that is up in the picture; not the line of sight
+  double fov_rad = 0.5;         // angle of view from the bottom to the top of the picture
 };
 
 struct Scene {
@@ -42,8 +42,8 @@ struct Picture {
   int height_px = 720;  // 16 to 4096
 };
 
-// Type of the function openr_render_picture of libopenr_render.so.  Sets `png` to the bytes of a
-// PNG file, or `error` to the error.
+// The type of openr_render_picture(), which the program finds in libopenr_render.so by its name.
+// It sets `png` to the bytes of a PNG file, or `error` to the error.
 using RenderPicture = void(const Scene& scene, const Picture& picture, std::string* png,
                            std::string* error);
 constexpr char kRenderPictureName[] = "openr_render_picture";

@@ -33,8 +33,8 @@ void main() {
 }
 )";
 
-// Light from the sun with a soft shadow; light from the sky, darker where something is right above;
-// gloss; the floor with its grid, which fades into the background.
+// Draws light from the sun with a soft shadow, and light from the sky, which is weaker below other
+// shapes.  Adds gloss.  The grid of the floor fades into the background with distance.
 const char kPictureFragmentShader[] = R"(#version 120
 uniform sampler2DShadow sun_depth;
 uniform sampler2DShadow sky_depth;

@@ -1,4 +1,5 @@
-// Shaders in GLSL 1.20 for the two passes: distances from a light, and the picture.
+// Shaders in GLSL 1.20.  The two depth shaders draw distances from a light; the two picture shaders
+// draw the picture.
 #pragma once
 
 namespace openr_host::render {

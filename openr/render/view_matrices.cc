@@ -8,7 +8,8 @@ namespace {
 constexpr double kNearM = 0.02;
 constexpr double kFarM = 30;
 
-// Returns the matrix for looking from `eye` at `target`: along -z, x to the right, y up.
+// Returns the matrix that puts `eye` at the origin and `target` on the negative z axis.  x is to
+// the right, y is up.
 Eigen::Matrix4d LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                        const Eigen::Vector3d& up) {
   const Eigen::Vector3d z = (eye - target).normalized();
@@ -42,7 +43,7 @@ Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector
       std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
   box(0, 0) = box(1, 1) = 1 / half_m;
-  // Depth -1 is at the light, 1 is as far behind the target as the light is before it.
+  // Depth runs from -1 at the light to 1, as far behind the target as the light is in front of it.
   box(2, 2) = -1 / distance;
   box(2, 3) = -1;
   return (box * LookAt(target_W + distance * to_light, target_W, up)).cast<float>();

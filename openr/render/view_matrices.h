@@ -1,4 +1,4 @@
-// Matrices from world coordinates to those of OpenGL, which clips at -1 and 1.
+// Makes matrices that convert world coordinates to OpenGL's, which are -1 to 1 inside the picture.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,11 +7,12 @@
 
 namespace openr_host::render {
 
-// Returns a perspective view; `aspect` is width divided by height of the picture.
+// Returns the matrix of a camera with perspective.  `aspect` is the picture's width divided by its
+// height.
 Eigen::Matrix4f CameraMatrix(const Camera& camera, double aspect);
 
-// Returns a view for parallel light from the direction `to_light` (a unit vector) on a square of 2
-// * half_m around `target_W`.
+// Returns the matrix for looking along parallel light.  `to_light` is a unit vector towards the
+// light; the view is a square of 2 * half_m around `target_W`.
 Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector3d& to_light,
                             double half_m);
 

@@ -10,10 +10,11 @@
 namespace openr_host {
 namespace {
 
-constexpr NetAddress kRemote = {0x7f000001, 1};  // a port that no client of the host has
+constexpr NetAddress kRemote = {0x7f000001, 1};  // as the robot sees the client
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
-// Largest position that is passed on: more than any joint turns.  The robot checks its own limits.
+// Positions are cut to two turns, more than any joint can do, so that they fit into a request.  The
+// robot has its own limits.
 constexpr double kPositionMax_rad = 2 * kPi;
 constexpr double kSpeedMax_rad_s = 1000;
 
@@ -29,7 +30,7 @@ NetworkEvent EventOf(NetworkEvent::Kind kind, NetHandle handle) {
 void JointClient::Want(const std::map<int, JointTarget>& targets) {
   for (const auto& [joint, target] : targets) {
     JointTarget& wanted = wanted_[joint];
-    const double speed_rad_s = wanted.speed_rad_s;  // stays in force until another limit comes
+    const double speed_rad_s = wanted.speed_rad_s;  // kept if the new target has no limit
     wanted = target;
     if (target.speed_rad_s <= 0) wanted.speed_rad_s = speed_rad_s;
   }
@@ -104,8 +105,8 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Accepts for this client the oldest accept operation of the robot.  Returns false if there is
-// none.
+// Gives the connection to this client: answers the robot's oldest waiting Accept() with it.
+// Returns false if no Accept() waits.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();
@@ -124,7 +125,7 @@ void JointClient::Request(int command, int joint, double value) {
   writer.U16(RC_HEADER_SIZE + 5);
   writer.U8(RC_VERSION);
   writer.U8(static_cast<Uint32>(command));
-  writer.U16(0);  // number of the request, which is not needed because answers come in order
+  writer.U16(0);  // tag of the request; not needed, since answers come in order
   writer.U8(static_cast<Uint32>(joint));
   writer.S32(static_cast<Sint32>(std::lround(value * kCentidegPerRad)));
   out_.append(reinterpret_cast<const char*>(bytes), static_cast<size_t>(writer.Size()));
@@ -143,7 +144,7 @@ void JointClient::WriteRequests() {
 std::vector<NetworkEvent> JointClient::Poll() {
   std::vector<NetworkEvent> events = PassingNetwork::Poll();
   for (const NetworkEvent& event : events) std::erase(accepts_, event.handle);
-  // The connection is made with the first target, so a run without commands has none.
+  // The client connects when it has its first target, so a run without commands has no connection.
   if (handle_ == 0 && (wanted_.empty() || !TakePlace(&events))) return events;
   if (taken_ > 0) {
     events.push_back(EventOf(NetworkEvent::Kind::kSent, handle_));
@@ -154,8 +155,7 @@ std::vector<NetworkEvent> JointClient::Poll() {
     Forget();
     return events;
   }
-  // After an answer that is not valid, this client ends the connection, as a client that gives up
-  // does.
+  // After an invalid answer the client sends no more requests and ends the connection.
   if (!is_broken_) WriteRequests();
   if (wants_ > 0 && (is_broken_ || !out_.empty())) {
     events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));

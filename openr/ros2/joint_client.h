@@ -1,10 +1,10 @@
-// A client of the remote control inside the program.  It sends joint targets of ROS 2 to the robot
-// as a client on the network does (docs/remote-control.md).
+// JointClient, a client of the robot's remote control inside this program.  It sends the robot the
+// joint targets that come from ROS 2, as a client on the network does (docs/remote-control.md).
 //
-// The client is placed between a robot and its network, and opens a connection of its own to the
-// robot's port, without a socket.  The client's data come out of Poll() like all data from outside.
-// Therefore the robot, the order of events and a recording treat it like any other client, a run
-// with commands can be replayed, and the robot's limits of position, speed and acceleration hold.
+// The client stands between a robot and its network and connects to the robot's port without a
+// socket.  Its data come out of Poll(), like all data from outside.  So the robot cannot tell it
+// from other clients, its limits of position, speed and acceleration hold, and a run can be
+// recorded and replayed with its commands.
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,23 @@ namespace openr_host {
 
 struct JointTarget {
   double position_rad = 0;
-  double speed_rad_s = 0;  // limit from now on; 0: no change
+  double speed_rad_s = 0;  // limit for this joint from now on; 0: leave the limit as it is
 };
 
 class JointClient : public PassingNetwork {
  public:
-  // A function that is called with the reason when the robot refuses a target.
+  // Type of the function that is called, with the reason, when the robot refuses a target.
   using Refused = std::function<void(const std::string& why)>;
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
 
-  // Sets targets by joint, in the robot's numbering, for the next Poll().  Until the robot has
-  // answered the targets before, only the newest target of each joint is kept.
+  // Stores targets, by the robot's number of the joint, for the next Poll().  While the robot has
+  // not answered earlier requests, a new target replaces a stored one of the same joint.
   void Want(const std::map<int, JointTarget>& targets);
 
-  // Returns whether targets wait because the robot has not taken them.
+  // Returns whether the robot has not taken the stored targets yet.
   bool IsWaiting() const { return !wanted_.empty(); }
-  // Drops the waiting targets.
+  // Drops the stored targets.
   void GiveUp() { wanted_.clear(); }
 
   void Listen(NetHandle listener, uint16_t port) override;
@@ -57,18 +57,18 @@ class JointClient : public PassingNetwork {
   void Forget();
 
   const Refused refused_;
-  std::map<int, JointTarget> wanted_;  // by joint
-  NetHandle listener_ = 0;             // handle on which the remote control listens
-  std::deque<NetHandle> accepts_;  // accept operations of the remote control without a client yet
+  std::map<int, JointTarget> wanted_;  // stored targets by joint
+  NetHandle listener_ = 0;             // where the remote control listens; 0: it does not
+  std::deque<NetHandle> accepts_;      // Accept() calls of the remote control that wait
 
   // ---- State of the connection
   NetHandle handle_ = 0;  // 0: no connection
-  std::string out_;       // requests that the robot has not read
+  std::string out_;       // requests that the robot has not received yet
   int unanswered_ = 0;
-  uint64_t taken_ = 0;  // bytes of answers since the last Poll()
-  size_t wants_ = 0;    // bytes that a Receive() of the robot waits for
+  uint64_t taken_ = 0;  // bytes of answers that came since the last Poll()
+  size_t wants_ = 0;    // most bytes that the robot's waiting Receive() takes; 0: none waits
   bool is_closing_ = false;
-  bool is_broken_ = false;  // the data received were no valid answer
+  bool is_broken_ = false;  // the robot has sent something that is no valid answer
   RcFramer framer_;
 };
 

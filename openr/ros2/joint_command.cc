@@ -7,7 +7,8 @@
 namespace openr_host {
 namespace {
 
-// Returns a text from the network in a form for messages: short, and without control characters.
+// Returns `text`, which came over the network, as it may be printed: short, without control
+// characters.
 std::string Shown(const std::string& text) {
   constexpr size_t kMax = 40;
   std::string shown;

@@ -1,4 +1,4 @@
-// Checks messages of ROS 2 with targets for joints.
+// Checks the commands for joints that come from ROS 2.
 #pragma once
 
 #include <map>
@@ -10,9 +10,10 @@
 
 namespace openr_host {
 
-// Reads a command that came over the network.  Its joints must be those of `model`, each once, with
-// one finite position each, and finite velocities for all or none.  Returns "" and sets the targets
-// by joint, or returns the reason why the whole command is refused.
+// Checks `command`, which came over the network, and reads it into `targets`, by number of the
+// joint.  Each name must be a joint of `model`, given once, with a finite position.  Velocities
+// must be given for all of them or for none.  Returns "", or the reason why the whole command is
+// refused.
 std::string ReadJointCommand(const Ros2JointCommand& command, const RobotModel& model,
                              std::map<int, JointTarget>* targets);
 

@@ -41,14 +41,14 @@ RobotTopics::RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot
         switches_[sensor] = std::make_unique<Ros2Switch>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kForce:
-      case SensorKind::kRaw:  // strength of a touch, in counts of the converter
+      case SensorKind::kRaw:  // the strength of a touch, without a unit
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/touch/" + part);
         break;
       case SensorKind::kDistance:
         numbers_[sensor] = std::make_unique<Ros2Number>(bus, space + "/distance/" + part);
         break;
       default:
-        break;  // joints and acceleration have other topics; there is no temperature
+        break;  // joints and acceleration are published elsewhere, temperature is not
     }
   }
 }
@@ -73,13 +73,14 @@ std::string RobotTopics::Publish(int64_t time_us) {
 void RobotTopics::PublishJoints(int64_t time_us) {
   std::vector<double> positions, velocities;
   for (const JointModel& joint : robot_->model().joints) positions.push_back(Value(joint.sensor));
-  // The robot has no speed sensors, so the speeds of the simulated body are published.
+  // The robot does not measure joint speeds, so those of the simulated body are published.
   for (const JointState& joint : robot_->body().state().joints)
     velocities.push_back(joint.speed_rad_s);
   joints_.Publish(time_us, positions, velocities);
 }
 
-// The sensors measure gravity minus acceleration; ROS 2 wants acceleration minus gravity.
+// The robot's sensors measure gravity minus acceleration.  ROS 2 expects acceleration minus
+// gravity, so the sign is changed.
 void RobotTopics::PublishAcceleration(int64_t time_us) {
   const std::vector<Sensor>& sensors = robot_->model().sensors;
   Eigen::Vector3d felt{0, 0, 0};

@@ -1,4 +1,4 @@
-// Publishes the sensors of one robot as topics of ROS 2 (docs/ros2.md).
+// RobotTopics publishes the sensors of one robot as topics of ROS 2 (docs/ros2.md).
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,18 @@
 
 namespace openr_host {
 
-// Returns the part of a topic's name for a sensor: paw_sensor_left_fore_leg for "Paw sensor (left
-// fore leg)".
+// Returns the name of a sensor as a part of a topic's name: "paw_sensor_left_fore_leg" for "Paw
+// sensor (left fore leg)".
 std::string TopicPart(const std::string& sensor);
 
 class RobotTopics {
  public:
-  // Creates the topics `space`/..., which are named after the devices of the robot's model.
+  // Creates the topics, whose names begin with `space`/.  The rest of a name is "imu" and the like,
+  // or the name of a sensor.
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
-  // Publishes the state; called after each frame.  Returns "" or the reason why there is no image.
+  // Publishes all sensors.  Called after each frame of 8 ms.  Returns "", or the reason why the
+  // camera has no image.
   std::string Publish(int64_t time_us);
 
  private:
@@ -30,7 +32,7 @@ class RobotTopics {
   std::string PublishImage(int64_t time_us);
 
   VirtualRobot* const robot_;
-  int64_t frame_ = 0;  // number of the last published frame
+  int64_t frame_ = 0;  // frame of the values published last
   Ros2JointStates joints_;
   Ros2Imu imu_;
   Ros2Image image_;

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-constexpr int kPatienceFrames = 125;  // 1 s until a target that the robot does not take is dropped
+constexpr int kPatienceFrames = 125;  // 1 s; then a target that the robot has not taken is dropped
 constexpr size_t kNamespaceMax = 64;  // characters
 constexpr const char* kCommandTopic = "/joint_command";
 
@@ -19,7 +19,7 @@ constexpr const char* kCommandTopic = "/joint_command";
 
 std::string WrongNamespace(const std::string& name) {
   bool is_good = name.size() <= kNamespaceMax && name.find("__") == std::string::npos;
-  bool at_start = true;  // at the start of a word
+  bool at_start = true;  // whether `c` begins a word
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
     const bool is_digit = c >= '0' && c <= '9';
@@ -85,7 +85,7 @@ void Ros2Link::TakeCommands(Robot* robot) {
         ": a publisher does not match and is not heard; it has to be reliable and to speak "
         "XCDR1, which is the default of ROS 2");
   }
-  const bool is_waiting = robot->client->IsWaiting();  // targets of earlier commands wait
+  const bool is_waiting = robot->client->IsWaiting();  // the robot has not taken earlier targets
   for (int i = 0; i < Ros2JointCommands::kWaitingMax; ++i) {
     const std::optional<Ros2JointCommand> command = robot->commands->Take();
     if (!command) break;
@@ -97,7 +97,7 @@ void Ros2Link::TakeCommands(Robot* robot) {
   robot->frames_waiting = is_waiting ? robot->frames_waiting + 1 : 0;
   if (robot->frames_waiting == kPatienceFrames) {
     robot->frames_waiting = 0;
-    robot->client->GiveUp();  // an old command must not move the robot later
+    robot->client->GiveUp();  // the robot must not move later, by an old command
     robot->complaints->Add(fmt::format(
         "{}: the remote control of the robot has not taken a command for 1 s, it is given up; is "
         "RCServer on the stick and started, and has it less than eight clients?",

@@ -1,6 +1,6 @@
-// Connects a run with ROS 2: publishes its clock and robots as topics, and takes commands for
-// joints.  Publishing changes nothing in the run.  Commands enter a robot as those of a client of
-// the remote control do, see joint_client.h.
+// Ros2Link connects a run with ROS 2: publishes its clock and the sensors of its robots, and takes
+// commands for joints.  Publishing changes nothing in the run.  Commands enter a robot through the
+// remote control (joint_client.h).
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,22 @@
 
 namespace openr_host {
 
-// Returns "" or what is wrong with the name of a namespace: words with slashes between.
+// Returns "" if `name` can be a namespace of ROS 2: words with "/" between them, such as
+// "lab/aibo".  Returns an error text if not.
 std::string WrongNamespace(const std::string& name);
 
-// Messages to the user about one robot.  Each text is printed only once, and the number of texts is
-// limited.
+// Prints messages about one robot.  The same text is printed once only, and at most kMax different
+// texts are printed.
 class Ros2Complaints {
  public:
   using Say = std::function<void(const std::string& line)>;
   static constexpr size_t kMax = 20;
 
-  // `robot` is the namespace of the robot that the messages name.
+  // `robot` is the robot's namespace in ROS 2; the messages name it.
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
-  // Prints at the end how many texts were left out.
+  // Prints how many further texts were not printed.  Called at the end of the run.
   void SayHowManyMore() const;
 
  private:
@@ -47,19 +48,20 @@ class Ros2Link {
  public:
   using Say = Ros2Complaints::Say;  // prints a message
 
-  // `space` is the robot's namespace; with several robots, their numbers are added to it.  The link
-  // adds its clients to the networks in `options`, from which a simulation is made later.  The
-  // commands also reach networks that `options` has already, so a recorder must have been added
-  // before.  `bus` and this object must outlive the simulation.
+  // Puts a JointClient into the network of each robot, through `options`.  The simulation is made
+  // from `options` later.  If a recorder is to record the commands, it must be in `options`
+  // already.  `space` is the namespace; several robots have their number after it.  `bus` and this
+  // object must outlive the simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
 
-  // Begins publishing.  Called when the simulation has been made.
+  // Begins to publish.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
-  // Publishes the state and passes commands on.  Called after each frame.
+  // Publishes clock and sensors, and gives commands that have come to the robots.  Called after
+  // each frame of 8 ms.
   void AfterFrame();
-  // Ends the link.  Called when the run is over.
+  // Prints how many messages were not printed.  Called when the run is over.
   void End();
 
  private:
