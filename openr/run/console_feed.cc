@@ -27,8 +27,8 @@ ConsoleFeed::ConsoleFeed(const std::string& file)
   text_ = std::move(*text);
 }
 
-// Returns the whole lines that have come; at the end of standard input, also a rest without a line
-// end.
+// Returns the complete lines that have come.  At the end of standard input, also returns a last
+// line without a newline.
 std::string ConsoleFeed::TakeLines() {
   pollfd input = {STDIN_FILENO, POLLIN, 0};
   while (is_open_ && poll(&input, 1, 0) > 0) {
@@ -41,7 +41,7 @@ std::string ConsoleFeed::TakeLines() {
     }
   }
   if (!is_open_) return std::exchange(text_, "");
-  const size_t end = text_.rfind('\n') + 1;  // 0: there is no whole line
+  const size_t end = text_.rfind('\n') + 1;  // 0: no complete line
   std::string lines = text_.substr(0, end);
   text_.erase(0, end);
   return lines;

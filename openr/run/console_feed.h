@@ -1,4 +1,4 @@
-// Gives objects the console input that people type: from a file, or line by line as it comes.
+// ConsoleFeed, which gives the robots' programs the console input: a file, or what a user types.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@ class System;
 
 class ConsoleFeed {
  public:
-  // The content of `file` is given to the objects at the start of the run.  "-" means lines of
-  // standard input, read at every Feed().  "" means standard input if that is a terminal, else no
-  // input.  Throws std::runtime_error when the file cannot be read.
+  // `file` "-" means standard input, of which each Feed() gives the lines that have come.  "" means
+  // the same if standard input is a terminal, else no input.  The content of any other file is
+  // given at the start of the run.  Throws std::runtime_error when the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
-  // Gives the text that has been read to every robot of `system`.
+  // Gives the input that has come to each robot of `system`.
   void Feed(System* system);
 
  private:
   std::string TakeLines();
 
-  std::string text_;          // text that was read and not given to the robots yet
-  bool is_terminal_ = false;  // a terminal echoes itself what is typed
-  bool is_open_ = false;      // standard input has not ended
+  std::string text_;          // input that has come and was not given yet
+  bool is_terminal_ = false;  // standard input is a terminal, which shows what is typed
+  bool is_open_ = false;      // standard input may bring more
 };
 
 }  // namespace openr_host

@@ -10,7 +10,7 @@ namespace {
 
 volatile sig_atomic_t g_count = 0;
 
-// Handles SIGINT, SIGTERM and SIGHUP.
+// Counts SIGINT, SIGTERM and SIGHUP.  The third of them ends the process.
 void OnInterruptSignal(int) {
   g_count = g_count + 1;
   if (g_count < 3) return;
@@ -29,7 +29,7 @@ void Install(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-// Returns whether this process ignores `signal`, for example SIGHUP after a start by nohup.
+// Returns whether this process was started to ignore `signal`, as nohup does with SIGHUP.
 bool IsIgnored(int signal) {
   struct sigaction action {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;

@@ -1,17 +1,18 @@
-// Counts Ctrl-C, SIGTERM and SIGHUP.  The run looks at the count between frames.
+// InterruptCounter, which counts Ctrl-C, SIGTERM and SIGHUP.  The run reads the count after each
+// frame.
 #pragma once
 
 namespace openr_host {
 
-// The effect on this process of a terminal that closes (SIGHUP).
+// The effect of SIGHUP on this process.  The signal comes when its terminal is closed.
 enum class HangUp {
-  kEnds,     // ends the process, the default action
-  kCounts,   // the same as Ctrl-C
-  kIgnored,  // nothing, because the work ends by itself
+  kEnds,     // ends the process, which is the signal's default
+  kCounts,   // is counted like Ctrl-C
+  kIgnored,  // has none, because the run ends by itself
 };
 
-// While an InterruptCounter exists, SIGINT and SIGTERM are only counted.  The third signal ends the
-// process at once, in case the run does not end.
+// While an InterruptCounter exists, SIGINT and SIGTERM do not end the process but are counted.  The
+// third one ends the process at once, in case the run hangs.
 class InterruptCounter {
  public:
   explicit InterruptCounter(HangUp hang_up = HangUp::kEnds);

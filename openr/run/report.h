@@ -1,5 +1,5 @@
-// Makes the report of a run, for --report FILE and --json.  Names of fields do not change after a
-// release.
+// Makes the report of a run, for --report and --json.  Fields keep their names after a release,
+// because users' programs read them.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,21 @@ namespace openr_host {
 
 class Simulation;
 
-// Parts of the report that are not in the state of the simulation.
+// Facts for the report that the simulation does not know.
 struct RunFacts {
   double wall_time_s = 0;
   uint64_t seed = 1;
-  std::vector<StandingMonitor> standing;  // by robot
+  std::vector<StandingMonitor> standing;  // one for each robot
 };
 
 // Returns the report, with keys in the order of docs/cli.md.
 nlohmann::ordered_json MakeReport(Simulation* simulation, const RunFacts& facts);
 
-// Returns a table of objects for the console, because lines of OSYSLOG show only the OID: one line
-// each, "[oid:0x80000045] /MS/OPEN-R/MW/OBJS/RCSERVER.BIN RCServer".
+// Returns one line for each object: "[oid:0x80000045] /MS/OPEN-R/MW/OBJS/RCSERVER.BIN RCServer".
+// Printed at the start, because the log lines of objects show only the number (OID).
 std::string DescribeObjects(Simulation* simulation);
 
-// Returns the findings for people, one line each: "error: JointMover (message 12, t=0.096 s):
-// text".
+// Returns one line for each finding: "error: JointMover (message 12, t=0.096 s): text".
 std::string DescribeFindings(Simulation* simulation);
 
 }  // namespace openr_host

@@ -20,8 +20,8 @@
 namespace openr_host {
 namespace {
 
-// Time limit for DoStop and DoDestroy of all objects, when the program itself asks for the
-// shutdown.
+// Time limit for the shutdown of all objects (DoStop, DoDestroy) after the pause button was
+// pressed.  A shutdown that takes longer ends the run.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
 
 }  // namespace
@@ -62,7 +62,8 @@ std::optional<RunEnd> Runner::WhyOver() const {
   return {};
 }
 
-// Returns the time of the next frame boundary, or of an event before it.
+// Returns the time up to which to run now: the next frame boundary or, if that is earlier, the end
+// of --for.
 int64_t Runner::NextStop() const {
   const int64_t now_us = simulation_->system().now_us();
   int64_t stop_us = (now_us / kFrameUs + 1) * kFrameUs;
@@ -142,10 +143,10 @@ double Runner::wall_time_s() const {
   return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
 }
 
-// Runs up to `stop_us`, no faster than the wall clock.  Results of other processes are applied as
-// they come.
+// Runs up to `stop_us`, no faster than the clock of this computer.  Applies results of other
+// processes as soon as they come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  constexpr double kSliceUs = 1000;  // limit of the delay of events between two frames
+  constexpr double kSliceUs = 1000;  // events between two frames are at most so late
   System& system = simulation_->system();
   while (!system.powered_off()) {
     const int64_t clock_us = pacer->TimeNow(system.now_us());
@@ -170,7 +171,8 @@ bool Runner::Run() {
     if (plan_.pump) {
       RunFreely(stop_us, &pacer);
     } else {
-      // The shutdown after the pause button runs at full speed, because the user waits for its end.
+      // After the pause button the run does not wait for the clock, because the user waits for its
+      // end.
       if (paused_us_ < 0) pacer.WaitFor(stop_us);
       system.RunUntil(stop_us);
     }
@@ -178,7 +180,7 @@ bool Runner::Run() {
   }
   if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
-  // Objects of a robot that is off wait for nothing, so only the others can be stalled.
+  // A run whose robots are all off has no stalled objects, because these objects wait for nothing.
   if (!system.powered_off()) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);

@@ -1,4 +1,5 @@
-// Runs a simulation frame by frame, with pacing, pictures, the pause button and the end of the run.
+// Runner, which runs a simulation frame by frame.  It keeps pace with the clock, takes pictures,
+// presses the pause button and decides when the run is over.
 #pragma once
 
 #include <cstdint>
@@ -19,43 +20,43 @@ class Recorder;
 class Simulation;
 
 struct RunPlan {
-  std::optional<int64_t> for_us;  // virtual time; none: until the robot powers off
+  std::optional<int64_t> for_us;  // --for, in virtual time; none: until the robots are off
   std::string for_text;           // for_us as the user wrote it
-  bool until_idle = false;        // also end when objects have been quiet for kIdleUs
-  double rate = 1;                // virtual seconds per second; 0: as fast as possible
+  bool until_idle = false;        // --until-idle: ends also when objects are quiet for kIdleUs
+  double rate = 1;                // virtual seconds per real second; 0: as fast as possible
   std::vector<PictureRequest> snapshots;
   std::string stdin_file;                            // see ConsoleFeed
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records input; null: none
-  // For free-running runs: waits for results of other processes, at most `timeout_us`, in place of
-  // sleeping, and applies them.  REQUIRES: rate > 0.
+  // For runs that do not wait for the handlers of other processes: waits at most `timeout_us` for
+  // results of these handlers and applies them.  Called instead of sleeping.  REQUIRES: rate > 0.
   std::function<void(int64_t timeout_us)> pump;
-  std::function<void()> after_frame;  // null: no function is called
+  std::function<void()> after_frame;  // called after each frame; may be null
 };
 
-// Time without activity after which objects are quiet.  Activity is the delivery of a message from
-// an object of the stick, except readiness for the next vector of a system object.
+// Objects are quiet when for so long no message of an object of the stick was delivered.  A ready
+// for more sensor values does not count, because that goes on for ever.
 constexpr int64_t kIdleUs = 1'000'000;
 
-// Time for an object that watches the pause button to shut the robot down.
+// Time that objects have to shut the robot down after the pause button.  Then openr does it.
 constexpr int64_t kPauseUs = 1'000'000;
 
 class Runner {
  public:
   Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts);
 
-  // Boots the robots and runs to the end.  Returns false when a picture could not be taken.  A
-  // picture whose time does not come is an error finding.
+  // Boots the robots and runs until the run is over.  Returns false when a picture could not be
+  // taken.  A picture for a time after the end is an error finding.
   bool Run();
 
-  // Returns the duration of the run so far, without the time for pictures.
+  // Returns how long the run has taken by the clock of this computer, without the pictures.
   double wall_time_s() const;
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
   void WatchActivity();
-  // Returns the reason why the run is over.  Returns none while the run goes on, and also when all
-  // robots are off, because then the robots have noted the reason.
+  // Returns the reason if the run is over; none if it goes on.  Also returns none when all robots
+  // are off, because they have noted the reason themselves.
   std::optional<RunEnd> WhyOver() const;
   int64_t NextStop() const;
   void AfterFrame();
@@ -69,15 +70,15 @@ class Runner {
   const RunPlan plan_;
   const InterruptCounter* const interrupts_;
   std::vector<StandingMonitor> standing_;
-  std::vector<bool> taken_;      // by picture
-  std::vector<bool> announced_;  // by robot: its port was printed
+  std::vector<bool> taken_;      // for each picture: it was taken
+  std::vector<bool> announced_;  // for each robot: its port was printed
   int activity_sink_ = 0;
   int64_t last_activity_us_ = 0;
-  int64_t paused_us_ = -1;  // time at which the button was pressed; -1: not pressed
+  int64_t paused_us_ = -1;  // virtual time when the button was pressed; -1: not pressed
   bool shutdown_posted_ = false;
   bool good_ = true;
-  int64_t begin_ns_ = 0;      // start of the current part of the run
-  int64_t wall_time_ns_ = 0;  // duration of finished parts, without pictures
+  int64_t begin_ns_ = 0;      // clock of this computer at the start; 0: not running
+  int64_t wall_time_ns_ = 0;  // to be added to the time since then; excludes pictures
 };
 
 }  // namespace openr_host

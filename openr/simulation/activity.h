@@ -1,4 +1,4 @@
-// Tells whether the objects of a stick do anything.
+// IsActivity(), which tells whether the objects of a stick still do something.
 #pragma once
 
 namespace openr_host {
@@ -6,9 +6,8 @@ namespace openr_host {
 class System;
 struct Message;
 
-// Returns whether an object of the stick sent `message`, except for readiness for the next vector
-// of a system object.  Sensor values, and the readiness for them, go on for ever and so are no
-// activity.
+// Returns whether `message` shows that an object of the stick does something: the object has sent
+// it.  A ready to a system object does not count, because objects ask for sensor values for ever.
 bool IsActivity(const System& system, const Message& message);
 
 }  // namespace openr_host

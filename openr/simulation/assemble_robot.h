@@ -1,4 +1,4 @@
-// Assembles one simulated robot, in the same way for runs and for tests.
+// Assembles a simulated robot of its parts, in the same way for runs and for tests.
 #pragma once
 
 #include <functional>
@@ -19,27 +19,27 @@ class System;
 std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
                                const World& world);
 
-// Returns devices with the battery that `battery` describes and no files for sound and pictures.
-// Throws std::runtime_error if it describes none; see ParseBattery().
+// Returns the options of a robot's devices: the battery as `battery` says, no files for sound and
+// pictures.  Throws std::runtime_error if `battery` is wrong; see ParseBattery().
 VirtualRobotOptions DevicesWithBattery(const std::string& battery);
 
 struct RobotEquipment {
   std::shared_ptr<MemoryStick> stick;  // null: none
   std::unique_ptr<Body> body;          // null: the robot has no body and no OVirtualRobotComm
   VirtualRobotOptions devices;
-  // Makes the network of the robot with the number `robot`.
+  // Makes the network of a robot; `robot` is the robot's number in the System.
   std::function<std::unique_ptr<Network>(int robot)> make_network;
   IpStackOptions ip_stack;
 };
 
 struct AssembledRobot {
-  int number = 0;                    // of the robot in the System
+  int number = 0;                    // the robot's number in the System
   VirtualRobot* virtual_robot = {};  // null without a body
   IpStack* ip_stack = {};
 };
 
-// Adds a robot with these parts to `system`.  The objects of its stick are not loaded yet.
-// `model` must outlive the system.
+// Adds a robot with the parts `parts` to `system`, without the objects of its stick.  `model` must
+// outlive `system`.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts);
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// Loads cost files for --cost.
+// Loads cost files, which say how long handlers take (--cost).
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace openr_host {
 
-// Reads the file `name`, or the file of that name that came with the program ("ers210.cost").
-// Returns nullopt for "" and "zero", with which handlers take no time.  Throws std::runtime_error
-// with all errors.
+// Reads the cost file `name`.  It may be one that came with the program, such as "ers210.cost".
+// Returns nullopt for "" and "zero": handlers take no time.  Throws std::runtime_error, with all
+// errors of the file.
 std::optional<CostConfig> LoadCostFile(const std::string& name);
 
 }  // namespace openr_host

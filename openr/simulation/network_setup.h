@@ -1,4 +1,4 @@
-// Makes the network of a robot.
+// Makes the network of a robot: sockets of this computer, or none.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@ namespace openr_host {
 class IpStack;
 class Network;
 
-// Returns a network of sockets on the loopback interface.  `rc_port` is the port of the host for
-// the remote control; 0: any free port; -1: the robot's own port or, if that is taken, the next
-// free one.  `addresses` maps addresses that programs have compiled in to addresses of the host.
+// Returns a network that uses sockets of this computer.  `rc_port` is the port for the remote
+// control; 0: any free port; -1: the robot's own port or, if that is taken, the next free one.
+// `addresses` says which address of this computer stands for an address in programs.
 std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses);
 
-// Returns the reason why no program can listen on `rc_port` now, or "".
+// Returns the reason why the remote control cannot listen on port `rc_port`; "" if it can.
 std::string WhyNoPort(int rc_port);
 
-// Returns a network without sockets, in which the robot is alone.
+// Returns a network without sockets: programs outside cannot reach the robot.
 std::unique_ptr<Network> MakeLonelyNetwork();
 
-// Returns the port of the host for the remote control; 0 while no object listens.
+// Returns the port of this computer for the remote control; 0 while no object listens on it.
 uint16_t HostPortOfRemoteControl(const IpStack& network);
 
 }  // namespace openr_host

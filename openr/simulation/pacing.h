@@ -1,5 +1,5 @@
-// Keeps virtual time in step with the wall clock.  This is the only place where the wall clock has
-// an influence, and it decides only when to go on.
+// Pacer, which keeps virtual time in step with the clock of this computer.  It decides only when a
+// run goes on, never what happens in it.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@ namespace openr_host {
 
 class Pacer {
  public:
-  // `rate` is virtual seconds per second; 0: as fast as possible.
+  // `rate` is virtual seconds per real second; 0: as fast as possible.
   explicit Pacer(double rate) : rate_(rate) {}
 
-  // Sleeps until virtual time `time_us` is due, or until a signal comes.  A run that is more than
-  // 0.1 s late does not catch up; it keeps the step from there on.
+  // Sleeps until the run may reach virtual time `time_us`, or until a signal comes.  A run that is
+  // more than 0.1 s late does not catch up: it goes on at `rate` from there.
   void WaitFor(int64_t time_us);
 
-  // Returns the virtual time that is due now, for a run that has reached `reached_us`.  A late run
-  // does not catch up here either.  REQUIRES: rate > 0.
+  // Returns the virtual time that the run may have now; it has reached `reached_us`.  A run that is
+  // more than 0.1 s late gets `reached_us` and goes on at `rate` from there.  REQUIRES: rate > 0.
   int64_t TimeNow(int64_t reached_us);
 
  private:

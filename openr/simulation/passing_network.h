@@ -1,5 +1,5 @@
-// A network that passes all calls to another one.  Base class of networks that are put between a
-// robot and its network.
+// PassingNetwork, a network that passes all calls to another network.  Classes that stand between a
+// robot and its network are derived from it.
 #pragma once
 
 #include <memory>

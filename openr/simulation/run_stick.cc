@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 constexpr char kCrashLog[] = "EMON.LOG";
 
-// Returns the path of the crash log in the cache folder, and creates that folder.  If the folder
-// cannot be created, the crash handler reports later why the file cannot be written.
+// Returns the file for the crash record in the program's cache folder, and creates the folder.
+// Ignores errors: if a crash comes, writing the record fails and says why.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;

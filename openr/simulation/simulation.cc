@@ -59,8 +59,8 @@ std::unique_ptr<Body> BodyOf(const std::string& kind, const RobotModel& model, c
   return body;
 }
 
-// Returns the options of a robot's devices.  Only the first robot gets the files for sound and
-// pictures.
+// Returns the options of a robot's devices.  Files for sound and pictures go to the first robot
+// only.
 VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   VirtualRobotOptions devices = DevicesWithBattery(options.battery);
   if (!is_first) return devices;
@@ -76,7 +76,7 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  // OPEN-R is looked up as on a stick, because its name may be in upper or lower case.
+  // Locate() finds OPEN-R in upper or lower case, as on a stick.
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {
@@ -124,7 +124,8 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   if (!LoadStickAndGateway(system_.get(), robot.number, stand_ins)) loaded_ = false;
 }
 
-// Reports that a nearly empty battery will not end the run, which is a surprise for users.
+// Adds a note if the battery is almost empty at boot.  Users expect that it ends the run, but it
+// does not.
 void Simulation::NoteALowBattery(const std::string& text) {
   Battery battery;
   ParseBattery(text, &battery);
@@ -137,14 +138,15 @@ void Simulation::NoteALowBattery(const std::string& text) {
                   text, kLowCapacityPercent, kLowCapacityPercent));
 }
 
-// Returns the address pairs of the command line, then those of the stick.
+// Returns the pairs of addresses of the command line and those of the stick's HOSTADDR.CFG.  The
+// command line has precedence.
 std::vector<AddressPair> Simulation::AddressesOf(const SimulationOptions& options,
                                                  MemoryStick* stick, int index) {
   const auto text = stick->ReadFile(std::string("/MS/OPEN-R/MW/CONF/") + kAddressFile);
   if (!text) return options.addresses;
   const AddressConfig config = ParseAddressConfig(kAddressFile, *text, model_.design);
   for (const Diagnostic& diagnostic : config.diagnostics) {
-    if (index == 0)  // once, because the robots share one stick
+    if (index == 0)  // once only, because all robots have the same stick
       system_->AddFindingAbout(nullptr, diagnostic.severity, RenderWithoutKind(diagnostic));
   }
   return MergeAddressPairs(options.addresses, config.pairs);

@@ -1,4 +1,4 @@
-// A simulation: robots with bodies and sticks in one System.
+// Simulation: robots with bodies and sticks in one System, the runtime that has clock and messages.
 #pragma once
 
 #include <cstdint>
@@ -22,49 +22,49 @@ class IpStack;
 class Network;
 
 struct SimulationOptions {
-  // Folder that holds OPEN-R/; "": the default stick, which must not be written to.  If objects may
-  // write, this is the folder of a RunStick.
+  // The folder that holds OPEN-R/.  "" is the default stick, which no object may write to.  If
+  // objects may write, give the folder of a RunStick.
   std::string stick;
   std::string robot = "ers210";  // name of a model
   std::string world;             // a world file; "": a flat floor
   std::string body = "ode";      // "ode" or "ideal"
-  int robots = 1;                // each has a world of its own; several share the stick, read-only
+  int robots = 1;                // each in a world of its own; several can only read the stick
   uint64_t seed = 1;
   bool strict = false;
-  // Files for the first robot.  "": its sound is discarded; it hears silence and sees the test
-  // pattern.
+  // Files for the first robot.  Without them its sound is discarded, it hears silence, and its
+  // camera sees a test pattern.
   std::string speaker, microphone;  // WAV
   std::string images;               // folder of pictures for the camera
-  std::string battery = "drain";    // of every robot; see ParseBattery()
-  bool writable_stick = true;       // only with one robot
+  std::string battery = "drain";    // of each robot; see ParseBattery()
+  bool writable_stick = true;       // whether objects may write; several robots never may
   bool measures = true;             // measures handler times and stacks for the report
   bool guard_regions = false;       // see SystemOptions
   std::string cost_file;            // see LoadCostFile()
-  std::shared_ptr<CostModel> cost;  // used in place of cost_file; null: cost_file is used
+  std::shared_ptr<CostModel> cost;  // instead of cost_file; null: cost_file
   uint32_t log_level = 3;           // see SystemOptions
-  bool host_network = true;         // false: a network in which the robots are alone
-  // Port of the host for the first robot's remote control; 0: any free port; -1: the robot's own
-  // port or, if that is taken, the next free one.
+  bool host_network = true;         // false: the robots cannot reach other programs
+  // The port of this computer for the first robot's remote control; 0: any free port; -1: the
+  // robot's own port or, if that is taken, the next free one.
   int rc_port = -1;
-  // Pairs of an address that programs have compiled in and the address on this host.  They come
-  // before those of the stick's HOSTADDR.CFG.
+  // Each pair says which address of this computer stands for an address in programs.  These pairs
+  // have precedence over those in HOSTADDR.CFG of the stick.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // Objects that are not images of the stick; see LoadStick().
+  // Objects that replace images of the stick; see LoadStick().
   std::function<StandIns(System*, int robot)> stand_ins;
-  // Replaces the network of a robot by one that is put between its IPStack and the given network.
+  // Makes a network that stands between a robot's IPStack and the given network, and returns it.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
 
-// Returns the folder for the value `wanted` of SimulationOptions::stick.  Throws
-// std::runtime_error.
+// Returns the folder of the stick for SimulationOptions::stick `wanted`.  Throws std::runtime_error
+// if it is not a stick.
 std::string StickFolder(const std::string& wanted);
 
 class Simulation {
  public:
-  // Assembles everything up to System::Boot(), which the caller calls.  Faults of the stick are
-  // findings, and `loaded()` returns false if the robot would not boot.  Throws std::runtime_error
-  // when model, world or stick cannot be used at all.
+  // Makes a simulation that is ready for System::Boot().  Errors on the stick become findings;
+  // loaded() returns false if the robot would not boot.  Throws std::runtime_error when model,
+  // world or stick cannot be used at all.
   explicit Simulation(const SimulationOptions& options);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -77,15 +77,16 @@ class Simulation {
   const std::string& stick() const { return stick_; }
   const std::vector<VirtualRobot*>& robots() const { return robots_; }
 
-  // At the end of the run, adds a warning that names the lines of the cost file that no handler
-  // matched.
+  // Adds a warning that names the lines of the cost file that no handler of the run has matched.
+  // Called at the end of the run.
   void ReportUnusedCosts();
 
-  // At the end of the run, completes the files that devices have written.  A file that cannot be
-  // completed is an error finding.
+  // Completes the files that devices have written, such as the speaker's.  A file that cannot be
+  // completed is an error finding.  Called at the end of the run.
   void CloseFiles();
 
-  // Returns the port of the host for the remote control of `robot`; 0 while no object listens.
+  // Returns the port of this computer for the remote control of the robot with the number `robot`;
+  // 0 while no object listens.
   uint16_t RcPort(int robot) const;
 
  private:
@@ -97,7 +98,7 @@ class Simulation {
   const RobotModel model_;
   const World world_;
   const std::string stick_;
-  const std::shared_ptr<ConfiguredCost> cost_;  // from the cost file; null: there is none
+  const std::shared_ptr<ConfiguredCost> cost_;  // made from the cost file; null: none
   std::unique_ptr<System> system_;
   std::vector<VirtualRobot*> robots_;
   std::vector<IpStack*> networks_;

@@ -1,4 +1,4 @@
-// Decides whether the robot stands, by the rule of docs/cli.md.
+// StandingMonitor, which decides whether a robot stands, by the rule of docs/cli.md.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,16 @@ class StandingMonitor {
   static constexpr double kSpeedMaxMs = 0.005;
   static constexpr int64_t kCalmUs = 500'000;
 
-  // Prepares the comparison with the posture "stand" of `model` on a flat floor.  A model without
-  // that posture never stands.
+  // Takes the posture "stand" of `model` on a flat floor, to compare with.  A model without that
+  // posture never stands.
   explicit StandingMonitor(const RobotModel& model);
 
-  // Compares `state` with the posture.  Called once per frame, at virtual time `now_us`.
+  // Compares `state`, the body's state at virtual time `now_us`, with the posture.  Called once per
+  // frame of 8 ms.
   void Sample(const BodyState& state, int64_t now_us);
 
   // Returns whether all paws touch the floor, height and attitude are those of the posture, and the
-  // base has been slow for kCalmUs.
+  // trunk has been slower than kSpeedMaxMs for kCalmUs.
   bool standing() const { return upright_ && calm_us_ >= kCalmUs; }
 
  private:
