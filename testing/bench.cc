@@ -1,4 +1,4 @@
-// Bench: its construction, and how a test adds objects, probes and connections to it.
+// Bench: its constructor, and how a test adds objects, probes and connections to it.
 #include "testing/bench.h"
 
 #include <fmt/format.h>

@@ -61,7 +61,8 @@ using Duration = std::chrono::microseconds;
 
 class Bench;
 
-// A replacement for an object of a stick.  The test uses it instead of the object's image.
+// A replacement for an object of the stick.  The bench adds it instead of loading the object's
+// image.
 struct StandIn {
   // Replaces the object by a Probe, an object through which the test sends and receives.  The probe
   // has the services that CONNECT.CFG names for the object.
@@ -73,8 +74,8 @@ struct StandIn {
   std::function<void(Bench&)> make;  // adds the replacement to the bench
 };
 
-// Returns the default stick, which comes with openr-host: the dog that stands up.  Throws
-// std::runtime_error when it is not found.
+// Returns the folder of the default stick, which comes with openr-host: its objects make the dog
+// stand up.  Throws std::runtime_error when it is not found.
 std::string DefaultStick();
 
 // Returns the seed in the environment variable OPENR_SEED; 1 when the variable is not set.
@@ -83,7 +84,7 @@ uint64_t SeedOfEnvironment();
 struct BenchOptions {
   std::string stick = "";             // folder that holds OPEN-R/; it is copied; "": an empty stick
   std::vector<StandIn> replace = {};  // objects of the stick that are replaced
-  std::string body = "none";          // "none": no OVirtualRobotComm; "ideal"; "ode"
+  std::string body = "none";          // "none"; "ideal": joints follow exactly; "ode": physics
   std::string robot = "ers210";       // name of a model
   std::string world = "";             // a world file; "": a flat floor
   // The battery.  "drain": full at boot; "100%": stays full; "N%": N percent at boot.
@@ -120,7 +121,7 @@ class Bench {
   // cannot be loaded.
   openr_host::Object& AddImage(const std::string& file);
 
-  // Adds an object of class T, a CodeObject that is written in the test.
+  // Adds an object of class T, a CodeObject: its code is in the test and not in an image.
   template <typename T, typename... Args>
   T& Add(const std::string& name, Args&&... args) {
     return *system().AddObject<T>(0, name, std::forward<Args>(args)...);
@@ -141,8 +142,8 @@ class Bench {
   // std::invalid_argument when the bench has no such probe.
   Probe& probe(const std::string& name);
 
-  // Runs DoInit of all objects, makes the connections, and runs DoStart of all objects.  Returns
-  // after the last DoStart.
+  // Boots the robot: calls DoInit of all objects, makes the connections, and calls DoStart of all
+  // objects.  Returns after the last DoStart.
   bool Boot(Place place = Place::Here());
 
   // ---- Running
@@ -197,8 +198,8 @@ class Bench {
   // object starts next, and which object gets its message first of those due at the same time.
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
 
-  // The next three functions make the test fail if no message that fits ever comes.  Optional()
-  // prevents that failure: bench.Drop(Notify("Blinker.Light")).Optional().
+  // Hold(), Drop() and Refuse() make the test fail if no fitting message ever comes.  Optional()
+  // allows that: bench.Drop(Notify("Blinker.Light")).Optional().
 
   // Keeps back, from now on, messages that fit `spec`, until the test releases them.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
@@ -310,7 +311,7 @@ class Bench {
   };
   struct ServiceEnd {
     openr_host::ObjectId object;
-    uint32_t selector;  // selector of its Ready or Notify entry
+    uint32_t selector;  // number of its Ready or Notify handler
   };
 
   void AddDog();
@@ -371,7 +372,7 @@ class Bench {
   std::optional<MessageSpec> goal_;  // set during StepTo()
   uint64_t goal_number_ = 0;         // set during StepToMessage()
   bool goal_reached_ = false;
-  std::vector<std::pair<MessageSpec, Place>> unchecked_;  // checked by Boot()
+  std::vector<std::pair<MessageSpec, Place>> unchecked_;  // Boot() will check their names
   std::deque<ExpectedFinding> expected_findings_;
   bool findings_allowed_ = false;
   size_t findings_seen_ = 0;

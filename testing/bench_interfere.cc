@@ -48,8 +48,9 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 
 // ---- Injecting
 
-// Returns whether the subject with the Ready entry `subject` is connected with the observer with
-// the Notify entry `observer`.  If not, reports a failure.
+// Returns whether the subject is connected with the observer; reports a failure if not.  The
+// selectors in both are the numbers of their handlers: Ready of the subject, Notify of the
+// observer.
 bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
                          const Place& place) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);

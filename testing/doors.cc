@@ -18,7 +18,8 @@ using openr_host::System;
 
 namespace {
 
-// Returns the regions that a dropped message carries to their subject.
+// Releases the shared memory (regions) with the data of a dropped message, because the receiver
+// will not do it.
 void ReturnRegions(System* system, const Message& message) {
   if (message.kind == PayloadKind::kNotify) {
     const CurrentScope scope(system, system->object(message.sender));

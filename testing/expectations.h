@@ -24,7 +24,8 @@ class Expectations {
   void Allow(MessageSpec spec) { allowed_.push_back(std::move(spec)); }
   // Reports, from now on, the first message that fits `spec` as a failure.
   void Disallow(MessageSpec spec, const Place& place);
-  // Sets whether the bench is strict.  Failures that follow from strictness point to `place`.
+  // Sets whether the bench is strict: then a notification that the test neither expects next nor
+  // allows is a failure at the line `place`.
   void set_strict(bool strict, const Place& place);
 
   // Compares a message with the expectations.  Called for every message, just before its handler

@@ -18,7 +18,8 @@ using openr_host::System;
 
 namespace {
 
-// Returns "Blinker.Blink" for the service whose Ready or Notify entry is `entry`.
+// Returns the name, such as "Blinker.Blink", of the service with the Ready or Notify handler
+// `entry`.
 std::string NameOf(const System& system, const OServiceEntry& entry) {
   const Object* const object = system.object(openr_host::ObjectIdOf(entry.GetOID()));
   if (object == nullptr) return "(unknown)";

@@ -94,7 +94,7 @@ class ProbeObserver {
   std::function<void(const ONotifyEvent&)> on_event_;
 };
 
-// A ready or deassert that a probe's subject received from an observer.
+// A message "ready" or "not ready" that a probe's subject received from an observer.
 struct ReceivedReady {
   int64_t time_us = 0;
   std::string from;       // "Eye.Light"

@@ -40,8 +40,8 @@ uint32_t SizeOf(const Message& message) {
   return static_cast<uint32_t>(size);
 }
 
-// Returns the name of the service with the Ready or Notify entry `selector`; "" if `selector` is
-// another entry.
+// Returns the name of the service with the handler number `selector`; "" if that handler is not the
+// Ready or Notify handler of a service.
 std::string_view ServiceOf(const Object& object, uint32_t selector) {
   const auto found = object.entry_names.find(selector);
   if (found == object.entry_names.end()) return "";

@@ -18,17 +18,17 @@ enum class MessageKind : uint8_t {
   kReady,     // AssertReady() of an observer, for a subject
   kNotReady,  // DeassertReady()
   kReply,     // answer to a Call(), or to a Send() that wants one
-  kOther,     // DoInit and the like, extra entries, messages of the system
+  kOther,     // DoInit and the like, other handlers, messages of the system
 };
 
 // Returns "notify", "ready", "not ready" or "reply".  Returns null for kOther, because the name of
-// the entry describes such a message better.
+// the handler describes such a message better.
 const char* WordFor(MessageKind kind);
 
 class SeenMessage {
  public:
-  // REQUIRES: `system` outlives this object; `message` lives as long as data() is called.  Past()
-  // gives a copy without that second condition.
+  // REQUIRES: `system` outlives this object, and `message` still exists when data() is called.
+  // Past() gives a copy without that second condition.
   SeenMessage(const openr_host::System& system, const openr_host::Message& message);
 
   // Returns a copy without the data.  It can be used after the message has been delivered.
@@ -48,7 +48,7 @@ class SeenMessage {
   };
   End from() const;
   End to() const;
-  // Returns the name of the receiver's entry: "DoStart", "notify", "Alarm".
+  // Returns the name of the receiver's handler: "DoStart", "notify", "Alarm".
   std::string entry() const;
 
   // Returns how many data a notification has.  Other messages have one (their bytes) or none, and a
@@ -69,7 +69,7 @@ class SeenMessage {
   uint64_t cause_ = 0;
   int64_t time_us_ = 0;
   openr_host::ObjectId sender_ = openr_host::kNoObject;
-  uint32_t sender_entry_ = 0;  // selector of the sender's service; 0: no connection
+  uint32_t sender_entry_ = 0;  // number of the sender's handler for the service; 0: none
   openr_host::ObjectId target_ = openr_host::kNoObject;
   uint32_t selector_ = 0;
   uint32_t size_ = 0;

@@ -23,7 +23,7 @@ namespace {
 using openr_host::WriteAll;
 using ::testing::TestPartResult;
 
-// The header of a test result that a copy sends to its original.
+// The header of a test result that a copy of the process sends to the original process.
 struct ResultHeader {
   TestPartResult::Type type;
   int line;

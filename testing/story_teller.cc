@@ -65,7 +65,7 @@ struct StoryTeller::Guards {
     std::fflush(nullptr);
   }};
 
-  static inline std::unique_ptr<Guards> now;  // those of the newest bench
+  static inline std::unique_ptr<Guards> now;  // guards of the newest bench
 };
 
 StoryTeller::StoryTeller(std::function<std::string()> story, int64_t handler_limit_us)

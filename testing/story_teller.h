@@ -37,7 +37,7 @@ class StoryTeller {
 
   const std::function<std::string()> story_;
   const int64_t handler_limit_us_;
-  StoryTeller* outer_;                         // next older bench's; null: none
+  StoryTeller* outer_;                         // StoryTeller of the next older bench; null: none
   const ::testing::TestInfo* test_ = nullptr;  // test of the bench
 };
 

@@ -78,8 +78,8 @@ std::string TcpClient::WaitsFor() const {
   }
 }
 
-// Posts a message to the client at the next frame boundary, where Poll() handles its events and
-// steps.
+// Posts a message for the next frame boundary.  Its handler calls Poll(), which handles events of
+// the network and goes on with the script.
 void TcpClient::PostPoll() {
   if (std::exchange(poll_posted_, true)) return;
   const openr_host::CurrentScope scope(&system(), &host());

@@ -21,8 +21,8 @@ struct CheckFlags {
   bool json = false;
 };
 
-// Returns the locators of the devices of all robots.  A controller names one of these in
-// robot_get_device().
+// Returns the locators, such as "PRM:/r4/c1-Joint2:j1", of the devices of all robots.  A controller
+// gives one of these to robot_get_device().
 std::vector<std::string> AllLocators() {
   std::vector<std::string> locators;
   for (const char* robot : {"ers210", "ers220", "ers7"}) {

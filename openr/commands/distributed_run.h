@@ -22,23 +22,24 @@ class RunStick;
 // they are declared here.  The object must outlive the simulation.
 class DistributedRun {
  public:
-  // Starts the worker processes of this host.  `interrupts` must outlive this object.  Throws
-  // CLI::ValidationError for wrong flags, std::runtime_error when DDS fails.
+  // Starts the worker processes of this host, which run some of the objects.  `interrupts` must
+  // outlive this object.  Throws CLI::ValidationError for wrong flags, std::runtime_error when DDS
+  // fails.
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Adds to the options of a simulation, before it is made: stand-ins for objects in workers, and
-  // ROS 2 as a source of input.
+  // Adds to the options of a simulation, before it is made: objects that stand in for those of
+  // worker processes, and the clients through which ROS 2 sends commands.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
   // Throws std::runtime_error if the placement names an object that the stick does not have.
   // Called when the simulation has loaded all objects.
   void CheckPlaces() const;
 
-  // Sends all workers the tables of objects that they still lack.  Returns false after printing an
-  // error.
+  // Sends the worker processes all objects of the run that they do not know yet, and waits until
+  // they are ready.  Returns false after printing an error.
   bool Connect(Simulation* simulation);
 
   // Connects ROS 2 and openr top to the simulation, and sets functions in `plan`.  Called before
@@ -49,7 +50,7 @@ class DistributedRun {
   // commands were left out.
   void RunIsOver();
 
-  // Adds findings about messages to workers that had ended.
+  // Adds findings about messages that were lost because a worker process had ended.
   void ReportLosses();
 
   // Shortens the time limits for answers of workers.  Called when a crash or a handler limit ends

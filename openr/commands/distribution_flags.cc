@@ -141,8 +141,9 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
-// Returns the lease of workers that this run starts: the seconds without a sign of life after which
-// a worker counts as dead.  Under --wrap it stays long, because a debugger may stop the worker.
+// Returns the lease of the workers that this run starts: the seconds without a sign of life after
+// which a worker counts as dead.  Workers under a debugger (--wrap) keep the longest lease, because
+// they may be stopped for long.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;

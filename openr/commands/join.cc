@@ -35,7 +35,7 @@ struct JoinFlags {
   int64_t wait_us = 60'000'000;
   int64_t handler_limit_us = 10'000'000;
   pid_t parent = 0;       // process id of the run that has started this worker; 0: none
-  std::string crash_log;  // for a worker with a parent; "": none
+  std::string crash_log;  // file for crash records of a worker with a parent
 };
 
 std::string WhyNoStick(const std::string& folder) {
@@ -56,7 +56,7 @@ void BecomeChild(pid_t parent) {
   ::signal(SIGHUP, SIG_IGN);
 }
 
-volatile sig_atomic_t g_ended_by = 0;  // the first end signal; 0: none yet
+volatile sig_atomic_t g_ended_by = 0;  // first of SIGINT, SIGTERM, SIGHUP that came; 0: none
 volatile sig_atomic_t g_child = 0;     // process id of the worker that --restart runs; 0: none
 
 // Handles SIGINT, SIGTERM and SIGHUP.  After the first signal, the worker finishes its handler,
@@ -165,7 +165,7 @@ int Join(JoinFlags flags, bool is_known = false) {
     const std::string file = flags.parent != 0 ? flags.crash_log
                              : is_own          ? own_stick->crash_log()
                                                : CrashLogOn(stick);
-    std::optional<std::string> place;  // none if the user finds the record on the run's stick
+    std::optional<std::string> place;  // added to the record's name; none: it is on the run's stick
     if (flags.parent == 0) {
       place = " on " + HostName();
     } else if (file != CrashLogOn(stick)) {

@@ -12,10 +12,10 @@ namespace openr_host {
 
 class RemoteClient;
 
-// Returns the frame of an answer as "frame 1234:".  Returns "frame -:" before the robot has sensor
-// values.
+// Returns the frame number of an answer as "frame 1234:".  Returns "frame -:" before the robot has
+// sensor values.
 std::string FrameText(uint32_t frame);
-// Returns the frame of an answer as a number; null before the robot has sensor values.
+// Returns the frame number of an answer as JSON; null before the robot has sensor values.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
 // Returns the name of the MoverState `state`.  Returns "starting" while RCServer, the robot's

@@ -10,7 +10,7 @@
 namespace openr_host {
 namespace {
 
-constexpr NetAddress kRemote = {0x7f000001, 1};  // as the robot sees the client
+constexpr NetAddress kRemote = {0x7f000001, 1};  // the client's address; no other client has port 1
 
 constexpr double kCentidegPerRad = 100 * Degrees(1);
 // Positions are cut to two turns, more than any joint can do, so that they fit into a request.  The

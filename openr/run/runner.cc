@@ -180,7 +180,8 @@ bool Runner::Run() {
   }
   if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
-  // A run whose robots are all off has no stalled objects, because these objects wait for nothing.
+  // Objects that wait in vain are reported.  Those of a robot that is off wait for nothing, so this
+  // is done only while a robot is on.
   if (!system.powered_off()) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);

@@ -78,7 +78,7 @@ class Runner {
   bool shutdown_posted_ = false;
   bool good_ = true;
   int64_t begin_ns_ = 0;      // clock of this computer at the start; 0: not running
-  int64_t wall_time_ns_ = 0;  // to be added to the time since then; excludes pictures
+  int64_t wall_time_ns_ = 0;  // when not running: duration; else minus the time for pictures
 };
 
 }  // namespace openr_host

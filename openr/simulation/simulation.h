@@ -50,7 +50,7 @@ struct SimulationOptions {
   // have precedence over those in HOSTADDR.CFG of the stick.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // Objects that replace images of the stick; see LoadStick().
+  // Returns what replaces images of a robot's stick by other objects; see LoadStick().
   std::function<StandIns(System*, int robot)> stand_ins;
   // Makes a network that stands between a robot's IPStack and the given network, and returns it.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
