@@ -273,8 +273,8 @@ class Bench {
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
-  // Presses the pause button on the dog's back, which tells the objects to shut down.  Needs a
-  // body.
+  // Presses the pause button on the dog's back.  That cuts the motor power and sets a bit that
+  // objects can watch.  Needs a body.
   void PressPause();
 
   BenchStick& stick() { return *stick_; }

@@ -55,7 +55,8 @@ struct ExploreFlags {
 };
 
 // Refuses a file of properties that cannot be read.  A name with a dot or a slash is a file,
-// because the names of built-in properties have neither.  A name with a space is a property itself.
+// because the names of built-in properties have neither.  A name with a space is the text of a
+// property.
 std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";
