@@ -1,9 +1,10 @@
 // Removes assembly for the robot's processor from C and C++ sources, because the host's compiler
 // cannot translate it.
 //
-// An assembly statement becomes a trap, which ends the run only if it is reached, so that the rest
-// of the object builds and runs.  A statement that only waits or orders memory accesses (nop, sync)
-// becomes a barrier.  No line changes its number.
+// An assembly statement becomes a trap, which ends the run only if the program reaches it.  So the
+// rest of the object builds and runs.  A statement that only waits or orders memory accesses (nop,
+// sync) becomes a barrier.  The edits keep all line numbers, so messages of the compiler name the
+// right lines.
 #pragma once
 
 #include <string>
@@ -13,19 +14,19 @@
 
 namespace openr_host {
 
-// Returns whether `complaint` is about assembly.  Such a complaint comes from the compiler ("... in
-// 'asm'") or from the assembler.
+// Returns whether the error message `complaint` is about assembly.  Such a message comes from the
+// compiler ("... in 'asm'") or from the assembler.
 bool IsAboutAssembly(const Complaint& complaint);
 
-// Prefix of the message of a complaint that the assembler made.
+// Beginning of Complaint::message if the assembler, and not the compiler, reported the error.
 inline constexpr char kAssemblerSays[] = "assembler: ";
 
-// Returns the edits of `text` that remove the assembly which `complaint` is about.  A complaint
-// without a line is about the statements outside of functions.
+// Returns the edits that remove from `text`, a source, the assembly that `complaint` is about.  If
+// the complaint names no line, the edits remove all assembly outside of functions.
 std::vector<Edit> AssemblyRepairOf(const Complaint& complaint, const std::string& text);
 
-// Returns the edits of `header` for those of its macros that contain assembly and are used in
-// `line`, a line of a source.
+// Returns the edits that remove the assembly from macros in `header`, the text of a header.  Only
+// macros that are used in `line`, a line of a source, are edited.
 std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::string& header);
 
 }  // namespace openr_host

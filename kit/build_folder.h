@@ -1,5 +1,5 @@
-// The command openr build: makes Memory Sticks that run on this host from a folder of OPEN-R
-// programs.
+// The command `openr build`: builds the OPEN-R programs in a folder for this computer, and puts
+// them on their Memory Sticks (folders that contain OPEN-R/).
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@ namespace openr_host {
 
 struct BuildOptions {
   std::string folder;  // folder to build
-  std::string output;  // folder for the stick; "": the stick in `folder`
+  std::string output;  // folder for the finished stick; "": the stick in `folder`
   std::string work;    // folder for private copies; "": one in the user's cache
   int jobs = 0;        // make jobs at a time; 0: one per processor
   bool is_verbose = false;
-  bool is_fresh = false;  // discards what earlier builds left
+  bool is_fresh = false;  // removes the results of earlier builds first
 };
 
-// Builds and reports the result.  Returns the exit code: 0 if there is an image for every line of
-// each OBJECT.CFG.  Throws std::runtime_error when the folder cannot be used at all.
+// Builds the folder and prints the result.  Returns the exit code, which is 0 if every image
+// (program file) that an OBJECT.CFG lists is on its stick.  Throws std::runtime_error when the
+// build cannot begin, such as when the folder has no program.
 int BuildFolder(const BuildOptions& options);
 
 }  // namespace openr_host

@@ -19,12 +19,12 @@ struct Remark {
   Kind kind;
   std::string file;
   int line = 0;    // 0: the remark is about the whole file
-  int column = 0;  // 0: no caret
+  int column = 0;  // 0: the column is not known, and no caret is shown
   std::string text;
   std::string source_line;
-  std::string cause;   // remarks with the same cause are joined; empty: joined with none
-  uint64_t count = 1;  // number of places
-  std::vector<std::string> also_at;  // "CONNECT.CFG:5", the first of the places after this one
+  std::string cause;   // remarks with the same cause become one; "": the remark stays alone
+  uint64_t count = 1;  // number of places that the remark is about
+  std::vector<std::string> also_at;  // the first few of the other places: "CONNECT.CFG:5"
 };
 
 // Collects remarks about one program.
@@ -32,15 +32,15 @@ class Remarks {
  public:
   Remarks() = default;
 
-  // Collects remarks that show files below the folder `real` as files below `shown`, which is the
-  // name the user gave.
+  // Collects remarks and replaces the folder `real` in names of files by `shown`, the name that the
+  // user gave for that folder.
   Remarks(std::string real, std::string shown)
       : real_root_(std::move(real)), shown_root_(std::move(shown)) {}
 
   void Add(Remark::Kind kind, const FilePosition& place, std::string text);
 
-  // Adds a remark.  If the file has a remark with the same `cause`, which may be any text, only
-  // adds the place to that remark.
+  // Adds a remark that `cause` (any text) leads to.  If the file already has a remark of this kind
+  // with the same cause, only adds the place to that remark, so that one mistake gives one remark.
   void AddConsequence(Remark::Kind kind, const FilePosition& place, std::string cause,
                       std::string text);
 
@@ -60,11 +60,12 @@ class Remarks {
 };
 
 // Checks a folder with objects and sticks, or a stick alone.  `locators` are the names of all
-// devices of all robots; controllers are checked against them.  Throws std::runtime_error when the
-// folder holds nothing to check.
+// devices of all robots; a device that a controller names must be one of them.  Throws
+// std::runtime_error when the folder holds nothing to check.
 Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& locators);
 
-// Returns for each remark "file:line: warning: text", the line, a caret, and the number of places.
+// Returns the remarks as text.  Each is "file:line: warning: text", then the line of the file with
+// a caret below it, and the other places.
 std::string RenderRemarks(const Remarks& remarks);
 
 // Returns the remarks as JSON:

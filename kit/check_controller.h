@@ -8,8 +8,8 @@
 
 namespace openr_host {
 
-// Checks the controller in `folder`.  `locators` are the names that robot_get_device() knows; if
-// there are none, names are not checked.
+// Checks the controller in `folder`.  `locators` are the names of devices that robot_get_device()
+// knows; if the list is empty, the controller's names of devices are not checked.
 void CheckController(const std::string& folder, const std::vector<std::string>& locators,
                      Remarks* remarks);
 

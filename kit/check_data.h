@@ -7,8 +7,9 @@
 
 namespace openr_host {
 
-// Warns if sent data contain a container, a string, a pointer or a virtual function.  Sees only
-// plain cases: a struct or class of the program whose variable or type is named in the call.
+// Warns if the data that an object sends contain a container, a string, a pointer or a virtual
+// function.  Finds only simple cases, in which the call names a variable or the type of a struct or
+// class of the program.
 void CheckSentData(const Project& project, Remarks* remarks);
 
 }  // namespace openr_host

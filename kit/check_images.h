@@ -1,5 +1,5 @@
-// Checks the images that OBJECT.CFG of a stick names, and finds the objects of the project that
-// they are made from.
+// Checks the images (.BIN files) that OBJECT.CFG of a stick names, and finds the objects of the
+// project that these images are made from.
 #pragma once
 
 #include <map>
@@ -11,22 +11,23 @@
 
 namespace openr_host {
 
-// The object that has a certain service.
+// The object that has a service, which is an end of a connection in CONNECT.CFG.
 struct ServiceOwner {
   std::string name;
-  // The only robot design in OBJECT.CFG that loads the object; "" means that all designs do.
+  // The section of OBJECT.CFG, such as ERS-210, that loads the object.  Each section is for one
+  // design of robot; "" means that all designs load the object.
   std::string section;
 };
 
 struct StickImages {
-  std::multimap<std::string, ServiceOwner> services;  // by full name of the service
-  std::vector<StubService> declared;  // from the stub.cfg files of objects on the stick
-  bool has_gateway = false;           // OBJECT.CFG names the gateway
-  bool knows_all = true;              // false: the services of some image are not known
+  std::multimap<std::string, ServiceOwner> services;  // owners, by full name of their service
+  std::vector<StubService> declared;  // services in stub.cfg files of objects on the stick
+  bool has_gateway = false;           // OBJECT.CFG names the image of the TCP gateway
+  bool knows_all = true;              // false: some image is missing, so its services are unknown
 };
 
-// Adds remarks about images that are missing and that no build makes, that cannot be loaded, or
-// that share a name with another one.
+// Adds a remark for each image that is missing and that no build will make, that cannot be loaded,
+// or whose object has the same name as another object.  Returns the services of all images.
 StickImages CheckImages(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                         Remarks* remarks);
 

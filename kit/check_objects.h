@@ -13,14 +13,16 @@ namespace openr_host {
 
 void CheckObjects(const Project& project, const ObjectParts& parts, Remarks* remarks);
 
-// An object of the project that a stick loads.
+// An object of the project whose image is on a stick.
 struct PlacedObject {
   const ObjectFolder* folder = nullptr;
-  // The only robot design in OBJECT.CFG that loads the object; "" means that all designs do.
+  // The section of OBJECT.CFG, such as ERS-210, that loads the object.  Each section is for one
+  // design of robot; "" means that all designs load the object.
   std::string section;
 };
 
-// Adds a remark for each name in .ocf files that two objects of one robot share.
+// Adds a remark for each object that has the same name in its .ocf file as another object, if one
+// robot loads both.
 void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts& parts,
                       Remarks* remarks);
 
@@ -28,7 +30,8 @@ void CheckObjectNames(const std::vector<PlacedObject>& placed, const ObjectParts
 // because stub.cfg must have at least one subject and one observer.
 bool IsDummy(const StubService& service);
 
-// Adds a remark for each file name in the text of a source that the robot cannot open.
+// Adds a remark for each file on the stick ("/MS/...") that the source `text` names and the robot
+// cannot open, because the name is not an 8.3 name.
 void CheckStickPaths(const std::string& file, const std::string& text, Remarks* remarks);
 
 }  // namespace openr_host

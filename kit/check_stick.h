@@ -1,4 +1,4 @@
-// Checks the configuration of a Memory Stick, read as the robot reads it at boot.
+// Checks the configuration files of a Memory Stick, which the robot reads at boot.
 #pragma once
 
 #include "kit/check.h"
@@ -7,7 +7,8 @@
 
 namespace openr_host {
 
-// Checks `stick`.  Objects that are not built yet are looked for in `project`, which may have none.
+// Checks `stick`.  If an image is not built yet, its services are taken from the sources of its
+// object in `project`.  A project without objects is allowed.
 void CheckStick(const StickFolder& stick, const Project& project, const ObjectParts& parts,
                 Remarks* remarks);
 

@@ -10,24 +10,24 @@ namespace openr_host {
 
 // The parts of a command line of the robot's g++ or gcc.
 struct CompileCommand {
-  std::vector<std::string> arguments;  // for the host, without the flags of compile-flags.txt
+  std::vector<std::string> arguments;  // for the host's compiler, after those of compile-flags.txt
   std::vector<std::string> sources;    // files to compile, in the order given
   std::string output;                  // value of -o; "" if not given
   bool compiles = false;               // makes object files or assembly (-c, -S)
-  bool links = false;     // neither compiles only, nor preprocesses only, nor prints information
+  bool links = false;     // makes a program: has no -c, -S, -E, nor --version or the like
   bool is_quiet = false;  // -w was given
   Language language = Language::kCxx;  // language of the sources
 };
 
-// Translates `arguments`.  Flags that mean nothing on the host are left out: flags for the
-// processor (-mips3, -G 0, -EL), -Werror and -ansi. -I- is replaced by today's flags, and -std by
-// the level of today's compiler with the same meaning.  `is_cxx` says that the command was g++,
+// Translates `arguments`.  Leaves out flags that mean nothing on the host: flags for the processor
+// (-mips3, -G 0, -EL), -Werror and -ansi.  Replaces -I- by today's flags, and the level in -std by
+// the one with the same meaning for today's compiler.  `is_cxx` says that the command was g++,
 // which compiles .c files as C++, and not gcc.
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx);
 
 // Returns the flags among `arguments` that change the meaning of a source: -D, -U, -I, -include,
-// -std and the like.  Relative names of folders and files in these flags are relative to `folder`
-// and become absolute.
+// -std and the like.  Relative names of files and folders in these flags become absolute; they are
+// relative to `folder`.
 std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder);
 

@@ -1,5 +1,5 @@
-// The command openr controller build: makes CONTROLL.BIN from a Webots-style controller and puts it
-// on a Memory Stick.
+// The command `openr controller build`: makes the image CONTROLL.BIN from a Webots-style controller
+// and puts it on a Memory Stick.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ struct ControllerBuildOptions {
   std::string template_stick;  // a stick that does not exist yet is copied from this one
 };
 
-// Builds, puts CONTROLL.BIN and the folder's WLANCONF.TXT and *.MTN on the stick, and reports that.
-// Returns the exit code.  If the controller cannot be built, the stick does not change.  Throws
-// std::runtime_error when building cannot even begin.
+// Builds the controller, puts CONTROLL.BIN and the folder's WLANCONF.TXT and *.MTN on the stick,
+// and prints the result.  Returns the exit code.  If the controller cannot be built, the stick does
+// not change.  Throws std::runtime_error when the build cannot begin.
 int BuildController(const ControllerBuildOptions& options);
 
 }  // namespace openr_host

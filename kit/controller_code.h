@@ -1,5 +1,5 @@
-// Finds the functions in the sources of a controller, and which function calls which.  Only reads
-// the text and does not run the compiler.
+// Finds the functions in the sources of a controller, and the functions that each of them calls.
+// Reads only the text and does not run the compiler.
 #pragma once
 
 #include <deque>
@@ -23,8 +23,8 @@ struct CodeFile {
 struct CodeFunction {
   std::string name;
   const CodeFile* file = nullptr;
-  size_t begin = 0;  // position of the opening bracket of its body in the file's code
-  size_t end = 0;    // position of the closing bracket
+  size_t begin = 0;  // position of the bracket that opens the body, in the file's code
+  size_t end = 0;    // position of the bracket that closes the body
 };
 
 // A call in a file's code, or text that looks like a call.
@@ -50,10 +50,11 @@ class ControllerCode {
   // Returns the function whose body contains the position `at`; null if there is none.
   const CodeFunction* FunctionAt(const CodeFile& file, size_t at) const;
 
-  // Returns the calls between two positions of a file's code.
+  // Returns the calls between the positions `begin` and `end` of a file's code.
   static std::vector<CodeCall> CallsIn(const std::string& code, size_t begin, size_t end);
 
-  // Returns the names of functions passed to `registrar`, such as robot_run.
+  // Returns the names of the functions that the controller passes to the function `registrar`, such
+  // as robot_run.
   std::set<std::string> GivenTo(const std::string& registrar) const;
 
   // Returns `names` and the names of all functions that these call, directly or not.
@@ -64,8 +65,8 @@ class ControllerCode {
 
   static FilePosition PlaceOf(const CodeFile& file, size_t at);
 
-  // Returns the first argument of a call as it is written.  If it is a macro, returns the macro's
-  // text.
+  // Returns the text of the source from the first argument of the call on.  If the argument is a
+  // word, returns the text of the macro with this name, or "" if no macro has it.
   std::string FirstArgument(const CodeFile& file, const CodeCall& call) const;
 
  private:

@@ -1,4 +1,4 @@
-// CallControllerMain(): the call of a controller's main(), generated when the controller is built.
+// Generates the function CallControllerMain(), which calls the main() of a controller.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@ namespace openr_host {
 
 struct ControllerMain {
   std::string source;   // C++ of 1998 that defines CallControllerMain()
-  std::string problem;  // "" or why the controller cannot be called
+  std::string problem;  // the reason why main() cannot be called, or ""
 };
 
 // Looks for main() in the object files of a controller, which were compiled with
-// -Dmain=controller_main.  `nm` is the program that lists their symbols.  Without object files the
-// result is the empty controller, which calls nothing.
+// -Dmain=controller_main, and returns the source that calls this main().  `nm` is the program that
+// lists symbols.  Without object files, the source calls nothing: the controller is empty.
 ControllerMain FindControllerMain(const std::string& nm,
                                   const std::vector<std::filesystem::path>& objects);
 

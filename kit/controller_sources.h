@@ -9,9 +9,9 @@
 namespace openr_host {
 
 struct ControllerSources {
-  std::vector<std::filesystem::path> files;  // in the order of the list, else sorted by name
+  std::vector<std::filesystem::path> files;  // in the order of `list`; without a list, by name
   std::filesystem::path list;                // Makefile.sources; empty: there is none
-  std::vector<Diagnostic> diagnostics;       // about the list, such as files that are missing
+  std::vector<Diagnostic> diagnostics;       // about the list, such as a missing file
 };
 
 // Returns the sources that Makefile.sources of `folder` names, whatever its variables are called:

@@ -1,4 +1,5 @@
-// Builds objects without their Makefiles, by the layout of the folders.
+// Builds objects without their Makefiles.  The folder that a file is in says to which object it
+// belongs.
 //
 // An object is made of the sources in its folder, its stub and its .ocf file.  Shared sources,
 // which lie in the folder of no object, are added if the object includes their header, directly or
@@ -24,10 +25,11 @@ std::vector<std::filesystem::path> SourcesIncluded(
     const std::vector<std::filesystem::path>& sources,
     const std::vector<std::filesystem::path>& shared);
 
-// Builds `objects` of `project` in folders below `work`.  `plan` says how make was called for these
-// objects before, if it was; the flags of their Makefiles are used here too.  Returns a line for
-// each object that cannot even be tried.  Messages of compilers are passed on; failures and images
-// are in the log.
+// Builds `objects` of `project` in folders below `work`.  `plan` has the variables with which make
+// was called; they are needed to read the compiler flags in the objects' Makefiles, because these
+// flags are used here too.  Returns an error message for each object whose build cannot begin, such
+// as for lack of an .ocf file.  Prints the messages of the compilers.  Failures and images are in
+// the log of `options` (kit_log.h).
 std::vector<std::string> BuildByConvention(const Project& project,
                                            const std::vector<ObjectFolder>& objects,
                                            const MakePlan& plan, const std::filesystem::path& work,
