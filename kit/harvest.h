@@ -14,33 +14,36 @@ namespace openr_host {
 
 struct HarvestedImage {
   std::string name;    // HELLO.BIN
-  std::string object;  // name of its object in the .ocf file; "": not built by this build
+  std::string object;  // name of its object; "": this build has not made the image
   std::string from;  // where the image came from: "Makefile", "found by name", "the kit's own", ...
 };
 
 struct Harvest {
   std::vector<HarvestedImage> images;
-  std::vector<std::string> problems;  // lines for the user
+  std::vector<std::string> problems;  // error messages, a line each
   std::vector<std::string> notes;
-  // Files that this function, and no rule of a Makefile, has put on the stick.
+  // Files that CompleteStick() has put on the stick.  Files that rules of Makefiles put there are
+  // not listed.
   std::vector<std::filesystem::path> placed;
-  std::set<std::string> used;  // images of the log that are on the stick
+  std::set<std::string> used;  // paths (KitLog::Image::file) of the images on the stick
 };
 
-// Adds the images that OBJECT.CFG of the stick names and that the Makefiles did not put there.
-// `stick` is the private copy.  A stick without OBJECT.CFG gets one with all images.  With several
-// sticks, each gets the images of the folders around it first.  An image name that a Makefile uses
-// for one stick is used for the others too.
+// Puts those images on `stick` that its OBJECT.CFG names and that rules of Makefiles have not put
+// there.  `stick` is in the private copy of the user's folder.  If the stick has no OBJECT.CFG,
+// writes one that names all images.  With several sticks, a stick first gets images that were built
+// near it in the tree of folders.  If a Makefile puts an image on one stick, the image keeps that
+// name on the other sticks.
 Harvest CompleteStick(const StickFolder& stick, const Project& project, const KitLog& log,
                       const std::string& sdk_root);
 
-// Removes images that are out of date, both where they were linked and on the sticks of the copy.
+// Deletes `images`, which are out of date: the file that the linker wrote, and every file with the
+// same content on the sticks of `project`.
 void RemoveImages(const std::vector<KitLog::Image>& images, const Project& project);
 
-// Copies new files from the stick of the private copy to `target`, which is the user's stick or
-// another folder; copies all files if `whole` is set.  Binaries for the robot that would be
-// overwritten are moved to `robot_folder`.  Makes the folders that programs write to.  Returns the
-// problems, a line each.
+// Copies the files of `stick`, which is in the private copy, to `target`, the user's stick or
+// another folder.  Leaves out files that the build has not changed, unless `whole` is set.  Before
+// a binary for the robot is overwritten, copies it to `robot_folder`.  Also creates the folder in
+// which programs write files.  Returns the error messages, a line each.
 std::vector<std::string> DeliverStick(const StickFolder& stick, const std::filesystem::path& target,
                                       const WorkCopy& copy,
                                       const std::filesystem::path& robot_folder, bool whole);

@@ -1,4 +1,4 @@
-// Finds out which image a line of OBJECT.CFG means when no Makefile tells.
+// Finds the built image that a line of OBJECT.CFG means, if no Makefile says it.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ struct ImageCandidate {
   std::vector<std::string> names;  // names of its object, file, folder and class, in any order
 };
 
-// Returns for each of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules are
-// tried in this order, each for the names that are left, and a rule counts only where it fits one
-// pair alone:
+// Returns for each name of `wanted` ("BLNKLED.BIN") the index of its candidate, or -1.  The rules
+// are tried in this order, each for the names that have no candidate yet.  A rule pairs a name and
+// a candidate only if no other candidate fits the name and no other name fits the candidate:
 //   - the names are equal, in any case;
 //   - one name is the beginning of the other;
 //   - the letters of the wanted name occur in the candidate's in this order, beginning with the
@@ -24,7 +24,8 @@ struct ImageCandidate {
 std::vector<int> MatchImages(const std::vector<std::string>& wanted,
                              const std::vector<ImageCandidate>& candidates);
 
-// Returns an 8.3 name for an image that no file names: "BALLTRAC.BIN" for "BallTracker".
+// Returns a file name for an image that neither OBJECT.CFG nor a Makefile names, with at most eight
+// letters or digits before the dot: "BALLTRAC.BIN" for "BallTracker".
 std::string ShortImageName(const std::string& name);
 
 }  // namespace openr_host

@@ -1,13 +1,13 @@
-// Writes the source that every host image needs beside its own code: the description of the image
-// (struct ImageInfo of runtime/core/image.h) and helper functions.
+// Generates the source that every image for the host needs beside its own code: the description of
+// the image (struct ImageInfo of runtime/core/image.h) and helper functions.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// Returns the source for the text `ocf` of an .ocf file.  It is valid C and C++, and must be linked
-// last.
+// Returns the source for an image whose .ocf file has the text `ocf`.  The source is valid C and
+// C++, and must be the last part that is linked.
 std::string MakeImageSource(const std::string& ocf);
 
 }  // namespace openr_host

@@ -1,5 +1,6 @@
-// A log file by which the tools of the SDK tree report to `openr build`.  It is needed because
-// openr build starts make and only make starts the tools, so openr build gets no results from them.
+// A log file by which the tools of the SDK tree, such as the compiler, report to `openr build`.  It
+// is needed because openr build starts only make, and make starts the tools, so openr build gets no
+// results from them.
 #pragma once
 
 #include <string>
@@ -30,14 +31,15 @@ struct KitLog {
     std::string place;  // "file:line"
     std::string what;
   };
-  std::vector<Image> images;      // one entry per file, the last one
+  std::vector<Image> images;      // one entry per image file, the newest
   std::vector<Failure> failures;  // one entry per failure; none if the file was made later
-  std::vector<Compile> compiles;  // one entry per file and folder, the last one
+  std::vector<Compile> compiles;  // one entry per file and folder, the newest
   std::vector<Repair> repairs;
 };
 
-// Each appends an entry to the file that $OPENR_KIT_LOG names; does nothing without that variable.
-// Names of files become absolute.  Several tools may append at the same time.
+// LogImage() and the other Log functions append an entry to the log file that the environment
+// variable OPENR_KIT_LOG names; without the variable they do nothing.  Names of files become
+// absolute.  Several processes may append at the same time.
 void LogImage(const KitLog::Image& image);
 void LogFailure(const KitLog::Failure& failure);
 void LogCompile(const KitLog::Compile& compile);
@@ -54,8 +56,8 @@ void AppendKitLog(const std::string& file, const KitLog& log);
 // Replaces the content of the file by `log`.
 void WriteKitLog(const std::string& file, const KitLog& log);
 
-// Removes failures, repairs, and images that no longer exist from the log.  Called at the beginning
-// of a build.
+// Removes from the log all failures and repairs, and each image whose file no longer exists.
+// Called at the beginning of a build, so that results of earlier builds do not count.
 void CleanKitLog(const std::string& file);
 
 }  // namespace openr_host

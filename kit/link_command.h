@@ -1,4 +1,5 @@
-// Translates a command line of mkbin into one of the host's linker.
+// Translates a command line of mkbin, the SDK's tool that links an image, into one of the host's
+// linker.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,8 @@ struct LinkCommand {
   bool is_verbose = false;             // -v
 };
 
-// Translates `arguments`.  `exists` tells whether a file exists.  A library that is in no -L folder
-// belongs to the SDK; the runtime has its functions, so it is left out.
+// Translates `arguments`.  `exists` tells whether a file exists.  A library (-l) that is in no -L
+// folder is one of the SDK's.  It is left out, because the runtime has its functions.
 LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string& file)>& exists);
 

@@ -1,5 +1,5 @@
 // Expands the macros of a few C sources, as far as needed to find what a word such as FOREVER or
-// STEP() stands for.  Understands no conditions but "#if 0".
+// STEP() stands for.  Of the preprocessor's conditions, only "#if 0" is understood.
 #pragma once
 
 #include <map>
@@ -11,10 +11,12 @@
 
 namespace openr_host {
 
-// Text after macros were expanded, with the origin of each character.
+// Source text with its macros expanded, and the place in the source that each character comes from.
 struct ExpandedText {
   std::string text;
-  std::vector<size_t> origins;  // offset in the source; for the text of a macro, offset of its use
+  // For each character of `text`, its offset in the source; for text of a macro, the offset of the
+  // macro's use.
+  std::vector<size_t> origins;
 };
 
 class MacroTable {
@@ -28,8 +30,9 @@ class MacroTable {
   // Returns the text that a #define gives `word`, as it is written; "" if there is no such #define.
   std::string WrittenAs(const std::string& word) const;
 
-  // Returns `source` with macros expanded, without comments, strings, directives and "#if 0".
-  // Macros that stand for numbers are not expanded, because messages name them.
+  // Returns `source` with macros expanded, without comments, strings, directives and the parts in
+  // "#if 0".  Macros that stand for numbers are not expanded, because messages show the names of
+  // such macros.
   ExpandedText Expand(const std::string& source) const;
 
  private:

@@ -12,40 +12,43 @@ namespace openr_host {
 
 struct MakeOptions {
   std::string sdk_root;
-  std::string log;     // see kit_log.h
-  std::string copies;  // see source_copies.h
+  std::string log;     // path of the log file (kit_log.h)
+  std::string copies;  // list of private copies, for the tools (source_copies.h)
   int jobs = 1;
   bool is_verbose = false;
-  enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;  // when the output is shown
+  // When the output of make is printed.
+  enum class Says { kAlways, kIfGood, kNever } says = Says::kAlways;
 };
 
 // How make is called for a project.
 struct MakePlan {
   // Folders in which make runs, for the first target and for `install`.
   std::vector<std::filesystem::path> folders;
-  std::vector<std::pair<std::string, std::string>> variables;  // given on the command line
-  std::vector<std::filesystem::path> needed_folders;  // folders that rules write into; made before
+  // Name and value, for the command line of make.
+  std::vector<std::pair<std::string, std::string>> variables;
+  // Folders that rules write into; created before make runs.
+  std::vector<std::filesystem::path> needed_folders;
 };
 
 struct MakeOutcome {
   bool is_good = true;
-  std::string output;  // output of make and its commands; without a run that was repeated
+  std::string output;  // output of make and its commands; of a repeated run, only the last output
 };
 
 // Plans how to call make.  A Makefile variable that names a Memory Stick outside of the project is
 // set to the project's own stick that is nearest to the folder in which make runs.
 MakePlan PlanMake(const Project& project, const std::string& sdk_root);
 
-// Runs make as planned.  Passes on the output of compilers and make.  The images that were made are
-// in the log.
+// Runs make as planned.  Prints the output of compilers and make.  Afterwards the log (kit_log.h)
+// lists the images that were made.
 MakeOutcome RunMake(const MakePlan& plan, const MakeOptions& options);
 
 // Runs the Makefile in `folder` for the first target and `install`, with the variables of the plan.
 MakeOutcome RunMakeTargets(const std::filesystem::path& folder, const MakePlan& plan,
                            const MakeOptions& options);
 
-// Runs make in `folder` with the kit's environment and flags, then `arguments`. make goes on with
-// other targets when one fails.
+// Runs make in `folder` with `arguments`.  make finds the kit's compiler and tools in its
+// environment.  After a failure it goes on with other targets (-k).
 MakeOutcome RunMakeIn(const std::filesystem::path& folder,
                       const std::vector<std::string>& arguments, const MakeOptions& options);
 

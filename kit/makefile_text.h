@@ -16,14 +16,15 @@ struct MakefileVariable {
   std::string name;
   bool is_defined = false;          // the text assigns to it, in any way
   std::vector<std::string> values;  // as written, one per assignment
-  std::string folder;  // the folder that it means, below the SDK or stick: "" or "/OPEN_R/bin"
+  std::string folder;  // the folder that it names, below the SDK or stick: "" or "/OPEN_R/bin"
 };
 
-// Returns the variables that mean the SDK or a folder of it.  The text that follows a variable
-// shows what it means: $(X)/OPEN_R/lib, $(X)/mipsel-linux-g++, $(X)/mkbin.
+// Returns the variables that stand for the SDK's folder or a folder in it.  The text after a
+// variable shows the folder: $(X)/OPEN_R/lib means that X is the SDK, $(X)/mkbin that X is its
+// folder OPEN_R/bin.
 std::vector<MakefileVariable> SdkVariables(const std::string& text);
 
-// Returns the variables that mean the root of a Memory Stick, as in $(X)/OPEN-R/MW/OBJS.
+// Returns the variables that stand for the root of a Memory Stick, as in $(X)/OPEN-R/MW/OBJS.
 std::vector<MakefileVariable> StickVariables(const std::string& text);
 
 // Returns whether the text assigns to a variable of this name.
@@ -32,7 +33,7 @@ bool IsDefinedIn(const std::string& text, const std::string& name);
 // Returns the file names of images that rules write below OPEN-R/MW/OBJS, such as "HELLO.BIN".
 std::vector<std::string> InstalledImages(const std::string& text);
 
-// Returns the relative paths that begin with "../".
+// Returns the paths in `text` that begin with "..", such as "../common".
 std::vector<std::string> UpwardPaths(const std::string& text);
 
 }  // namespace openr_host
