@@ -1,4 +1,4 @@
-// The command openr controller new: makes the files of a new controller.
+// The command `openr controller new`: makes the files of a new controller.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace openr_host {
 
-// Returns the reason why `name` cannot be the name of a controller and its C file, or "".
+// Returns the reason why `name` cannot be the name of a controller and its C file; "" if it can.
 std::string WhyNoControllerName(const std::string& name);
 
 // Returns NAME.c, Makefile.sources and Makefile.openr.  WriteNewObject() writes them.

@@ -1,4 +1,4 @@
-// The command openr new: makes the files of a new object.
+// The command `openr new`: makes the files of a new object.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct NewFile {
   std::string text;
 };
 
-// Returns the reason why `name` cannot be the name of an object, or "".
+// Returns the reason why `name` cannot be the name of an object; "" if it can.
 std::string WhyNoObjectName(const std::string& name);
 
 // Returns the files of a folder with the object `name`: stub.cfg, sources, .ocf file, a Memory
@@ -19,7 +19,8 @@ std::string WhyNoObjectName(const std::string& name);
 // and ours, a CMakeLists.txt, and a test with openr::testing.
 std::vector<NewFile> MakeNewObject(const std::string& name);
 
-// Writes the files to `folder`.  If one of them exists, writes none.  Returns "" or the problem.
+// Writes the files to `folder`.  If one of them exists already, writes none.  Returns "" or the
+// error.
 std::string WriteNewObject(const std::vector<NewFile>& files, const std::string& folder);
 
 }  // namespace openr_host

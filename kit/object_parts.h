@@ -13,7 +13,8 @@
 
 namespace openr_host {
 
-// The files of a project and of the places it refers to.  Each file is read once.
+// Reads the files of a project and of the folders outside that the project refers to with "../",
+// each file at most once.
 class ObjectParts {
  public:
   ObjectParts(const Project& project, const ReferredPlaces& places);
@@ -29,19 +30,22 @@ class ObjectParts {
   // whose name is like the object's.
   std::vector<std::filesystem::path> OcfsOf(const ObjectFolder& object) const;
 
-  // Returns whether the object's Makefiles compile it for the PC, as a part of Remote Processing.
+  // Returns whether the object's Makefiles compile it for the PC.  Such objects are a part of
+  // Remote Processing, which lets objects run on a PC.
   bool IsForRemoteProcessing(const ObjectFolder& object) const;
 
-  // Returns the file names of images that rules install for this object alone.
+  // Returns the file names of the images that rules of Makefiles put on a stick for this object
+  // alone.
   std::vector<std::string> ImageNamesOf(const ObjectFolder& object) const;
 
-  // Returns the file names of images that all rules of all Makefiles install.
+  // Returns the file names of all images that rules of Makefiles put on a stick.
   std::vector<std::string> AllImageNames() const;
 
   // Returns whether a Makefile of the project contains this file name, in any case.
   bool MakefilesName(const std::string& file_name) const;
 
-  // Returns whether a rule installs an image under a name that only make can work out.
+  // Returns whether a rule puts an image on a stick under a name that only make can work out,
+  // because the name is made of variables.
   bool HasUnreadableInstall() const;
 
   // Finds a file by its name, in any case, outside of sticks.  Returns an empty path if there is
@@ -64,11 +68,12 @@ class ObjectParts {
   Paths all_;
   Paths makefiles_;
   std::set<std::filesystem::path> object_folders_;
-  // Sources and headers by their names in lower case, without folders; by_stem_ has sources only,
-  // and their names without extension.
+  // Files by their names in lower case, without folders.  `by_name_` has the sources and headers;
+  // `by_stem_` has only the sources, by names without extension.
   std::multimap<std::string, std::filesystem::path> by_name_, by_stem_;
   mutable std::map<std::filesystem::path, std::string> texts_;
-  mutable std::map<std::filesystem::path, Paths> code_;  // by folder of the object
+  // Results of CodeOf(), by folder of the object.
+  mutable std::map<std::filesystem::path, Paths> code_;
 };
 
 }  // namespace openr_host

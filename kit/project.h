@@ -9,17 +9,18 @@
 
 namespace openr_host {
 
-// A folder of an object: it has a stub.cfg, or a stub written by hand.
+// The folder of an object.  It has a stub.cfg, or a source with an entry table (stub) written by
+// hand.
 struct ObjectFolder {
   std::filesystem::path folder;
   std::filesystem::path stub;  // path of stub.cfg; empty: the stub is written by hand
   std::string class_name;      // from stub.cfg
   std::vector<std::filesystem::path> ocfs;
   std::vector<std::filesystem::path> sources;  // in this folder only, without generated files
-  std::vector<std::string> image_names;        // file names that rules of its Makefile install
+  std::vector<std::string> image_names;        // files that rules of its Makefile put on a stick
 };
 
-// A folder that holds OPEN-R/MW.
+// A Memory Stick in the form of a folder: it holds OPEN-R/MW.
 struct StickFolder {
   std::filesystem::path root;
   std::vector<ObjectRecord> objects;    // from OBJECT.CFG, of every robot design, in file order
@@ -31,14 +32,14 @@ struct StickFolder {
 
 struct Project {
   std::filesystem::path root;
-  std::vector<ObjectFolder> objects;  // sorted by name
-  // Objects in folders outside of the root.  Empty if the root has no objects, because they are in
-  // `objects` then.
+  std::vector<ObjectFolder> objects;  // sorted by folder
+  // Objects in folders outside of `root`, which are not built.  If the root has no objects, this
+  // list is empty and `objects` has the objects outside.
   std::vector<ObjectFolder> neighbours;
   std::vector<StickFolder> sticks;
   std::vector<std::filesystem::path> makefiles;  // all, including Makefiles that others include
-  std::vector<std::filesystem::path> shared_sources;  // outside of objects' folders
-  // Folders with headers, outside of objects' folders.
+  std::vector<std::filesystem::path> shared_sources;  // sources in folders of no object
+  // Folders that have headers and belong to no object.
   std::vector<std::filesystem::path> header_folders;
 };
 

@@ -1,5 +1,5 @@
-// Finds files and folders outside of a folder of programs that the programs use.  Makefiles,
-// sources and headers name them by paths with "../".
+// Finds the files and folders that a program uses outside of its own folder.  Makefiles, sources
+// and headers name them by paths with "../".
 #pragma once
 
 #include <filesystem>
@@ -19,8 +19,8 @@ struct ReferredPlaces {
   std::vector<std::filesystem::path> files;  // the files directly in `around`
 };
 
-// Returns the text of a Makefile, with the files that it includes, and with the values of variables
-// that stand for paths: "$(TOP)/lib" becomes "../../lib" where TOP is "../..".
+// Returns the text of a Makefile and of the files that it includes.  Variables that stand for paths
+// are replaced by their values: "$(TOP)/lib" becomes "../../lib" if TOP is "../..".
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
 // Follows the paths named by files below `root`, an absolute folder, and then the paths named by

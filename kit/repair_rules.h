@@ -1,8 +1,9 @@
 // Repairs sources that the SDK's g++ 3.3 accepted and today's g++ does not, so that both compilers
 // accept them.
 //
-// Each rule handles one kind of compiler message and looks at the text around its place.  No line
-// changes its number, so that later messages name the lines of the user's own file.
+// Each rule handles one kind of error message and looks at the source text at the place that the
+// message names.  No line changes its number, so that later messages name the lines of the user's
+// own file.
 #pragma once
 
 #include <string>
@@ -10,6 +11,7 @@
 
 namespace openr_host {
 
+// An error message of the compiler or of the assembler.
 struct Complaint {
   std::string message;  // in English, with ASCII quotes
   std::string file;
@@ -17,6 +19,7 @@ struct Complaint {
   int column = 0;  // in bytes, from 1
 };
 
+// A change of one part of a source: `text` replaces the characters from `begin` to `end`.
 struct Edit {
   size_t begin = 0;  // offset in the file that the complaint is about
   size_t end = 0;    // equal to `begin` for an insertion

@@ -1,4 +1,5 @@
-// Calls of programs for a PC that the robot does not have.
+// Functions that programs on a PC call and that the robot does not have, such as fork() and
+// sleep().
 #pragma once
 
 #include <string_view>
@@ -10,8 +11,8 @@ struct LackedCall {
   const char* why;  // text that follows "NAME(): "
 };
 
-// Returns the entry of the call `name`; null if the robot has this call or if the name is not
-// known.
+// Returns the entry of the function `name`; null if the robot has this function or if the name is
+// not known.
 const LackedCall* FindLackedCall(std::string_view name);
 
 // Returns whether the first argument of the function `name` is the name of a file or folder.

@@ -21,13 +21,13 @@ class RobotSdk {
   const std::filesystem::path& root() const { return root_; }
 
   // Returns the folder with the base of a Memory Stick for `model` ("MS_ERS200") and `flavour`:
-  // BASIC, WLAN or WCONSOLE.  If there is none, throws std::runtime_error that lists the existing
-  // ones.
+  // BASIC, WLAN or WCONSOLE.  If there is no such folder, throws std::runtime_error that lists the
+  // bases of this model.
   std::filesystem::path BaseStick(const std::string& model, const std::string& flavour,
                                   bool is_protected) const;
 
-  // The next three functions throw std::runtime_error when the tool fails.  By then the tool has
-  // printed the reason.  Writes def.h, entry.h and the stub to `folder`.
+  // Writes def.h, entry.h and the stub to `folder`.  Throws std::runtime_error when stubgen2 fails,
+  // which has printed the reason by then.  Compile() and Link() do the same when their tools fail.
   void GenerateStub(const std::filesystem::path& config, const std::filesystem::path& folder) const;
 
   // Compiles `source` to an object file.  `options` are flags such as -I and -D.

@@ -1,4 +1,4 @@
-// The command openr stick: makes the files of a Memory Stick, for the robot or for the host.
+// The command `openr stick`: makes the files of a Memory Stick, for the robot or for the host.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@ struct RobotStickOptions {
   std::string base;        // folder whose OPEN-R/ is the base of the stick; "": the SDK's
   std::string model = "ers210";
   std::string flavour = "WCONSOLE";
-  bool is_protected = true;  // the robot protects memory
+  bool is_protected = true;  // take the base with memory protection
   bool is_verbose = false;
   std::string sources;  // folder with the sources of the objects and stub.cfg/ (install_paths.h)
   std::string stick;    // default stick of the host; the motions are taken from it
 };
 
-// Compiles the objects with the SDK of OPENRSDK_ROOT and adds them to the base of a stick.  The
-// output appears whole or not at all.  Throws std::runtime_error with the reason of a failure.
+// Compiles the objects with the robot's SDK, which the environment variable OPENRSDK_ROOT names,
+// and adds them to the base of a stick.  The output appears whole or not at all.  Throws
+// std::runtime_error with the reason of a failure.
 void MakeRobotStick(const RobotStickOptions& options);
 
 // Copies `stick` to `output`, whole or not at all, without the files that only a debugger on the

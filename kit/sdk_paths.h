@@ -1,16 +1,17 @@
 // The SDK tree: the files that Makefiles of old programs expect below $(OPENRSDK_ROOT), for the
 // host.
 //
-//   bin/mipsel-linux-*        links to openr-sdk, which acts as the tool of that name
-//   OPEN_R/bin                stubgen2, mkbin and the other tools; also links to openr-sdk
-//   OPEN_R/include            headers of the SDK (R4000 and MCOOP below it are links to this
-//   folder) OPEN_R/lib                empty libraries under the names that programs link compat
-//   headers of C++ before the standard compile-flags.txt         flags for compiling old sources
-//   images                    images that replace ones a program did not bring
-//   controller                the Controller object to link controllers with, and its headers
+//   bin/mipsel-linux-*   links to openr-sdk, which acts as the tool of that name
+//   OPEN_R/bin           stubgen2, mkbin and the other tools; also links to openr-sdk
+//   OPEN_R/include       headers of the SDK; R4000 and MCOOP in it are links to this folder
+//   OPEN_R/lib           empty libraries under the names that programs link
+//   compat               headers of C++ before the standard
+//   compile-flags.txt    flags for compiling old sources
+//   images               images for programs that do not bring their own, such as POWERMON.BIN
+//   controller           the Controller object to link controllers with, and its headers
 //
-// cmake/MakeSdkTree.cmake assembles it at share/openr-host/sdk beside the bin/ of the program, both
-// in the build tree and after installing.
+// cmake/MakeSdkTree.cmake puts the tree together in share/openr-host/sdk.  This folder is beside
+// the bin/ of the program, both in the build tree and after installing.
 #pragma once
 
 #include <string>
@@ -27,8 +28,8 @@ enum class Language { kC, kCxx };
 std::vector<std::string> ParseCompileFlags(const std::string& text, Language language,
                                            bool is_clang);
 
-// Environment variables that `openr build` sets for the tools that it starts through make.  Without
-// them, the tools do only what their namesakes of the SDK do.
+// Environment variables that `openr build` sets for the tools, which make starts.  Without these
+// variables, the tools only do the work of the SDK's tools with the same names.
 inline constexpr char kLogVariable[] = "OPENR_KIT_LOG";        // file, see kit_log.h
 inline constexpr char kStickVariable[] = "OPENR_KIT_STICK";    // stick that rules write to
 inline constexpr char kCopiesVariable[] = "OPENR_KIT_COPIES";  // "copy=original:copy=original"

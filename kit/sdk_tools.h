@@ -14,12 +14,12 @@ using Arguments = std::vector<std::string>;
 // mipsel-linux-g++ and -gcc: the host's compiler with the kit's flags.
 int RunCompiler(const Arguments& arguments, bool is_cxx);
 
-// mkbin -o X.bin X.ocf a.o libb.a -lObjectComm: makes a shared object that contains the text of the
-// .ocf.
+// mkbin -o X.bin X.ocf a.o libb.a -lObjectComm: links an image, a shared library that also contains
+// the text of the .ocf file.
 int RunMkbin(const Arguments& arguments);
 
-// image-info OCF OUT: writes the source with the text of the .ocf, which is to be compiled and
-// linked last.
+// image-info OCF OUT: writes to OUT the source that brings the text of the .ocf file into an image.
+// It must be compiled, and be the last part that is linked.
 int RunImageInfo(const Arguments& arguments);
 
 // controller-main NM OUT [OBJECT...]: writes the source that calls main() of a controller, for
@@ -29,7 +29,8 @@ int RunControllerMain(const Arguments& arguments);
 // gzcp FROM TO: makes a copy of FROM that is compressed with gzip.
 int RunGzcp(const Arguments& arguments);
 
-// strip [-o OUT] FILE...: copies without a change, because a debugger on the host needs the lines.
+// strip [-o OUT] FILE...: copies the file without a change, because a debugger on the host needs
+// the debug information in it.
 int RunStrip(const Arguments& arguments);
 
 // ar, ld and others: runs the host's tool, without the flags for the robot's processor.

@@ -11,7 +11,7 @@ struct SourceCopy {
   std::string original;
 };
 
-// Returns the list of private copies that `openr build` passes in the environment; empty when a
+// Returns the private copies that `openr build` lists in an environment variable; none when the
 // tool was not started by `openr build`.
 std::vector<SourceCopy> SourceCopies();
 std::string ToEnvironment(const std::vector<SourceCopy>& copies);

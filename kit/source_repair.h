@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-// The repairs during one compilation.  While a session exists, other processes wait with their
-// repairs, because headers are shared.
+// The repairs during one compilation.  While a session exists, other compiler processes wait before
+// they repair files, because several sources include the same headers.
 class RepairSession {
  public:
   RepairSession();
@@ -21,17 +21,19 @@ class RepairSession {
   RepairSession(const RepairSession&) = delete;
   RepairSession& operator=(const RepairSession&) = delete;
 
-  // Returns whether there are private copies, which may be changed.
+  // Returns whether repairs are possible: only private copies may be changed, and `openr build`
+  // makes them.
   bool may_repair() const { return !copies_.empty(); }
 
-  // Makes one round of repairs.  `diagnostics` is the output of g++ with -fdiagnostics-format=json
-  // for `sources`.  Returns false if nothing could be repaired.
+  // Repairs the files for the errors in `diagnostics`, the output of g++ with
+  // -fdiagnostics-format=json for `sources`.  Returns false if nothing could be repaired.
   bool Apply(const std::string& diagnostics, const std::vector<std::string>& sources);
 
-  // Keeps the repairs, and notes them in the log with the paths of the originals.
+  // Keeps the repairs, and notes them in the log (kit_log.h) under the names of the user's own
+  // files.
   void Keep();
 
-  // Restores the files that were changed.
+  // Gives the changed files back the text they had before this session.
   void Undo();
 
  private:

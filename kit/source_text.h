@@ -1,4 +1,4 @@
-// Finds words and brackets in C++ text, without regard to comments and strings.
+// Finds words, brackets and string literals in the text of a C or C++ source.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ std::vector<StringLiteral> StringLiteralsIn(std::string_view text);
 // Returns the position of a line and a column, both from 1; npos if the text has no such place.
 size_t OffsetOf(std::string_view text, int line, int column);
 
-// The value of a position that does not exist.
+// The result of functions that find no position.
 inline constexpr size_t kNone = std::string_view::npos;
 
 // NextOf() returns the position of the first character from `at` on that is neither a blank nor a

@@ -9,21 +9,22 @@
 
 namespace openr_host {
 
-// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base and of an application.  The lines of
-// the base come first, both in the part before the first [design] and in the part after it.  A line
-// that both have, apart from blanks, is kept once.
+// Merges the OBJECT.CFG, CONNECT.CFG or DESIGNDB.CFG of a base and of an application.  A file has a
+// part for all robots and, from the first [design] on, sections for one design each.  In both parts
+// the lines of the base come first.  In the part for all robots, a line that both files have is
+// kept once; blanks do not matter.
 std::string MergeConfig(const std::string& base, const std::string& ours);
 
-// Returns the reason why a Memory Stick of the robot cannot have a file `name`, or "".  A name has
-// up to eight characters, a dot, and up to three characters.
+// Returns the reason why a Memory Stick of the robot cannot have a file `name`; "" if it can.  A
+// name has up to eight characters, a dot, and up to three characters.
 std::string WhyNotShortName(const std::string& name);
 
 // Returns an error for each file and folder below `folder` whose name the robot's stick cannot
 // have.
 std::vector<Diagnostic> CheckNames(const std::filesystem::path& folder);
 
-// Checks a WLANCONF.TXT.  A blank beside '=' hangs the boot of the robot; an unknown key has no
-// effect.
+// Checks a WLANCONF.TXT, the network settings.  A blank beside '=' is an error, because it hangs
+// the boot of the robot.  An unknown key is a warning, because it has no effect.
 std::vector<Diagnostic> CheckWlanConfig(const std::string& file, const std::string& text);
 
 // Checks that the images which OBJECT.CFG of `stick` names exist, and that an object handles the

@@ -17,8 +17,8 @@ struct StubgenOptions {
 int RunStubgen(const StubgenOptions& options, std::istream& in, std::ostream& out,
                std::ostream& err);
 
-// Runs the command stubgen2 with the arguments of a command line, where argv[0] is the name of the
-// command.  Returns 2 when the command line is wrong.
+// Runs the command stubgen2 with the arguments of a command line; argv[0] is the name of the
+// command.  Returns the exit code, which is 2 when the command line is wrong.
 int StubgenMain(int argc, char** argv);
 
 }  // namespace openr_host

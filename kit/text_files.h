@@ -10,8 +10,7 @@ namespace openr_host {
 
 std::optional<std::string> ReadText(const std::filesystem::path& file);
 
-// Replaces the content of `file`, and creates missing folders.  Returns "" or the error, as
-// WriteFile() does.
+// Replaces the content of `file`, and creates missing folders.  Returns "" or the error message.
 std::string WriteText(const std::filesystem::path& file, const std::string& text);
 
 std::string LowerCase(std::string text);
@@ -19,8 +18,8 @@ std::string LowerCase(std::string text);
 // Returns `path` with '_' in place of every character that has a meaning for make or the shell.
 std::string WithoutOddCharacters(std::string path);
 
-// Returns the entry of `folder` called `name`, in upper or lower case; an empty path if there is
-// none.
+// Returns the file or folder in `folder` that is called `name`, in upper or lower case; an empty
+// path if there is none.
 std::filesystem::path FindEntry(const std::filesystem::path& folder, const std::string& name);
 
 // Does what FindEntry() does, for a path of several parts such as OPEN-R/MW/CONF.
@@ -29,29 +28,29 @@ std::filesystem::path FindBelow(std::filesystem::path folder, const std::string&
 // Returns `path` below `folder`.  Parts that exist, in any case, are written as on the disk.
 std::filesystem::path SpeltBelow(std::filesystem::path folder, const std::string& path);
 
-// Each returns whether a file of this name is of one kind: a C or C++ source, a header, a file of
-// Makefile rules.
+// These functions return whether a file of this name is a C or C++ source, a header, or a file with
+// rules for make.
 bool IsSourceName(const std::filesystem::path& file);
 bool IsHeaderName(const std::filesystem::path& file);
 bool IsMakefileName(const std::filesystem::path& file);
 // Returns whether make finds a file of this name without -f.
 bool IsMainMakefileName(const std::filesystem::path& file);
 
-// Returns whether the folder holds no sources: a folder of version control, a hidden one, or a
-// build folder of CMake.
+// Returns whether the kit ignores the folder, because it cannot hold sources: a folder of version
+// control, a hidden folder, or a build folder of CMake.
 bool IsIgnoredFolder(const std::filesystem::path& folder);
 
 bool IsBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 // Returns all regular files below `folder`, sorted by name, without ignored folders.  Follows
-// links, but enters no folder twice on one path.
+// links, but not to a folder that contains the link.
 std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder);
 
 // Returns "" or a reason such as "cannot be read: Permission denied" for an existing file or
 // folder.
 std::string WhyUnreadable(const std::filesystem::path& path);
 
-// Returns the paths that exist and cannot be read, among `folder` and the files and folders in it.
+// Returns the paths that exist and cannot be read: `folder`, or files and folders below it.
 std::vector<std::filesystem::path> UnreadableBelow(const std::filesystem::path& folder);
 
 }  // namespace openr_host

@@ -1,8 +1,9 @@
 // A private copy of the user's folder, in which Makefiles run.  The files that they make stay out
 // of the sources, and files that do not fit the host can be changed.
 //
-// The copy stays from one build to the next, with the times of files and with what was made in it.
-// Only changed files are copied again, so make rebuilds what it would rebuild in the folder itself.
+// The copy stays from one build to the next, with the times of files and with the files that builds
+// have made in it.  Only changed files are copied again, so make rebuilds the same files that it
+// would rebuild in the user's folder.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ class WorkCopy {
   // copy.  Throws std::runtime_error when something cannot be read or written.
   std::filesystem::path Add(const std::filesystem::path& original);
 
-  // Returns the path that `original` has, or would have, in the copy.
+  // Returns the path in the copy that belongs to `original`, whether that file was copied or not.
   std::filesystem::path PlaceOf(const std::filesystem::path& original) const;
 
   // Returns all copied folders.  The first is the one that the user named.  The last ones are
@@ -37,11 +38,11 @@ class WorkCopy {
   // are for another processor, each with the name of the processor.
   const std::map<std::string, std::string>& left_out() const { return left_out_; }
 
-  // Returns whether the file of the copy is an unchanged copy of its original, and was not made by
-  // the build.
+  // Returns whether `file`, a file of the copy, is an unchanged copy of the user's file and was not
+  // made by the build.
   bool IsOriginal(const std::filesystem::path& file) const;
 
-  // Writes a list of the copied files to disk, for the next build.  Called after the last Add().
+  // Writes a list of the copied files to disk, for the next build.  Add() does this at its end.
   void Save() const;
 
  private:
@@ -61,10 +62,12 @@ class WorkCopy {
   const std::filesystem::path work_;
   const std::string sdk_root_;
   std::vector<SourceCopy> copies_;
-  std::vector<std::filesystem::path> left_stubs_;  // copies of generated files, found in this run
+  // Copied files that stubgen2 has made; see MakeStubsAnew().
+  std::vector<std::filesystem::path> left_stubs_;
   std::map<std::string, std::string> left_out_, former_left_out_;
-  std::map<std::string, Stamp> former_;   // by original: what the last build copied
-  std::map<std::string, Stamp> present_;  // by original: what this build found
+  // Size and time of copied files at the last build, by original.
+  std::map<std::string, Stamp> former_;
+  std::map<std::string, Stamp> present_;  // the same at this build
 };
 
 }  // namespace openr_host
