@@ -14,7 +14,7 @@ namespace {
 constexpr char kStopsNote[] =
     "assembly for the robot's processor left out; the object stops with a trap where it is reached";
 
-// A use of the word asm, with its brackets.
+// A use of the word asm in a source, with the brackets after it.
 struct AsmUse {
   size_t begin = 0;             // position of the word asm
   size_t end = 0;               // position after the closing bracket
@@ -22,8 +22,8 @@ struct AsmUse {
   bool names_register = false;  // gives a variable a register: register int x asm("$4")
 };
 
-// Returns whether the block that opens at `brace` contains declarations: extern "C" { or namespace
-// x {.
+// Returns whether the block that opens at `brace` contains declarations and is no body of a
+// function: extern "C" { or namespace x {.
 bool IsOuterBlock(const std::string& code, size_t brace) {
   static const std::regex kHead("(^|[^\\w])(extern|namespace(\\s+\\w+)?)\\s*$");
   const size_t begin = brace < 80 ? 0 : brace - 80;
@@ -43,15 +43,15 @@ size_t OpeningOf(const std::string& code, size_t word_end) {
   return at;
 }
 
-// Returns whether the word asm between the positions `previous` and `next` gives a variable its
-// register.  In that case a name stands before the word, and the declaration ends or goes on after
-// the brackets.
+// Returns whether an asm gives a variable its register: register int x asm("$4");  `previous` is
+// the position before the word asm, `next` the position after its brackets.  A name must stand
+// before the word, and ';', '=' or ',' after the brackets.
 bool NamesRegister(const std::string& code, size_t previous, size_t next) {
   if (previous == kNone || !IsWordCharacter(code[previous])) return false;
   if (next == kNone || std::string_view(";=,").find(code[next]) == kNone) return false;
   const size_t line = code.rfind('\n', previous);
   if (code[NextOf(code, line == kNone ? 0 : line)] == '#')
-    return false;  // on the line of a directive
+    return false;  // the name before asm is in a directive such as #define
   size_t begin = previous;
   while (begin > 0 && IsWordCharacter(code[begin - 1])) --begin;
   const std::string_view before = WordAt(code, begin);
@@ -60,7 +60,7 @@ bool NamesRegister(const std::string& code, size_t previous, size_t next) {
 
 std::vector<AsmUse> FindAsmUses(const std::string& code) {
   std::vector<AsmUse> uses;
-  std::vector<bool> is_outer;  // for each block that is open at `at`
+  std::vector<bool> is_outer;  // IsOuterBlock() of each block that is open at `at`
   for (size_t at = 0; at < code.size(); ++at) {
     if (code[at] == '{') is_outer.push_back(IsOuterBlock(code, at));
     if (code[at] == '}' && !is_outer.empty()) is_outer.pop_back();
@@ -81,7 +81,7 @@ std::vector<AsmUse> FindAsmUses(const std::string& code) {
   return uses;
 }
 
-// Returns the text between the first quotes of `statement` and the first colon outside of quotes.
+// Returns the instructions of an asm statement, which are its quoted text before the first colon.
 std::string TemplateOf(std::string_view statement) {
   std::string text;
   bool is_quoted = false;
@@ -100,7 +100,8 @@ std::string TemplateOf(std::string_view statement) {
   return text;
 }
 
-// Returns whether the program behaves the same without the instructions in `assembly`.
+// Returns whether the program behaves the same without the instructions in `assembly`, because they
+// only wait or order memory accesses.
 bool HasNoEffect(const std::string& assembly) {
   static const std::regex kInstruction("(?:^|[\n;])[ \t]*([.\\w]+)[^\n;]*");
   static const std::set<std::string> kHarmless = {"nop", "ssnop", "ehb", "sync", ".set"};
@@ -110,13 +111,14 @@ bool HasNoEffect(const std::string& assembly) {
   return true;
 }
 
-// Returns `replacement`, followed by as many line ends as `replaced` has, so that line numbers
-// stay.
+// Returns `replacement` with as many line ends as the text `replaced` has, so that the lines after
+// it keep their numbers.
 std::string WithLineEnds(std::string replacement, std::string_view replaced) {
   for (size_t i = 0; i < replaced.size(); ++i) {
     if (replaced[i] != '\n') continue;
     const size_t back = i > 0 && replaced[i - 1] == '\r' ? 2 : 1;
-    // In a macro a line end needs a backslash, so each line end that had one gets one again.
+    // A line end inside a macro needs a backslash before it, so a line end that had one gets one
+    // again.
     const bool goes_on = i >= back && replaced[i - back] == '\\';
     replacement += goes_on ? " \\\n" : "\n";
   }
@@ -141,8 +143,8 @@ int LineOf(const std::string& text, size_t at) {
   return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')) + 1;
 }
 
-// Returns the last line that the assembler may name for `use`.  The assembler counts the lines of
-// the template, so this line may be after the end of the statement.
+// Returns the last line that a message of the assembler may name for `use`.  The assembler counts
+// the line ends in the instructions too, so this line may be after the end of the statement.
 int LastLineOf(const AsmUse& use, const std::string& text) {
   const std::string assembly =
       TemplateOf(std::string_view(text).substr(use.begin, use.end - use.begin));
@@ -187,7 +189,7 @@ std::vector<Edit> AssemblyMacroRepairOf(const std::string& line, const std::stri
   const std::string code = WithoutComments(header);
   std::vector<Edit> edits;
   for (AsmUse use : FindAsmUses(code)) {
-    // Finds the beginning of the macro: the line above its first line does not end in a backslash.
+    // Goes back to the first line of the macro: all its lines but the last end in a backslash.
     size_t begin = code.rfind('\n', use.begin);
     while (begin != kNone && begin > 0 && code[begin - 1] == '\\')
       begin = code.rfind('\n', begin - 1);

@@ -37,8 +37,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of two files in the folder of private copies, with the version of the kit and the path of
-// the user's folder.
+// Names of two files in the folder of private copies.  The first has the version of the kit, the
+// second the path of the user's folder.
 constexpr char kIdentityFile[] = "kit.txt";
 constexpr char kOwnerFile[] = "folder.txt";
 
@@ -49,7 +49,9 @@ fs::path DefaultWorkFolder(const fs::path& folder) {
          fmt::format("{}-{:016x}", WithoutOddCharacters(folder.filename()), hasher.Digest());
 }
 
-// Returns a text that changes with the kit, so that results of different versions are not mixed.
+// Returns a text that is different for each version of the kit's files and compilers.  If the text
+// has changed since the last build, the build begins anew, so that results of different versions
+// are not mixed.
 std::string KitIdentity(const std::string& sdk_root) {
   fs::file_time_type newest = fs::file_time_type::min();
   for (const char* part : {"OPEN_R/include", "compat", "compile-flags.txt", "images"}) {
@@ -99,7 +101,7 @@ class FolderBuild {
   std::string OriginalName(const std::string& file) const;
 
   const BuildOptions options_;
-  const fs::path folder_;  // the user's folder
+  const fs::path folder_;  // the user's folder, which is built
   const fs::path work_;
   const std::string sdk_root_;
   int lock_ = -1;
@@ -108,17 +110,18 @@ class FolderBuild {
   std::vector<SourceCopy> copies_;
   std::vector<fs::path> copied_folders_;
   Project project_;
-  bool is_made_ = false;              // make has succeeded
+  bool is_made_ = false;              // all runs of make have succeeded
   std::string make_cause_;            // the reason why make failed; "": unknown
   bool wants_all_ = false;            // there is no OBJECT.CFG, so all images are wanted
-  std::vector<std::string> hurdles_;  // reasons why objects could not even be tried
+  std::vector<std::string> hurdles_;  // reasons why the build of some objects could not begin
   std::vector<std::string> missing_;  // images that OBJECT.CFG names and that were not made
   std::vector<std::string> problems_;
   std::vector<std::string> notes_;
-  std::vector<std::string> sticks_;  // paths where the sticks are now
+  std::vector<std::string> sticks_;  // folders of the finished sticks
 };
 
-// Throws if the folder for private copies belongs to another folder, or holds the user's own files.
+// Throws if `work_`, the folder for private copies, is used for another folder of the user or holds
+// files that no build has made.
 void FolderBuild::CheckWorkIsOurs() const {
   std::error_code error;
   if (!fs::exists(work_, error)) return;
@@ -149,8 +152,8 @@ void FolderBuild::PrepareWork() {
   const std::string problem = WriteText(identity_file, identity);
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
   WriteText(work_ / kOwnerFile, folder_.string());
-  // Images that an earlier build has put on the stick by their names are removed, because they
-  // would look like images of this build.
+  // placed.txt lists images that the last build put on the copied sticks because of their names.
+  // They are removed, because they would look like images of this build.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;
@@ -197,8 +200,8 @@ bool FolderBuild::HasFailure(const ObjectFolder& object) const {
   });
 }
 
-// Returns the objects without an image.  Leaves out objects with sources that do not compile,
-// because another way of building would not compile these sources either.
+// Returns the objects of which this build has no image.  Leaves out objects with sources that do
+// not compile, because these sources would not compile in another way of building either.
 std::vector<ObjectFolder> FolderBuild::NotBuilt() const {
   const KitLog log = ReadKitLog(make_.log);
   std::vector<ObjectFolder> objects;
@@ -220,8 +223,8 @@ void FolderBuild::Build() {
   }
   MakeOutcome outcome = RunMake(plan, make_);
   RemoveOldImages(outcome.is_good);
-  // A rule that handles folders one by one ends at the first folder that fails, so the remaining
-  // folders are tried here.
+  // A rule with a loop over folders ends at the first folder that fails, so make runs here in each
+  // object's folder that has no image yet.
   if (!outcome.is_good) {
     for (const ObjectFolder& object : NotBuilt()) {
       const bool has_makefile =
@@ -245,8 +248,8 @@ void FolderBuild::Build() {
   TryConvention(rest, plan);
 }
 
-// Returns whether a part of `image` failed in this build, so that the image comes from an earlier
-// build.
+// Returns whether a part of `image` could not be made in this build.  Then the image is one of an
+// earlier build.
 bool IsOutOfDate(const KitLog::Image& image, const std::vector<KitLog::Failure>& failures) {
   return std::any_of(failures.begin(), failures.end(), [&](const KitLog::Failure& failure) {
     if (failure.file == image.ocf || failure.output == image.file) return true;
@@ -269,8 +272,8 @@ bool IsOlderThanSources(const KitLog::Image& image) {
   });
 }
 
-// Removes images of an earlier build that this build could not make again, because they would look
-// like images of this build.
+// Removes the images of earlier builds that this build could not make again, because they would
+// look like images of this build.
 void FolderBuild::RemoveOldImages(bool is_made) {
   KitLog log = ReadKitLog(make_.log);
   const auto is_old = [&](const KitLog::Image& image) {
@@ -305,11 +308,12 @@ void FolderBuild::TryConvention(const std::vector<ObjectFolder>& objects, const 
 }
 
 void FolderBuild::Deliver() {
-  Project after = ScanProject(copied_folders_);  // because rules may have made sticks
+  // Scans the folders again, because rules may have made sticks.
+  Project after = ScanProject(copied_folders_);
   if (after.sticks.empty()) after.sticks.push_back({after.root / "MS", {}, {}});
   wants_all_ = std::all_of(after.sticks.begin(), after.sticks.end(),
                            [](const StickFolder& stick) { return stick.objects.empty(); });
-  if (wants_all_ && HasFailed()) return;  // the new OBJECT.CFG would not have all images
+  if (wants_all_ && HasFailed()) return;  // an OBJECT.CFG made now would lack images
   const KitLog log = ReadKitLog(make_.log);
   std::string placed;
   std::set<std::string> used;
@@ -348,7 +352,7 @@ void FolderBuild::Deliver() {
   WriteText(work_ / "placed.txt", placed);
 }
 
-// Returns whether an object does not compile or link, or could not be tried.
+// Returns whether some object does not compile or link, or its build could not begin.
 bool FolderBuild::HasFailed() const {
   const std::vector<KitLog::Failure> failures = ReadKitLog(make_.log).failures;
   return !hurdles_.empty() ||
@@ -357,9 +361,9 @@ bool FolderBuild::HasFailed() const {
          });
 }
 
-// Reports each failure: as an error if an image is missing because of it, else as a note, because
-// OBJECT.CFG says what belongs to the program.  The reason why make failed is printed last, because
-// people look at the end of the output first.
+// Reports the failures: as errors if an image is missing, else as notes.  A failure without a
+// missing image is no error, because OBJECT.CFG says which images the program needs.  The reason
+// why make failed is printed last, because people look at the end of the output first.
 void FolderBuild::TellFailures() {
   const KitLog log = ReadKitLog(make_.log);
   for (const KitLog::Repair& repair : log.repairs)
@@ -415,7 +419,7 @@ std::string FolderBuild::OriginalName(const std::string& file) const {
   return original.empty() ? file : original;
 }
 
-// Returns the object whose folder contains `file`; "" if none does.
+// Returns the name of the object whose folder contains `file`; "" if no object's folder does.
 std::string FolderBuild::ObjectOf(const fs::path& file) const {
   for (const ObjectFolder& object : project_.objects) {
     const fs::path build = work_ / "build" / object.folder.lexically_relative(project_.root);
@@ -425,7 +429,8 @@ std::string FolderBuild::ObjectOf(const fs::path& file) const {
   return "";
 }
 
-// Returns a line such as "Sender: Chat/Sender/Sender.cc does not compile; ..."
+// Returns the message for the user about `failure`: "Sender: Chat/Sender/Sender.cc does not
+// compile; ..."
 std::string FolderBuild::Described(const KitLog::Failure& failure) const {
   const std::string object = ObjectOf(failure.file);
   const std::string original = OriginalOf(failure.file, copies_);

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kPlacesMax = 5;  // number of further places shown
+constexpr size_t kPlacesMax = 5;  // a remark names at most this many other places
 
 Remark::Kind KindOf(Severity severity) {
   if (severity == Severity::kNote) return Remark::Kind::kNote;
@@ -102,7 +102,8 @@ Remarks CheckFolder(const std::string& folder, const std::vector<std::string>& l
   // If files cannot be read, nothing else is checked, because the checks would report these files
   // as missing.
   if (!unreadable.all().empty()) return unreadable;
-  // Files that Makefiles take from elsewhere belong to the program, as they do in openr build.
+  // Files outside of `folder` that the program names with "../" belong to the program, as in openr
+  // build, so their folders are scanned too.
   const fs::path root = fs::canonical(folder);
   const ReferredPlaces places = FindReferredPlaces(root);
   const Project project = ScanProject(places.folders);

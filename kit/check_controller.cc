@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kFrameMs = 8;
 
-// The function from which a piece of code is called, directly or not: main(), a function given to
-// robot_run(), or a function given to robot_die().
+// The part of a controller that a function belongs to: functions called from main(), from a
+// function that was passed to robot_run(), or from one that was passed to robot_die().
 enum class Part { kMain, kRun, kDie };
 
 class ControllerCheck {
@@ -162,7 +162,8 @@ class ControllerCheck {
            (code[before] == '.' || (code[before] == '>' && before > 0 && code[before - 1] == '-'));
   }
 
-  // Returns whether `at` is the name of a variable of type std::ifstream or the like.
+  // Returns whether the word at `at` is the name of a variable of type std::ifstream or the like,
+  // so that a file name is in the brackets after it.
   static bool IsFileStream(const std::string& code, size_t at) {
     size_t begin = PreviousOf(code, at);
     if (begin == kNone || begin + 1 == at) return false;
@@ -171,8 +172,8 @@ class ControllerCheck {
     return type == "ifstream" || type == "ofstream" || type == "fstream";
   }
 
-  // Checks names of devices: arguments of robot_get_device(), and every string "PRM:...", because
-  // controllers keep names in tables.
+  // Checks the names of devices in a file.  These are the arguments of robot_get_device(), and all
+  // strings that begin with "PRM:", because controllers keep such names in tables.
   void CheckLocators(const CodeFile& file) {
     if (locators_.empty()) return;
     for (const StringLiteral& literal : StringLiteralsIn(file.source)) {
@@ -214,7 +215,8 @@ class ControllerCheck {
 
   void CheckFileName(const CodeFile& file, const CodeCall& call) {
     const std::string argument = code_.FirstArgument(file, call);
-    if (!argument.starts_with('"')) return;  // the name is only known at run time
+    // Without a string literal, the name is known only at run time.
+    if (!argument.starts_with('"')) return;
     const std::string name = argument.substr(1, argument.find('"', 1) - 1);
     if (name.empty() || EqualsIgnoringCase(name.substr(0, 4), "/MS/")) return;
     const size_t slash = name.rfind('/');
@@ -224,7 +226,7 @@ class ControllerCheck {
                     name, slash == kNone ? name : name.substr(slash + 1)));
   }
 
-  // Checks the values that are returned by functions given to robot_run().
+  // Checks the values that functions passed to robot_run() return, which are time steps in ms.
   void CheckRunFunctions() {
     static const std::regex kReturn("\\breturn[ \t\r\n(]+(\\w+)[ \t\r\n)]*;");
     for (const CodeFunction& function : code_.functions()) {
@@ -239,9 +241,11 @@ class ControllerCheck {
   }
 
   const ControllerCode code_;
-  const std::vector<std::string>& locators_;  // names of every device of every robot
+  const std::vector<std::string>& locators_;  // names of all devices of all robots
   const std::set<std::string> run_functions_;
-  const std::set<std::string> in_run_, in_die_;  // names of functions
+  // Names of the functions passed to robot_run() or robot_die(), and of the functions that these
+  // call, directly or not.
+  const std::set<std::string> in_run_, in_die_;
   const std::set<std::string> steps_;  // functions that call robot_step(), directly or not
   Remarks* const remarks_;
 };

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the members of a type, without bodies of functions and text in round brackets.
+// Returns `body`, the inside of a struct or class, with bodies of functions and text in round
+// brackets blanked out, so that only data members are left.
 std::string MembersOf(std::string body) {
   for (size_t at = 0; at < body.size(); ++at) {
     if (body[at] != '{' && body[at] != '(') continue;
@@ -30,7 +31,7 @@ std::string MembersOf(std::string body) {
   return body;
 }
 
-// Returns the reason why values with these members cannot be copied as bytes; "" if they can.
+// Returns the reason why a value with these members cannot be sent as bytes; "" if it can.
 std::string TroubleIn(const std::string& members) {
   static const std::regex kContainer(
       "\\b(string|vector|list|deque|map|multimap|set|multiset|queue|stack)\\b[ \t]*(<[^;]*>)?"
@@ -75,8 +76,8 @@ class DataCheck {
       if (close == std::string::npos) continue;
       const std::string name = (*it)[1];
       const std::string trouble = TroubleIn(MembersOf(code.substr(open + 1, close - open - 1)));
-      // Two types have this name, so we do not know which type is meant and report nothing about
-      // it.
+      // If two types have one name, the check does not know which type a call means, so nothing is
+      // reported about this name.
       if (!seen_.insert(name).second) {
         troubles_.erase(name);
       } else if (!trouble.empty()) {
@@ -85,8 +86,8 @@ class DataCheck {
     }
   }
 
-  // Returns the type of `variable`, or the type named in `measured` (the text after sizeof), if it
-  // is in troubles_; "" otherwise.
+  // Returns the type that a call of SetData() sends, if it is in `troubles_`: the type `measured`,
+  // which is the word after sizeof, or the type of `variable`.  Returns "" for other types.
   std::string TypeOf(const std::string& code, const std::string& variable,
                      const std::string& measured) const {
     if (troubles_.contains(measured)) return measured;
@@ -115,8 +116,8 @@ class DataCheck {
 
   Remarks* const remarks_;
   std::map<std::string, File> files_;
-  std::set<std::string> seen_;                   // names of types
-  std::map<std::string, std::string> troubles_;  // by type: the reason
+  std::set<std::string> seen_;                   // names of all types found so far
+  std::map<std::string, std::string> troubles_;  // reasons why a type cannot be sent, by its name
 };
 
 }  // namespace

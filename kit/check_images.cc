@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 const char* const kRobotServices[] = {ovrcommSENSOR, ovrcommEFFECTOR, ovrcommFBK,
                                       ovrcommMIC,    ovrcommSPEAKER,  ovrcommALERT};
 
-// Returns the object's name in the .ocf text inside a host image; "" if there is none.
+// Returns the name of the object in the .ocf text that a host image contains; "" if the image has
+// no such text.
 std::string ObjectNameIn(std::string_view bytes) {
   for (const std::string_view text : TextsIn(bytes)) {
     if (text.find("object") == std::string_view::npos) continue;
@@ -39,7 +40,7 @@ std::string ObjectNameIn(std::string_view bytes) {
 // A line of OBJECT.CFG without a usable image: the file is missing, or is a binary for the robot.
 struct MissingImage {
   ObjectRecord record;
-  std::string problem;  // what is wrong with the binary; "": the file is missing
+  std::string problem;  // the error of the binary for the robot; "": the file is missing
 };
 
 class ImageCheck {
@@ -111,7 +112,8 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     remarks_->AddConsequence(Remark::Kind::kNote, record.place, "lower case",
                              "lower case in a path; the stick keeps names in upper case");
   }
-  if (EqualsIgnoringCase(FileNameOf(record), kGatewayImage)) {  // a part of the system
+  // The gateway is a part of the robot's system, so its image is not checked.
+  if (EqualsIgnoringCase(FileNameOf(record), kGatewayImage)) {
     images_.has_gateway = true;
     return;
   }
@@ -122,8 +124,8 @@ void ImageCheck::CheckRecord(const ObjectRecord& record) {
     return;
   }
   const ImageFile image = ReadImageFile(file);
-  // A build will put the images for the host where the binaries for the robot are now, so a binary
-  // counts as missing if there are sources to build.
+  // If there are sources to build, a binary for the robot counts as missing, because a build will
+  // replace it by an image for the host.
   if (image.is_for_robot && has_sources_) {
     missing_.push_back({record, image.problem});
   } else if (!image.problem.empty()) {
@@ -152,9 +154,9 @@ void ImageCheck::CheckImage(const ObjectRecord& record, const ImageFile& image) 
   for (const ObjectFolder* object : objects_) {
     if (HasOcfName(*object, name)) namesakes.push_back(object);
   }
-  // Two objects for different robots often have one name, so their services decide which of them is
-  // in the image.  A single object with the name is taken even if its stub.cfg has changed since
-  // the build.
+  // Several objects may have this name, because objects for different robots often share one.
+  // Their services then decide which of them is in the image.  A single object with the name is
+  // taken even if its stub.cfg has changed since the build.
   if (namesakes.size() > 1)
     std::erase_if(namesakes,
                   [&](const ObjectFolder* object) { return !HasServicesIn(*object, record); });
@@ -169,7 +171,8 @@ bool ImageCheck::HasOcfName(const ObjectFolder& object, const std::string& name)
   });
 }
 
-// Returns whether the image of `record` has all services of the object's stub.cfg.
+// Returns whether the image of `record`, a line of OBJECT.CFG, has all services that the stub.cfg
+// of `object` declares.
 bool ImageCheck::HasServicesIn(const ObjectFolder& object, const ObjectRecord& record) const {
   if (object.stub.empty()) return true;
   const StubConfig stub = ParseStubConfig(object.stub, ReadText(object.stub).value_or("")).config;
@@ -222,7 +225,8 @@ std::vector<int> ImageCheck::MatchMissing() const {
   return objects;
 }
 
-// Finds out which objects of the project the missing images will be made from.
+// Finds the objects of the project from which a build will make the missing images, and reports the
+// images that no build will make.
 void ImageCheck::ExpectFromProject() {
   const std::vector<int> matches = MatchMissing();
   std::vector<const MissingImage*> rest;
@@ -249,8 +253,8 @@ void ImageCheck::ExpectFromProject() {
     ReportMissing(*image, is_made);
     is_some_made = is_some_made || is_made;
   }
-  // A rule of a Makefile makes an image under an unknown name, so any of the remaining objects may
-  // be in it.
+  // If a rule of a Makefile makes one of the missing images, any remaining object may be in it, so
+  // the services of all these objects count as known.
   for (size_t i = 0; is_some_made && i < free.size(); ++i) AddServices(*free[i], "");
 }
 
@@ -304,7 +308,7 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
     }
     return;
   }
-  // A stub written by hand registers services whose names are in its sources.
+  // Without a stub.cfg, the names of the services are strings in the sources.
   static const std::regex kService("\"(\\w+\\.\\w+\\.\\w+\\.[SO])\"");
   for (const fs::path& file : parts_.CodeOf(object)) {
     const std::string& text = parts_.TextOf(file);
@@ -314,7 +318,8 @@ void ImageCheck::AddServices(const ObjectFolder& object, const std::string& sect
 }
 
 void ImageCheck::CheckPlacedNames() {
-  // Objects are taken in the order of folders, so that the order of OBJECT.CFG does not matter.
+  // The objects are sorted by folder, so that the remarks do not depend on the order of lines in
+  // OBJECT.CFG.
   std::vector<PlacedObject> in_order;
   for (const ObjectFolder* object : objects_) {
     for (const PlacedObject& placed : placed_) {

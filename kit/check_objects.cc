@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Smallest stack that is accepted.  The SDK's samples have 3072 bytes; no program with less than
-// this limit is known to work.
+// An .ocf file with a smaller stack gets a warning.  The SDK's samples have 3072 bytes, and no
+// program with less than 1024 is known to work.
 constexpr int64_t kStackBytesMin = 1024;
 constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
 
@@ -96,8 +96,8 @@ class ObjectCheck {
       CheckFunction(extra.function, extra.place, "void*");
   }
 
-  // Finds lines that are missing in DoInit and DoStart.  The compiler does not find them, because
-  // the program compiles without these lines.
+  // Finds calls that an object must make in DoInit and DoStart and that its sources lack.  The
+  // compiler does not find this mistake, because the program compiles without these calls.
   void CheckRegistration(const StubConfig& config) {
     const auto real = [](const StubService& service) { return !IsDummy(service); };
     const auto first = std::find_if(config.subjects.begin(), config.subjects.end(), real);
@@ -162,8 +162,8 @@ class ObjectCheck {
   const std::string code_;
 };
 
-// Finds steps that joints need before they move, such as switching motor power on.  Reports a step
-// if an object of the program commands joints and no object does the step.
+// Warns if an object of the program commands joints and no object does what joints need before they
+// move, such as switching motor power on.
 void CheckMotors(const Project& project, const ObjectParts& parts, Remarks* remarks) {
   std::string code;
   const ObjectFolder* mover = nullptr;

@@ -22,13 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The robot's address in the files of Sony's samples.  A robot that runs on this computer has
-// another address.
+// The robot's address in the samples of Sony's SDK.  A robot that openr runs on this computer has
+// another address, so this one is worth a note.
 constexpr char kRobotOfThatTime[] = "10.0.1.100";
 
 constexpr char kWlanFile[] = "WLANCONF.TXT";
-// Largest edit distance of a name that was probably meant to be WLANCONF.TXT.  The valid name
-// WLANDFLT.TXT has distance 4.
+// A file name counts as a misspelling of WLANCONF.TXT up to this edit distance.  The limit is below
+// 4, the distance of WLANDFLT.TXT, which is the name of another valid file.
 constexpr int kMisspeltDistanceMax = 3;
 
 class StickCheck {
@@ -74,7 +74,9 @@ class StickCheck {
   ConnectConfig wires_;
 };
 
-// `section` is the robot design that the line is limited to, or "".
+// Checks that an object on the stick has the service `name`, which CONNECT.CFG names at `place`.
+// `section` is the section of CONNECT.CFG with that line, which holds for one design of robot only;
+// "" means that the line holds for all robots.
 void StickCheck::CheckService(const ServiceName& name, const std::string& section,
                               const FilePosition& place) {
   const std::string full = Compose(name);
@@ -94,8 +96,8 @@ void StickCheck::CheckService(const ServiceName& name, const std::string& sectio
 
 void StickCheck::ReportUnknown(const ServiceName& name, const FilePosition& place) {
   const std::string full = Compose(name);
-  // The remarks about all services of a missing object get the same cause, so they become one
-  // remark.
+  // If an object is missing, the remarks about its services get the same cause, so they become one
+  // remark.  A service that an object lacks is a cause of its own.
   std::string cause = name.object + ".";
   std::vector<std::string> known;
   for (const auto& [service, owner] : images_.services) {
@@ -153,7 +155,8 @@ GatewayConfig StickCheck::ReadGateway(const fs::path& file, GatewaySide side) {
   return config;
 }
 
-// Checks the services that the gateway carries, and the connections to it.
+// Checks the gateway, which carries services over TCP: its configuration files, and the lines of
+// CONNECT.CFG that connect objects to it.
 void StickCheck::CheckGateway() {
   const fs::path robot_file = Config(kRobotGatewayFile), host_file = Config(kHostGatewayFile);
   GatewayConfig config = ReadGateway(robot_file, GatewaySide::kRobot);
@@ -191,8 +194,8 @@ void StickCheck::CheckGateway() {
   }
 }
 
-// Notes addresses of the original robot, because a robot that runs on this computer has another
-// address.
+// Adds a note for each line with the address that a real robot had in Sony's samples, because a
+// robot that openr runs on this computer has another address.
 void StickCheck::NoteOldAddresses(const GatewayConfig& host) {
   const fs::path file = Config(kAddressFile);
   AddressConfig addresses;
@@ -234,8 +237,8 @@ void StickCheck::CheckDesigns() {
   }
 }
 
-// Checks the network settings in WLANCONF.TXT, and finds files whose names are probably misspelt
-// forms of this name.
+// Checks the network settings in WLANCONF.TXT, and finds files that were probably meant to be this
+// file: in a wrong folder, or with a misspelt name.
 void StickCheck::CheckWlan() {
   const fs::path folder = FindBelow(stick_.root, "OPEN-R/SYSTEM/CONF");
   const fs::path file = folder.empty() ? fs::path() : FindEntry(folder, kWlanFile);
@@ -259,12 +262,12 @@ void StickCheck::CheckWlan() {
   }
 }
 
-// Finds file names that no Memory Stick can have.
+// Warns of file names that the file system of the robot's Memory Stick cannot hold.
 void StickCheck::CheckFileNames() {
   const fs::path openr = FindEntry(stick_.root, "OPEN-R");
   std::set<fs::path> seen;
   for (const fs::path& file : FilesBelow(openr)) {
-    if (file.extension() == ".DBG") continue;  // files of the host only
+    if (file.extension() == ".DBG") continue;  // debug information, which only a host has
     for (fs::path part = file; part != openr; part = part.parent_path()) {
       const std::string name = part.filename();
       if (IsShortName(name) || name == "VERSION.txt" || !seen.insert(part).second) continue;

@@ -29,7 +29,7 @@ bool IsSource(const std::string& file) {
                                    ".ii", ".i", ".s", ".S"});
 }
 
-// Returns whether the value of `flag` is in the next word of the command line.
+// Returns whether `flag` takes the next word of the command line as its value.
 bool TakesNextWord(const std::string& flag) {
   return IsOneOf(flag, {"-o",
                         "-I",
@@ -56,8 +56,8 @@ bool TakesNextWord(const std::string& flag) {
                         "-aux-info"});
 }
 
-// Returns whether the flag is left out, because it is for the robot's processor or the kit sets it
-// itself.
+// Returns whether the host's compiler does not get this flag, because it is for the robot's
+// processor or because the kit sets it itself.
 bool IsRobotFlag(const std::string& flag) {
   // All flags for the processor begin with -m.
   static const char* const kStarts[] = {"-m",    "-Werror", "-pedantic", "-fpic",   "-fPIC",
@@ -74,7 +74,8 @@ bool IsRobotFlag(const std::string& flag) {
                      [&flag](const char* start) { return StartsWith(flag, start); });
 }
 
-// Replaces the old flags "-Ia -I- -Ib", where folders before -I- are for #include "..." only.
+// Replaces the old flags "-Ia -I- -Ib" by "-iquotea -Ib".  Folders before -I- were searched for
+// #include "..." only, and -iquote means the same today.
 void ModerniseIncludes(std::vector<std::string>* arguments) {
   const auto dash = std::find(arguments->begin(), arguments->end(), "-I-");
   if (dash == arguments->end()) return;
@@ -94,10 +95,10 @@ Language LanguageOf(const CompileCommand& command, const std::string& given, boo
                                                                            : Language::kCxx;
 }
 
-// Returns the flags for the language level `name` of a -std flag; none if the level is of another
-// language.  Strict levels become those with GNU extensions, because the headers of the SDK's
-// compiler hid nothing in strict levels.  C99 gets -fgnu89-inline,
-// because `inline` had the meaning of GNU C there until g++ 4.3.
+// Returns the flags for `name`, the language level of a -std flag; none if the level is one of the
+// other language.  Strict levels become those with GNU extensions, because the headers of the SDK's
+// compiler hid nothing in strict levels.  C99 gets -fgnu89-inline, because gcc took `inline` in the
+// meaning of GNU C until version 4.3.
 std::vector<std::string> StandardFlags(const std::string& name, Language language) {
   const bool is_cxx = name.find("++") != std::string::npos;
   if (name.empty() || is_cxx != (language == Language::kCxx)) return {};
@@ -113,7 +114,7 @@ std::vector<std::string> StandardFlags(const std::string& name, Language languag
 CompileCommand TranslateCompile(const std::vector<std::string>& arguments, bool is_cxx) {
   CompileCommand command;
   std::string language, standard;
-  bool asks = false;  // prints information, such as the version, or only preprocesses
+  bool asks = false;  // the command only preprocesses, or prints the version or the like
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
@@ -151,14 +152,16 @@ std::vector<std::string> CarriedFlags(const std::vector<std::string>& arguments,
                                       const std::string& folder) {
   const auto absolute = [&folder](const std::string& path) {
     const fs::path whole = (fs::path(folder) / path).lexically_normal();
-    return (whole.has_filename() ? whole : whole.parent_path()).string();  // "a/" has no file name
+    // Drops the slash at the end of "a/".
+    return (whole.has_filename() ? whole : whole.parent_path()).string();
   };
   std::vector<std::string> flags;
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const bool has_next = i + 1 < arguments.size();
     if (IsOneOf(word, {"-include", "-imacros", "-isystem", "-idirafter", "-iquote"}) && has_next) {
-      // A file of -include is looked for in the folders of -I too.
+      // The compiler looks for a file of -include in the folders of -I too, so the name of a file
+      // that is not in `folder` stays relative.
       const std::string there = absolute(arguments[++i]);
       flags.insert(flags.end(), {word, fs::exists(there) ? there : arguments[i]});
     } else if (IsOneOf(word, {"-D", "-U", "-I"}) && has_next) {

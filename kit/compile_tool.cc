@@ -1,5 +1,6 @@
-// The robot's compiler, on the host.  If a source does not compile, compiles again with
-// declarations and repairs that make up for what the old compiler accepted.
+// The tools mipsel-linux-g++ and -gcc, which compile for the host.  If a source does not compile,
+// they compile it again with declarations and repairs for what the old compiler accepted and
+// today's does not.
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -25,7 +26,8 @@ size_t CountErrors(const std::string& output) {
   return count;
 }
 
-// Returns `output` without remarks on unknown flags of the form -Wno-x.
+// Returns `output`, the messages of g++, without its notes that it does not know a flag of the form
+// -Wno-x.
 std::string WithoutFlagNotes(const std::string& output) {
   std::istringstream lines(output);
   std::string kept;
@@ -52,8 +54,8 @@ class CompileRun {
 
   const Arguments given_;
   CompileCommand command_;
-  Arguments compiler_;  // the compiler and the kit's flags
-  Arguments extra_;     // flags that turned out to be needed
+  Arguments compiler_;  // the host's compiler and the flags of the kit
+  Arguments extra_;     // further flags that this source needs
 };
 
 CompileRun::CompileRun(const Arguments& arguments, bool is_cxx)
@@ -81,7 +83,8 @@ ProcessResult CompileRun::Try(const Arguments& extra) {
   return RunProcess(all, {.environment = {{"LC_ALL", "C"}}, .captures_error = true});
 }
 
-// Compiles without the old flags that the compiler says it does not know.
+// Compiles.  If the compiler says that it does not know some flags, which are old ones, compiles
+// again without these.
 ProcessResult CompileRun::TryKnownFlags(const Arguments& extra) {
   ProcessResult result = Try(extra);
   while (!result.good()) {
@@ -104,8 +107,8 @@ void CompileRun::UsePreludeIfItHelps(ProcessResult* result) {
   *result = again;
 }
 
-// Repairs the private copies of sources, round by round, as long as that reduces the number of
-// errors.
+// Repairs the private copies of the sources in rounds, until the source compiles or no rule fits
+// its errors.  Undoes all repairs if it does not compile in the end.
 void CompileRun::RepairIfItHelps(ProcessResult* result) {
   RepairSession session;
   if (!session.may_repair()) return;
@@ -121,7 +124,7 @@ void CompileRun::RepairIfItHelps(ProcessResult* result) {
     now = Try(extra_);
     if (!now.good() && extra_.empty()) UsePreludeIfItHelps(&now);
   }
-  *result = now;  // errors that are left are for the user to solve
+  *result = now;  // the errors that are left are shown to the user
   if (now.good()) {
     session.Keep();
   } else {
@@ -157,8 +160,8 @@ int CompileRun::Run() {
     if (!result.good()) RepairIfItHelps(&result);
   }
   if (result.good() && TellsOfMissingReturn(result.output) && !IsClang(compiler_)) {
-    // With this flag the compiler calls functions of the image (image_source.cc) that make the
-    // missing value 0.
+    // With this flag, every function calls a helper function of the image at its end
+    // (image_source.cc), which makes a missing return value 0.
     extra_.push_back("-finstrument-functions");
     const ProcessResult again = Try(extra_);
     if (again.good()) result = again;

@@ -74,8 +74,8 @@ class ControllerBuild {
     return good;
   }
 
-  // Compiles the function that calls main(), whose text depends on how the controller declares
-  // main().
+  // Generates and compiles the function that calls main().  Its text depends on how the controller
+  // declares main().
   bool CompileCallOfMain() {
     const ControllerMain main = FindControllerMain("nm", {objects_.begin(), objects_.end()});
     if (!main.problem.empty()) {
@@ -96,8 +96,8 @@ class ControllerBuild {
     return RunMkbin(arguments) == 0;
   }
 
-  // Checks that the files which are copied to the stick have names that a stick can have, and that
-  // the robot boots with them.
+  // Checks the files of the controller's folder that are copied to the stick: motions must have
+  // names that a stick can hold, and the robot must boot with the WLANCONF.TXT.
   bool HasGoodFiles() const {
     std::vector<Diagnostic> diagnostics;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -129,7 +129,7 @@ class ControllerBuild {
     StickFolder stick;
     stick.root = stick_;
     const fs::path images = stick.ObjectsFolder();
-    fs::remove(images / "CONTROLL.DBG");  // it belongs to an earlier image
+    fs::remove(images / "CONTROLL.DBG");  // debug information of the former image
     Put(Made(), images / kImage);
     const fs::path open_r = FindEntry(stick_, "OPEN-R");
     for (const auto& entry : fs::directory_iterator(folder_)) {

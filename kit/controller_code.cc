@@ -19,8 +19,9 @@ bool IsKeyword(const std::string& word) {
   return kWords.contains(word);
 }
 
-// Returns where the body of a function begins whose parameters end at `close`: directly after them,
-// after "const", or after the parameter types of old C.  Returns kNone if there is no body.
+// Returns the position of a function's body after `close`, the bracket at the end of its
+// parameters.  Only "const" or the parameter types of old C may be between the two.  Returns kNone
+// if there is no body.
 size_t BodyAfter(const std::string& code, size_t close) {
   for (size_t at = NextOf(code, close + 1); at != kNone; at = NextOf(code, at + 1)) {
     if (code[at] == '{') return at;
@@ -61,7 +62,7 @@ void ControllerCode::Read(const fs::path& file) {
 
 void ControllerCode::FindFunctions(const CodeFile& file) {
   const std::string& code = file.code.text;
-  size_t after = 0;  // end of the last function, because functions are not nested
+  size_t after = 0;  // end of the last function; calls before it are in its body
   for (const CodeCall& call : CallsIn(code, 0, code.size())) {
     if (call.at < after) continue;
     const size_t close = ClosingOf(code, call.open);
@@ -141,7 +142,7 @@ FilePosition ControllerCode::PlaceOf(const CodeFile& file, size_t at) {
 
 std::string ControllerCode::FirstArgument(const CodeFile& file, const CodeCall& call) const {
   const size_t open = file.code.origins[call.open];
-  if (file.source[open] != '(') return "";  // the bracket comes from a macro
+  if (file.source[open] != '(') return "";  // the brackets come from a macro
   const size_t at = NextOf(file.source, open + 1);
   if (at == kNone) return "";
   const std::string word(WordAt(file.source, at));

@@ -32,14 +32,16 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
   return found;
 }
 
-// The text of a Makefile that prints all variables that the file $(LIST) sets.
+// The text of a Makefile that prints the value of each variable that the file $(LIST) sets, one a
+// line after "= ".
 constexpr char kPrintVariables[] =
     "include $(LIST)\n"
     "$(foreach v,$(filter-out MAKE% .% CURDIR SHELL LIST,$(.VARIABLES)),"
     "$(if $(filter file,$(origin $(v))),$(info = $($(v)))))\n"
     "openr-nothing:;\n";
 
-// Returns a diagnostic at the place where the list contains `word`, or else at its first line.
+// Returns an error message with the place where `list` (its content is `text`) contains `word`, or
+// else with its first line.
 Diagnostic AtWord(const fs::path& list, const std::string& text, const std::string& word,
                   std::string message) {
   std::vector<Diagnostic> ignored;
@@ -56,7 +58,8 @@ Diagnostic AtWord(const fs::path& list, const std::string& text, const std::stri
 
 void ReadList(const fs::path& folder, ControllerSources* sources) {
   const std::string text = ReadText(sources->list).value_or("");
-  // make itself expands the values, because a list may use functions and conditions of make.
+  // We run make to get the values of the variables, because a list may use functions and conditions
+  // of make.
   const TempFolder scratch;
   const std::string makefile = scratch.path() + "/print.mk";
   if (!WriteText(makefile, kPrintVariables).empty()) return;

@@ -1,14 +1,15 @@
-// LoopStack (objects/Controller/LoopStack.h) for the host, where a controller may be an endless
-// loop: robot_step() leaves the stack of the loop, and the end of the LED vector continues it.
-// This file is a part of images, so it is written in gnu++98.
+// The functions of objects/Controller/LoopStack.h for the host, where the main() of a controller
+// may be an endless loop.  The loop runs on a second stack: robot_step() leaves that stack, and
+// when its time has passed, the Controller object continues the loop.  This file becomes a part of
+// images, so it is written in gnu++98.
 #include "LoopStack.h"
 
 #include "runtime/api/second_stack.h"
 
 namespace {
 
-// The stack of the loop.  It is destroyed with the image, either when the robot ends or when a new
-// image replaces this one.
+// The second stack, on which the loop runs.  It is destroyed with the image, either when the robot
+// ends or when a new image replaces this one.
 struct Stack {
   Stack() : stack(0) {}
   ~Stack() { openr_second_stack_delete(stack); }
