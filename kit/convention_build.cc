@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
-// Returns all headers of the project, by name.
+// Returns the headers that lie in the folders of these sources, by name in lower case.
 std::multimap<std::string, fs::path> HeadersByName(const Paths& sources, const Paths& shared) {
   std::set<fs::path> folders;
   for (const fs::path& file : sources) folders.insert(file.parent_path());
@@ -50,7 +50,8 @@ std::string Joined(const Paths& paths) {
   return text;
 }
 
-// Returns the .ocf file of an object.  If there is not exactly one, returns "" and sets `problem`.
+// Returns the .ocf file of an object.  If the object has several, returns the one whose name is
+// like its own.  If no file can be chosen, returns "" and sets `problem` to the error message.
 fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   if (object.ocfs.size() == 1) return object.ocfs[0];
   if (object.ocfs.empty()) {
@@ -70,7 +71,8 @@ fs::path ChooseOcf(const ObjectFolder& object, std::string* problem) {
   return {};
 }
 
-// Returns the word of a shell command with the escapes that a Makefile needs.
+// Returns `word`, a word of a shell command, with '$' and '#' escaped, because make gives them a
+// meaning.
 std::string InMakefile(const std::string& word) {
   std::string text;
   for (const char c : word) {
@@ -87,8 +89,9 @@ bool HasOwnDefinitions(const ObjectFolder& object) {
   return text && !IsGeneratedDefinitions(*text);
 }
 
-// Returns the folder in which the object's sources expect the stub, as in `#include "stub/def.h"`;
-// "" if they name none, or a folder where the stub exists or will be made anyway.
+// Returns the folder, inside the object's folder, from which the object's sources include the stub,
+// as in `#include "stub/def.h"`; "" if they name no such folder.  A folder with a stub.cfg, or with
+// a def.h written by hand, does not count.
 fs::path NamedStubFolder(const ObjectFolder& object) {
   static const std::regex kInclude(
       "(?:^|\n)[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)/(?:def|entry)\\.h[\">]");
@@ -109,16 +112,18 @@ fs::path NamedStubFolder(const ObjectFolder& object) {
   return {};
 }
 
-// Returns the folder for the stub of `object`: the one that its sources name, or else the folder of
-// stub.cfg, because sources of other objects may include the stub from there ("../Walker/def.h").
-// If that folder has a def.h written by hand, returns a folder in `build`.
+// Returns the folder into which stubgen2 writes the stub of `object`.  This is the folder from
+// which the object's sources include the stub, or else the folder of stub.cfg, because sources of
+// other objects may include the stub from there ("../Walker/def.h").  If the folder of stub.cfg has
+// a def.h written by hand, it is `build`, so that this file is not overwritten.
 fs::path StubFolder(const ObjectFolder& object, const fs::path& build) {
   const fs::path named = NamedStubFolder(object);
   if (!named.empty()) return named;
   return HasOwnDefinitions(object) ? build : object.folder;
 }
 
-// Errors in a stub.cfg are reported later, when its object is built.
+// Runs stubgen2 for the stub.cfg of `object`, unless the stub is newer.  Shows no errors in
+// stub.cfg, because the build of the object reports them later.
 void GenerateStub(const ObjectFolder& object, const MakeOptions& options) {
   const fs::path folder = StubFolder(object, {});
   if (object.stub.empty() || folder.empty()) return;
@@ -140,23 +145,25 @@ class ConventionBuild {
         flags_(std::move(flags)),
         build_(std::move(build)),
         options_(options) {
-    // Undefined names at the first attempt are no failure if the second attempt succeeds, so the
-    // log is kept apart.
+    // This build gets a log of its own, because undefined names at its first attempt to link are no
+    // failure if the second attempt succeeds.
     options_.log = build_ / "log.txt";
     for (const fs::path& source : project.shared_sources) {
       if (!HasMain(source)) shared_.push_back(source);
     }
   }
 
-  // Builds the object.  Returns the reason why it cannot even be tried, or "".
+  // Builds the object.  Returns "", or the reason why the build could not begin.  Failures during
+  // the build are in log().
   std::string Run() {
     std::string problem;
     ocf_ = ChooseOcf(object_, &problem);
     if (!problem.empty()) return problem;
     const Paths included = SourcesIncluded(object_.sources, shared_);
     WriteMakefile(included, {});
-    // Names that are undefined at the first attempt may be found at the second attempt, so the
-    // failure of the first is not shown if there is a second.
+    // The first attempt links only the shared sources whose headers are included.  If there are
+    // others, its failure is not shown, because the second attempt may find undefined names in the
+    // others.
     const bool has_more = included.size() < shared_.size();
     if (Make(has_more ? MakeOptions::Says::kIfGood : MakeOptions::Says::kAlways) || !has_more)
       return "";
@@ -177,7 +184,7 @@ class ConventionBuild {
     return RunMakeIn(build_, {}, options_).is_good;
   }
 
-  // Returns whether undefined names are the only failure.
+  // Returns whether the last build failed only because of undefined names.
   bool LinksOnly() const {
     const std::vector<KitLog::Failure> failures = log().failures;
     return !failures.empty() &&
@@ -186,8 +193,8 @@ class ConventionBuild {
            });
   }
 
-  // Links `included`, the shared sources whose header the object includes, and also all other
-  // shared sources that compile, because one of these may define the undefined names.
+  // Links the object with `included`, the shared sources whose headers it includes, and with all
+  // other shared sources that compile, because one of these may define the undefined names.
   void LinkWithAll(const Paths& included) {
     Paths rest, compiling;
     std::set_difference(shared_.begin(), shared_.end(), included.begin(), included.end(),
@@ -203,8 +210,8 @@ class ConventionBuild {
     Make(MakeOptions::Says::kAlways);
   }
 
-  // Folders of the object's Makefile are searched first, because they are known to be right; other
-  // folders come last.
+  // Returns the flags for the compiler.  Header folders from the object's Makefile come first,
+  // because they are known to be right; other folders of the project come last.
   std::string CompilerFlags() const {
     std::string flags = "-O2";
     for (const std::string& flag : flags_) flags += " " + InMakefile(ShellWord(flag));
@@ -294,7 +301,7 @@ std::vector<std::string> BuildByConvention(const Project& project,
                             build.lexically_normal(), options);
     const std::string problem = attempt.Run();
     KitLog log = attempt.log();
-    log.compiles.clear();  // the flags of the kit's own Makefile are of no use
+    log.compiles.clear();  // these flags are from the kit's Makefile, not the user's
     AppendKitLog(options.log, log);
     if (!problem.empty()) {
       problems.push_back(fmt::format("{}: {}", object.folder.filename().string(), problem));

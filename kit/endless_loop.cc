@@ -39,7 +39,8 @@ class LoopFinder {
     return code_.size();
   }
 
-  // Returns whether this "while" belongs to a "do".
+  // Returns whether the word "while" at `at` is the end of a do loop, not the beginning of a while
+  // loop.
   bool IsEndOfDo(size_t at) const { return std::count(do_ends_.begin(), do_ends_.end(), at) > 0; }
 
   void LookAtDo(size_t at) {
@@ -87,8 +88,9 @@ class LoopFinder {
     return word == "true" || is_true_(word);
   }
 
-  // Returns whether the condition asks a device for a value that changes only with time.  Returns
-  // false if the condition itself changes a variable.
+  // Returns whether the condition of a loop reads a value of a device.  Such a value does not
+  // change while the loop runs.  Returns false if another part of the condition may end the loop:
+  // ++, --, an assignment, or a second condition after &&.
   static bool AsksADevice(const std::string& condition) {
     static const std::regex kAsks(
         "\\b(\\w+_sensor_get_value|servo_get_position|accelerometer_get_values|"
@@ -97,9 +99,9 @@ class LoopFinder {
     return std::regex_search(condition, kAsks) && !std::regex_search(condition, kChanges);
   }
 
-  // Returns whether a statement between the two positions leaves the loop whose body they enclose.
+  // Returns whether a statement in the body of a loop, from `begin` to `end`, leaves this loop.
   bool Leaves(size_t begin, size_t end) const {
-    size_t inner = begin;  // a break before this position leaves only an inner loop or switch
+    size_t inner = begin;  // end of an inner loop or switch; a break before it leaves only that one
     for (size_t at = begin; at < end;) {
       const std::string_view word = WordAt(code_, at);
       if (word == "return" || word == "goto" || word == "throw" || word == "exit" ||

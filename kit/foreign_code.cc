@@ -28,8 +28,9 @@ unsigned HostMachine() {
 #endif
 }
 
-// Returns the processor in the header of an ELF file.  The machine number is at the same offset in
-// all ELF files.
+// Returns the name of the processor in the header of the ELF file `bytes`; "" if it is the host's
+// processor or if this is no ELF file.  Files of 32 and 64 bits have the number of the processor at
+// the same offset.
 std::string ForeignProcessorOfElf(std::string_view bytes) {
   constexpr size_t kMachineAt = offsetof(Elf32_Ehdr, e_machine);
   if (bytes.size() < kMachineAt + 2 || !bytes.starts_with(std::string_view(ELFMAG, SELFMAG)))
@@ -59,7 +60,7 @@ std::string ForeignProcessorOfElf(std::string_view bytes) {
 }
 
 struct Member {
-  std::string name;  // as in the header, without trailing blanks
+  std::string name;  // name in the header of the member, without blanks at the end
   std::string_view bytes;
 };
 

@@ -19,14 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An image of this build, and the names it may have.
+// An image of this build.  `names` are the names under which OBJECT.CFG may mention the image:
+// those of its object, its class, its files and its folder.
 struct BuiltImage {
   KitLog::Image log;
   std::string bytes;
   std::vector<std::string> names;
 };
 
-// Returns the files in the image folder of `stick`.
+// Returns the files in the folder for images (OPEN-R/MW/OBJS) of `stick`.
 std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -38,7 +39,8 @@ std::vector<fs::path> InstalledFiles(const StickFolder& stick) {
 
 std::vector<BuiltImage> ReadBuiltImages(const KitLog& log, const Project& project) {
   std::vector<BuiltImage> images;
-  std::vector<std::pair<std::string, std::string>> installed;  // file name and content
+  // File name and content of the files on sticks.
+  std::vector<std::pair<std::string, std::string>> installed;
   for (const StickFolder& stick : project.sticks) {
     for (const fs::path& file : InstalledFiles(stick))
       installed.emplace_back(file.filename(), ReadImageFile(file).bytes);
@@ -92,7 +94,8 @@ class StickCompletion {
     return kNone;
   }
 
-  // Finds the images that rules of Makefiles have put on the stick.
+  // Finds the images that rules of Makefiles have put on the stick.  Adds the names of all other
+  // images in OBJECT.CFG to `missing_`.
   void FindInstalled() {
     for (const ObjectRecord& record : stick_.objects) {
       const std::string name = FileNameOf(record);
@@ -114,12 +117,13 @@ class StickCompletion {
     }
   }
 
-  // Returns the path on the stick for an object that OBJECT.CFG places outside of OBJS.
+  // Returns the path of the image that `record`, a line of OBJECT.CFG, names; "" if it is not on
+  // the stick.  The image may be in another folder than OBJS.
   fs::path PlaceOf(const ObjectRecord& record) const {
     return record.path.size() < 4 ? fs::path() : FindBelow(stick_.root, record.path.substr(4));
   }
 
-  // Returns whether this stick is the nearest one to the folder of the image.
+  // Returns whether no other stick is nearer to the image's .ocf file in the tree of folders.
   bool IsOfThisStick(const BuiltImage& image) const {
     const auto depth = [&image](const StickFolder& stick) {
       const fs::path around = stick.root.parent_path();
@@ -135,7 +139,8 @@ class StickCompletion {
     for (const std::string& name : missing_) TakeFromKit(name);
   }
 
-  // Matches names that have no image yet with unused images for which `is_wanted` returns true.
+  // Finds images for the names in `missing_`.  Takes only unused images for which `is_wanted`
+  // returns true and whose names are similar (MatchImages).
   void TakeMatching(const std::function<bool(const BuiltImage&)>& is_wanted) {
     std::vector<ImageCandidate> candidates;
     std::vector<size_t> indices;
@@ -191,7 +196,8 @@ class StickCompletion {
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
-  // Writes an OBJECT.CFG with all images.
+  // Puts all images whose nearest stick is this one on the stick, and writes an OBJECT.CFG that
+  // names them.
   void ListEverything() {
     std::string text;
     for (size_t i = 0; i < built_.size(); ++i) {
@@ -214,7 +220,7 @@ class StickCompletion {
   const std::string sdk_root_;
   const std::vector<BuiltImage> built_;
   const bool has_failures_;
-  std::set<size_t> used_;  // indexes in built_
+  std::set<size_t> used_;  // indexes in built_ of the images on the stick
   std::vector<std::string> missing_;
   std::map<std::string, bool> is_for_robot_;
   Harvest harvest_;
@@ -226,7 +232,8 @@ bool HasSameBytes(const fs::path& a, const fs::path& b) {
   return ReadText(a) == ReadText(b);
 }
 
-// Creates MW/DATA/P, where programs open files for writing, because OPEN-R creates no folders.
+// Creates MW/DATA/P, in which programs open files for writing.  OPEN-R does not create a missing
+// folder, so without it the programs could not write.
 void MakeDataFolder(const StickFolder& stick, const fs::path& target) {
   const fs::path middleware =
       target / stick.ObjectsFolder().parent_path().lexically_relative(stick.root);

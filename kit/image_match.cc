@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kPrefixMin = 3;  // a shorter common beginning or part may be chance
-constexpr size_t kSharedMin = 4;  // number of equal letters in a row
+constexpr size_t kPrefixMin = 3;  // if the common part of two names is shorter, it may be chance
+constexpr size_t kSharedMin = 4;  // names with this many equal letters in a row may belong together
 
 // Returns the letters and digits of the name in lower case, without the extension.
 std::string Normalised(const std::string& name) {
@@ -44,7 +44,8 @@ bool IsLongSubsequence(const std::string& wanted, const std::string& name) {
   return wanted.size() >= kPrefixMin && IsSubsequence(wanted, name);
 }
 
-// Returns whether the names have a part in common, as "mywalker" and "walking" have "walk".
+// Returns whether the two names have kSharedMin letters in a row in common, as "mywalker" and
+// "walking" have "walk".
 bool ShareAWord(const std::string& wanted, const std::string& name) {
   for (size_t at = 0; at + kSharedMin <= wanted.size(); ++at) {
     if (name.find(wanted.substr(at, kSharedMin)) != std::string::npos) return true;
@@ -63,7 +64,8 @@ class Matcher {
     }
   }
 
-  // Pairs each name that fits exactly one candidate, if the candidate also fits no other name.
+  // Pairs each wanted name that fits exactly one free candidate with that candidate, unless another
+  // wanted name without a candidate fits it too.
   void Pair(const std::function<bool(const std::string& wanted, const std::string& name)>& fits) {
     for (size_t w = 0; w < wanted_.size(); ++w) {
       const int only = OnlyCandidate(w, fits);

@@ -34,9 +34,10 @@ struct ImageInfo {
 static __attribute__((section("openr_ocf"), used)) const char openr_ocf_text[] =
     )";
 
-// The rest of the source: the description of the image and helper functions.  A function that may
-// end without returning a value is compiled with calls of the helper functions at its beginning and
-// its end (compile_tool.cc).  The call at the end leaves 0 in the register of the return value.
+// The part of the generated source after the text of the .ocf file: the description of the image,
+// and two helper functions.  If a function may end without returning a value, compile_tool.cc
+// compiles its source so that all functions call the helpers at their beginning and end.  The
+// helper at the end leaves 0 in the register for the return value.
 constexpr std::string_view kRest = R"(;
 
 extern __attribute__((visibility("default"))) const struct ImageInfo openr_image_info;

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns a line with tabs between the words.  A tab inside a word becomes a blank.
+// Returns a line of the log file: `words` with tabs between them.  A tab or line end inside a word
+// becomes a blank.
 std::string Line(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) {
@@ -46,7 +47,7 @@ std::vector<std::string> Split(const std::string& line) {
   return words;
 }
 
-// Returns `words` without the first n.
+// Returns `words` without the first `n`.
 std::vector<std::string> From(size_t n, const std::vector<std::string>& words) {
   return {words.begin() + static_cast<long>(n), words.end()};
 }

@@ -6,7 +6,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the value of -oX or of -o X.  In the second case moves `i` to the value.
+// Returns the value X of the flag at `*i`, which is written "-oX" or "-o X".  In the second case
+// moves `*i` to X.
 std::string ValueOf(const std::vector<std::string>& arguments, size_t* i) {
   const std::string& word = arguments[*i];
   if (word.size() > 2) return word.substr(2);
@@ -19,7 +20,7 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
                            const std::function<bool(const std::string&)>& exists) {
   LinkCommand command;
   std::vector<std::string> folders;
-  std::vector<std::string> wanted;  // names of -l
+  std::vector<std::string> wanted;  // names of libraries, given by -l
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     if (word == "-v") {
@@ -33,7 +34,7 @@ LinkCommand TranslateMkbin(const std::vector<std::string>& arguments,
     } else if (word.starts_with("-l")) {
       wanted.push_back(ValueOf(arguments, &i));
     } else if (word == "-p") {
-      ValueOf(arguments, &i);  // the folder of the SDK, which is not needed
+      ValueOf(arguments, &i);  // skips the folder of the SDK, which is not needed
     } else if (word.ends_with(".ocf")) {
       command.ocf = word;
     } else if (word.ends_with(".a")) {

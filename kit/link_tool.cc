@@ -29,9 +29,9 @@ int Refuse(const std::string& why) {
   return 1;
 }
 
-// Returns whether the command has object files or libraries for another processor, and reports
-// them.  Such files occur because object files of an earlier build for the robot look up to date to
-// make, and because libraries may have come without sources.
+// Returns whether the command has object files or libraries for another processor, and reports the
+// first one.  Object files of an earlier build for the robot look up to date to make, so they get
+// here.  Libraries for the robot get here if they came without their sources.
 bool HasForeignCode(const LinkCommand& command) {
   for (const std::string& file : command.objects) {
     const std::string processor = ForeignProcessorOf(file);
@@ -55,14 +55,14 @@ bool HasForeignCode(const LinkCommand& command) {
   return false;
 }
 
-// Returns the path of the output without its extension.  Intermediate files are put beside it, as
-// the SDK's mkbin does.
+// Returns the path of the output without its extension.  The names of intermediate files begin with
+// this path, as with the SDK's mkbin.
 std::string Stem(const std::string& output) {
   return (fs::path(output).parent_path() / fs::path(output).stem()).string();
 }
 
-// Compiles the source with the text of the .ocf file.  Returns the object file, or "" after
-// printing an error.
+// Compiles the source that brings the text of the .ocf file into the image.  Returns the object
+// file, or "" after printing an error.
 std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_text) {
   const std::string source = Stem(command.output) + ".snap.c";
   const std::string object = Stem(command.output) + ".snap.o";
@@ -80,8 +80,8 @@ std::string CompileImageInfo(const LinkCommand& command, const std::string& ocf_
   return result.good() ? object : "";
 }
 
-// Returns the name of the file that the linker writes.  The image is made from this file only after
-// success, so that no incomplete image ever exists.
+// Returns the name of the file that the linker writes.  Only after success is this file copied to
+// the image, so that no incomplete image ever exists.
 std::string Made(const LinkCommand& command) { return Stem(command.output) + ".nosnap.elf"; }
 
 Arguments LinkArguments(const LinkCommand& command, const std::string& image_info) {
@@ -97,8 +97,8 @@ Arguments LinkArguments(const LinkCommand& command, const std::string& image_inf
   return link;
 }
 
-// Returns `output` without warnings about dangerous functions such as gets(), because the runtime
-// gives objects safe versions.
+// Returns the linker's messages `output` without warnings about dangerous functions such as gets(),
+// because the runtime gives objects safe versions of these functions.
 std::string WithoutDangerWarnings(const std::string& output) {
   std::istringstream lines(output);
   std::string kept, last;
@@ -152,8 +152,8 @@ int RunMkbin(const Arguments& arguments) {
     LogFailure({command.ocf, "is not a good .ocf file", command.output});
     return 1;
   }
-  // Foreign code is looked for before linking, because the linker's own message does not say what
-  // to do.
+  // Looks for code for another processor before linking, because the linker's own message does not
+  // say what to do.
   if (HasForeignCode(command)) return 1;
   const std::string image_info = CompileImageInfo(command, *ocf_text);
   if (image_info.empty()) return 1;

@@ -8,7 +8,8 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kExpandedMax = 4 << 20;  // limit for macros that double each other
+// Limit for an expanded text in bytes, because nested macros may double the text many times.
+constexpr size_t kExpandedMax = 4 << 20;
 
 bool IsNumber(std::string_view word) {
   return !word.empty() && word.size() < 8 &&
@@ -21,14 +22,15 @@ std::string Trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n\\") + 1 - begin));
 }
 
-// Returns the body of a macro without outer brackets: "64" for "(64)".
+// Returns `body`, the text of a macro, without outer brackets: "64" for "(64)".
 std::string_view WithoutBrackets(std::string_view body) {
   while (body.size() > 2 && body.front() == '(' && body.back() == ')')
     body = body.substr(1, body.size() - 2);
   return body;
 }
 
-// Returns the end of the line that begins at `at`, with its continuation lines.
+// Returns the end of the line that begins at `at`.  If the line ends in a backslash, the next line
+// belongs to it.
 size_t EndOfDirective(std::string_view code, size_t at) {
   for (size_t i = at; i < code.size(); ++i) {
     if (code[i] == '\n' && (i == 0 || code[i - 1] != '\\')) return i;
@@ -43,7 +45,7 @@ struct Directive {
   size_t rest = 0;        // position after the word
 };
 
-// Returns the directives of a text without comments.
+// Returns the preprocessor directives, such as #define, of a text without comments.
 std::vector<Directive> DirectivesOf(std::string_view code) {
   std::vector<Directive> found;
   for (size_t line = 0; line < code.size();) {
@@ -59,7 +61,8 @@ std::vector<Directive> DirectivesOf(std::string_view code) {
   return found;
 }
 
-// Returns the text with directives and the parts in "#if 0" replaced by blanks.
+// Returns the text with all directives, and the parts between "#if 0" and its #else or #endif,
+// replaced by blanks.
 std::string WithoutDirectives(std::string code) {
   const auto blank = [&code](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -86,7 +89,8 @@ std::string WithoutDirectives(std::string code) {
   return code;
 }
 
-// Returns the parts of "(a, b)", which begins at `open`.
+// Returns the parts of a list in brackets: "a" and "b" of "(a, b)".  `open` and `close` are the
+// positions of the brackets.
 std::vector<std::string> PartsOf(std::string_view text, size_t open, size_t close) {
   std::vector<std::string> parts;
   int depth = 0;
@@ -104,7 +108,7 @@ std::vector<std::string> PartsOf(std::string_view text, size_t open, size_t clos
   return parts;
 }
 
-// Returns `body` with its parameters replaced by `values`.
+// Returns `body`, the text of a macro, with the names in `parameters` replaced by `values`.
 std::string Filled(std::string_view body, const std::vector<std::string>& parameters,
                    const std::vector<std::string>& values) {
   std::string filled;
@@ -166,8 +170,8 @@ ExpandedText MacroTable::Expand(const std::string& source) const {
   return result;
 }
 
-// Adds the expansion of the macro that is used at `at`, and returns the position after its use.
-// Returns `at` if no macro is used there.
+// Adds the expansion of the macro that is used at `at` to `result`, and returns the position after
+// its use.  Returns `at` if no macro is used there.
 size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, const Names& hidden,
                             ExpandedText* result) const {
   const std::string_view word = WordAt(text, at);
@@ -187,8 +191,8 @@ size_t MacroTable::PutMacro(std::string_view text, size_t at, size_t origin, con
   return close + 1;
 }
 
-// Adds `text` with macros expanded.  `fixed` is the origin of all its characters; kNone: each
-// character is its own origin.
+// Adds `text` with macros expanded to `result`.  `fixed` is the origin of all characters of `text`;
+// kNone means that the origin of each character is its own position.
 void MacroTable::Put(std::string_view text, size_t fixed, const Names& hidden,
                      ExpandedText* result) const {
   for (size_t at = 0; at < text.size() && result->text.size() < kExpandedMax;) {

@@ -32,8 +32,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
-      // The tools are set here, because a Makefile that sets no compiler would get make's default
-      // compiler.
+      // These variables are set because make uses its default compiler for a Makefile that sets
+      // none.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};
@@ -46,11 +46,12 @@ Environment MakeEnvironment(const MakeOptions& options) {
 
 ProcessResult Make(const fs::path& folder, const std::vector<std::string>& arguments, int jobs,
                    bool echoes, const MakeOptions& options) {
-  // A file that a failing rule has half written would count as up to date in the next run.
+  // When a rule fails, make deletes its half-written file (.DELETE_ON_ERROR), because the file
+  // would count as up to date in the next run.
   std::vector<std::string> all{"make", "-k", "--eval=.DELETE_ON_ERROR:", fmt::format("-j{}", jobs)};
   if (!options.is_verbose) all.push_back("-s");
   if (!echoes) all.push_back("--output-sync=target");
-  // bash is used if possible, because recipes of these programs were written on systems where sh
+  // We use bash if possible, because the rules of these programs were written on systems where sh
   // was bash.
   if (HasProgram("/bin/bash")) all.push_back("SHELL=/bin/bash");
   all.insert(all.end(), arguments.begin(), arguments.end());
@@ -59,7 +60,8 @@ ProcessResult Make(const fs::path& folder, const std::vector<std::string>& argum
   return RunProcess(all, {environment, folder, true, true, echoes, true});
 }
 
-// Returns the folders of Makefiles that have no other Makefile of the list in a folder above them.
+// Returns the folders in which make must run: those that have a Makefile, but not those below
+// another such folder, because the Makefile above usually calls the ones below.
 std::vector<fs::path> TopFolders(const Project& project) {
   std::vector<fs::path> folders;
   for (const fs::path& file : project.makefiles) {
@@ -73,8 +75,9 @@ std::vector<fs::path> TopFolders(const Project& project) {
   return folders;
 }
 
-// Returns whether users were meant to set the variable: its value is a path outside the working
-// copy, or the Makefiles give it no value.  `makefiles` is the text of all Makefiles.
+// Returns whether users had to set the variable for their own computers: its value is a path
+// outside of the working copy, or the Makefiles give it no value.  `makefiles` is the text of all
+// Makefiles.
 bool LeadsElsewhere(const MakefileVariable& variable, const std::string& makefiles) {
   if (!variable.is_defined) return true;
   static const std::regex kReference("\\$[({](\\w+)[)}].*");
@@ -103,9 +106,10 @@ bool HasInstallRule(const fs::path& folder, const std::vector<std::string>& vari
   return said.find("make: *** No rule to make target 'install'") == std::string::npos;
 }
 
-// Returns the value for variables that name a stick elsewhere.  With several sticks it is an
-// expression for make, because each folder of the project may have its own stick: the one beside
-// the folder in which make runs, or else beside the nearest folder around it.
+// Returns the value for variables that name a Memory Stick outside of the project: a stick of the
+// project.  With several sticks the value is an expression for make, because each folder may have
+// its own stick: the one beside the folder in which make runs, or else beside the nearest folder
+// around it.
 std::string StickValue(const Project& project) {
   if (project.sticks.empty()) return project.root / "MS";
   std::vector<fs::path> roots;
@@ -143,7 +147,7 @@ std::string ComplaintOfMake(const std::string& line) {
 std::string CauseOf(const std::string& output) {
   static const std::regex kFailedRule("\\[(?:(\\S+:\\d+): )?(.*)\\] (Error \\d+|[A-Z].*)");
   std::istringstream lines(output);
-  std::string before;  // the last line of a command's output
+  std::string before;  // the last line that a command printed
   std::string tool, rule;
   for (std::string line; std::getline(lines, line);) {
     const std::string complaint = ComplaintOfMake(line);
@@ -154,8 +158,8 @@ std::string CauseOf(const std::string& output) {
     if (complaint.starts_with("Waiting for") || complaint.starts_with("Deleting file")) continue;
     std::smatch match;
     if (!std::regex_match(complaint, match, kFailedRule)) return complaint;
-    // A missing program explains more than a program that failed, and the first rule that failed
-    // explains more than the rules that wait for it.
+    // If a program is missing (Error 127), that explains more than a program that failed.  The
+    // first rule that failed explains more than the rules that depend on it.
     std::string* const cause = match[3] == "Error 127" ? &tool : &rule;
     if (!cause->empty()) continue;
     *cause = fmt::format("the rule for '{}'{} failed: {}", match[2].str(),
@@ -169,7 +173,7 @@ MakePlan PlanMake(const Project& project, const std::string& sdk_root) {
   MakePlan plan;
   plan.folders = TopFolders(project);
   const std::string stick = StickValue(project);
-  std::string all;  // one text, because a file uses the variables of files that it includes
+  std::string all;  // text of all Makefiles, which may use variables of each other
   for (const fs::path& file : project.makefiles) {
     const std::string text = ReadText(file).value_or("");
     all += text + "\n";
@@ -211,9 +215,9 @@ MakeOutcome RunMakeIn(const fs::path& folder, const std::vector<std::string>& ar
     return {result.good(), result.output};
   }
   if (options.jobs > 1) {
-    // Old Makefiles often lack dependencies and work only in order.  If several jobs at once fail,
-    // their output is not shown, and the rest is done one by one.  Rules may ignore a failure, so
-    // the failures in the log of the compilers count as well.
+    // Old Makefiles often lack dependencies and work only in order.  If a run with several jobs
+    // fails, its output is not shown, and make runs again with one job.  Rules may ignore a
+    // failure, so failures that the compiler has logged count as well.
     const KitLog before = ReadKitLog(options.log);
     const ProcessResult together = Make(folder, arguments, options.jobs, false, options);
     KitLog after = ReadKitLog(options.log);
@@ -239,7 +243,8 @@ MakeOutcome RunMakeTargets(const fs::path& folder, const MakePlan& plan,
   arguments.insert(arguments.end(), variables.begin(), variables.end());
   const size_t failures = ReadKitLog(options.log).failures.size();
   MakeOptions install = options;
-  // A step that failed in the first run fails again here, and its messages are shown then.
+  // A step that failed in the first run fails here again, after the first run has shown its
+  // messages.  So the output of a failing run is shown only if the log has new failures.
   if (!outcome.is_good || failures > 0) {
     install.says = MakeOptions::Says::kIfGood;
     install.jobs = 1;

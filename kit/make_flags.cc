@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// Adds `flags` that `all` does not have.  "-include FILE" is one flag of two words.
+// Adds to `all` the flags that it does not have yet.  A flag of two words ("-include FILE") is
+// added even if `all` has it.
 void AddFlags(const Words& flags, Words* all) {
   for (size_t i = 0; i < flags.size(); ++i) {
     const bool is_pair = flags[i].starts_with("-i") && i + 1 < flags.size();
@@ -33,7 +34,8 @@ bool HasMainMakefile(const fs::path& folder) {
   return false;
 }
 
-// A rule that prints the value of each variable that Makefiles set, one per line.
+// The text of a rule for make.  The rule prints the value of each variable that Makefiles set, one
+// a line.
 constexpr char kShowVariables[] =
     "openr-kit-flags: ; "
     "$(foreach v,$(.VARIABLES),$(if $(filter file,$(origin $v)),$(info $($v))))@:";

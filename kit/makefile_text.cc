@@ -14,7 +14,7 @@ void AddOnce(const std::string& name, Names* names) {
   if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
 }
 
-// Returns the text of the group number `group` in every match of `pattern`, each text once.
+// Returns the texts that the group `group` of `pattern` matches in `text`, each once.
 Names AllMatches(const std::string& text, const std::regex& pattern, size_t group = 1) {
   Names names;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
@@ -45,10 +45,10 @@ MakefileVariable Describe(const std::string& name, const std::string& text) {
   return variable;
 }
 
-// The ways in which variables for the SDK are used, each with the folder of the SDK that it shows.
-// The first one that fits counts.
+// The ways in which Makefiles use variables that stand for the SDK.  The text after the variable
+// shows which folder of the SDK is meant.  The first entry that fits counts.
 struct SdkUse {
-  const char* rest;  // text after the variable
+  const char* rest;  // text after the variable, as a regular expression
   const char* folder;
 };
 constexpr SdkUse kSdkUses[] = {
@@ -67,8 +67,8 @@ std::string AdaptMakefile(const std::string& text, const std::string& sdk_root) 
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\r' || (i + 1 < text.size() && text[i + 1] != '\n')) result += text[i];
   }
-  // A path ends at a character that no path in a Makefile contains.  It begins after such a
-  // character or after a flag such as -I.
+  // The patterns find whole paths.  A path begins with '/', after a character that no path contains
+  // or after a flag such as -I, and ends before a character that no path contains.
   static const std::regex kTool(
       "(^|[^\\w./)}-]|-[ILB])(/[\\w./+-]*?)/(?:bin/mipsel-linux-|OPEN_R/)");
   Names roots = AllMatches(result, kTool, 2);
