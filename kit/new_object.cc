@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names of objects that exist without being on a stick, so no new object may have them.  The object
-// tcpGateway runs if a HOSTGW.CFG asks for it.
+// Names of objects that run on every robot without an image on the stick, so no new object may have
+// such a name.  The object tcpGateway runs only if a HOSTGW.CFG asks for it.
 constexpr const char* kSystemObjects[] = {"oobjectManager", "OVirtualRobotComm",
                                           "OVirtualRobotAudioComm", "IPStack", "tcpGateway"};
 

@@ -30,7 +30,8 @@ bool HasWord(const std::string& text, const std::string& word) {
   return false;
 }
 
-// Returns the relative paths in a Makefile, with and without "../": words with a slash.
+// Returns the relative paths that a Makefile names: the paths with "../", and all other words with
+// a slash.
 std::vector<std::string> PathsIn(const std::string& makefile) {
   std::vector<std::string> paths = UpwardPaths(makefile);
   std::string word;
@@ -75,8 +76,9 @@ const std::string& ObjectParts::TextOf(const fs::path& file) const {
   return entry->second;
 }
 
-// Returns whether the nearest object folder above `file` is the folder of another object.  A folder
-// that contains both objects belongs to neither.
+// Returns whether `file` belongs to another object than `object`: the nearest folder of an object
+// above the file is not that of `object`.  A folder that contains the folder of `object` does not
+// count.
 bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) const {
   for (fs::path folder = file.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
@@ -86,8 +88,8 @@ bool ObjectParts::IsOfOther(const fs::path& file, const ObjectFolder& object) co
   return false;
 }
 
-// Returns the Makefiles in the object's folder, and those elsewhere that name this object's folder
-// and no other object's.
+// Returns the Makefiles in the folder of `object`, and those elsewhere that name this folder and
+// the folder of no other object.
 std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const {
   Paths found;
   for (const fs::path& file : makefiles_) {
@@ -107,7 +109,7 @@ std::vector<fs::path> ObjectParts::MakefilesOf(const ObjectFolder& object) const
   return found;
 }
 
-// Returns the files that these Makefiles name, and the files directly in folders that they name.
+// Returns the files that `makefiles` name, and the files directly in folders that they name.
 std::vector<fs::path> ObjectParts::NamedBy(const Paths& makefiles) const {
   std::set<fs::path> named;
   for (const fs::path& makefile : makefiles) {
@@ -142,8 +144,8 @@ std::vector<fs::path> ObjectParts::FindCode(const ObjectFolder& object) const {
                              HasWord(TextOf(file), object.class_name);
     if (is_own || is_of_class) add(file);
   }
-  // Follows #include lines.  The name alone decides, without the folder, because the include paths
-  // of the Makefile are not known here.
+  // Follows #include lines.  A header is found by its file name in any folder, because the include
+  // paths of the Makefile are not known here.
   while (!todo.empty()) {
     const fs::path file = todo.front();
     todo.pop_front();
@@ -169,8 +171,8 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
     if (IsOcf(file)) named.push_back(file);
   }
   if (!named.empty()) return named;
-  // Without Makefiles, an .ocf file counts only if it is beside stub.cfg, because nothing else says
-  // which one is meant.
+  // Without Makefiles, only an .ocf file beside stub.cfg counts, because nothing says to which
+  // object another one belongs.
   if (makefiles_.empty()) return {};
   Paths free;
   for (const fs::path& file : all_) {

@@ -23,14 +23,14 @@ int Fail(const char* tool, const std::string& file) {
   return 1;
 }
 
-// Prints `problem`, unless it is "", and returns the exit code.
+// Prints `problem` as an error of `tool`, unless it is "".  Returns the exit code of the tool.
 int Check(const char* tool, const std::string& problem) {
   if (problem.empty()) return 0;
   std::fprintf(stderr, "%s: %s\n", tool, problem.c_str());
   return 1;
 }
 
-// Compresses `bytes` to the file format of gzip.
+// Returns `bytes` compressed, in the file format of gzip.
 std::string Gzipped(std::string bytes) {
   constexpr int kGzipFormat = 16;
   z_stream stream{};
@@ -49,7 +49,8 @@ std::string Gzipped(std::string bytes) {
   return packed;
 }
 
-// Returns the path of the copy: `to`, or a file in `to` if that is a folder.
+// Returns the path of the copy of `from`: `to`, or a file of the same name in `to` if `to` is a
+// folder.
 fs::path Target(const fs::path& from, const fs::path& to) {
   std::error_code error;
   return fs::is_directory(to, error) ? to / from.filename() : to;

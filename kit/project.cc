@@ -20,7 +20,8 @@ bool DefinesEntryTable(const std::string& text) {
   return text.find("ObjectEntryTable") != std::string::npos && std::regex_search(text, kTable);
 }
 
-// Returns whether stubgen2 has made the file.
+// Returns whether the file has the name of a stub that stubgen2 makes: the class Sender has
+// SenderStub.cc.
 bool IsGenerated(const fs::path& file, const std::string& class_name) {
   return !class_name.empty() && file.stem() == class_name + "Stub";
 }
@@ -45,8 +46,8 @@ ObjectFolder DescribeObject(const fs::path& folder, const std::vector<fs::path>&
   return object;
 }
 
-// Returns whether the folder is that of an object: it has a stub.cfg, or an .ocf file beside a
-// source with an entry table.
+// Returns whether `files`, the files of one folder, make it the folder of an object.  It must have
+// a stub.cfg, or an .ocf file and a source with an entry table.
 bool IsObjectFolder(const std::vector<fs::path>& files) {
   bool has_ocf = false, has_table = false;
   for (const fs::path& file : files) {
@@ -107,10 +108,10 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   Project project;
   project.root = folders[0];
   std::map<fs::path, std::vector<fs::path>> files_of;
-  std::set<fs::path> seen;  // because one folder may be inside another
+  std::set<fs::path> seen;  // files found already, because one folder may be inside another
   for (const fs::path& folder : folders) {
-    // A folder outside of the project may have a stick too, which must not be written to if the
-    // project has a stick of its own.
+    // A folder outside of the project may have a stick too.  It is left out if the project has a
+    // stick of its own, because a build must not write to the stick of somebody else.
     if (project.sticks.empty()) FindSticks(folder, &project.sticks);
     for (const fs::path& file : FilesBelow(folder))
       if (seen.insert(file).second) files_of[file.parent_path()].push_back(file);
@@ -124,7 +125,8 @@ Project ScanProject(const std::vector<fs::path>& folders) {
   const auto is_ours = [&](const ObjectFolder& object) {
     return IsBelow(object.folder, project.root);
   };
-  // If the project has objects, the objects of folders outside are not built and become neighbours.
+  // If the project has objects, the objects of folders outside are not built.  They become
+  // neighbours.
   if (std::any_of(project.objects.begin(), project.objects.end(), is_ours)) {
     const auto first =
         std::stable_partition(project.objects.begin(), project.objects.end(), is_ours);

@@ -15,20 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kOutsideFilesMax = 20'000;  // of one folder outside of the program
+constexpr size_t kOutsideFilesMax = 20'000;  // a larger folder outside of the program is not used
 
-// Returns whether the file may be part of an object.  Other files in a folder outside of the
-// program are not copied.
+// Returns whether the file may be a part of a program.  In a folder around the program, other files
+// are not used.
 bool IsPartOfPrograms(const fs::path& file) {
   return IsSourceName(file) || IsHeaderName(file) || IsMakefileName(file) ||
          LowerCase(file.extension()) == ".ocf" || LowerCase(file.extension()) == ".cfg";
 }
 
-constexpr int kDepthMax = 8;  // of includes in files, and of variables in values
+// Limit for nested includes of Makefiles, and for variables in values of variables.
+constexpr int kDepthMax = 8;
 
 using Variables = std::map<std::string, std::string>;
 
-// Returns the variables whose first value is one path, which may contain other variables.
+// Returns the variables of a Makefile that stand for one path, each with its first value.  A value
+// may contain other variables.
 Variables PathVariables(const std::string& makefile) {
   static const std::regex kDefinition(
       "(?:^|\n)[ \t]*(?:export[ \t]+)?(\\w+)[ \t]*[:?]?=[ \t]*([\\w./+(){}$-]+)[ \t\r]*(?=\n|#|$)");
@@ -57,7 +59,8 @@ std::string Expanded(const std::string& text, const Variables& variables) {
   return result;
 }
 
-// Returns the files that a Makefile includes, as far as its own variables show their paths.
+// Returns the files that the text `makefile` includes.  Its variables have been replaced by their
+// values.
 std::vector<fs::path> IncludedFiles(const fs::path& folder, const std::string& makefile) {
   static const std::regex kInclude("(?:^|\n)[ \t]*[-s]?include[ \t]+([^#\n]+)");
   std::vector<fs::path> files;
@@ -106,13 +109,14 @@ class PlaceSearch {
     if (text.find("..") == std::string::npos) return;
     for (const std::string& path : UpwardPaths(text)) {
       fs::path target = (file.parent_path() / path).lexically_normal();
-      if (!target.has_filename()) target = target.parent_path();  // "a/.." becomes "./"
+      // "a/.." becomes "./"; this drops the slash.
+      if (!target.has_filename()) target = target.parent_path();
       AddTarget(target, path.ends_with(".."));
     }
   }
 
-  // Adds a file or folder that was found.  `is_above` says that its path ends in ".." and not in
-  // its name.
+  // Adds a file or folder that a path in a file of the program names.  `is_above` says that the
+  // path ends in ".." and not in a name.
   void AddTarget(const fs::path& target, bool is_above) {
     std::error_code error;
     if (!fs::exists(target, error) || IsCovered(target)) return;
@@ -122,7 +126,7 @@ class PlaceSearch {
     const bool wants_files = is_above || !is_folder;
     if (is_around_root || (wants_files && IsAroundSome(folder))) {
       if (!is_folder) AddFile(target);
-      AddFilesIn(folder);  // a source names headers beside it without a path
+      AddFilesIn(folder);  // a source may include headers beside it, which it names without a path
     } else if (FilesBelow(folder).size() <= kOutsideFilesMax) {
       places_.folders.push_back(folder);
     }

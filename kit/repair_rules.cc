@@ -15,16 +15,16 @@ namespace {
 
 using Edits = std::vector<Edit>;
 
-// A complaint, and the text of its file with and without comments.
+// An error message of the compiler, and the text of its file with and without comments.
 struct Spot {
   const Complaint& complaint;
   const std::string& text;
   const std::string code;  // text without comments and strings
-  const size_t at;         // position of the complaint
+  const size_t at;         // position in the text that the message names
 
   bool Says(const char* words) const { return complaint.message.find(words) != kNone; }
 
-  // Returns the text between the n-th pair of quotes of the message, counted from 1.
+  // Returns the text in the n-th pair of single quotes of the message, counted from 1.
   std::string Quoted(int n = 1) const {
     size_t end = kNone, begin = kNone;
     for (int i = 0; i < n; ++i) {
@@ -36,7 +36,7 @@ struct Spot {
   }
 };
 
-// Returns blanks in place of the text from `begin` to `end`, with its line ends.
+// Returns the text from `begin` to `end` with blanks in place of all characters but line ends.
 std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
   std::string blanks = text.substr(begin, end - begin);
   for (char& c : blanks) {
@@ -45,13 +45,13 @@ std::string BlankedOut(const std::string& text, size_t begin, size_t end) {
   return blanks;
 }
 
-// Adds a missing typename: std::vector<T>::iterator it;
+// Adds "typename" before a type that depends on a template parameter: std::vector<T>::iterator it;
 Edits Typename(const Spot& place) {
   if (!place.Says("need 'typename' before")) return {};
   return {{place.at, place.at, "typename ", "'typename' put before " + place.Quoted(2)}};
 }
 
-// Removes a repeated parameter name: void Turn(int left, int left);
+// Removes the second of two equal parameter names in a declaration: void Turn(int left, int left);
 Edits RepeatedParameter(const Spot& place) {
   if (!place.Says("redefinition of '")) return {};
   const std::string_view word = WordAt(place.code, place.at);
@@ -71,7 +71,8 @@ Edits RepeatedParameter(const Spot& place) {
            fmt::format("the second parameter called '{}' left without a name", word)}};
 }
 
-// Removes a type that the SDK has with the robot's 32 bits: typedef unsigned long uint32;
+// Removes the user's definition of a type that the SDK defines too: typedef unsigned long uint32;
+// The SDK's type has 32 bits, as on the robot, and `long` has 64 bits on the host.
 Edits OwnTypedef(const Spot& place) {
   if (!place.Says("conflicting declaration 'typedef")) return {};
   const size_t begin = place.code.rfind("typedef", place.at);
@@ -83,7 +84,8 @@ Edits OwnTypedef(const Spot& place) {
            fmt::format("'{}' left out: the SDK's is of the robot's width", place.Quoted())}};
 }
 
-// Adds a missing statement after a label: switch (x) { case 1: return; default: }
+// Adds an empty statement after a label at the end of a block, where today's g++ requires a
+// statement: switch (x) { case 1: return; default: }
 Edits LabelAtEnd(const Spot& place) {
   if (!place.Says("expected primary-expression before '}'")) return {};
   const size_t before = PreviousOf(place.code, place.at);
@@ -91,10 +93,10 @@ Edits LabelAtEnd(const Spot& place) {
   return {{before + 1, before + 1, ";", "';' put behind a label at the end of a block"}};
 }
 
-// Replaces __FUNCTION__ beside a string by __FILE__, because it was a string literal itself:
-// "in " __FUNCTION__
+// Replaces __FUNCTION__ beside a string by __FILE__: "in " __FUNCTION__  In g++ 3.3 both were
+// string literals, which the compiler joins; today only __FILE__ is one.
 Edits FunctionName(const Spot& place) {
-  size_t begin = NextOf(place.code, place.at);  // the compiler points after the preceding text
+  size_t begin = NextOf(place.code, place.at);  // the message names the end of the text before
   if (place.Says("before string constant")) {
     begin = PreviousOf(place.code, place.at);
     while (begin != kNone && begin > 0 && IsWordCharacter(place.code[begin - 1])) --begin;
@@ -108,7 +110,8 @@ Edits FunctionName(const Spot& place) {
            fmt::format("{} beside a string became __FILE__", word)}};
 }
 
-// Replaces the operators for minimum and maximum, a <? b and a >?= b; see compat/openr_prelude.h.
+// Replaces the old operators for minimum and maximum, such as a <? b and a >?= b, by operators that
+// compat/openr_prelude.h defines.
 Edits MinimumOperator(const Spot& place) {
   if (!place.Says("expected primary-expression before '?'") || place.at == 0) return {};
   const char sign = place.code[place.at - 1];
@@ -120,7 +123,7 @@ Edits MinimumOperator(const Spot& place) {
            fmt::format("{}?{} said in another way", sign, assigns ? "=" : "")}};
 }
 
-// Repairs comparisons of a pointer with a number: if (file < 0)
+// Replaces 0 by (void*)0 where a pointer is compared with it: if (file < 0)
 Edits PointerAndZero(const Spot& place) {
   if (!place.Says("ordered comparison of pointer with integer zero")) return {};
   const size_t after =
@@ -135,7 +138,7 @@ Edits PointerAndZero(const Spot& place) {
   return {};
 }
 
-// Adds a missing template<>: int Table<3>::size = 3;
+// Adds "template<>" before the definition of a specialised template: int Table<3>::size = 3;
 Edits Specialisation(const Spot& place) {
   if (!place.Says("requires 'template<>' syntax")) return {};
   size_t begin = place.at;
@@ -149,6 +152,7 @@ Edits Specialisation(const Spot& place) {
   return {{begin, begin, "template<> ", "'template<>' put before " + place.Quoted()}};
 }
 
+// Removes "static" or "extern" before a specialised template, where today's g++ allows neither.
 Edits StaticSpecialisation(const Spot& place) {
   if (!place.Says("explicit template specialization cannot have a storage class")) return {};
   const std::string_view word = WordAt(place.code, place.at);
@@ -157,17 +161,19 @@ Edits StaticSpecialisation(const Spot& place) {
            fmt::format("'{}' of a specialisation left out", word)}};
 }
 
-// Removes the global scope of a definition after its declaration: int ::f() {}
+// Removes the leading `::` of a name that was declared before: int ::f() {}  In a declaration at
+// global scope, today's g++ refuses it as needless.
 Edits KnownGlobalName(const Spot& place) {
   if (!place.Says("explicit qualification in declaration")) return {};
   if (place.code.compare(place.at, 2, "::") != 0) return {};
   return {{place.at, place.at + 2, "  ", "'::' left out before a name at global scope"}};
 }
 
-// Removes the global scope of a declaration: int ::f();
+// Removes the leading `::` of a name that was not declared before: int ::f();  Today's g++ accepts
+// `::` only before a name that it knows.
 Edits GlobalName(const Spot& place) {
   if (!place.Says("should have been declared inside '::'")) return {};
-  size_t at = place.at;  // the compiler points at the closing bracket, or at the name
+  size_t at = place.at;  // the message names the place of the closing bracket, or of the name
   if (place.code[at] == ')') {
     int depth = 0;
     for (; at > 0; --at) {
@@ -182,14 +188,14 @@ Edits GlobalName(const Spot& place) {
   return {{colon - 1, colon + 1, "  ", "'::' left out before a name at global scope"}};
 }
 
-// A loop that declares a variable which is used after the loop.
+// A for loop that declares a variable, which the program also uses after the loop.
 struct Loop {
-  size_t begin = kNone;  // position of the word for
+  size_t begin = kNone;  // position of the word "for"
   size_t declaration = 0;
   size_t semicolon = 0;
 };
 
-// Returns the loop that begins at `at` if it declares `name`.
+// Returns the for loop that begins at `at`, if it declares a variable `name`.
 std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const std::string& name) {
   const size_t open = NextOf(code, at + 3);
   if (open == kNone || code[open] != '(') return std::nullopt;
@@ -201,8 +207,8 @@ std::optional<Loop> LoopThatDeclares(const std::string& code, size_t at, const s
   return Loop{at, open + 1, semicolon};
 }
 
-// Returns the last loop before `use` that declares `name` and whose enclosing block is still open
-// at `use`.
+// Returns the last for loop before the position `use` that declares the variable `name`.  The block
+// around the loop must still be open at `use`.
 std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::string& name) {
   int depth = 0;
   for (size_t at = use; at-- > 0;) {
@@ -214,15 +220,16 @@ std::optional<Loop> FindLoop(const std::string& code, size_t use, const std::str
   return std::nullopt;
 }
 
-// Returns the text before the word `name`: "int " of "int i = 0".
+// Returns the part of `declaration` before the word `name`: "int " of "int i = 0".
 std::string TypeIn(const std::string& declaration, const std::string& name) {
   size_t at = declaration.find(name);
   while (at != kNone && !HasWordAt(declaration, at, name)) at = declaration.find(name, at + 1);
   return declaration.substr(0, at);
 }
 
-// Moves a declaration out of a loop: for (int i = 0; ...) {} use(i); The variable used to live
-// until the end of the block.  A later loop with the same declaration then used the same variable.
+// Moves the declaration of a variable out of its loop: for (int i = 0; ...) {} use(i);  With the
+// old compiler, the variable lived until the end of the block, and a later loop with the same
+// declaration used the same variable.  So the type is removed from later loops.
 Edits LoopVariable(const Spot& place) {
   if (!place.Says("was not declared in this scope")) return {};
   const std::string name = place.Quoted();
@@ -251,15 +258,17 @@ Edits LoopVariable(const Spot& place) {
   return edits;
 }
 
-// Returns whether a block after the text `head` belongs to a template that may inherit names: a
-// class whose base depends on a parameter, or a member defined outside of its class.
+// Returns whether a block that follows the text `head` may use names that a template inherits.
+// Such a block is a class whose base depends on a template parameter, or a member function that is
+// defined outside of its class template.
 bool MayInheritNames(const std::string& head) {
   static const std::regex kDerived("template\\s*<[^]*(?:class|struct)\\s+\\w+\\s*:[^]*<");
   static const std::regex kMember("template\\s*<[^]*\\w\\s*<[^()]*>\\s*::\\s*~?\\w+\\s*\\(");
   return std::regex_search(head, kDerived) || std::regex_search(head, kMember);
 }
 
-// Returns whether MayInheritNames() is true for the text before one of the blocks around `at`.
+// Returns whether one of the blocks around `at` may use names that a template inherits
+// (MayInheritNames).
 bool IsInInheritingTemplate(const std::string& code, size_t at) {
   int depth = 0;
   while (at-- > 0) {
@@ -274,7 +283,8 @@ bool IsInInheritingTemplate(const std::string& code, size_t at) {
   return false;
 }
 
-// Adds this-> to a name that a template inherits from a base that depends on its parameter.
+// Adds "this->" before a name that a template inherits from a base class that depends on the
+// template's parameter.  Today's g++ does not look for names in such a base.
 Edits InheritedName(const Spot& place) {
   if (!place.Says("was not declared in this scope")) return {};
   if (WordAt(place.code, place.at) != place.Quoted()) return {};
@@ -286,8 +296,8 @@ Edits InheritedName(const Spot& place) {
            fmt::format("'this->' put before '{}', which a template inherits", place.Quoted())}};
 }
 
-// Corrects the case and the slashes of a header's name, written for another file system: #include
-// "Sub\HEADER.H"
+// Corrects a header's name that was written for another file system, in case and slashes:
+// #include "Sub\HEADER.H"
 Edits HeaderName(const Spot& place, const std::vector<std::string>& headers) {
   const size_t end = place.complaint.message.find(": No such file or directory");
   if (end == kNone) return {};

@@ -121,7 +121,8 @@ void RobotSdk::Run(const std::vector<std::string>& arguments, const fs::path& fo
   ProcessOptions options;
   options.folder = folder;
   options.has_no_input = true;
-  // mkbin and the tools that it starts find each other and the compiler in PATH.
+  // mkbin and the tools that it starts look for each other and for the compiler in PATH, so the
+  // folders of the SDK come first there.
   const char* const path = std::getenv("PATH");
   options.environment = {
       {"OPENRSDK_ROOT", root_},

@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder beside the output, in which the stick is made.  At the end it gets the name of the
-// output; after a failure it is removed.
+// A temporary folder beside the output, in which the stick is made.  Finish() renames the finished
+// stick to the output.  The destructor removes the rest, so that a failure leaves nothing.
 class Draft {
  public:
   explicit Draft(const std::string& output)
@@ -64,7 +64,7 @@ class Draft {
 struct RobotObject {
   const char* name;   // name of its class, its folder and its files
   const char* image;  // file name in OBJECT.CFG
-  bool has_common;    // includes objects/common
+  bool has_common;    // is linked with the sources in objects/common
   bool has_network;
 };
 
@@ -81,7 +81,7 @@ std::vector<fs::path> SourcesIn(const fs::path& folder) {
   return found;
 }
 
-// Copies a tree and makes the copy writable, because files of the SDK may be read-only.
+// Copies a tree of files and makes the copy writable, because files of the SDK may be read-only.
 void CopyTree(const fs::path& from, const fs::path& to) {
   fs::copy(from, to, fs::copy_options::recursive);
   for (const auto& entry : fs::recursive_directory_iterator(to))
@@ -116,7 +116,7 @@ class RobotStick {
     PutNetworkSettings();
     PutMotions();
     ThrowIf(CheckNames(draft_.stick()), "the robot's stick cannot hold these names");
-    CompileController();  // first, because it is the part with errors most often
+    CompileController();  // first, because most errors are in the controller
     CompileCommon();
     for (const RobotObject& object : kObjects) MakeImage(object);
     ThrowIf(CheckObjectConfig(draft_.stick()), "the stick is not complete");
@@ -125,7 +125,8 @@ class RobotStick {
   }
 
  private:
-  // Returns the path of a file on the stick.  Folders that exist keep their case.
+  // Returns the path of the file `name` in `folder` of OPEN-R/, and creates the folder.  Names that
+  // exist there keep their upper and lower case.
   fs::path On(const std::string& folder, const std::string& name) const {
     fs::path place = FindBelow(open_r_, folder);
     if (place.empty()) {
@@ -142,8 +143,8 @@ class RobotStick {
     Write(to, MergeConfig(ReadText(to).value_or(""), ours));
   }
 
-  // Copies the network settings of the controller; without them, those of the base; without these
-  // too, our own.
+  // Writes the network settings to the stick: those of the controller, or else those of the base,
+  // or else ours.
   void PutNetworkSettings() {
     const fs::path to = On("SYSTEM/CONF", "WLANCONF.TXT");
     fs::path from =
@@ -196,8 +197,8 @@ class RobotStick {
     }
   }
 
-  // Compiles the controller.  Its main function gets another name, by which CallControllerMain()
-  // calls it.
+  // Compiles the controller.  Its main() is renamed to controller_main(), which
+  // CallControllerMain() calls.
   void CompileController() {
     ControllerSources sources;
     if (options_.controller.empty()) {
@@ -231,8 +232,8 @@ class RobotStick {
     controller_.push_back(Compile(source, work, {}));
   }
 
-  // Compiles one source.  Object files have numbers, because two sources of an object may have the
-  // same name.
+  // Compiles one source and returns the object file.  Names of object files contain a number,
+  // because two sources of an object may have the same name.
   fs::path Compile(const fs::path& source, const fs::path& work,
                    const std::vector<std::string>& options) {
     fs::create_directories(work);

@@ -1,5 +1,5 @@
-// openr-sdk: all tools of the SDK tree are links to this program, which does the work of the tool
-// whose name it was called by.
+// openr-sdk: the program behind the tools of the SDK tree.  The tools are links to it, and it does
+// the work of the tool whose name it was called by.
 //
 //   mipsel-linux-g++ -O2 -c a.cc      the same as      openr-sdk g++ -O2 -c a.cc
 #include <cstdio>
@@ -23,7 +23,7 @@ constexpr char kUsage[] =
     "  image-info OCF OUT    the source of an image's description, for build systems\n"
     "  controller-main NM OUT [OBJECT...]    the source that calls a controller's main()\n";
 
-// Returns the name of the tool: "g++" for "/sdk/bin/mipsel-linux-g++".
+// Returns the name of the tool in the path `program`: "g++" for "/sdk/bin/mipsel-linux-g++".
 std::string ToolName(const std::string& program) {
   const std::string name = program.substr(program.rfind('/') + 1);
   const std::string target = "-linux-";

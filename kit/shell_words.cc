@@ -19,7 +19,7 @@ std::string ShellWord(const std::string& text) {
 
 std::vector<std::string> SplitShellWords(const std::string& command) {
   std::vector<std::string> words;
-  bool is_open = false;  // a word has begun; it may still be empty
+  bool is_open = false;  // true: a word has begun, even if it has no characters yet
   char quote = 0;
   for (size_t i = 0; i < command.size(); ++i) {
     const char c = command[i];

@@ -23,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Reads the output of g++: one JSON array per line, with lines of other kinds between.
+// Returns the errors in the output of g++: one JSON array per line, with lines of other kinds
+// between.
 std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   std::vector<Complaint> complaints;
   std::istringstream lines(diagnostics);
@@ -45,9 +46,9 @@ std::vector<Complaint> ReadComplaints(const std::string& diagnostics) {
   return complaints;
 }
 
-// Reads the errors of the assembler: "a.cc:3: Error: no such instruction: ...".  For assembly
-// outside of functions the assembler names no source, so the error counts for each of `sources`,
-// the files that the compiler was given.
+// Returns the errors of the assembler: "a.cc:3: Error: no such instruction: ...".  For assembly
+// outside of functions, the assembler names its own input (.s) and no source.  Such an error counts
+// for each of `sources`, the files that the compiler was given.
 std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
                                                const std::vector<std::string>& sources) {
   static const std::regex kError("^([^:\n]+):(\\d+): (?:Error|Fatal error): (.*)$");
@@ -68,8 +69,8 @@ std::vector<Complaint> ReadAssemblerComplaints(const std::string& diagnostics,
   return complaints;
 }
 
-// Returns `text` with all edits made that do not overlap.  Edits are made from the end to the
-// beginning, so that the positions of the remaining ones stay right.
+// Returns `text` with `edits` made, which do not overlap.  The last one in the text is made first,
+// so that the positions of the others stay right.
 std::string Edited(std::string text, std::vector<Edit> edits) {
   std::sort(edits.begin(), edits.end(),
             [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
@@ -85,7 +86,7 @@ bool Overlaps(const std::vector<Edit>& edits, const std::vector<Edit>& others) {
   });
 }
 
-// Writes the file with its old time, so that make does not see a change.
+// Writes the file and keeps its old time, so that make does not see a change.
 void WriteWithTime(const std::string& file, const std::string& text) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error);
@@ -108,8 +109,8 @@ RepairSession::~RepairSession() {
   if (lock_ >= 0) close(lock_);
 }
 
-// Adds edits of a header, because the assembly in the line of `complaint` may come from a macro of
-// a header.
+// Adds edits for headers to `edits_of`.  The assembly that `complaint` is about may come from a
+// macro of a header that the line of the source uses.
 void RepairSession::AddMacroEdits(const Complaint& complaint, const std::string& text,
                                   std::map<std::string, std::vector<Edit>>* edits_of) {
   const size_t begin = OffsetOf(text, complaint.line, 1);
@@ -136,8 +137,8 @@ bool RepairSession::Apply(const std::string& diagnostics, const std::vector<std:
   std::vector<Complaint> complaints = ReadComplaints(diagnostics);
   const std::vector<Complaint> more = ReadAssemblerComplaints(diagnostics, sources);
   complaints.insert(complaints.end(), more.begin(), more.end());
-  // While a 'typename' is missing, names may count as not declared for this reason alone, so
-  // complaints about names wait for that repair.
+  // A missing 'typename' may be the reason why other names count as not declared.  So messages
+  // about such names wait until it is repaired.
   const bool is_unclear = diagnostics.find("need 'typename'") != std::string::npos;
   for (const Complaint& complaint : complaints) {
     if (is_unclear && complaint.message.find("not declared") != std::string::npos) continue;

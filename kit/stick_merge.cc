@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The part of a configuration up to its first [design], and the rest.
+// The lines of a configuration file: those before its first [design], which are for all robots, and
+// the sections from there on.
 struct Parts {
   std::vector<std::string> common, sections;
 };
@@ -57,12 +58,13 @@ const std::set<std::string> kWlanKeys = {"HOSTNAME", "ETHER_IP",     "ETHER_NETM
 
 std::string MergeConfig(const std::string& base, const std::string& ours) {
   const Parts theirs = Split(base), mine = Split(ours);
-  if (!HasRecord(theirs)) return ours;  // the base has only the template of the SDK
+  if (!HasRecord(theirs)) return ours;  // the file of the base has no records, only comments
   std::set<std::string> known;
   std::string text;
   const auto add = [&](const std::vector<std::string>& lines, bool in_section) {
     for (const std::string& line : lines) {
-      // Inside of sections no line is dropped, because the same line may be in several sections.
+      // Inside of sections no line is dropped, because the same line may be needed in several
+      // sections.
       if (IsRecord(line) && !known.insert(WithoutBlanks(line)).second && !in_section) continue;
       text += line + "\n";
     }

@@ -42,8 +42,8 @@ std::optional<std::string> ReadStream(std::istream& in) {
   return text;
 }
 
-// Returns the text of `file` or, if `file` is "", of `in`.  Returns nullopt after printing an
-// error.
+// Returns the text of `file`, or of the stream `in` if `file` is "".  Returns nullopt after
+// printing an error.
 std::optional<std::string> ReadInput(const std::string& file, std::istream& in, std::ostream& err) {
   if (file.empty()) {
     std::optional<std::string> text = ReadStream(in);
@@ -140,7 +140,7 @@ int StubgenMain(int argc, char** argv) {
     return kCommandLineWrong;
   };
   StubgenOptions options;
-  optind = 0;  // makes getopt begin anew after an earlier command line
+  optind = 0;  // makes getopt forget an earlier command line
   opterr = 0;
   for (;;) {
     const int flag = getopt_long(argc, argv, "o:h", kFlags, nullptr);

@@ -1,4 +1,5 @@
-// stubgen2 under its own name, for the Makefiles of existing OPEN-R programs.
+// The program stubgen2, which Makefiles of existing OPEN-R programs call.  It does the same as the
+// command `openr stubgen`.
 #include "cli/standard_streams.h"
 #include "kit/stubgen.h"
 

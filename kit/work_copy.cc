@@ -26,21 +26,21 @@ namespace fs = std::filesystem;
 
 constexpr char kLeftOutFile[] = "left_out.txt";
 
-// Returns whether the file is an image that an earlier build has put on the stick.
+// Returns whether the file is an image for this host, which an earlier build has put on the stick.
 bool IsBuiltImage(const fs::path& file) {
   const std::string folder = LowerCase(file.parent_path().filename());
   return folder == "objs" && LowerCase(file.extension()) == ".bin" &&
          ReadImageFile(file).problem.empty();
 }
 
-// Returns whether the file is a list of dependencies for make.  The copy of such a list is empty,
-// because the list names headers of the robot's compiler.
+// Returns whether the file is a list of dependencies for make.  The copy of such a file is empty,
+// because the list names headers of the robot's compiler, which are not here.
 bool IsDependencyList(const fs::path& file) {
   const std::string name = file.filename();
   return file.extension() == ".d" || name == ".depend" || name == ".depends" || name == ".dep";
 }
 
-// Returns whether stubgen2 has made the file from the stub.cfg beside it.
+// Returns whether the file has the name of a file that stubgen2 makes, and a stub.cfg is beside it.
 bool IsGeneratedStub(const fs::path& file) {
   const std::string name = file.filename();
   const bool looks_so =
@@ -62,7 +62,8 @@ bool IsText(const std::string& text) {
   return text.substr(0, 4096).find('\0') == std::string::npos;
 }
 
-// Returns whether the file is a Makefile, or a script that Makefiles may call.
+// Returns whether paths in the copy of the file must be changed: it is a Makefile, or a script that
+// Makefiles may call.
 bool IsToBeAdapted(const fs::path& file, const std::string& text) {
   const std::string extension = file.extension();
   const bool is_script = extension == ".sh" || extension == ".in" || file.filename() == "configure";
@@ -135,7 +136,7 @@ void WorkCopy::AddFolder(const fs::path& original) {
   for (const fs::path& file : FilesBelow(original)) {
     if (!IsBelow(file, work_)) CopyFile(file);
   }
-  // All folders are created, also empty ones, because rules write into them.
+  // Creates all folders, also empty ones, because rules of Makefiles write into them.
   std::error_code error;
   for (fs::recursive_directory_iterator it(original, error), end; !error && it != end;
        it.increment(error)) {
@@ -158,7 +159,8 @@ void WorkCopy::CopyFile(const fs::path& original) {
       left_out_.insert(*entry);
     return;
   }
-  // Files for another processor are left out, because make would take them for up to date.
+  // Files for another processor, such as the robot's, are not copied, because make would take them
+  // for up to date.
   const std::string processor = ForeignProcessorOf(original);
   if (!processor.empty()) {
     left_out_[original] = processor;
@@ -173,15 +175,16 @@ void WorkCopy::CopyFile(const fs::path& original) {
   std::error_code error;
   fs::permissions(copy, fs::status(original, error).permissions() | fs::perms::owner_write, error);
   SetTime(copy, original);
-  // The stub gets an older time than its stub.cfg, so that a rule which makes the stub will run.
+  // The copy of a generated stub gets an older time than its stub.cfg, so that a Makefile's rule
+  // that makes the stub will run.
   if (IsGeneratedStub(original)) {
     SetOldTime(copy);
     if (copy.filename() != "def.h" || IsGeneratedDefinitions(text)) left_stubs_.push_back(copy);
   }
 }
 
-// Replaces stubs that other versions of stubgen2 have left, because a Makefile may use stubs
-// without a rule that makes them in time.
+// Makes the copied stubs again, because other versions of stubgen2 may have made the originals.  A
+// Makefile may use a stub without a rule that makes it in time.
 void WorkCopy::MakeStubsAnew() const {
   std::set<fs::path> folders;
   for (const fs::path& file : left_stubs_) folders.insert(file.parent_path());
