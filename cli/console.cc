@@ -14,13 +14,14 @@
 namespace openr_host {
 namespace {
 
-// True if the last text that was printed through the system did not end its line.
+// True if the last text that was printed on the console did not end its line.
 bool g_is_open_line = false;
 
 // The errno of the first failed write to the console; 0: none failed.
 int g_error = 0;
 
-// Makes the console lead to /dev/null, so that no object sees an error of this host.
+// Makes the console lead to /dev/null after a failed write, so that no object sees an error of this
+// host.
 void LoseConsole(int error) {
   if (std::exchange(g_error, error) != 0) return;
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -36,11 +37,11 @@ void WriteConsole(std::string_view text) {
   if (error != 0) LoseConsole(error);
 }
 
-// Writes out the buffer of the C library, where prints of objects wait until their line ends.
+// Writes out the buffer of the C library, in which the text of objects waits until its line ends.
 void FlushConsole() {
   errno = 0;
   const bool is_flushed = std::fflush(stdout) == 0;
-  const int error = errno != 0 ? errno : EIO;  // read before ferror(), which may change it
+  const int error = errno != 0 ? errno : EIO;  // errno is read before ferror(), which may change it
   if (!is_flushed || std::ferror(stdout) != 0) LoseConsole(error);
 }
 
@@ -56,7 +57,8 @@ Console::Console(const std::string& file) : file_(file) {
   SetStandardOutput(saved_);
   dup2(target, STDOUT_FILENO);
   if (!file.empty()) close(target);
-  // With line buffering, the lines of objects and of the system come in the order of writing.
+  // With line buffering, the lines that objects and the system print come out in the order of
+  // printing.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
 }
 

@@ -1,4 +1,5 @@
-// The console: the text that objects print, kept apart from the answer of the program.
+// The console shows the text that objects print.  It is kept apart from the answer, the text that
+// the program itself prints on standard output.
 #pragma once
 
 #include <cstdio>
@@ -8,32 +9,32 @@
 namespace openr_host {
 
 // While a Console exists, descriptor 1 of the process leads to the console (standard error, or a
-// file), so that text that objects write there does not mix with the answer, which goes to
-// StandardOutput().  If the console cannot be written any more, the text of objects is lost, and
+// file).  So text that objects write there does not mix with the answer of the program, which goes
+// to StandardOutput().  If the console can no longer be written, the text of objects is lost, and
 // the objects see no error.  Only one Console may exist at a time.
 class Console {
  public:
-  // Opens `file`, or uses standard error if `file` is empty.  Throws std::runtime_error when the
-  // file cannot be opened or another run writes to it.
+  // Opens `file` as the console, or uses standard error if `file` is empty.  Throws
+  // std::runtime_error when the file cannot be opened or another run writes to it.
   explicit Console(const std::string& file);
-  ~Console();  // makes descriptor 1 what it was before
+  ~Console();  // makes descriptor 1 lead to the same stream as before
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
   // Writes text that an object prints through the system.
   void Print(std::string_view text);
 
-  // Returns "FILE: cannot be written: why" if some text was lost; "" otherwise, and always for
-  // standard error.
+  // Returns "FILE: cannot be written: why" if some text for the console was lost, else "".  Always
+  // returns "" if the console is standard error.
   std::string Problem() const;
 
  private:
   const std::string file_;
-  int saved_ = -1;  // copy of the descriptor 1 of before
+  int saved_ = -1;  // copy of the former descriptor 1
 };
 
-// Writes out what objects have printed, and ends a line that they have left open, because the
-// program is about to print a line of its own.
+// Writes out what objects have printed, and ends their last line if they have not.  Called before
+// the program prints a line of its own.
 void EndConsoleLine();
 
 }  // namespace openr_host

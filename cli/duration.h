@@ -7,13 +7,13 @@
 
 namespace openr_host {
 
-// Reads a number with a unit (us, ms, s, min, h) into microseconds.  Returns "" or a description of
-// the error; then `duration_us` keeps its value.  Refuses negative numbers, numbers without a unit,
-// and more than 1000 h.
+// Converts a number with a unit (us, ms, s, min, h) to microseconds.  Returns "", or a description
+// of the error; after an error, `duration_us` keeps its value.  Refuses negative numbers, numbers
+// without a unit, and more than 1000 h.
 std::string ParseDuration(std::string_view text, int64_t* duration_us);
 
-// Returns the shortest text in s, ms or us for the duration: 250000 is "250ms", and two minutes are
-// "120s".
+// Returns the duration as a whole number of the largest unit that fits, s, ms or us: 250000 is
+// "250ms", and two minutes are "120s".
 std::string FormatDuration(int64_t duration_us);
 
 }  // namespace openr_host

@@ -1,10 +1,10 @@
-// Exit codes of the commands.
+// Exit codes of the commands of the program openr.
 #pragma once
 
 namespace openr_host {
 
 constexpr int kExitGood = 0;
-constexpr int kExitWrong = 1;        // the input or the run is wrong
-constexpr int kExitCommandLine = 2;  // the command line is wrong
+constexpr int kExitWrong = 1;        // an error in the input or in the run
+constexpr int kExitCommandLine = 2;  // an error in the command line
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// The lock on a file that grows while a run writes it.
+// Finds the process that writes a file.  A run locks each file that it goes on writing, such as a
+// recording.
 #pragma once
 
 #include <sys/stat.h>
@@ -7,8 +8,8 @@
 
 namespace openr_host {
 
-// Returns "process 1234 (openr)" for the process that holds the lock (flock) on the file with the
-// status `file`; "another process" when the system does not say which.
+// Returns "process 1234 (openr)" for the process that holds a lock (flock) on a file; "another
+// process" when the system does not say which.  `file` is the file's status as stat() gives it.
 std::string DescribeWriter(const struct stat& file);
 
 }  // namespace openr_host

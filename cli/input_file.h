@@ -5,18 +5,18 @@
 
 namespace openr_host {
 
-// Returns the reason why the file `path` cannot be read, or "".  The reason is the system's, such
-// as "No such file or directory", or "is a folder; give a motion file" with the `kind` of file.  If
-// the folder has a file that ends in `extension` (".MTN", in any case), the text names that file as
-// an example.
+// Returns the reason why the file `path` cannot be read; "" if it can.  The reason is that of the
+// system, such as "No such file or directory".  For a folder it is "is a folder; give a motion
+// file", where "motion file" is `kind`; if a file in the folder ends in `extension` (".MTN", in any
+// case), the text names it as an example.
 std::string WhyNotReadable(const std::string& path, const std::string& kind,
                            const std::string& extension);
 
-// Returns the same for a folder: "is a file; give a folder of pictures" (the `kind`) when `path` is
-// no folder.
+// Returns the reason why the folder `path` cannot be read; "" if it can.  For a file it is "is a
+// file; give a folder of pictures", where "folder of pictures" is `kind`.
 std::string WhyNoReadableFolder(const std::string& path, const std::string& kind);
 
-// The kinds and extensions of files that several commands read.
+// The kind of a file, as error messages call it, and the extension of its name.
 struct InputKind {
   const char* kind;
   const char* extension;

@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the folder that holds bin/openr, in the build tree and after installing.
+// Returns the folder that holds bin/openr, both in the build tree and after installing.
 fs::path Prefix() { return fs::path(ProgramFolder()).parent_path(); }
 
-// Returns the same folder for the runtime library that was loaded.  A test program lies in a folder
-// of its own, so it finds installed files this way.
+// Returns the folder above lib/, from which the runtime library was loaded.  A test program lies in
+// a folder of its own, so it finds the files of the installation by way of the library.
 fs::path RuntimePrefix() {
   Dl_info info{};
   if (dladdr(dlsym(RTLD_DEFAULT, "openr_second_stack_new"), &info) == 0) return Prefix();

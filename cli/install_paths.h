@@ -1,38 +1,38 @@
-// Finds the files that belong to the program.  They lie at the same places relative to the program
-// in the build tree and after installing.
+// Finds the files that belong to the program.  Their places relative to the program are the same in
+// the build tree and after installing.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// Returns the folder of the running program.
+// Returns the folder that contains the file of the running program.
 std::string ProgramFolder();
 
-// Returns the file of the running program.
+// Returns the path of the file of the running program.
 std::string ProgramFile();
 
 // Returns what a person types to call the program: its name if PATH leads to it, else its file.
 std::string ProgramCall();
 
-// Returns the default stick, a folder that holds OPEN-R/.  If there is none, throws
-// std::runtime_error that names the places looked at.
+// Returns the default stick, which runs use if the user names none: a folder that holds OPEN-R/.
+// If it is missing, throws std::runtime_error that names the places where it was looked for.
 std::string DefaultStick();
 
 // Returns the folder with the sources of our objects and, in stub.cfg/, their configuration.
 // Throws std::runtime_error if the program was copied to a place without them.
 std::string ObjectSources();
 
-// Returns the file of the robot model `name` ("ers210").  If there is no such model, throws
-// std::runtime_error that lists the models.
+// Returns the path of the file that describes the robot model `name` ("ers210").  If there is no
+// such model, throws std::runtime_error that lists the models.
 std::string ModelFile(const std::string& name);
 
-// Returns `name` if there is such a file.  Otherwise returns the file of that name that came with
-// the program ("ers210.cost"), or `name` if there is none.
+// Returns `name` if a file of this name exists.  Otherwise returns the path of the file of this
+// name that came with the program ("ers210.cost"), or `name` if the program has no such file.
 std::string DataFile(const std::string& name);
 
-// Returns the path of libopenr_render.so, or only its name, so that the dynamic linker looks for
-// it.
+// Returns the path of libopenr_render.so beside the program.  If it is not there, returns only its
+// name, so that the dynamic linker looks for it.
 std::string RenderLibrary();
 
 }  // namespace openr_host

@@ -1,4 +1,5 @@
-// Writes JSON as text.  Its strings come from objects, sticks and people, so they may not be UTF-8.
+// Converts JSON to text.  The strings in it come from objects, sticks and people, so they may not
+// be UTF-8.
 #pragma once
 
 #include <nlohmann/json.hpp>

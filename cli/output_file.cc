@@ -28,18 +28,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kLinksMax = 40;            // the limit of the kernel
-constexpr int kTemporaryNamesMax = 100;  // tries for a free name in a folder
+constexpr int kLinksMax = 40;  // longest chain of symbolic links; the kernel has the same limit
+constexpr int kTemporaryNamesMax = 100;  // number of tries to find a name that no file has
 
-// The stream or file that a name leads to.
+// The open stream or the file that a file name means.
 struct Target {
-  int stream = -1;   // open stream of this process; -1: a file
-  std::string path;  // path of the file, without links at its end
+  int stream = -1;   // descriptor of an open stream of this process; -1: the name means a file
+  std::string path;  // path of the file, after symbolic links were followed
   bool exists = false;
   struct stat status {};  // set if `exists`
 };
 
-// Returns the descriptor N of /dev/fd/N and /proc/self/fd/N; -1 for other names.
+// Returns the descriptor that the names /dev/fd/N and /proc/self/fd/N mean; -1 for other names.
 int StreamCalled(const fs::path& path) {
   const std::string name = path.filename();
   const bool is_number =
@@ -78,13 +78,14 @@ std::string TemporaryName(const fs::path& beside, int number) {
   return beside.parent_path() / fmt::format(".openr-host-{}-{}.tmp", getpid(), number);
 }
 
-// Returns whether `error`, from replacing a file, still allows to write the file in place.
+// Returns whether a file may be written in place after replacing it has failed with `error`: the
+// system refuses a new file, not the content.
 bool MayBeInPlace(int error) {
   return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
 }
 
-// Gives the new file `descriptor` the owner and mode of the file that it replaces.  Returns an
-// errno, or 0.
+// Gives the new file, open as `descriptor`, the owner and permissions of the file that it replaces,
+// whose status is `old`.  Returns an errno, or 0.
 int TakeOver(int descriptor, const struct stat& old) {
   struct stat now;
   if (fstat(descriptor, &now) != 0) return errno;
@@ -93,8 +94,8 @@ int TakeOver(int descriptor, const struct stat& old) {
   return fchmod(descriptor, old.st_mode & 07777) == 0 ? 0 : errno;
 }
 
-// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns an errno, and
-// leaves no file then, or 0.
+// Writes `bytes` to a new file beside `target` and sets `name` to its path.  Returns 0, or an
+// errno; after an error the new file does not exist.
 int WriteBeside(const Target& target, std::string_view bytes, std::string* name) {
   int descriptor = -1;
   for (int i = 0; descriptor < 0 && i < kTemporaryNamesMax; ++i) {
@@ -110,8 +111,8 @@ int WriteBeside(const Target& target, std::string_view bytes, std::string* name)
   return error;
 }
 
-// Returns an errno if there is no room for `size` bytes, as far as the system can tell before the
-// old content is touched; otherwise 0.
+// Returns an errno if the disk has no room for `size` bytes, else 0.  Asks before the old content
+// of the file is touched, because a failure in the middle of writing would destroy it.
 int WhyNoRoom(int descriptor, size_t size) {
   rlimit limit;
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && size > limit.rlim_cur) return EFBIG;
@@ -119,7 +120,7 @@ int WhyNoRoom(int descriptor, size_t size) {
   return errno == ENOSPC || errno == EDQUOT || errno == EFBIG ? errno : 0;
 }
 
-// Writes a device, a pipe, or a file that cannot be replaced.  Returns an errno, or 0.
+// Writes `bytes` to a device, a pipe, or a file that cannot be replaced.  Returns an errno, or 0.
 int WriteInPlace(const Target& target, std::string_view bytes) {
   const bool is_file = target.exists && S_ISREG(target.status.st_mode);
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
@@ -154,7 +155,8 @@ std::string WhyNotWritable(const std::string& file) {
     if (S_ISDIR(target.status.st_mode)) return fmt::format("{}: is a folder; name a file", file);
     return access(target.path.c_str(), W_OK) == 0 ? "" : WhyNotWritten(file, errno);
   }
-  // The file is created for a moment, because only that shows whether it can be.
+  // The check creates the file for a moment, because only this shows whether the file can be
+  // created.
   const int descriptor = open(target.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return WhyNotWritten(file, errno);
   close(descriptor);
@@ -178,8 +180,8 @@ std::string WhyNoFolder(const std::string& folder) {
   }
   if (access(there.c_str(), W_OK | X_OK) != 0)
     return fmt::format("{}: you may not write in {}; name another folder", folder, there.string());
-  // A folder is created for a moment, because only that shows whether it can be: /proc lets root
-  // write, but creates no folder.
+  // The check creates a folder for a moment, because only this shows whether a folder can be
+  // created.  For example, /proc lets root write, but creates no folder.
   const std::string probe = TemporaryName(there / "", 0);
   if (mkdir(probe.c_str(), 0700) != 0 && errno != EEXIST) {
     return fmt::format("{}: nothing can be made in {}: {}; name another folder", folder,
@@ -229,9 +231,9 @@ std::string IsBeingWritten(const std::string& file, const struct stat& status) {
                      DescribeWriter(status));
 }
 
-// Returns the reason why `target` must not be replaced now, or "".  While a run writes its
-// recording or console there, a replaced file would lose its name, and the run would write into a
-// file that no one can open.
+// Returns the reason why `target` must not be replaced now, or "".  If a run were still writing its
+// recording or console to the old file, that file would lose its name, and no one could open it any
+// more.
 std::string WhyLocked(const std::string& file, const Target& target) {
   if (!target.exists || !S_ISREG(target.status.st_mode)) return "";
   const int descriptor = open(target.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
@@ -315,7 +317,7 @@ int OpenGrowingFile(const std::string& file, std::string* problem) {
     return -1;
   }
   if (target.stream >= 0 || !S_ISREG(status.st_mode)) return descriptor;
-  // If the file system has no locks, the file is written all the same.
+  // If the file system has no locks, the file is written without one.
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     *problem = IsBeingWritten(file, status);
   } else if (ftruncate(descriptor, 0) != 0) {
@@ -332,7 +334,7 @@ int WriteAll(int descriptor, std::string_view text) {
     const ssize_t written = write(descriptor, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(static_cast<size_t>(written));
-    } else if (errno == EAGAIN) {  // another process has made the stream non-blocking
+    } else if (errno == EAGAIN) {  // another process has made the stream non-blocking, so we wait
       pollfd ready = {descriptor, POLLOUT, 0};
       poll(&ready, 1, -1);
     } else if (errno != EINTR) {
@@ -356,8 +358,8 @@ PreparedFile::PreparedFile(const std::string& file) {
   if (keeps_mode_) mode_ = target.status.st_mode & 0777;
 }
 
-// Uses system calls, because open() and rename() are hooks in this process that may act for an
-// object.
+// Makes direct system calls, because this process has open() and rename() of its own, which may act
+// for an object on its Memory Stick.
 int PreparedFile::Open() {
   if (stream_ >= 0) return stream_;
   if (target_[0] == 0) return -1;

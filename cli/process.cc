@@ -23,7 +23,7 @@ extern char** environ;
 namespace openr_host {
 namespace {
 
-// The environment of the child as "NAME=value", in the order of names.
+// Returns the environment of the child: texts "NAME=value", sorted by name.
 std::vector<std::string> ChildEnvironment(const ProcessOptions& options) {
   std::map<std::string, std::string> values;
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -50,8 +50,9 @@ std::vector<char*> Pointers(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-// This program ignores SIGPIPE and SIGXFSZ, and children inherit that.  Other programs expect that
-// these signals end them, so the child gets the default actions.
+// Sets attributes that give the child the default actions of SIGPIPE and SIGXFSZ.  This program
+// ignores both signals, and a child would inherit that, but other programs expect that these
+// signals end them.
 void MakeAttributes(posix_spawnattr_t* attributes) {
   sigset_t signals;
   sigemptyset(&signals);
@@ -62,7 +63,7 @@ void MakeAttributes(posix_spawnattr_t* attributes) {
   posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);
 }
 
-// A pipe between this process and a child.  Closes its ends.
+// A pipe between this process and a child.  The destructor closes both ends.
 class Pipe {
  public:
   Pipe() = default;
@@ -73,7 +74,7 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  // Returns false with errno set when there are no descriptors left.
+  // Creates the pipe.  Returns false and sets errno when the process has no descriptors left.
   bool Open() { return pipe2(ends_, O_CLOEXEC) == 0; }
   int reader() const { return ends_[0]; }
   int writer() const { return ends_[1]; }
@@ -89,7 +90,8 @@ class Pipe {
   int ends_[2] = {-1, -1};
 };
 
-// Starts the child; `in` and `out` are used if the options ask for them.  Returns an errno, or 0.
+// Starts the child.  `in` and `out` become its standard streams if `options` ask for it.  Returns
+// an errno, or 0.
 int Spawn(const std::vector<std::string>& arguments, const ProcessOptions& options, const Pipe& in,
           const Pipe& out, pid_t* child) {
   posix_spawn_file_actions_t actions;
@@ -112,7 +114,7 @@ int Spawn(const std::vector<std::string>& arguments, const ProcessOptions& optio
   return error;
 }
 
-// Writes `text` for a child that may end without reading it.
+// Writes `text` to a child.  The child may end without reading it, so SIGPIPE is ignored meanwhile.
 void WriteInput(int descriptor, const std::string& text) {
   const auto previous = signal(SIGPIPE, SIG_IGN);
   WriteAll(descriptor, text);
@@ -138,7 +140,8 @@ ProcessResult RunProcess(const std::vector<std::string>& arguments, const Proces
     result.not_found = fmt::format("{}: {}", arguments[0], std::strerror(error));
     return result;
   }
-  // The child alone holds these ends now, so its end is seen here as the end of the pipe.
+  // We close our copies of the child's ends.  Then only the child holds them, and when it ends,
+  // reading from the pipe ends too.
   in.CloseReader();
   out.CloseWriter();
   if (options.input) WriteInput(in.writer(), *options.input);

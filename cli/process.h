@@ -12,9 +12,9 @@ struct ProcessOptions {
   // Environment variables to set for the child, as name and value; an empty value removes the name.
   std::vector<std::pair<std::string, std::string>> environment = {};
   std::string folder = {};      // working folder of the child; "": that of this process
-  bool captures_error = false;  // standard error of the child goes to `output`, not to the terminal
-  bool captures_out = false;    // standard output goes to `output`, in the order of writing
-  bool echoes = false;          // captured text is also copied to our standard error as it comes
+  bool captures_error = false;  // the child's standard error goes to ProcessResult::output
+  bool captures_out = false;    // the child's standard output goes to ProcessResult::output
+  bool echoes = false;          // captured text is also written to our standard error at once
   bool has_no_input = false;    // standard input of the child is empty
   // Text for the standard input of the child.  It is written before the output is read, so the
   // program must read all of its input before it writes more than a pipe holds (64 KiB).
@@ -23,17 +23,18 @@ struct ProcessOptions {
 
 struct ProcessResult {
   int status = -1;        // exit status; 128 + n after signal n; 127 when it cannot be started
-  std::string output;     // captured text
+  std::string output;     // text that the child wrote to captured streams
   std::string not_found;  // the reason why the program could not be started; "" if it was
   bool good() const { return status == 0; }
 };
 
-// Runs `arguments` and waits for the end.  The first argument is the program, looked for in PATH.
+// Runs a program and waits for its end.  `arguments` begins with the program, which is looked for
+// in PATH.
 // REQUIRES: `arguments` is not empty; `input` and `has_no_input` are not both given.
 ProcessResult RunProcess(const std::vector<std::string>& arguments,
                          const ProcessOptions& options = {});
 
-// Whether PATH leads to a program called `name`.
+// Returns whether PATH leads to a program called `name`.
 bool HasProgram(const std::string& name);
 
 }  // namespace openr_host

@@ -29,7 +29,7 @@ ProcessCopy StartCopy(const std::function<void(int answers)>& work) {
     close(ends[0]);
     work(ends[1]);
     std::fflush(nullptr);
-    _exit(0);  // not exit(), because the original runs the exit handlers
+    _exit(0);  // not exit(), because only the original process must run exit handlers
   }
   close(ends[1]);
   return {child, ends[0]};

@@ -1,4 +1,4 @@
-// Copies of this process, made with fork(), that answer through a pipe.
+// Starts copies of this process with fork().  They send their answers through a pipe.
 #pragma once
 
 #include <sys/types.h>
@@ -11,17 +11,18 @@ namespace openr_host {
 
 struct ProcessCopy {
   pid_t pid = -1;
-  int answers = -1;  // the end of the pipe to read from; the caller closes it
+  int answers = -1;  // reading end of the pipe; the caller closes it
 };
 
-// Forks.  The copy calls `work` with the end of the pipe to write to, and then ends with status 0.
-// What the standard streams have buffered is written first, so that it is not written twice.
-// Throws std::runtime_error when there is no pipe or no further process.
+// Makes a copy of this process with fork().  The copy calls `work` with the writing end of the
+// pipe, and then ends with status 0.  Text in the buffers of the standard streams is written
+// before, so that the copy does not write it a second time.  Throws std::runtime_error when the
+// system gives no pipe or no process.
 // REQUIRES: the process has one thread.
 ProcessCopy StartCopy(const std::function<void(int answers)>& work);
 
-// Returns what comes from `descriptor` until its end or an error; also writes it to `echo` as it
-// comes, if that is not null.
+// Returns the text that is read from `descriptor` until its end or an error.  If `echo` is not
+// null, also writes the text to it as soon as it comes.
 std::string ReadToEnd(int descriptor, std::FILE* echo = nullptr);
 
 // Waits for the end of the child process `child` and returns its status as waitpid() gives it.

@@ -16,13 +16,15 @@ namespace openr_host {
 namespace {
 
 int g_standard_output = STDOUT_FILENO;
-int g_output_error = 0;  // of the first failed write to standard output
+int g_output_error = 0;  // errno of the first failed write to standard output
 bool g_has_failed = false;
-bool g_is_told = false;  // the failure has been reported on standard error
+bool g_is_told = false;  // true: the failed write has been reported to the user
 
-// Opens /dev/null for each closed descriptor: open() gives the lowest one that is closed.
+// Opens /dev/null for each closed descriptor from 0 to 2.  open() gives the lowest closed
+// descriptor, which is the one that the loop has reached.
 void OpenClosedDescriptors() {
-  constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};  // mode of each descriptor
+  // Mode by descriptor; 1 is read-only, so that writing to it fails.
+  constexpr int kModes[] = {O_RDONLY, O_RDONLY, O_WRONLY};
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
     if (open("/dev/null", kModes[descriptor]) != descriptor)
@@ -30,8 +32,8 @@ void OpenClosedDescriptors() {
   }
 }
 
-// Makes writes to standard error succeed always: fmt::print() throws when a stream fails, and a run
-// must not end because no one reads its messages.
+// Replaces stderr by a stream whose writes always succeed.  fmt::print() throws when a stream
+// fails, and a run must not end because no one reads its messages.
 void KeepErrorStreamGood() {
   cookie_io_functions_t functions = {};
   functions.write = [](void*, const char* text, size_t size) {
@@ -50,13 +52,13 @@ void KeepErrorStreamGood() {
   throw std::runtime_error(WhyNoStandardOutput(error));
 }
 
-// Writes out what was printed through streams.  Returns false, and keeps the reason, when it cannot
-// be written.
+// Writes out the text in the buffers of std::cout and stdout.  If that fails, returns false and
+// notes the reason.
 bool FlushStreams() {
   errno = 0;
-  std::cout.flush();  // the reason of a failure is left in errno
+  std::cout.flush();  // a failure leaves its reason in errno
   const bool is_flushed = std::fflush(stdout) == 0;
-  const int error = errno;  // read before ferror(), which may change it
+  const int error = errno;  // errno is read before ferror(), which may change it
   const bool is_written = is_flushed && std::ferror(stdout) == 0;
   if (!is_written) NoteLostAnswer(error);
   return is_written;
@@ -67,7 +69,7 @@ bool FlushStreams() {
 void PrepareStandardStreams() {
   OpenClosedDescriptors();
   signal(SIGPIPE, SIG_IGN);
-  signal(SIGXFSZ, SIG_IGN);  // sent at the limit of ulimit -f
+  signal(SIGXFSZ, SIG_IGN);  // this signal is sent when a file gets longer than ulimit -f allows
   KeepErrorStreamGood();
 }
 
@@ -85,7 +87,7 @@ void NoteLostAnswer(int error) {
 }
 
 void PrintAnswer(std::string_view text) {
-  if (g_standard_output != STDOUT_FILENO) {  // descriptor 1 is the console's
+  if (g_standard_output != STDOUT_FILENO) {  // descriptor 1 leads to the console
     const int error = WriteAll(g_standard_output, text);
     if (error != 0) Fail(error);
     return;

@@ -1,4 +1,5 @@
-// Handles the standard streams 0 to 2, which may be closed, full, or a pipe without a reader.
+// Handles the standard streams 0 to 2, which may be closed, on a full disk, or a pipe without a
+// reader.  The answer is the text that a command prints on standard output.
 #pragma once
 
 #include <string>
@@ -15,30 +16,33 @@ namespace openr_host {
 //   - writing to standard error never fails: text that cannot be written is lost.
 void PrepareStandardStreams();
 
-// Returns the descriptor of the standard output that the program was started with.
+// Returns the descriptor of the standard output that the program was started with.  It is not 1
+// while a Console exists (console.h).
 int StandardOutput();
 
-// Tells that the console has taken descriptor 1; `descriptor` leads to the former one.
+// Called when descriptor 1 begins or ceases to lead to the console.  `descriptor` leads to the
+// standard output that the program was started with.
 void SetStandardOutput(int descriptor);
 
 // Prints a part of the answer on standard output.  Throws std::runtime_error "standard output:
-// cannot be written: why", so that an answer that never ends stops when its reader is gone.
+// cannot be written: why", so that a command with an endless answer stops when its reader is gone.
 void PrintAnswer(std::string_view text);
 
-// Writes out at once what has been printed.  Throws as PrintAnswer() does.
+// Writes out at once the parts of the answer that are still in a buffer.  Throws as PrintAnswer()
+// does.
 void FlushAnswer();
 
-// Notes that a part of the answer was lost by other means than PrintAnswer().  `error` is an errno,
+// Notes that a part of the answer was lost without a call of PrintAnswer().  `error` is an errno,
 // or 0 if the reason is not known.
 void NoteLostAnswer(int error);
 
-// Writes out what standard output still buffers.  Must be called last in main().  Returns
-// `exit_code`.  If some text was lost, says so on standard error in the name of `program` and
-// returns 1 in place of 0.
+// Writes out the text that is still in the buffer of standard output.  Must be called last in
+// main().  Returns `exit_code`.  If some text was lost, says so on standard error in the name of
+// `program`, and returns 1 in place of 0.
 int FinishStandardOutput(int exit_code, const char* program);
 
-// Returns "standard output: cannot be written: why"; `error` is an errno, or 0 if the reason is not
-// known.
+// Returns the error message "standard output: cannot be written: why".  `error` is an errno, or 0
+// if the reason is not known.
 std::string WhyNoStandardOutput(int error);
 
 }  // namespace openr_host
