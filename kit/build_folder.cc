@@ -152,8 +152,8 @@ void FolderBuild::PrepareWork() {
   const std::string problem = WriteText(identity_file, identity);
   if (!problem.empty()) throw std::runtime_error(problem + "; name another folder with --work");
   WriteText(work_ / kOwnerFile, folder_.string());
-  // placed.txt lists images that the last build put on the copied sticks because of their names.
-  // They are removed, because they would look like images of this build.
+  // placed.txt lists the images that the last build copied to the sticks.  They are removed here,
+  // so that they do not count as images of this build.
   std::istringstream placed(ReadText(work_ / "placed.txt").value_or(""));
   for (std::string file; std::getline(placed, file);) fs::remove(file);
   make_.sdk_root = sdk_root_;

@@ -18,7 +18,7 @@ struct KitLog {
   struct Failure {
     std::string file;    // source or image that could not be made
     std::string why;     // "does not compile", or the undefined names
-    std::string output;  // file that would have been made; "" if unknown
+    std::string output;  // file that the tool was to make; "" if unknown
   };
   // A compilation of one source, successful or not.
   struct Compile {

@@ -32,7 +32,8 @@ struct MakePlan {
 
 struct MakeOutcome {
   bool is_good = true;
-  std::string output;  // output of make and its commands; of a repeated run, only the last output
+  // Output of make and its commands; if make ran again, only that of the last run.
+  std::string output;
 };
 
 // Plans how to call make.  A Makefile variable that names a Memory Stick outside of the project is

@@ -172,7 +172,7 @@ std::vector<fs::path> ObjectParts::OcfsOf(const ObjectFolder& object) const {
   }
   if (!named.empty()) return named;
   // Without Makefiles, only an .ocf file beside stub.cfg counts, because nothing says to which
-  // object another one belongs.
+  // object an .ocf file elsewhere belongs.
   if (makefiles_.empty()) return {};
   Paths free;
   for (const fs::path& file : all_) {

@@ -24,7 +24,7 @@ struct ObjectFolder {
 struct StickFolder {
   std::filesystem::path root;
   std::vector<ObjectRecord> objects;    // from OBJECT.CFG, of every robot design, in file order
-  std::filesystem::path object_config;  // empty: there is none
+  std::filesystem::path object_config;  // path of OBJECT.CFG; empty: the stick has none
 
   // Returns the path of OPEN-R/MW/OBJS with the upper and lower case it has on the disk.
   std::filesystem::path ObjectsFolder() const;

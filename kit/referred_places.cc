@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kOutsideFilesMax = 20'000;  // a larger folder outside of the program is not used
+constexpr size_t kOutsideFilesMax = 20'000;  // folders outside with more files are not used
 
 // Returns whether the file may be a part of a program.  In a folder around the program, other files
 // are not used.
