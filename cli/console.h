@@ -30,7 +30,7 @@ class Console {
 
  private:
   const std::string file_;
-  int saved_ = -1;  // copy of the former descriptor 1
+  int saved_ = -1;  // copy of descriptor 1 from before this Console took it
 };
 
 // Writes out what objects have printed, and ends their last line if they have not.  Called before

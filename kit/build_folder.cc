@@ -286,8 +286,8 @@ void FolderBuild::RemoveOldImages(bool is_made) {
   WriteKitLog(make_.log, log);
 }
 
-// Returns whether an image that an OBJECT.CFG names is missing.  Without OBJECT.CFG, all images are
-// wanted.
+// Returns whether the build lacks an image that an OBJECT.CFG names.  Without OBJECT.CFG, an image
+// is missing unless make has succeeded.
 bool FolderBuild::SomeImageIsMissing() const {
   const KitLog log = ReadKitLog(make_.log);
   bool has_list = false;

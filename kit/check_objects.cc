@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 // An .ocf file with a smaller stack gets a warning.  The SDK's samples have 3072 bytes, and no
 // program with less than 1024 is known to work.
 constexpr int64_t kStackBytesMin = 1024;
-constexpr int64_t kHeapBytesMax = 16 << 20;  // half of the robot's memory
+// A heap that grows in larger steps gets a warning; half of the robot's memory.
+constexpr int64_t kHeapBytesMax = 16 << 20;
 
 // Returns the text of these files without comments.
 std::string CodeIn(const std::vector<fs::path>& files, const ObjectParts& parts) {

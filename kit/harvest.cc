@@ -196,7 +196,7 @@ class StickCompletion {
         fmt::format("OBJECT.CFG:{}: {} was not built: {}", record.place.line, record.path, why));
   }
 
-  // Puts all images whose nearest stick is this one on the stick, and writes an OBJECT.CFG that
+  // Puts all images on this stick for which it is the nearest stick, and writes an OBJECT.CFG that
   // names them.
   void ListEverything() {
     std::string text;

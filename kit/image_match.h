@@ -15,10 +15,10 @@ struct ImageCandidate {
 // a candidate only if no other candidate fits the name and no other name fits the candidate:
 //   - the names are equal, in any case;
 //   - one name is the beginning of the other;
-//   - the letters of the wanted name occur in the candidate's in this order, beginning with the
-//   first;
+//   - the letters of the wanted name occur in the candidate's name in this order, and both names
+//     have the same first letter;
 //   - one name is a part of the other;
-//   - the letters of the wanted name occur in the candidate's in this order;
+//   - the letters of the wanted name occur in the candidate's name in this order;
 //   - both have the same four letters in a row;
 //   - one wanted name and one candidate are left.
 std::vector<int> MatchImages(const std::vector<std::string>& wanted,

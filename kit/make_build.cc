@@ -32,8 +32,8 @@ Environment MakeEnvironment(const MakeOptions& options) {
       {"PKG_CONFIG_PATH", (fs::path(options.sdk_root) / "../../pkgconfig").lexically_normal()},
       {kLogVariable, options.log},
       {kCopiesVariable, options.copies},
-      // These variables are set because make uses its default compiler for a Makefile that sets
-      // none.
+      // Gives make the kit's tools in these variables, because it would use its default compiler
+      // for a Makefile that sets none.
       {"CC", bin + "/mipsel-linux-gcc"},
       {"CXX", bin + "/mipsel-linux-g++"},
       {"AR", bin + "/mipsel-linux-ar"}};

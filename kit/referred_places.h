@@ -23,8 +23,8 @@ struct ReferredPlaces {
 // are replaced by their values: "$(TOP)/lib" becomes "../../lib" if TOP is "../..".
 std::string ExpandedMakefile(const std::filesystem::path& file);
 
-// Follows the paths named by files below `root`, an absolute folder, and then the paths named by
-// the files that are found there.
+// Returns the places that files below `root`, an absolute folder, name, and the places that the
+// files found there name in turn.
 ReferredPlaces FindReferredPlaces(const std::filesystem::path& root);
 
 }  // namespace openr_host

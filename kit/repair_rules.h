@@ -13,7 +13,7 @@ namespace openr_host {
 
 // An error message of the compiler or of the assembler.
 struct Complaint {
-  std::string message;  // in English, with ASCII quotes
+  std::string message;  // text of the message, in English and with ASCII quotes
   std::string file;
   int line = 0;
   int column = 0;  // in bytes, from 1

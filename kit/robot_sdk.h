@@ -13,8 +13,8 @@ class RobotSdk {
   // is missing, or if the SDK is this project's own tree, which builds for the host.
   static RobotSdk FromEnvironment();
 
-  // Uses the SDK in `root`.  Throws as FromEnvironment() does.  Prints every command if
-  // `is_verbose`.
+  // Uses the SDK in `root`.  Throws as FromEnvironment() does.  After set_verbose(true), every
+  // command that is run is printed.
   explicit RobotSdk(const std::filesystem::path& root);
   void set_verbose(bool is_verbose) { is_verbose_ = is_verbose; }
 

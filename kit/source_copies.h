@@ -1,4 +1,5 @@
-// The folders in which `openr build` has private copies of a user's sources.
+// The private copies of a user's sources that `openr build` makes, as pairs of folders: the copy
+// and the original.
 #pragma once
 
 #include <string>

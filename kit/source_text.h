@@ -40,7 +40,7 @@ bool HasWordAt(std::string_view text, size_t at, std::string_view word);
 // Returns the word that begins at `at`; "" if none does.
 std::string_view WordAt(std::string_view text, size_t at);
 
-// Returns the position of the bracket that closes the one at `open`; npos if there is none.
+// Returns the position of the bracket that closes the bracket at `open`; npos if there is none.
 size_t ClosingOf(std::string_view text, size_t open);
 
 }  // namespace openr_host

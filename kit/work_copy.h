@@ -65,9 +65,10 @@ class WorkCopy {
   // Copied files that stubgen2 has made; see MakeStubsAnew().
   std::vector<std::filesystem::path> left_stubs_;
   std::map<std::string, std::string> left_out_, former_left_out_;
-  // Size and time of copied files at the last build, by original.
+  // Size and time of the copied files at the last build, by the path of the original.
   std::map<std::string, Stamp> former_;
-  std::map<std::string, Stamp> present_;  // the same at this build
+  // Size and time of the files at this build, by the path of the original.
+  std::map<std::string, Stamp> present_;
 };
 
 }  // namespace openr_host
