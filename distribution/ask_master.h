@@ -1,4 +1,4 @@
-// Calls of functions of WorkerCallList in the master, for code in a worker.
+// Lets code in a worker process call functions of the master process, those of WorkerCallList.
 #pragma once
 
 #include "distribution/master_link.h"
@@ -6,8 +6,8 @@
 
 namespace openr_host {
 
-// Calls `kFunction` in the master, waits, and returns its result.  Arguments for output parameters
-// are pointers.
+// Calls `kFunction` in the master, waits for the answer, and returns the function's result.  The
+// argument for an output parameter is a pointer.
 template <auto kFunction, typename... Arguments>
 auto AskMaster(MasterLink* master, const Arguments&... arguments) {
   using Function = call_codec::Signature<decltype(kFunction)>;

@@ -21,13 +21,15 @@ namespace {
 // Limit of samples that are sent in one packet and received in one call.  With a larger limit, the
 // receiver would be idle while the sender still produces samples.
 constexpr int kSamplesPerPacketMax = 4;
-// The thresholds of malloc() that KeepFreedMemory() sets.
+// Thresholds of malloc(): it keeps up to 64 MB of freed memory, and takes blocks below 4 MB from
+// its heap.
 constexpr int kTrimThresholdBytes = 64 << 20;
 constexpr int kMmapThresholdBytes = 4 << 20;
 
-// Settings of Cyclone DDS for a history that holds more than a run ever has in flight (one message
-// for each object), so that no write blocks.  The heartbeat interval is short, because Cyclone DDS
-// then asks for acknowledgements only by its periodic heartbeat.
+// Settings of Cyclone DDS for a large history of sent samples.  The history holds more than a run
+// ever has in flight (one message for each object), so no write blocks.  With these settings
+// Cyclone DDS asks for acknowledgements only in its periodic heartbeat, so the heartbeat interval
+// is short.
 constexpr char kLargeHistory[] =
     "<Watermarks><WhcHigh>500MB</WhcHigh><WhcHighInit>500MB</WhcHighInit>"
     "<WhcAdaptive>false</WhcAdaptive></Watermarks>"
@@ -68,7 +70,7 @@ void Log(void*, const dds_log_data_t* data) {
   fmt::print(stderr, "openr: Cyclone DDS: {}\n", text);
 }
 
-// Returns the lease of this process in seconds.
+// Returns after how many seconds without a sign of life others take this process for dead.
 int LeaseOf(const BusOptions& options) { return options.lease_s == 0 ? kLease_s : options.lease_s; }
 
 // Makes the configuration of Cyclone DDS from the options.
@@ -124,8 +126,8 @@ Bus::Bus(const BusOptions& options) : run_(options.run), number_(options.domain)
 // Cyclone DDS by itself announces a participant when four fifths of its lease are over, so a quiet
 // process would be taken for dead after a network failure of two seconds.  The interval follows
 // from the shortest liveliness lease of a participant's writers; so we create a writer whose
-// liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  Every participant
-// receives the announcement, so the interval is no shorter than that.
+// liveliness lease is a fifth of `lease_s`, on a topic that nobody reads.  We do not make the
+// interval shorter, because every participant receives each announcement.
 void Bus::AnnounceLiveliness(int lease_s) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_liveliness(qos, DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(lease_s * 200));
@@ -140,7 +142,7 @@ void Bus::Wait(int64_t timeout_us) {
   dds_waitset_wait(waitset_, nullptr, 0, DDS_USECS(timeout_us));
 }
 
-// Deleting the domain deletes all its entities.
+// Deletes the domain, and with it the participant and all other DDS entities of this process.
 Bus::~Bus() { dds_delete(domain_); }
 
 ChannelBase::ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,

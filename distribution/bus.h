@@ -1,9 +1,9 @@
 // Sets up Cyclone DDS and sends samples over it.
 //
-// A process that takes part in a distributed run has one DDS participant.  The master and each
-// worker talk over a Channel of their own: two topics in a partition named RUN/PROCESS/SESSION,
-// reliable, with all history.  Participants find each other without multicast, at addresses given
-// to them; the default is 127.0.0.1, this host alone.
+// Each process of a distributed run has one DDS participant.  The master exchanges samples with
+// each worker over a Channel: two topics in a DDS partition named RUN/PROCESS/SESSION, reliable,
+// with all history.  Each start of a worker gets a new SESSION name.  Participants find each other
+// without multicast, at addresses given to them; the default is 127.0.0.1, this host alone.
 #pragma once
 
 #include <dds/dds.h>
@@ -21,9 +21,9 @@ namespace openr_host {
 // Lease of a process: the time without a sign of life after which the others take the process for
 // dead.
 //
-// kWatchedLease_s is for workers that the master started itself.  The master sees their end at
-// once, and a worker that is stopped or in a debugger must not be taken for dead, so they have the
-// longest lease that Cyclone DDS accepts.
+// kWatchedLease_s is for workers that the master started itself.  The master sees at once when such
+// a worker ends, so a short lease is not needed.  A worker that a debugger has stopped must not be
+// taken for dead, so we use the longest lease that Cyclone DDS accepts.
 //
 // kReturningLease_s is for the same workers if they may be restarted.  Until the lease of a killed
 // process is over, every participant of the domain takes it for a slow reader and keeps data for
@@ -41,9 +41,11 @@ struct BusOptions {
   std::vector<std::string> peers;     // addresses of other hosts; `address` need not be repeated
   std::string config_file;            // additional settings of Cyclone DDS, such as DDS Security
   int participants_max = 120;         // limit of processes on one host
-  // The lease of this process, in seconds; 0 means kLease_s.
+  // Time without a sign of life after which other processes take this one for dead; 0 means
+  // kLease_s.
   int lease_s = 0;
-  bool has_large_history = false;  // writes do not block while a reader is stopped
+  // True: many sent samples are kept, so writes do not block while a receiving process is stopped.
+  bool has_large_history = false;
 };
 
 class Bus {
@@ -89,22 +91,23 @@ constexpr ChannelTopics kRunTopics = {&openr_wire_ToWorker_desc, "openr_to_worke
 // Limit of the size of a sample, in MB.  DDS does not accept a larger one, so Send() throws.
 constexpr size_t kSampleMax_MB = 64;
 
-// Samples with this many bytes of region data or more are sent in packets of their own and received
-// one at a time, because each sample then reuses memory that is still in the processor's cache.
+// A sample with this many bytes of data of shared memory regions, or more, is large.  Large samples
+// are sent in packets of their own and received one at a time, because each one then reuses memory
+// that is still in the processor's cache.
 constexpr size_t kBulkBytes = 16 << 10;
 
 // The part of Channel that does not depend on its sample types.
 class ChannelBase {
  public:
-  // Opens one end of a channel.  `place` is PROCESS or PROCESS/SESSION, the end of the partition
-  // name.
+  // Opens one end of a channel.  `place` is the last part of the partition name: PROCESS or
+  // PROCESS/SESSION.
   ChannelBase(Bus* bus, const std::string& place, ChannelEnd end,
               const ChannelTopics& topics = kRunTopics);
   ~ChannelBase();
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
 
-  // Returns whether the other end has its reader and its writer.
+  // Returns whether DDS has found the reader and the writer of the channel's other end.
   bool IsConnected() const;
 
   // Waits until the other end has received all samples, at most `timeout_ms`.  Samples that it has
@@ -126,7 +129,8 @@ class ChannelBase {
   // `timeout_ms`.
   void* ReceiveUntyped(int timeout_ms);
   void Return(void* sample);
-  // Sets the number of bytes of region data in the sample received last.
+  // Notes how many bytes of memory regions the last received sample had.  After a large sample the
+  // next one is received alone.
   void set_last_bulk_bytes(size_t bytes) { last_bulk_bytes_ = bytes; }
 
  private:
@@ -136,7 +140,7 @@ class ChannelBase {
   dds_entity_t writer_ = 0;
   dds_entity_t reader_ = 0;
   dds_entity_t waitset_ = 0;
-  // The topics, the publisher, the subscriber and the wait set, deleted with the channel.
+  // The topics, the publisher, the subscriber and the wait set, which are deleted with the channel.
   std::vector<dds_entity_t> owned_;
   int batched_count_ = 0;
   size_t last_bulk_bytes_ = 0;
@@ -151,8 +155,8 @@ class Channel : public ChannelBase {
 
   void Send(const Out& sample) { Write(&sample); }
   // Keeps `sample`, to send it together with the next ones in one packet.  A sample of kBulkBytes
-  // or more is sent at once, and all kept samples are sent at the latest when this end has nothing
-  // to receive.
+  // or more is sent at once.  The kept samples are sent at the latest when Receive() finds no
+  // sample.
   void SendBatched(const Out& sample) {
     BulkBytesOf(sample) < kBulkBytes ? WriteBatched(&sample) : Write(&sample);
   }

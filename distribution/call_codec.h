@@ -65,7 +65,8 @@ void CopyBytes(const std::string& bytes, T* value) {
   if (bytes.size() == sizeof(T)) std::memcpy(static_cast<void*>(value), bytes.data(), sizeof(T));
 }
 
-// Reads the numbers of a list one after the other.
+// Reads the numbers of a list one after the other.  Next() returns 0 after the last one, because a
+// faulty worker may send too few.
 class NumberReader {
  public:
   explicit NumberReader(const std::vector<uint64_t>& numbers) : numbers_(numbers) {}
@@ -165,8 +166,8 @@ struct Parameter<const RunEnd&> : InputParameter {
   RunEnd value;
 };
 
-// Sends a letter without its owner, because the owner is the calling object, which the other end
-// knows.
+// Converts a letter, the message that a time event posts.  Its owner is not sent: the owner is the
+// calling object, which the master knows.
 template <>
 struct Parameter<const TimeEvents::Letter&> : InputParameter {
   static void Put(const TimeEvents::Letter& value, CallArguments* to) {
@@ -237,8 +238,8 @@ struct Parameter<T*> {
     }
   }
   Parameter(const CallArguments&, NumberReader*) {
-    // The whole struct is sent, so its padding is cleared too, because it must not contain old
-    // memory.
+    // Clears the struct together with its padding: all its bytes are sent to the other process, and
+    // must not contain old memory of this one.
     std::memset(static_cast<void*>(&value), 0, sizeof value);
   }
   T* argument() { return &value; }

@@ -75,7 +75,8 @@ bool CheckedCalls::PinRegion(uint32_t region) {
 
 bool CheckedCalls::UnpinRegion(uint32_t region) {
   const auto pins = pins_.find(region);
-  // Each unpin must have its pin, or a worker could free regions of other objects.
+  // Refuses an unpin without a pin, because a faulty worker could otherwise free regions of other
+  // objects.
   if (pins == pins_.end()) refuse_("a region given back twice");
   ASSERT(pins->second > 0, "{} pins of region {:#x}", pins->second, region);
   if (--pins->second == 0) pins_.erase(pins);
@@ -134,7 +135,8 @@ void CheckedCalls::AddFindingAbout(ObjectId about, Severity severity, std::strin
 OStatus CheckedCalls::ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request,
                                        const std::string& parameter, uint64_t result_size,
                                        std::string* result) {
-  std::string parameter_copy = parameter;  // because the function may write into the memory it gets
+  // Copies the parameter, because ControlPrimitive() may write into the memory that it gets.
+  std::string parameter_copy = parameter;
   result->assign(std::min(result_size, kResultMax), '\0');
   return system_->robot(t_current.object->robot)
       .services->ControlPrimitive(id, request, parameter.empty() ? nullptr : parameter_copy.data(),

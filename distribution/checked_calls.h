@@ -1,7 +1,7 @@
-// Calls that handlers in a worker make to the master.
+// The functions of the master that handlers in a worker process may call.
 //
-// A worker may be faulty, so everything is checked before it is done: a worker speaks only for its
-// own objects, regions and robots.
+// A worker may be faulty, so the master checks each call before it does what the call asks for: a
+// worker may act only for its own objects, memory regions and robots.
 #pragma once
 
 #include <OPENR/OPENRAPI.h>
@@ -17,9 +17,10 @@ namespace openr_host {
 
 class CheckedCalls : public LocalCalls {
  public:
-  // A function that returns whether an object is one of the worker's.
+  // A function that returns whether an object runs in the worker.
   using IsOwn = std::function<bool(ObjectId)>;
-  // A function that throws ProcessLost with a message that the worker has sent `what`.
+  // A function that throws ProcessLost.  The message says that the worker has sent `what`, which is
+  // not allowed.
   using Refuse = std::function<void(const std::string& what)>;
 
   CheckedCalls(System* system, IsOwn is_own, Refuse refuse)
@@ -39,10 +40,12 @@ class CheckedCalls : public LocalCalls {
   void Shutdown(int robot, const RunEnd& why) override;
   void PowerOff(int robot, const RunEnd& why) override;
 
-  // Adds a finding about the object `about`; kNoObject means about the system.
+  // Adds a finding (an error, warning or note for the report of the run) about the object `about`;
+  // kNoObject: about the system.
   void AddFindingAbout(ObjectId about, Severity severity, std::string_view text);
 
-  // Functions of the robot that get the bytes of a block of memory in place of its address.
+  // ControlPrimitive() and SetColourTable() get the bytes of a block of memory in place of its
+  // address, because an address in the worker means nothing in the master.
   OStatus ControlPrimitive(OPrimitiveID id, OPrimitiveRequest request, const std::string& parameter,
                            uint64_t result_size, std::string* result);
   // Copies `bytes` to `region`, then calls RobotServices::SetCdtVectorData().
@@ -52,7 +55,8 @@ class CheckedCalls : public LocalCalls {
   // because an object may make a region and give it to another object.
   bool HasRegion(uint32_t region) const;
 
-  // Releases what the objects of a lost worker have pinned.
+  // Removes all pins of the worker's objects after the worker was lost, because the memory of a
+  // pinned region is never freed.
   void ReleasePins();
 
  private:

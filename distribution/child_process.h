@@ -1,4 +1,4 @@
-// A process of this host that the run starts, watches and ends.
+// A process of this host that the run starts, watches and ends, such as a worker.
 #pragma once
 
 #include <sys/types.h>

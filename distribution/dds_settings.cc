@@ -18,7 +18,7 @@ namespace {
 
 bool IsSame(const char* name, const char* other) { return strcasecmp(name, other) == 0; }
 
-// A <Domain> element of the file with the settings.
+// An XML element <Domain> of the settings file: settings for one DDS domain or for "any".
 struct DomainElement {
   std::string id = "any";
   bool has_security = false;
@@ -33,7 +33,7 @@ struct DomainElement {
   }
 };
 
-// Reads a file with the parser of Cyclone DDS.
+// Reads the settings file with the XML parser of Cyclone DDS and keeps its <Domain> elements.
 class SettingsFile {
  public:
   SettingsFile(const std::string& name, int domain) : domain_(domain) {
@@ -82,7 +82,8 @@ class SettingsFile {
   static void Error(void*, const char*, int) {}
 
   void SetId(const char* text) {
-    // Ids may contain environment variables, which Cyclone DDS expands.
+    // Expands environment variables in the id, such as "${DOMAIN}", because Cyclone DDS does the
+    // same.
     char* const id = ddsrt_expand_envvars(text, static_cast<uint32_t>(domain_));
     if (id != nullptr) domains_.back().id = id;
     ddsrt_free(id);

@@ -1,5 +1,6 @@
-// Checks a file with settings of Cyclone DDS (--dds-config) for an error that Cyclone DDS does not
-// report.
+// Checks the file with settings of Cyclone DDS that the user has given (--dds-config).  Finds
+// settings for another DDS domain than that of the run, which Cyclone DDS ignores without a
+// message.
 #pragma once
 
 #include <string>

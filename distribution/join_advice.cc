@@ -14,7 +14,7 @@ std::string JoinAdvice(const std::string& process, const std::string& host, cons
   // The advice shows the word FILE and not the run's own file, because the worker's host needs a
   // file with a key of its own.
   if (!bus.config_file.empty()) text += " --dds-config FILE";
-  if (host != bus.address) text += " --stick DIR";  // a copy of the run's stick on that host
+  if (host != bus.address) text += " --stick DIR";  // DIR: a copy of the run's stick on that host
   return text;
 }
 

@@ -33,8 +33,8 @@ class Latency {
   void Add(int64_t ns);
 
   uint64_t count() const { return count_; }
-  // Returns the time in microseconds that the share `p` (0 to 1) of all durations did not exceed,
-  // at most 1/16 too high.
+  // Returns a percentile in microseconds: the share `p` (0 to 1) of all durations was not longer.
+  // The result is at most 1/16 too high, because durations are counted in buckets.
   double PercentileUs(double p) const;
   double MaxUs() const { return static_cast<double>(max_ns_) / 1000; }
   double MeanUs() const;
@@ -47,7 +47,7 @@ class Latency {
   uint64_t count_ = 0;
   int64_t max_ns_ = 0;
   double sum_ns_ = 0;
-  std::vector<uint64_t> buckets_;  // 16 for each power of two of nanoseconds
+  std::vector<uint64_t> buckets_;  // number of durations by length; 16 for each power of two
 };
 
 }  // namespace openr_host

@@ -19,8 +19,8 @@ struct ProcessStat {
   std::string start_time;
 };
 
-// Reads /proc/PID/stat.  Fields are counted from the last ')', because the name of the program is
-// in parentheses and may itself contain spaces and parentheses.
+// Reads /proc/PID/stat.  The search for fields begins after the last ')', because the name of the
+// program is in parentheses and may itself contain spaces and parentheses.
 ProcessStat ProcessStatOf(int64_t pid) {
   const std::string line = ReadFile(fmt::format("/proc/{}/stat", pid)).value_or("");
   const size_t name_end = line.rfind(')');
@@ -33,7 +33,8 @@ ProcessStat ProcessStatOf(int64_t pid) {
   return status;
 }
 
-// Returns whether a process has this id.  With the error EPERM it exists and is another user's.
+// Returns whether a process has this id.  The error EPERM means that the process exists and belongs
+// to another user.
 bool Exists(int64_t pid) { return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH; }
 
 }  // namespace

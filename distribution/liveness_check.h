@@ -12,7 +12,7 @@ namespace openr_host {
 // Returns "" if the id cannot be read.
 std::string MachineId();
 
-// The check of one process.  A default-constructed check reports that the process lives.
+// Checks one process.  A default-constructed check reports that the process lives.
 class LivenessCheck {
  public:
   LivenessCheck() = default;

@@ -18,16 +18,17 @@ class MasterLink {
   // Posts `message` as SystemCalls::Post() does.
   virtual int32_t Post(Message* message, int64_t delay_us) = 0;
 
-  // Each makes the master call a function of WorkerCallList.  Ask() waits and returns the result.
-  // Tell() does not wait and has no result; its arguments have no bytes.
+  // Both functions make the master call the function with number `function` in WorkerCallList.
+  // Ask() waits and returns the result.  Tell() does not wait and has no result; its arguments must
+  // have no bytes.
   virtual void Tell(uint32_t function, const CallArguments& arguments) = 0;
   virtual CallResult Ask(uint32_t function, const CallArguments& arguments) = 0;
 
-  // Notes that the current object is about to wait for the reply to `box`; timeout_us < 0: for
-  // ever.
+  // Notes that the handler of the current object is about to wait for a reply.  `box` is the number
+  // under which the object receives the reply; timeout_us < 0: the wait has no limit.
   virtual void Waits(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
-  // Notes that the current object is about to wait for a line of the console, of at most `size`
-  // bytes, which arrives as the reply to `box`.
+  // Notes that the handler of the current object is about to wait for a line of the console, of at
+  // most `size` bytes.  The line arrives as a reply with the number `box`.
   virtual void WaitsForLine(uint64_t box, size_t size) = 0;
 };
 

@@ -45,7 +45,8 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
     return std::chrono::duration<double>(time).count();
   };
   const double passed_s = std::max(seconds(now - std::exchange(published_, now)), kIntervalMin_s);
-  // A restarted object counts from 0 again, so a count below the old one is new as a whole.
+  // Computes a rate.  An object in a restarted worker counts from 0 again, so if a count is below
+  // the old one, all of it is new.
   const auto rate = [passed_s](uint64_t count, uint64_t* before) {
     const uint64_t old = std::exchange(*before, count);
     return static_cast<double>(count < old ? count : count - old) / passed_s;
@@ -89,7 +90,7 @@ void Monitor::Publish(Clock::time_point now, bool has_ended) {
   last_status_ = std::move(status);
 }
 
-// Returns the handler times since the last status.
+// Returns how long the object's handlers have taken since the last status was published.
 RunStatus::Times Monitor::TimesOf(const RemoteObject& object) {
   Latency& before = latency_of_[object.id];
   const Latency now = object.process()->LatencyOf(object.id);

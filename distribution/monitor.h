@@ -25,7 +25,7 @@ class Monitor {
   // `workers` are the workers of the run; null: all objects are in this process.
   Monitor(const System* system, Bus* bus, const WorkerGroup* workers);
 
-  // Publishes the status if a second has passed since the last one.  Must not be called from a
+  // Publishes the status if a second has passed since the last time.  Must not be called from a
   // handler.
   void PublishIfDue();
 

@@ -26,8 +26,8 @@ std::string NewClaim() {
   return fmt::format("{:0{}} pid {} on {}", since, kSinceDigits, getpid(), HostName());
 }
 
-// Returns the quality of service for claims: the partition has the run's name, and claims of this
-// participant are ignored.
+// Returns the quality of service for claims.  The partition has the run's name, so only runs of the
+// same name see the claim.  This process does not see its own claims.
 dds_qos_t* ClaimQos(const Bus& bus) {
   dds_qos_t* const qos = dds_create_qos();
   dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);

@@ -16,15 +16,15 @@ class NameClaim {
   // Returns the run that has claimed the name earlier, as "pid 12 on host", or "".
   std::string EarlierRun() const;
 
-  // Makes this claim the earliest of all, because a worker has joined: every run that still waits
-  // for workers has to give way, whatever the clocks of the hosts say.
+  // Makes this claim the earliest of all, because a worker has joined this run: every run of the
+  // same name that still waits for workers has to give way, whatever the clocks of the hosts say.
   void MakePermanent();
 
  private:
   void Announce(const std::string& claim);
 
   Bus* const bus_;
-  const std::string own_;  // claims are compared as text
+  const std::string own_;  // the earliest claim wins; claims are compared as text
   bool is_permanent_ = false;
   dds_entity_t topic_ = 0;
   dds_entity_t reader_ = 0;
