@@ -26,7 +26,8 @@ bool IsStack(const System& system, ObjectId id) {
   return object != nullptr && object->name == IpStack::kName;
 }
 
-// Returns how the payload of `message` is sent.
+// Returns in which form the payload of `message` is sent: as plain bytes, or in a form without the
+// pointers that it contains.
 openr_wire_PayloadKind KindOf(const System& system, const Message& message) {
   switch (message.kind) {
     case PayloadKind::kNotify:
@@ -140,8 +141,8 @@ void Marshaller::EncodeReady(const Message& message, WireArena* arena, openr_wir
   std::vector<openr_wire_ReturnedRegion> regions;
   for (int i = 0; i < ready.numOfData; ++i) {
     const auto found = imported_.find(ready.rcRegion[i]);
-    // An unknown region or token 0 means that the subject was replaced or its process lost.  Nobody
-    // expects the region back.
+    // Skips a region that nobody expects back.  It is unknown or has token 0 if its subject was
+    // replaced or the subject's process was lost.
     if (found == imported_.end() || found->second.token == 0) continue;
     const RCRegion& region = *found->first;
     openr_wire_ReturnedRegion returned{found->second.token, {}};
@@ -269,7 +270,8 @@ std::string Marshaller::Decode(const openr_wire_Message& in, Message* out) {
 }
 
 std::string Marshaller::DecodeNotify(const openr_wire_Notify& in, Message* out) {
-  // The array of the message has room for MAX_NUM_DATA data; a forged sample may have more.
+  // Checks the counts, because the array of the message has room for MAX_NUM_DATA data and a forged
+  // sample may have more.
   if (in.parts._length > MAX_NUM_DATA || in.notifications > MAX_NUM_DATA)
     return fmt::format("a notification of {} data", in.parts._length);
   auto& notify = *new (out->payload) ONotifyMessage;
@@ -312,7 +314,7 @@ std::string Marshaller::DecodePart(const openr_wire_NotifiedRegion& in, RCRegion
   if (in.bytes._length != 0 && in.bytes._length != in.size) return "a part of another size";
   if (in.bytes._length != 0) std::memcpy(memory, in.bytes._buffer, in.size);
   *region = new RCRegion(in.region, in.offset, memory, in.size);
-  // The imported region holds its memory even if the region is deleted meanwhile.
+  // Keeps the memory until the region is given back, even if its owner deletes it meanwhile.
   system_->regions().KeepCopy(in.region);
   if (in.bytes._length != 0) {
     imported_[*region] = {in.token, in.bytes._buffer, 0};
@@ -335,7 +337,8 @@ std::string Marshaller::DecodeReady(const openr_wire_Ready& in, Message* out) {
   out->kind = PayloadKind::kReady;
   for (uint32_t i = 0; i < in.regions._length; ++i) {
     const openr_wire_ReturnedRegion& returned = in.regions._buffer[i];
-    // A withdrawn region has gone back to its subject already, so its token is only removed.
+    // Skips a region that has gone back to its subject already, because the subject was replaced.
+    // Only the token is removed.
     const auto found = exported_.find(returned.token);
     if (withdrawn_.erase(returned.token) > 0) continue;
     if (found == exported_.end()) return "a ready with an unknown region";
@@ -360,8 +363,8 @@ std::string Marshaller::DecodeAnt(const openr_wire_Ant& in, Message* out) {
   if (out->size < AntMessageSize(*ant)) return "";
   const AntBuffer buffer = BufferOf(ant);
   if (buffer.pointer == nullptr) return "";
-  // The received pointer is an address of the sender.  It is replaced, or cleared if the region is
-  // unknown.
+  // Replaces the received pointer, which is an address in the sender's process.  The pointer is
+  // cleared if the region is unknown.
   *buffer.pointer = nullptr;
   char* const base = in.region == 0 ? nullptr : system_->regions().BaseOf(in.region);
   const size_t size = system_->regions().SizeOf(in.region);

@@ -1,13 +1,14 @@
 // Converts messages to samples of openr_wire.idl and back.
 //
-// Most payloads are plain bytes.  Two kinds contain pointers.  Notifications and readies refer to
-// RCRegions, which are sent as a token and the bytes of the memory.  Messages of the network stack
-// point into shared buffers; the pointer is sent as region id and offset.
+// Most payloads are plain bytes.  Two kinds contain pointers.  Notifications and ready messages
+// refer to RCRegions, which are sent as a token and the bytes of the memory.  Messages of the
+// network stack point into shared buffers; the pointer is sent as region id and offset.
 //
-// Each process has a Marshaller for its peer.  A region that it sends is exported until a ready of
-// the peer gives it back.  For a region that it receives (imported) it creates an RCRegion with the
-// same memory id, until a ready of this process gives that back.  Tokens are numbers that are
-// looked up in a table, so data from the network are never used as an address.
+// Each process has a Marshaller for its peer.  A region that it sends is exported until a ready
+// message of the peer gives it back.  For a region that it receives (imported), it creates an
+// RCRegion with the same memory id; the region stays imported until a ready message of this process
+// gives it back.  Tokens are numbers that are looked up in a table, so data from the network are
+// never used as an address.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +43,8 @@ class Marshaller {
   void Encode(const Message& message, const PeerHasMemory& peer_has, WireArena* arena,
               openr_wire_Message* out);
 
-  // Completes the sending of `message`, which the peer has accepted.  If the message is a ready,
-  // drops the imported regions that it gives back.
+  // To be called when the peer has accepted `message`.  If it is a ready message, releases the
+  // received regions that it gives back.
   void CompleteSend(const Message& message);
 
   // Decodes `in` into the new message `out`, except for class and due time.  Returns "" or what is
@@ -51,8 +52,8 @@ class Marshaller {
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
-  // Returns whether data of `region` were received and not given back.  If so, its memory here is
-  // newer than its memory in the peer.
+  // Returns whether data of `region` were received from the peer and not given back.  If so, the
+  // copy of the region in this process is newer than the memory in the peer.
   bool HasImported(uint32_t region) const;
 
   // Returns whether `region` was sent to the peer, which may still use it.
@@ -67,23 +68,26 @@ class Marshaller {
     int32_t observer;  // object and selector of the receiving observer
     uint32_t observer_selector;
   };
-  // Removes all exported regions from the table and returns them.
+  // Returns all regions that were sent to the peer and not given back, and forgets them.
   std::vector<ExportedRegion> TakeExported();
-  // Removes and returns only the regions that the subjects of object `subject` have sent, because
-  // that object was replaced.  The peer may still use these regions.
+  // Returns the regions that the subjects of object `subject` have sent and that were not given
+  // back, and forgets them.  To be called when this object was replaced.  The peer may still use
+  // the regions.
   std::vector<RCRegion*> TakeExportedBy(ObjectId subject);
 
-  // Returns the peer's tokens of imported regions that no ready will give back: they were released
-  // here without a ready, and nothing here uses their memory.
+  // Returns the tokens of received regions that no ready message will give back, so that the peer
+  // can forget these tokens.  The regions were released here without such a message, and their
+  // memory is not used any more.
   std::vector<uint64_t> TakeDroppedTokens();
-  // Handles the list of TakeDroppedTokens() that the peer has sent.
+  // Forgets regions that the peer will not give back.  `tokens` is the result of
+  // TakeDroppedTokens() in the peer.
   void PeerDropped(const std::vector<uint64_t>& tokens);
 
-  // Handles the end of the peer: regions imported from it belong to nobody, so no ready gives them
-  // back.
+  // Handles the loss of the peer.  Regions received from it have no sender any more, so ready
+  // messages do not give them back.
   void PeerIsLost();
 
-  // Releases an imported region that is not given back by a ready.
+  // Releases a region that was received from the peer, without giving it back in a ready message.
   void ReleaseImported(RCRegion* region);
 
  private:
@@ -102,24 +106,24 @@ class Marshaller {
   const bool makes_copies_;
   struct ImportedRegion {
     uint64_t token;  // the peer's token for the region; 0: the peer is lost
-    // While the sample is valid, `bytes` are the received bytes; afterwards `hash` is their hash.
-    // IsChanged() compares with them.
+    // The received bytes, with which IsChanged() compares the region: `bytes` while the sample is
+    // valid, afterwards only their hash.
     const uint8_t* bytes;
     uint64_t hash;
   };
 
-  // Returns whether the observer has written into the region.
+  // Returns whether the observer has written into the region since the region was received.
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
   std::map<uint64_t, ExportedRegion> exported_;  // key: token of this process
-  // Regions removed by TakeExportedBy() that the peer may still give back, by token.
+  // Regions that TakeExportedBy() has forgotten but that the peer may still give back, by token.
   std::map<uint64_t, uint32_t> withdrawn_;
   // Imported regions, by their RCRegion.  The map is never iterated where the order matters,
   // because the order of pointers differs from run to run.
   std::map<RCRegion*, ImportedRegion> imported_;
   std::map<uint64_t, uint32_t> dropped_;   // region by token, see TakeDroppedTokens()
-  std::vector<RCRegion*> sample_regions_;  // imported regions whose ImportedRegion::bytes is set
+  std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
 };
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// The placement: which object of a run is in which process.  CONNECT.CFG does not contain it, and
+// The placement of a run: which object is in which process.  CONNECT.CFG does not contain it, and
 // objects do not know it.
 #pragma once
 
@@ -19,7 +19,7 @@ struct Placement {
   std::map<std::string, std::string> process_of;
   // Name of a process that a user starts (openr join) -> address of its host.
   std::map<std::string, std::string> host_of;
-  std::map<std::string, FilePosition> host_lines;  // lines of the file that define host_of
+  std::map<std::string, FilePosition> host_lines;  // line of the placement file, by process
 
   bool empty() const { return process_of.empty(); }
   // Returns the names of all processes, sorted, each once.
@@ -42,7 +42,8 @@ Placement ParsePlacement(const std::string& file, std::string_view text,
 // `own_address` (--dds-address).  Queries the name service.
 std::vector<Diagnostic> WrongHosts(const Placement& placement, const std::string& own_address);
 
-// Adds "RCServer=network" from the command line.  Returns "" or what is wrong with it.
+// Adds an object and its process, given on the command line as "RCServer=network".  Returns "" or
+// what is wrong with `text`.
 std::string AddPlace(const std::string& text, Placement* placement);
 
 }  // namespace openr_host

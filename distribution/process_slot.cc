@@ -15,7 +15,8 @@ namespace {
 
 // A requester that has not joined after this time loses its session to another requester.
 constexpr int64_t kSessionClaimMs = 5'000;
-// Requests with longer ids are ignored, because ids come from the network.
+// Limit of the length of a requester's id.  Requests with longer ids are ignored, because they come
+// from the network and may be forged.
 constexpr size_t kRequesterIdMax = 256;
 constexpr int64_t kLivenessIntervalMs = 100;  // interval of liveness checks
 // Limit of abandoned workers that are remembered; the oldest one is forgotten first.
@@ -56,7 +57,8 @@ ProcessSlot::ProcessSlot(Bus* bus, std::string process, bool is_external)
 
 void ProcessSlot::OpenSession(const std::string& session) {
   Abandon();
-  // The report names the lost process until the next one has sent its Hello.
+  // Keeps the identity of the lost process, because the report names that process until the next
+  // one has sent its Hello.
   previous_ = last_identity();
   identity_ = {};
   ASSERT(!has_joined_ && channel_ == nullptr, "process '{}'", process_);
@@ -66,7 +68,9 @@ void ProcessSlot::OpenSession(const std::string& session) {
 void ProcessSlot::Abandon() {
   ASSERT(!has_joined_ || channel_ != nullptr, "process '{}' has joined without a channel",
          process_);
-  // Workers that the master has started need no notice: they end with the master, or it kills them.
+  // Keeps the channel to an external worker, which must be told later that it was given up.
+  // Workers that the master has started need no notice: they end with the master, or the master
+  // kills them.
   if (has_joined_ && join_channel_ != nullptr && !channel_->IsConnected() &&
       !liveness_.HasEnded()) {
     if (abandoned_.size() == kAbandonedMax) abandoned_.erase(abandoned_.begin());
@@ -77,8 +81,8 @@ void ProcessSlot::Abandon() {
   has_joined_ = false;
 }
 
-// Tells abandoned workers that the run goes on without them.  A worker may have been unreachable
-// too short a time to take the master for dead, and would otherwise wait for work for ever.
+// Tells abandoned workers that the run goes on without them.  A worker that was unreachable only
+// for a short time has not taken the master for dead, so it would wait for work for ever.
 void ProcessSlot::NotifyAbandoned() {
   std::erase_if(abandoned_, [](const Abandoned& abandoned) {
     return abandoned.is_notified && !abandoned.channel->IsConnected();
@@ -93,8 +97,8 @@ void ProcessSlot::NotifyAbandoned() {
     try {
       abandoned.channel->Send(to_worker);
     } catch (const std::runtime_error&) {
-      // The abandoned worker is unreachable again.  This loss must not end the worker that has the
-      // slot now, so it is ignored.
+      // Ignores the failed send: the abandoned worker is unreachable again, and that must not end
+      // the worker that has the slot now.
     }
   }
 }
@@ -125,13 +129,13 @@ void ProcessSlot::AnswerJoinRequest(const openr_wire_JoinRequest& request) {
   } else if (is_closed_) {
     answer.refusal = arena.Text(fmt::format("the run goes on without process '{}'", process_));
   } else if (has_joined_ && requester_id_ != id) {
-    if (liveness_.HasEnded()) return;  // the master will notice soon; the requester asks again
+    if (liveness_.HasEnded()) return;  // no answer now: the requester asks again
     answer.session = arena.Text(kTakenSession);
     answer.refusal = arena.Text(fmt::format("the run has its process '{}' already: pid {} on {}",
                                             process_, identity_.pid, identity_.host));
   } else if (channel_ != nullptr && requester_id_ != id &&
              WallClockMs() - session_opened_ms_ < kSessionClaimMs) {
-    return;  // another requester holds the session; this one asks again
+    return;  // another requester has the session; this one asks again
   } else {
     // A repeated request of the same requester gets the same session again.
     if (channel_ == nullptr || requester_id_ != id) {
@@ -158,7 +162,9 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
     throw ProcessLost(fmt::format("process '{}' sent something before its name", process_));
   const openr_wire_Hello& hello = to_master->body._u.hello;
   identity_ = {StringOf(hello.host), hello.pid};
-  // A process that the master has started needs no check: the master learns more from its child.
+  // Prepares to check by the process id whether an external worker still exists.  For a worker that
+  // the master has started this is not needed: it is the master's child, so the kernel reports its
+  // end.
   if (join_channel_ != nullptr) liveness_ = LivenessCheck(StringOf(hello.machine), hello.pid);
   next_check_ms_ = 0;
   if (hello.version != openr_wire_VERSION)

@@ -1,6 +1,6 @@
 // The master's place for one worker process: which process may join, and which one has joined.
 //
-// Each process that joins has a session of its own.  Its Channel is in the partition
+// Each process that joins gets a session, a new name.  Its Channel is in the partition
 // RUN/PROCESS/SESSION, so samples for a lost process never reach the next one.  A worker that the
 // master has started gets the session on its command line.  An external worker, which a user starts
 // with openr join, sends a JoinRequest on two topics in the partition RUN/PROCESS.  The JoinAnswer
@@ -29,7 +29,7 @@ constexpr ChannelTopics kJoinTopics = {&openr_wire_JoinAnswer_desc, "openr_join_
 using MasterJoinChannel = Channel<openr_wire_JoinAnswer, openr_wire_JoinRequest>;
 using WorkerJoinChannel = Channel<openr_wire_JoinRequest, openr_wire_JoinAnswer>;
 
-// The value of JoinAnswer::session while another process has the slot.
+// The session name in the answer to a join request while another process has the worker's place.
 constexpr const char* kTakenSession = "taken";
 
 // Returns a name such as "host-1234-5", unique in the run.
@@ -50,20 +50,21 @@ class ProcessSlot {
   // `is_external`: a user starts the worker with openr join.
   ProcessSlot(Bus* bus, std::string process, bool is_external);
 
-  // Abandons the present worker and lets a process with this session join.
+  // Gives up the present worker, if there is one, and opens the channel by which a new process with
+  // this `session` can join.
   void OpenSession(const std::string& session);
 
-  // Advances the handshake with a joining worker, for at most `timeout_ms`.  Returns true when it
-  // is complete: the worker has sent its Hello and can receive.  Throws ProcessLost if the worker
-  // has another wire version.
+  // Advances the handshake with a joining worker, for at most `timeout_ms`.  Returns true when the
+  // handshake is complete: the worker has sent its Hello and can receive.  Throws ProcessLost if
+  // the worker has another version of the protocol.
   bool AwaitJoin(int timeout_ms);
   bool has_joined() const { return has_joined_; }
 
   // Returns whether the joined process has ended, as far as this machine can tell (LivenessCheck).
   bool HasEnded() const;
 
-  // Answers join requests of further processes: the slot is taken, or the run accepts no more
-  // workers.
+  // Answers the join requests that have arrived.  While a worker has the slot, or after Close(),
+  // the answers are refusals.
   void RefuseOtherRequests();
   // Closes the slot: all later join requests are refused.
   void Close() { is_closed_ = true; }
@@ -88,13 +89,13 @@ class ProcessSlot {
   const std::string process_;
   std::unique_ptr<MasterJoinChannel> join_channel_;
   std::unique_ptr<MasterChannel> channel_;
-  // An abandoned external worker that may not know that it was abandoned.
+  // An external worker that the master has given up, and that may not know it yet.
   struct Abandoned {
     std::unique_ptr<MasterChannel> channel;
     bool is_notified = false;
   };
   std::vector<Abandoned> abandoned_;
-  std::string requester_id_;  // JoinRequest::id of the process that was given the session
+  std::string requester_id_;  // JoinRequest::id of the process that got the session
   std::string session_;
   int64_t session_opened_ms_ = 0;  // time when the external worker was given its session
   bool is_closed_ = false;

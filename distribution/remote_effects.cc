@@ -1,7 +1,8 @@
-// Applies the effects of handlers in a worker and answers its questions.
+// The part of RemoteProcess that applies the effects of a worker's handlers in the master (messages
+// that they sent, functions that they called) and answers the worker's questions.
 //
-// Everything is checked before it is applied: a worker may only speak for its own objects, regions
-// and robots.
+// Each effect is checked before it is applied: a worker may act only for its own objects, memory
+// regions and robots.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 // Limit of delays and timeouts in microseconds; longer ones are refused.
 constexpr int64_t kDelayMaxUs = int64_t{1} << 53;
 
-// Returns the object on which a function is called, selected by the class of the function.
+// Selects the object on which a function of WorkerCallList is called, by the class of the function.
 struct CallTargets {
   System* system;
   CheckedCalls* calls;
@@ -57,7 +58,7 @@ bool RemoteProcess::HandleRequest(const openr_wire_ToMaster& to_master) {
     case openr_wire_TO_MASTER_QUESTION: {
       const openr_wire_Question& in = to_master.body._u.question;
       Object* const self = ObjectOf(in.object);
-      // Effects of the handler before its question come first, as in one process.
+      // Applies what the handler did before it asked, because the answer may depend on that.
       Apply(to_master, self);
       const CurrentScope scope(system_, self);
       SendAnswer(Call(in.kind, {VectorOf(in.numbers), StringOf(in.text), StringOf(in.bytes)}));
@@ -124,8 +125,9 @@ bool RemoteProcess::MayUse(uint32_t region) const {
   return calls_->HasRegion(region) || marshaller_->HasExported(region);
 }
 
-// Checks that the sender of `in` is an object of this worker, and so is the subject or observer
-// that sends.  A forwarded request keeps the name of the original sender.
+// Refuses a message whose sender, or whose sending subject or observer, is not `self`; if `self` is
+// null, any object of this worker may send.  A request that the handler forwards keeps the name of
+// its original sender, so that name is accepted too.
 void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) {
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
@@ -134,7 +136,7 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
-  // An object id that no object has is accepted: a subject or observer without an entry sends such
+  // Accepts an id that no object has, because a subject or observer without an entry sends such
   // ids.
   const auto is_others = [&](ObjectId id) { return !is_own(id) && system_->object(id) != nullptr; };
   if (in.payload._d == openr_wire_PAYLOAD_NOTIFY && is_others(in.payload._u.notify.subject))
@@ -159,19 +161,22 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
   Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
-  // Decode() overwrites these fields with those that the worker sent.
+  // Remembers the class and the cause that the System has given: those from the worker do not
+  // count.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
   const std::string problem = marshaller_->Decode(posted.message, message);
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
-  // The System gives its own number and cause, as it does for an object in this process.
+  // Restores the values of the master's System, so that the message is the same as from an object
+  // in the master's process.  Post() replaces the number 0 by the next number.
   message->number = 0;
   message->cause = cause;
   message->message_class = message_class;
   if (message->is_reply) {
-    // A reply to a box that has been closed meanwhile is refused, as in one process.
+    // Refuses a reply if the object that asked has closed its reply box meanwhile, as in a run with
+    // one process.
     const Object* const asker = system_->object(message->target);
     if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) {
       system_->queue().Release(message);
@@ -183,16 +188,17 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
   const int32_t error = system_->Post(message, posted.delay_us);
-  // The request now has its answer, so the stand-in must not send an empty answer if the worker is
-  // lost later.
+  // Marks the request as answered.  Else the master would send an empty answer in the name of the
+  // object if the worker is lost later.
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;
-  // The observer has its notification and must assert ready again.
+  // Notes that the observer is not ready any more: it has got a notification, and must assert ready
+  // again before the next one.
   if (is_notify && error == sSUCCESS) objects_.at(self->id)->UseReady(used);
   return error;
 }
 
-// Calls a function of WorkerCallList for the current object, which may be missing while objects are
-// loaded.
+// Calls function number `function` of WorkerCallList in the name of the current object.  There is
+// no current object while objects are loaded.
 CallResult RemoteProcess::Call(uint32_t function, const CallArguments& arguments) {
   if (function >= WorkerCallList::kSize) return {oNOT_SUPPORTED};
   return WorkerCallList::Call(function, CallTargets{system_, calls_.get()}, arguments);

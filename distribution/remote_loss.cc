@@ -1,4 +1,5 @@
-// The part of RemoteProcess that handles regions, messages and connections of a lost worker.
+// The part of RemoteProcess that handles regions, messages and connections when a worker was lost
+// or one of its peers was replaced.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -11,8 +12,9 @@
 
 namespace openr_host {
 
-// Gives the exported regions back to their subjects, in a deassert in the name of each observer,
-// because the observers will not be ready any more.
+// Gives the regions that were sent to the lost worker back to the subjects that sent them.  They go
+// back in deasserts ("not ready") in the name of the worker's observers, because these observers
+// are lost.
 void RemoteProcess::ReturnExported() {
   using Entry = std::pair<ObjectId, uint32_t>;
   // The regions to give back, by observer and subject.
@@ -47,18 +49,18 @@ size_t RemoteProcess::CountUndelivered() const {
 }
 
 void RemoteProcess::ReleaseAll() {
-  // is_lost_ is set first, because the calls below post messages to the stand-ins, which must not
-  // send them to the worker.
+  // is_lost_ is set first, because the calls below post messages to the master's stand-ins for the
+  // worker's objects, which must not send them to the worker.
   is_lost_ = true;
   ReturnExported();
   marshaller_->PeerIsLost();
   for (const auto& [id, object] : objects_) {
-    // A stand-in whose handler waits for a reply is woken, because its worker is lost and can no
-    // longer end the handler.
+    // Ends the wait of an object in the master whose handler in the worker had not returned,
+    // because the lost worker will never report the end of the handler.
     if (object->handler.blocked != nullptr) WakeHandler(id, object->handler.blocked_box);
   }
   calls_->ReleasePins();
-  // Counters and heap use begin anew with the next process.
+  // Clears counters and heap use, because they begin anew with the next process.
   dropped_.clear();
   for (const auto& [robot, bytes] : std::exchange(heap_by_robot_, {}))
     system_->robot(robot).memory.used_bytes -= bytes;
@@ -70,7 +72,8 @@ void RemoteProcess::ReleaseAll() {
 
 void RemoteProcess::Rejoin(const std::map<ObjectId, RemoteObject*>& objects) {
   objects_ = objects;
-  // Stand-ins that still wait for the old process compare this number and see that it has ended.
+  // Changes the number by which functions that still wait for the old process see that it has
+  // ended.
   ++session_;
   is_lost_ = false;
   loss_.clear();
@@ -90,7 +93,7 @@ void RemoteProcess::Forget(ObjectId id) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_FORGET);
   to_worker.body._u.replaced_object = id;
   Send(to_worker);
-  // In a free run the answer comes like any other sample, see HandleFreeSample().
+  // Does not wait for the answer in a free run; HandleFreeSample() receives it later.
   if (is_free_) return;
   const ReceivedSample to_master = Next();
   if (to_master->body._d != openr_wire_TO_MASTER_FORGOTTEN)

@@ -57,8 +57,8 @@ bool RemoteObject::Run() {
 }
 
 void RemoteObject::RecordReady() {
-  // Readiness is kept here because it must survive the worker: a restarted one is told which
-  // observers are ready.
+  // Records in the master which observers are ready, because a restarted worker must be told: its
+  // predecessor, which knew them, is lost.
   const auto& ready = *reinterpret_cast<const OReadyMessage*>(handler.running->payload);
   const StandingReady standing = {handler.running->selector, ObjectIdOf(ready.observerID.GetOID()),
                                   ready.observerID.GetSelector()};
@@ -82,8 +82,8 @@ void RemoteObject::ReturnRegion(RCRegion* region) { process_->ReturnRegion(regio
 bool RemoteObject::IsLost() const { return process_->is_lost(); }
 
 // Returns whether a handler of the object runs in its worker, which may take any time in a free
-// run.  DoStop and DoDestroy do not count: the end of a run has its time limit, whatever a worker
-// does.
+// run.  DoStop and DoDestroy do not count, because the end of a run has a time limit that no worker
+// may extend.
 bool RemoteObject::IsAtWorkElsewhere() const {
   return process_->IsAtWork(id) && handler.running->selector != oentrySTOP &&
          handler.running->selector != oentryDESTROY;

@@ -21,8 +21,8 @@ class RemoteProcess;
 
 class RemoteObject : public Object {
  public:
-  // The kind of a loss: the worker has ended or cannot be reached, a handler has crashed, or the
-  // worker was lost after the run, when the master asked only for the state of its objects.
+  // The ways to lose a worker: it has ended or cannot be reached, a handler has crashed, or it was
+  // lost after the run, when the master asked only for the state of its objects.
   enum class Loss { kGone, kCrashed, kAtEnd };
   // A function that is called when a handler finds that its worker is lost.
   using LossListener = std::function<void(const RemoteObject*, Loss, const std::string& why)>;
@@ -41,10 +41,11 @@ class RemoteObject : public Object {
   uint64_t pending_count = 0;
   uint64_t heap_max = 0;  // the most bytes of heap that the object has used
 
-  // Makes the stand-in that replaces this one when its worker is restarted.
+  // Makes the RemoteObject that replaces this one when the worker is restarted.
   std::unique_ptr<RemoteObject> NewInstance() const;
 
-  // Notes that a subject of the object has notified this observer, which is not ready any more.
+  // Notes that a subject of this object has notified the observer `ready`.  The observer is not
+  // ready any more until it asserts ready again.
   void UseReady(const StandingReady& ready) { readies_.erase(ready); }
 
   // Forgets that observers of object `observer` are ready, because that object has been replaced.
@@ -53,7 +54,7 @@ class RemoteObject : public Object {
   std::vector<StandingReady> StandingReadies() const override;
   void ReturnRegion(RCRegion* region) override;
   void HandleUndelivered(
-      const Message& message) override;  // also sends an empty reply if one is awaited
+      const Message& message) override;  // also sends an empty reply if the sender waits for one
   bool IsLost() const override;
   bool IsAtWorkElsewhere() const override;
   bool HasEntry(uint32_t selector) const override { return selectors_.contains(selector); }
@@ -68,7 +69,8 @@ class RemoteObject : public Object {
   RemoteProcess* const process_;
   const LossListener lost_;
   std::set<uint32_t> selectors_;
-  // Observers that have asserted ready to a subject of this object and were not notified since.
+  // Observers that have asserted ready to a subject of this object and were not notified since
+  // then.
   std::set<StandingReady> readies_;
 };
 

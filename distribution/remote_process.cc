@@ -17,17 +17,18 @@
 namespace openr_host {
 namespace {
 
-// The interval of health checks while the master waits for the worker.
+// The interval of checks that the worker still exists, while the master waits for a sample of it.
 constexpr int kWorkerPollMs = 10;
-// After this time the user is told to start an external worker; a worker that runs joins faster.
+// Time after which the user is told to start an external worker.  A worker that has been started
+// already joins in less time, so then nothing is printed.
 constexpr int64_t kJoinNoticeMs = 300;
 // Time for samples to arrive that the worker sent before its end.
 constexpr int kGoodbyeWaitMs = 50;
 constexpr int64_t kShortTimeoutMs = 500;  // limit for an answer while the run is brought down
 constexpr int kEndFlushMs = 1'000;        // time for the worker to receive the end of the run
-constexpr int64_t kSilenceMs = 2'000;     // after it the user is told that the worker is silent
-// Stand-ins in a free run wait for their handlers with boxes from this number on.  Boxes of objects
-// count from 1 and never get so large, so both kinds stay different.
+constexpr int64_t kSilenceMs = 2'000;     // the user is told after this time without an answer
+// First number of the reply boxes by which the master waits for handlers in a free run.  Boxes of
+// objects count from 1 and never get so large, so the two kinds of boxes stay different.
 constexpr uint64_t kFirstWakeBox = uint64_t{1} << 40;
 
 }  // namespace
@@ -69,8 +70,8 @@ void RemoteProcess::FlushBatch() {
 }
 
 // Returns whether the next message to be delivered also goes to a worker.  If so, the present
-// sample may wait and share a packet with that message; else the sample must be sent now, because
-// no other follows soon.
+// sample may wait and share a packet with that message.  If not, the sample must be sent now,
+// because no other sample follows soon.
 bool RemoteProcess::WillSendMore() const {
   const Message* const next = system_->queue().First();
   if (next == nullptr || next->is_reply) return false;
@@ -236,9 +237,9 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     openr_wire_Deliver& deliver = to_worker.body._u.deliver;
     deliver.now_us = system_->now_us();
     deliver.heap_elsewhere = HeapElsewhere(system_, object->robot);
-    // The bytes of a region are in the process of the object that made it, whoever owns it now.  A
-    // restarted worker has none of the bytes of its predecessor: the regions' makers are then
-    // unloaded.
+    // The bytes of a region are in the process of the object that made it, even if another object
+    // owns it now.  A restarted worker does not have the bytes of the lost process; MakerOf() then
+    // returns kNoObject, because the makers are unloaded.
     const auto is_there = [this](uint32_t region) {
       return objects_.contains(system_->regions().MakerOf(region));
     };
@@ -255,7 +256,7 @@ bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
     } else {
       ResumeWithReply(object, *stop, session);
     }
-    // While the stand-in waited, the worker may have been lost, or lost and restarted.
+    // While this function waited, the worker may have been lost, or lost and restarted.
     if (is_lost_ || session != session_) return false;
   }
 }
@@ -301,14 +302,14 @@ void RemoteProcess::RecordHeap(int robot, uint64_t bytes) {
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_by_robot_[robot], bytes);
 }
 
-// Lets the stand-in of `object` wait until HandleFreeSample() has the end of its handler.  Other
-// objects are served meanwhile.  Returns nullopt if the worker was lost.
+// Waits in a free run until the handler of `object` in the worker has stopped.  HandleFreeSample()
+// ends the wait; other objects run meanwhile.  Returns nullopt if the worker was lost.
 std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObject* object) {
   const uint64_t session = session_;
   const uint64_t box = kFirstWakeBox + ++wake_box_count_;
   object->boxes.open.insert(box);
-  // The silence of an idle worker does not count, so the measured time starts anew with its next
-  // work.
+  // Begins to measure the worker's silence only now if it was idle, because an idle worker sends
+  // nothing.
   if (running_.empty()) last_heard_ms_ = WallClockMs();
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
@@ -322,7 +323,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
 }
 
 // Calls `action`.  If it throws ProcessLost, keeps the reason in loss_ and does not pass the
-// exception on, because the caller is no handler and could not treat it.
+// exception on.  The callers are not in a handler, so they read loss() later.
 template <typename Action>
 void RemoteProcess::RecordLoss(const Action& action) {
   try {
@@ -341,7 +342,8 @@ bool RemoteProcess::HandleReceived() {
     while (const ReceivedSample to_master = slot_.channel()->Receive(0)) {
       came = true;
       HandleFreeSample(*to_master);
-      // Samples that arrive during this call are left for the next call.
+      // Leaves samples that arrive during this call for the next call, so that a busy worker cannot
+      // keep the master here.
       if (!slot_.channel()->has_received()) break;
     }
   });
@@ -367,7 +369,7 @@ void RemoteProcess::CheckHealth() {
     const std::string problem = FindProblem();
     if (problem.empty()) return;
     if (const ReceivedSample last = slot_.channel()->Receive(kGoodbyeWaitMs))
-      return HandleFreeSample(*last);  // it may be the worker's goodbye, with a better reason
+      return HandleFreeSample(*last);  // if it is a goodbye, it has a better reason
     throw ProcessLost(problem);
   });
 }
@@ -387,7 +389,7 @@ void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
   running_.erase(object);
 }
 
-// Ends the wait of the stand-in of `object` by posting the reply to its `box`.
+// Ends the wait of `object` in the master: posts the reply to `box`, for which the object waits.
 void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   Message* const wake = system_->NewMessage(object, 0);
   wake->message_class = MessageClass::kInput;
@@ -396,8 +398,8 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
   system_->Post(wake);
 }
 
-// Waits in the stand-in as the real handler waits, so that other objects are served meanwhile; then
-// sends the reply to the worker.
+// Waits for the reply in the master, in place of the handler in the worker, so that other objects
+// run meanwhile.  Then sends the reply to the worker, where the handler goes on.
 void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
@@ -454,7 +456,8 @@ std::string RemoteProcess::FetchState(ObjectId object) {
   const openr_wire_State& state = to_master->body._u.state;
   for (uint32_t i = 0; i < state.regions._length; ++i) {
     const openr_wire_RegionBytes& in = state.regions._buffer[i];
-    // Imported data are newer here than in the worker.
+    // Skips data that were received in a notification and not given back: the receiver may have
+    // changed them, so the master's copy is newer than the worker's.
     if (marshaller_->HasImported(in.region)) continue;
     char* const base = system_->regions().BaseOf(in.region);
     if (base == nullptr || in.bytes._length != system_->regions().SizeOf(in.region))
@@ -467,7 +470,9 @@ std::string RemoteProcess::FetchState(ObjectId object) {
 }
 
 void RemoteProcess::End(const std::string& why) {
-  marshaller_.reset();  // before the System, because imported regions belong to the System's table
+  // The marshaller is destroyed before the System, because received regions are in the System's
+  // table.
+  marshaller_.reset();
   if (!slot_.has_joined()) return;  // there is no worker, or a restarted one has not joined yet
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_END);
   WireArena arena;

@@ -2,7 +2,8 @@
 //
 // The worker runs one handler at a time, until the handler returns or waits.  It sends the effects
 // of the handler back as a list, and the master applies them in this order, in the name of the
-// object's stand-in (RemoteObject).  So numbers, order and trace are those of a run in one process.
+// object's stand-in (RemoteObject).  So numbers and order of messages and the trace are the same as
+// in a run with one process.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +45,8 @@ struct ProcessRefused : ProcessLost {
 
 class RemoteProcess {
  public:
-  // `is_external`: a user starts the worker.  `health` returns what is wrong with the process, or
-  // "".  `say` prints a line for the user.
+  // `is_external`: a user starts the worker.  `health` returns what is wrong with the worker
+  // process, or "".  `say` prints a line for the user.
   RemoteProcess(Bus* bus, std::string name, bool is_external, std::function<std::string()> health,
                 std::function<void(const std::string&)> say);
 
@@ -65,13 +66,13 @@ class RemoteProcess {
   // Returns the bytes of heap used on `robot`, without the bytes that this worker's objects use.
   uint64_t HeapElsewhere(System* system, int robot) const;
 
-  // Sends the settings of the run.
+  // Sends the worker the settings of the run, such as seed and stick.
   void Welcome(System* system, const openr_wire_Welcome& welcome);
 
-  // Sends new entries of the master's tables, and waits until the worker has loaded its objects
-  // among them.
+  // Sends new entries of the master's tables of robots and objects, and waits until the worker has
+  // loaded its own objects among them.
   void Load(const openr_wire_Load& load);
-  // Adds the stand-in of one of the worker's objects, before the object is loaded.
+  // Adds `object`, the master's stand-in for an object that the worker will load.
   void Add(RemoteObject* object);
 
   // Load() in two steps, for a restarted worker and without waiting: BeginLoad() sends the entries,
@@ -79,34 +80,37 @@ class RemoteProcess {
   // Rejoin().
   void BeginLoad(const openr_wire_Load& load);
   bool HasLoaded(const std::map<ObjectId, RemoteObject*>& objects);
-  // Ends a restart: `objects` are the new stand-ins, which have replaced the old ones.
+  // Ends a restart.  `objects` are the new stand-ins in the master, which have replaced the old
+  // ones.
   void Rejoin(const std::map<ObjectId, RemoteObject*>& objects);
 
   // Makes the worker drop its connections to object `id`, which has been replaced.
   void Forget(ObjectId id);
 
-  // Switches to free running: while a handler runs, only the stand-in of its object waits, and
-  // HandleReceived() applies effects when they arrive.
+  // Switches to free running: the master does not wait while a handler runs in the worker.  Only
+  // the handler's object waits.  HandleReceived() applies the effects of the handler when they
+  // arrive.
   void RunFree() { is_free_ = true; }
 
   // Returns whether, in a free run, a handler of the object runs in the worker and does not wait.
   bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
-  // Returns the number of messages that are lost with the worker in a free run.  Data are not
-  // counted, because they go back to their subjects, nor is the message whose handler brought the
-  // worker down.
+  // Returns the number of messages that are lost with the worker in a free run.  Notifications and
+  // ready messages are not counted, because their data go back to the senders.  The message whose
+  // handler crashed the worker is not counted either.
   size_t CountUndelivered() const;
 
   // Sends the samples that were kept to share a packet.
   void FlushBatch();
 
-  // Handles the samples that have arrived; returns true if there were any.  Must not be called from
-  // a handler.  A loss is kept in loss(), not thrown.
+  // Handles the samples that the worker has sent; returns true if there were any.  Must not be
+  // called from a handler.  If the worker is lost, sets loss() and does not throw.
   bool HandleReceived();
-  // Checks that the worker still exists.  A loss is kept in loss(), not thrown.
+  // Checks that the worker still exists.  If the worker is lost, sets loss() and does not throw.
   void CheckHealth();
 
-  // The times from sending a message to the worker until its handler is known to be done.
+  // The durations from sending a message to the worker until the master knows that the handler is
+  // done.
   const Latency& latency() const { return latency_; }
   Latency LatencyOf(ObjectId object) const {
     const auto found = latency_of_.find(object);
@@ -117,15 +121,15 @@ class RemoteProcess {
   // worker was lost before the handler ended.
   bool RunHandler(RemoteObject* object, const Message& message);
 
-  // Shortens the time after which a worker that does not answer is given up.
+  // Shortens the time after which the worker is given up if it does not answer.
   void ShortenTimeouts() { has_short_timeout_ = true; }
 
   // Returns the worker's state of `object` for the state hash, and copies the bytes of the object's
   // regions here.
   std::string FetchState(ObjectId object);
 
-  // Releases everything that belongs to the lost worker while the run goes on: exported regions go
-  // back to their subjects, and waiting handlers of its objects end.
+  // Releases everything that belongs to the lost worker while the run goes on: regions sent to it
+  // go back to their subjects, and waiting handlers of its objects end.
   void ReleaseAll();
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
@@ -135,13 +139,16 @@ class RemoteProcess {
   bool has_crashed() const { return crashed_; }
   ObjectId crashed_object() const { return crashed_object_; }
 
-  // Releases an imported region: the lost object whose subject has sent it expects no ready.
+  // Releases a memory region that was received from the worker.  To be called when the object that
+  // sent the region is lost: the region is not given back in a ready message, because nobody
+  // expects that.
   void ReturnRegion(RCRegion* region);
-  // Handles a message that the lost worker did not receive: the regions that it gives back are
-  // released.
+  // Releases the regions that the ready message `message` gives back.  The lost worker did not
+  // receive the message.  Messages of other kinds are ignored.
   void HandleUndelivered(const Message& message);
 
-  // Returns what is wrong with the worker, or "".  Also works for a worker that has nothing to do.
+  // Returns what is wrong with the worker, or "".  Does not need an answer of the worker, so the
+  // worker may be idle.
   std::string FindProblem() const;
   // Returns what FindProblem() does, but prefers the reason in the worker's goodbye, if one has
   // arrived.
@@ -154,8 +161,8 @@ class RemoteProcess {
  private:
   using ReceivedSample = MasterChannel::ReceivedSample;
 
-  // The reason why a handler has stopped: it returned, or waits for a reply or a line of the
-  // console.
+  // The reason why a handler in the worker has stopped: it has returned, or waits for a reply or a
+  // line of the console.
   struct Stop {
     openr_wire_StopKind kind = openr_wire_STOP_DONE;
     uint64_t box = 0;
@@ -201,7 +208,7 @@ class RemoteProcess {
   const std::string name_;
   const std::function<std::string()> health_;
   const std::function<void(const std::string&)> say_;
-  const std::string wait_reason_;  // a text for the user: what a waiting stand-in waits for
+  const std::string wait_reason_;  // text for the user: what an object waits for
   ProcessSlot slot_;
   System* system_ = nullptr;
   std::unique_ptr<Marshaller> marshaller_;
@@ -215,12 +222,13 @@ class RemoteProcess {
   bool is_lost_ = false;
   Latency latency_;
   std::map<ObjectId, Latency> latency_of_;
-  // ---- For free runs, where the stand-in of each object waits for its handler by a box
+  // ---- For free runs.  The master's stand-in waits by a reply box of its own until the handler in
+  // the worker has stopped.
   bool is_free_ = false;
-  uint64_t wake_box_count_ = 0;  // number of boxes used for this so far
+  uint64_t wake_box_count_ = 0;  // number of these boxes so far
   std::map<ObjectId, uint64_t> running_;
   std::map<ObjectId, Stop> stops_;
-  // The time when the worker last sent a sample, or was given work while it had none.
+  // The time of the worker's last sample, or the time when an idle worker was given work.
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
   bool is_silent_ = false;  // the user has been told that the worker is silent

@@ -11,7 +11,8 @@ class RegionTable;
 
 class RemoteServices : public RobotServices {
  public:
-  // `regions` has the memory of the objects here.  Both must outlive the services.
+  // `regions` has the shared memory of the objects in this process.  Both arguments must outlive
+  // this object.
   RemoteServices(MasterLink* master, const RegionTable* regions)
       : master_(master), regions_(regions) {}
 

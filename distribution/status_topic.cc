@@ -10,7 +10,7 @@ namespace openr_host {
 namespace {
 
 constexpr char kStatusTopic[] = "openr_status";
-constexpr int kStatusRunsMax = 256;  // runs of which the newest status is kept
+constexpr int kStatusRunsMax = 256;  // limit of runs whose newest status is kept
 
 dds_qos_t* StatusQos(const std::string& partition) {
   dds_qos_t* const qos = dds_create_qos();
@@ -26,8 +26,8 @@ using NewGroup = dds_entity_t (*)(dds_entity_t, const dds_qos_t*, const dds_list
 using NewEnd = dds_entity_t (*)(dds_entity_t, dds_entity_t, const dds_qos_t*,
                                 const dds_listener_t*);
 
-// Creates a reader or writer of the topic.  A partition is a property of a publisher or subscriber,
-// so `new_group` creates one of these first.
+// Creates a reader or writer of the status topic.  In DDS a publisher or subscriber has the
+// partition, so `new_group` creates one of these first.
 dds_entity_t Open(Bus* bus, NewGroup new_group, NewEnd new_end) {
   const dds_entity_t topic = dds_create_topic(bus->participant(), &openr_status_Status_desc,
                                               kStatusTopic, nullptr, nullptr);
@@ -138,7 +138,7 @@ RunStatus Decode(const openr_status_Status& in) {
   return out;
 }
 
-// Lets a sequence point to `items`.
+// Makes `sequence` point to `items`, without a copy.
 template <typename Seq, typename T>
 void SetSequence(std::vector<T>* items, Seq* sequence) {
   const auto count = static_cast<uint32_t>(items->size());
@@ -182,7 +182,7 @@ std::vector<RunStatus> StatusReader::Take() {
     if (info.valid_data) {
       all.push_back(Decode(status));
     } else {
-      RunStatus gone;  // a sample without valid data contains only the key
+      RunStatus gone;  // without valid data: the writer has gone; only the key is set
       gone.run = Printable(status.run);
       gone.host = Printable(status.host);
       gone.pid = status.pid;

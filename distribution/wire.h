@@ -31,7 +31,7 @@ class WireArena {
 
   char* Text(std::string_view text) {
     static char nothing[] = "";
-    // Strings of the wire end at the first zero, so the rest is cut off.
+    // DDS strings end at the first zero, so the rest of `text` is cut off.
     text = text.substr(0, text.find('\0'));
     if (text.empty()) return nothing;
     auto* const kept = static_cast<char*>(memory_.allocate(text.size() + 1, 1));
@@ -74,7 +74,7 @@ inline std::string StringOf(const openr_wire_Bytes& bytes) {
 // Converts a string member of a sample; a null pointer becomes "".
 inline std::string StringOf(const char* text) { return text == nullptr ? "" : text; }
 
-// Returns the number of bytes of region data in a sample.
+// Returns how many bytes of memory regions a sample contains; 0 for kinds that never contain any.
 template <typename Sample>
 size_t BulkBytesOf(const Sample&) {
   return 0;
