@@ -23,10 +23,11 @@ namespace {
 
 constexpr int kMasterPollMs = 100;      // interval of checks that the master still exists
 constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive the goodbye
-// Time for the master to receive the report of a crash, which no other sample can replace.
+// Time that a crashed process waits until the master has received its report.  The limit is long,
+// because the process ends then and cannot repeat the report.
 constexpr int kCrashFlushMs = 3'000;
-// A handler that takes less time than this is fast, so effects of other handlers may wait for its
-// end.
+// A handler that takes less time than this is fast.  Effects of earlier handlers may wait until a
+// fast handler has ended, and are then sent in the same packet.
 constexpr int64_t kFastHandlerNs = 50'000;
 constexpr int kJoinRetryMs = 1'000;  // interval of join requests
 
@@ -159,12 +160,13 @@ std::string Worker::SetUp(const openr_wire_Welcome& welcome) {
   options.guard_regions = welcome.guard;
   options.measure_stacks = welcome.measure;
   options.log_level = welcome.log_level;
-  options.free_deliveries = INT64_MAX;  // the master counts deliveries
+  options.free_deliveries = INT64_MAX;  // no limit here: the master counts them
   options.make_calls = [this](System* system) {
     return std::make_unique<WorkerCalls>(system, this);
   };
   options.console = [this](std::string_view text) {
-    // The watchdog must not interrupt a call of Cyclone DDS, whose locks ReportCrash() needs.
+    // Keeps the watchdog's signal from ending the process during a call of Cyclone DDS, whose locks
+    // ReportCrash() needs.
     const Indivisible indivisible;
     WireArena arena;
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_CONSOLE);
@@ -189,7 +191,8 @@ std::string Worker::Run() {
     goodbye = "could not go on: " + problem;
   }
   if (IsEndRequested() && !problem.empty()) goodbye = "was ended there";
-  // A refusal takes precedence: the master then waits for another process.
+  // Gives a refusal precedence over other reasons, because the master then waits for another
+  // process and does not end the run.
   if (is_refused_) goodbye = "could not take part: " + problem;
   if (!goodbye.empty()) SayGoodbye(goodbye);
   return problem;
@@ -202,12 +205,12 @@ void Worker::SayGoodbye(const std::string& text) {
   try {
     channel_->Send(to_master);
     channel_->WaitForAcks(kGoodbyeFlushMs);
-  } catch (const std::exception&) {  // the master notices that this process ends
+  } catch (const std::exception&) {  // no goodbye, then: the master notices the end anyway
   }
 }
 
-// Tells the user that an external worker has joined.  For a worker that the master has started, the
-// master does so.
+// Tells the user that an external worker has joined.  Says nothing for a worker that the master has
+// started, which has its session from the command line.
 void Worker::ReportJoined() {
   if (!options_.session.empty()) return;
   options_.say(fmt::format("has joined run '{}' ({}) with {}", options_.bus.run, MakerOf(session_),
@@ -263,7 +266,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   const openr_wire_Message& in = deliver.message;
   Object* const object = system_->object(in.target);
   if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
-  // The clock of this System follows that of the master.
+  // Sets the clock of this System to the time of the master's clock.
   if (now_us > system_->now_us()) system_->RunUntil(now_us);
   Message* const message = system_->queue().Allocate();
   const std::string problem = marshaller_->Decode(in, message);
@@ -271,12 +274,13 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
   TrackSharedBuffers(*object, *message);
-  // A message of kind kHashed tells System::AwaitReply() that the time is over.
+  // Marks the message as the end of a wait that has timed out.  Requests::Await() recognises this
+  // mark: the kind kHashed, with the waiting object itself as the sender.
   if (timed_out) {
     message->kind = PayloadKind::kHashed;
     message->sender = message->target;
   }
-  // The message is due at once: the master delivers it at its time.
+  // Makes the message due at once, because the master sends it only when it is due.
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
   // The handler continues now; if it waits again, Waits() adds a new entry.
@@ -291,8 +295,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   SendStopped(object);
 }
 
-// Runs a handler in a free run.  Effects of earlier handlers share a packet with those of this one,
-// unless this handler may take long: then they must not wait for it.
+// Runs a handler in a free run.  Effects of earlier handlers are sent in one packet with those of
+// this handler.  If this handler may take long, they are sent first, so that they need not wait.
 void Worker::RunTimed(ObjectId id) {
   if (!fast_objects_.contains(id)) channel_->FlushBatch();
   const int64_t begin_ns = WallClockNs();
@@ -304,8 +308,8 @@ void Worker::RunTimed(ObjectId id) {
   }
 }
 
-// Follows the shared buffers of the network stack.  The master's stack creates and destroys them;
-// the stack in this process learns of them from its answers to objects.
+// Follows which shared buffers the network stack has.  The master's stack creates and destroys
+// them; the stack in this process learns that from the master's answers to objects.
 void Worker::TrackSharedBuffers(const Object& object, const Message& message) {
   const Object* const sender = system_->object(message.sender);
   if (sender == nullptr || sender->name != IpStack::kName || message.size < sizeof(antEnvMsg))
@@ -350,7 +354,7 @@ void Worker::SendStopped(Object* object) {
     for (const auto& link : subject->links) stopped.pending += link->units.size();
   }
   MoveEffectsTo(&to_master);
-  // In a free run this sample may share a packet with that of the next handler.
+  // In a free run the sample may wait, to share a packet with the sample of the next handler.
   Send(to_master, is_free_);
   // DDS has copied the bytes in Send(), so the memory of the regions may be released.
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
@@ -364,8 +368,8 @@ void Worker::ReportCrash(std::string_view text) {
   to_master.body._u.crashed = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                arena.Text(text)};
   Send(to_master);
-  // The report is waited for, because a lost packet cannot be sent again after the end of this
-  // process.
+  // Waits until the master has the report, because a lost packet cannot be sent again after the end
+  // of this process.
   channel_->WaitForAcks(kCrashFlushMs);
 }
 
@@ -387,8 +391,8 @@ void Worker::SendState(ObjectId id) {
   Send(to_master);
 }
 
-// Disconnects the objects of this worker from `id`, which has been replaced.  They connect with the
-// new object like with any other.
+// Disconnects the objects of this worker from object `id` of another process, which has been
+// replaced.  They connect with the new object as with any other.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
   // The new object may have other entries, so the answers about the old one are forgotten.

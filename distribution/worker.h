@@ -1,9 +1,10 @@
 // A worker process runs the handlers of some objects for a master in another process.
 //
 // The System of a worker has all objects of the run in its tables, with the same ids, but code only
-// for its own objects.  A worker does one thing at a time: the master delivers a message, the
-// handler runs, and all its effects go back in one sample.  If a handler needs an answer of the
-// master, the worker waits for the answer before the handler goes on.
+// for its own objects.  A worker does one thing at a time: the master sends a message, the handler
+// runs, and all its effects (messages and calls for the master) go back in one sample.  If a
+// handler needs an answer of the master, the worker waits for the answer before the handler goes
+// on.
 #pragma once
 
 #include <cstdint>
@@ -27,17 +28,18 @@ namespace openr_host {
 struct WorkerOptions {
   BusOptions bus;
   std::string process;                 // name of this process in the placement
-  std::string session;                 // the session that the run gave; "": the worker requests one
+  std::string session;                 // session given by the run; "": the worker requests one
   std::string stick;                   // folder of the stick here; "": the path that the master has
   int64_t master_wait_ms = 60'000;     // time limit for finding the master
-  bool waits_for_predecessor = false;  // true: wait while another process has the slot
+  bool waits_for_predecessor = false;  // true: wait for the end of an earlier process of this name
   std::function<bool()> is_ended;      // returns true once the user ends this process; may be null
   std::function<void(const std::string& line)> say;  // prints a line for the user
-  // Returns a local folder to try when the run's stick is not on this host, or "" for none.  The
-  // worker uses the folder only if its files are the same as the stick's.  The function itself may
-  // be null.
+  // Returns a local folder to use as the Memory Stick when the run's folder is not on this host, or
+  // "".  The worker uses the folder only if its files are the same as in the run's folder.  The
+  // function itself may be null.
   std::function<std::string()> own_stick;
-  // A function that is called with the folder of the stick before objects are loaded; may be null.
+  // A function that is called with the folder of the Memory Stick before objects are loaded; may be
+  // null.
   std::function<void(const std::string& stick)> begins;
 };
 
@@ -49,12 +51,13 @@ class Worker : public MasterLink {
   // Runs until the master ends this worker.  Returns "" or an error.
   std::string Run();
 
-  // Returns whether another Run() would fail too, because the worker has the wrong wire version,
-  // the wrong stick, or was given no session.
+  // Returns whether another Run() would fail too, because the worker has the wrong version of the
+  // protocol, the wrong stick, or was given no session.
   bool is_refused() const { return is_refused_; }
 
-  // Tells the master that the present handler ends this process.  A signal handler calls this
-  // function in the middle of the object's code, but never inside of an Indivisible section.
+  // Tells the master that the present handler ends this process, by a crash for instance.  A signal
+  // handler calls this function in the middle of the object's code, but never inside of an
+  // Indivisible section, which may hold locks of Cyclone DDS.
   void ReportCrash(std::string_view text);
 
   // ---- MasterLink
@@ -106,7 +109,8 @@ class Worker : public MasterLink {
   static openr_wire_ToMaster NewToMaster(openr_wire_ToMasterKind kind);
   void Send(const openr_wire_ToMaster& to_master, bool batched = false);
   [[noreturn]] void ExitWithError(const std::string& why);
-  // Moves the effects that handlers had since the last sample to `to_master`.
+  // Moves the effects of handlers since the last sample (messages and calls for the master) to
+  // `to_master`.
   void MoveEffectsTo(openr_wire_ToMaster* to_master);
   // Returns the next sample.  If `answer`, returns only an answer and keeps other samples for
   // later.  The result is empty if the master is lost or the user ends this process.
@@ -135,10 +139,10 @@ class Worker : public MasterLink {
   bool is_free_ = false;                    // the run is free-running
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
-  // Entries of objects about which the master has answered that they exist.
+  // Entries of objects in other processes; the master has answered that they exist.
   std::set<std::pair<ObjectId, uint32_t>> known_entries_;
   std::deque<ReceivedSample> deferred_;  // samples that arrived while an answer was awaited
-  // The effects of the present handler.
+  // The effects of the present handler that have not been sent, and the memory that they point to.
   WireArena arena_;
   std::vector<openr_wire_Effect> effects_;
   std::vector<uint32_t> pinned_;  // regions kept until their bytes have been sent

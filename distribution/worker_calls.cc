@@ -24,8 +24,8 @@ void WorkerCalls::CloseBox(uint64_t box) {
   TellMaster<&SystemCalls::CloseBox>(master_, box);
 }
 
-// Returns true for every box, because boxes of objects in other processes are not known here; the
-// master checks the box when the reply is posted.
+// Returns true for every reply box, because boxes of objects in other processes are not known
+// here.  The master checks the box when the reply is posted.
 bool WorkerCalls::AcceptsReply(ObjectId, uint64_t) const { return true; }
 
 Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) {
@@ -152,14 +152,15 @@ void WorkerCalls::Shutdown(int robot, const RunEnd& why) {
 }
 
 // Switches the robot off: the objects in this process at once, all others when the master receives
-// the note.
+// the call.
 void WorkerCalls::PowerOff(int robot, const RunEnd& why) {
   TellMaster<&SystemCalls::PowerOff>(master_, robot, why);
   LocalCalls::PowerOff(robot, why);
 }
 
-// Waits for the master's answer before the object changes the file, so that the master never hashes
-// a file that is half changed.
+// Tells the master that the object is about to change a file, and waits for the answer.  So the
+// master knows of the change before it begins, and never uses the hash of a file that is half
+// changed.
 bool WorkerCalls::NoteFileWritten(std::string_view path) {
   return LocalCalls::NoteFileWritten(path) &&
          AskMaster<&SystemCalls::NoteFileWritten>(master_, path);

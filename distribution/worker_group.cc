@@ -24,8 +24,9 @@ constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
 constexpr int64_t kInterruptedExitWaitMs = 500;
 
-// A large history is used in free runs only: there no write may block on a stopped worker.  In
-// lockstep the run waits for a stopped worker anyway.
+// Keeps many sent samples only in a free run: there the master does not wait for workers, so no
+// write may block because a worker is stopped.  In lockstep the master waits for a stopped worker
+// anyway.
 BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
   BusOptions bus = options.bus;
   bus.has_large_history = options.is_free;
@@ -36,7 +37,8 @@ BusOptions GroupBusOptions(const WorkerGroupOptions& options) {
 
 WorkerGroup::WorkerGroup(WorkerGroupOptions options)
     : options_(std::move(options)), bus_(GroupBusOptions(options_)) {
-  // Only external workers look for a run by its name, so only then the name must be unique.
+  // Claims the run's name only if there are external workers, because only these look for a run by
+  // its name.
   if (!options_.placement.host_of.empty()) claim_ = std::make_unique<NameClaim>(&bus_);
   for (const std::string& name : options_.placement.Processes()) {
     Member* const member = &members_[name];
@@ -50,8 +52,8 @@ WorkerGroup::WorkerGroup(WorkerGroupOptions options)
   }
 }
 
-// Returns a worker's problem, or "".  As long as an external worker has not joined, an earlier run
-// of the same name is a problem too, because the worker could join that run.
+// Returns why the worker cannot go on, or "".  As long as an external worker has not joined, an
+// earlier run of the same name is a problem too, because the worker could join that run.
 std::string WorkerGroup::ProblemOf(const Member& member) const {
   if (IsInterrupted()) return "interrupted";
   if (member.child != nullptr) return member.child->HowItEnded();
@@ -65,7 +67,7 @@ std::string WorkerGroup::ProblemOf(const Member& member) const {
 }
 
 void WorkerGroup::Start(Member* member) {
-  // Each process gets a new session, because samples of its predecessor are then on other topics.
+  // Gives each process a new session name, so that samples for its predecessor never reach it.
   const std::string session = NewSessionName();
   member->process->slot().OpenSession(session);
   std::vector<std::string> command = options_.wrapper;
@@ -164,8 +166,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
     for (const auto& [keyword, path] : robot.design_data)
       designs.push_back({i, arena->Text(keyword), arena->Text(path)});
     if (static_cast<size_t>(i) < member->robots) continue;
-    // The hash is not compared at a restart: objects may have written files since, and the user may
-    // have replaced an image in order to try new code.
+    // Sends 0 at a restart, so that the worker does not compare the hash of its stick: objects may
+    // have written files since, and the user may have replaced an image in order to try new code.
     const uint64_t stick_hash = member->stage == Stage::kRunning ? robot.stick_hash : 0;
     robots.push_back({arena->Text(robot.design), robot.stick != nullptr,
                       robot.stick != nullptr && robot.stick->writable(), stick_hash});
@@ -190,8 +192,8 @@ openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   return load;
 }
 
-// Sends the worker the new table entries; loads the object that was added last, which is the last
-// entry.
+// Sends the worker the new entries of the master's tables, and waits until it has loaded its own
+// objects among them.  The first time, also waits until the worker has joined.
 void WorkerGroup::SendNextLoad(Member* member) {
   WireArena arena;
   const openr_wire_Load load = NextLoadFor(member, &arena);
@@ -223,8 +225,8 @@ void WorkerGroup::LoadNewObjects(Member* member) {
   }
 }
 
-// Lets another process join in place of one that has refused the run, because of a wrong stick for
-// instance: the user may start one with the right stick.
+// Lets another process join in place of a worker that has refused the run, because its stick was
+// wrong for instance: the user may start a worker with the right stick.
 void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   options_.say(fmt::format("{}; the run waits for another one", why));
   member->process->slot().Abandon();
@@ -297,7 +299,7 @@ bool WorkerGroup::HandleReceived() {
 }
 
 void WorkerGroup::Pump(int64_t timeout_us) {
-  // The kept samples are sent before this process waits, because workers may wait for them.
+  // Sends the samples that were kept to share a packet, because workers may wait for them.
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
@@ -323,7 +325,7 @@ void WorkerGroup::Pump(int64_t timeout_us) {
 }
 
 void WorkerGroup::CheckWorkers() {
-  // Pump() checks free runs; an interrupted run ends anyway.
+  // Does nothing in a free run, where Pump() checks the workers, or if the run is about to end.
   if (options_.is_free || IsInterrupted()) return;
   for (auto& [name, member] : members_) {
     if (!IsRestarting(member)) AdvanceRestart(&member);

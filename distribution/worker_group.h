@@ -26,13 +26,14 @@ struct WorkerGroupOptions {
   std::vector<std::string> command;
   // Command line that is put before `command`, for a debugger or Valgrind.
   std::vector<std::string> wrapper;
-  std::string stick;                                 // folder of the master's stick
-  bool is_free = false;                              // free-running, see RemoteProcess::RunFree()
+  std::string stick;  // folder of the master's stick
+  // True: a free run, in which the master does not wait for handlers (RemoteProcess::RunFree()).
+  bool is_free = false;
   int64_t wait_ms = 60'000;                          // time limit for a worker to join
   int restarts = 0;                                  // limit of restarts of each worker
   std::function<void(const std::string& line)> say;  // prints a line for the user
-  // Returns how often the user has asked the run to end.  After the first time the run waits for no
-  // lost worker; after the second it ends at once.  Null: never.
+  // Returns how often the user has asked the run to end (Ctrl-C).  After the first time the run
+  // waits for no lost worker; after the second it ends at once.  Null: never.
   std::function<int()> interrupts;
 };
 
@@ -46,15 +47,17 @@ class WorkerGroup {
 
   Bus* bus() { return &bus_; }
 
-  // Makes stand-ins for the objects that are placed in workers, for LoadStick().
+  // Returns functions that make stand-ins in the master for the objects that are placed in
+  // workers.  LoadStick() calls them.
   StandIns StandInsFor(System* system, int robot);
 
-  // Returns an error about the object names of the placement, or "".  REQUIRES: all robots are
-  // loaded.
+  // Returns an error if the placement names an object that the run does not have or that must stay
+  // in the master; else "".  REQUIRES: all robots are loaded.
   std::string UnknownObjects() const;
 
-  // Sends the rest of the tables to all workers.  Returns "" or the first error, which may have
-  // come up in a stand-in before.  REQUIRES: all robots are loaded, Boot() has not been called.
+  // Sends all workers the entries of the master's tables of robots and objects that they do not
+  // have yet.  Returns "" or the first error, which may be of an earlier load.  REQUIRES: all
+  // robots are loaded, Boot() has not been called.
   std::string Connect();
 
   // The figures of one worker in the report of the run.
@@ -86,19 +89,19 @@ class WorkerGroup {
     loss_listener_ = std::move(listener);
   }
 
-  // Checks the workers that have nothing to do, and advances restarts.  Must not be called from a
-  // handler.
+  // Checks in a lockstep run whether workers without work still exist, and advances restarts of
+  // lost workers.  Must not be called from a handler.
   void CheckWorkers();
 
   // In a free run, waits at most `timeout_us` for samples of the workers and handles them.  Must
   // not be called from a handler.
   void Pump(int64_t timeout_us);
 
-  // Shortens the time after which a worker that does not answer is given up; for a run that is
-  // being brought down.
+  // Shortens the time after which a worker that does not answer is given up.  To be called when the
+  // run is brought down.
   void ShortenTimeouts();
 
-  // Adds findings about messages that arrived for lost workers.
+  // Adds warnings to the report about messages that came for lost workers.
   void ReportLosses();
 
   // Ends the workers.  REQUIRES: the System still exists.
@@ -112,7 +115,7 @@ class WorkerGroup {
     kCleaningUp,    // its objects are cleaned up, and the old process ends if it still exists
     kJoining,       // the new process has been started and has not joined yet
     kLoading,       // the new process loads its images
-    kReplacing,     // its new stand-ins are about to replace the old ones
+    kReplacing,     // the master's new stand-ins are about to replace the old ones
   };
   // A worker of the group.
   struct Member {
@@ -123,9 +126,10 @@ class WorkerGroup {
     std::string lost;
     bool is_external = false;  // a user starts it with openr join
     bool is_welcomed = false;
-    size_t robots = 0;  // robots and objects of the master that the worker knows
+    // Numbers of robots and objects of the master that were sent to the worker.
+    size_t robots = 0;
     size_t known = 0;
-    // For a restart.
+    // State of the loss and the restart of this worker.
     Stage stage = Stage::kRunning;
     bool crashed = false;
     bool is_cleaned_up = false;
@@ -135,8 +139,9 @@ class WorkerGroup {
     int restarts_left = 0;
     int losses = 0;
     int returns = 0;
-    uint64_t undelivered_before = 0;  // undelivered messages of its objects at the loss
-    // Stand-ins for the restarted worker: `new_objects` owns them until they replace the old ones.
+    uint64_t undelivered_before = 0;  // undelivered messages before the loss
+    // The master's stand-ins for the objects of the restarted worker; `new_objects` owns them until
+    // they replace the old ones.
     std::vector<std::unique_ptr<RemoteObject>> new_objects;
     std::map<ObjectId, RemoteObject*> successors;
   };
@@ -180,7 +185,7 @@ class WorkerGroup {
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;
   std::function<void(Object*)> return_listener_;
-  std::vector<std::string> placed_;  // names of placed objects that were found
+  std::vector<std::string> placed_;  // placed objects that OBJECT.CFG names
 };
 
 }  // namespace openr_host

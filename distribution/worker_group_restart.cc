@@ -1,7 +1,9 @@
 // The restart of a lost worker: a new process takes its slot, and its objects begin anew.
 //
-// Each call of AdvanceRestart() does one step.  In lockstep the run waits for all restarts at the
-// next frame, so a restart takes no virtual time and happens at the same instant in every run.
+// Each call of AdvanceRestart() does one step.  In lockstep (the master waits for each handler),
+// all restarts are completed at the beginning of the next frame, a multiple of 8 ms of virtual
+// time.  The run stands still meanwhile, so a restart takes no virtual time and happens at the same
+// instant in every run.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,8 +18,8 @@ namespace openr_host {
 namespace {
 
 constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
-constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed attempt
-constexpr int64_t kReturnNoticeMs = 2'000;  // after it the user is told that a restart takes long
+constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed restart
+constexpr int64_t kReturnNoticeMs = 2'000;  // the user is told of a restart that takes longer
 // The pause between two steps of the restarts in lockstep.
 constexpr int kReturnPollUs = 1'000;
 
@@ -45,8 +47,9 @@ void WorkerGroup::EnterStage(Member* member, Stage stage) {
   member->is_reported = false;
 }
 
-// Cleans up after the objects of a lost worker.  This is a task of the System, so messages to these
-// objects that are due already are delivered first and counted as undelivered.
+// Posts a task that ends everything the objects of a lost worker had.  The System runs the task
+// when no message is due, so messages to these objects that are due now are first counted as
+// undelivered.
 void WorkerGroup::CleanUp(Member* member) {
   member->is_cleaned_up = false;
   member->undelivered_before = 0;
@@ -59,9 +62,9 @@ void WorkerGroup::CleanUp(Member* member) {
   });
 }
 
-// Advances the restart of one worker by a step.  `may_load`: a worker that has joined may load its
-// images now.  In lockstep a run that is ending restarts nothing, because it would have to wait for
-// the worker.
+// Advances the restart of one worker by a step.  If `may_load` is false, a worker that has joined
+// must still wait before it loads its images.  In lockstep a run that is ending restarts nothing,
+// because it would have to wait for the worker.
 void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
   RemoteProcess& process = *member->process;
   if (IsEnding() && !options_.is_free && member->stage != Stage::kRunning) return;
@@ -108,8 +111,8 @@ void WorkerGroup::CheckRestart(Member* member) {
                   member->name, kReturnNoticeMs / 1000, options_.wait_ms / 1000));
 }
 
-// Ends an attempt to restart the worker.  Stage kCleaningUp comes next, which starts the next
-// attempt.
+// Gives up this attempt to restart the worker, because of `why`.  Goes back to stage kCleaningUp,
+// which begins the next attempt.
 void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   options_.say(why);
   member->lost = why;
@@ -127,7 +130,7 @@ void WorkerGroup::Restart(Member* member) {
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
     // A crashed process is given time to write its record on the stick.
     if (member->crashed && WallClockMs() - member->since_ms < kCrashRecordMs) return;
-    member->child.reset();  // the old process was cut off or stopped; it is killed here
+    member->child.reset();  // kills the old process, which was unreachable or stopped
   }
   if (!MayRestart(*member)) {
     if (options_.restarts > 0)
@@ -144,10 +147,10 @@ void WorkerGroup::Restart(Member* member) {
   EnterStage(member, Stage::kJoining);
 }
 
-// Sends a joined process all tables at once.  At the beginning of a run they are sent object by
-// object.
+// Sends a restarted worker that has joined all entries of the master's tables at once.  At the
+// beginning of a run they are sent object by object.
 void WorkerGroup::BeginLoading(Member* member) {
-  // The new process has nothing of the tables yet, so all entries are sent.
+  // Sets the counts of sent entries to 0, because the new process has received none.
   member->robots = member->known = 0;
   member->new_objects.clear();
   member->successors.clear();
@@ -161,7 +164,7 @@ void WorkerGroup::BeginLoading(Member* member) {
   EnterStage(member, Stage::kLoading);
 }
 
-// Lets the new stand-ins replace the old ones in the System.
+// Replaces the master's old stand-ins for the worker's objects by the new ones.
 void WorkerGroup::ReplaceObjects(Member* member) {
   std::vector<std::unique_ptr<Object>> new_objects;
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
@@ -170,12 +173,13 @@ void WorkerGroup::ReplaceObjects(Member* member) {
   system_->Return(std::move(new_objects));
 }
 
-// Handles the replacement of stand-in `id`.  First the other workers disconnect their objects from
-// it.  The worker counts as running when the last of its objects has been replaced.
+// Called for each object `id` that is replaced.  First the other workers disconnect their objects
+// from the old object.  A restarted worker counts as running when the last of its objects was
+// replaced.
 void WorkerGroup::OnReplaced(ObjectId id) {
   for (auto& [name, member] : members_) {
-    // Skips the worker of the object itself, which is new, and lost workers, which have no
-    // connections.
+    // Skips the worker of the object itself, which knows only the new object, and lost workers,
+    // which have no connections.
     if (member.objects.contains(id) || !member.is_welcomed || member.process->is_lost()) continue;
     try {
       member.process->Forget(id);
@@ -190,8 +194,8 @@ void WorkerGroup::OnReplaced(ObjectId id) {
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
-    // The count is copied again, because messages may have arrived for the old stand-in after the
-    // new one was made.
+    // Copies the count again, because messages may have arrived for the old stand-in after the new
+    // one was made.
     member.successors[id]->undelivered_count = member.objects[id]->undelivered_count;
     // Objects are replaced in the order of their ids, so the largest id is the last one.
     if (member.successors.rbegin()->first != id) continue;
@@ -212,7 +216,7 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
 }
 
-// Returns whether the restart of the worker is in a stage that needs another step.
+// Returns whether the worker is being restarted and its restart needs another step.
 bool WorkerGroup::IsRestarting(const Member& member) const {
   return member.stage == Stage::kJoining || member.stage == Stage::kLoading ||
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);
@@ -230,9 +234,9 @@ bool WorkerGroup::AdvanceRestarts() {
   return !is_first;
 }
 
-// Waits in lockstep until all restarts are complete or given up.  The function polls and does not
-// wait for samples, because samples of the other workers are not read here and would end each wait
-// at once.
+// Waits in lockstep until all restarts are complete or given up.  We sleep between two steps and do
+// not wait for DDS samples: samples of running workers stay unread here, so such a wait would end
+// at once each time.
 void WorkerGroup::WaitForRestarts() {
   while (system_->booted() && !IsEnding() && AdvanceRestarts()) usleep(kReturnPollUs);
   for (const auto& [name, member] : members_) {

@@ -1,4 +1,5 @@
-// The MasterLink of a worker: posts, notes and questions of its handlers become samples.
+// The part of Worker that sends what handlers do to the master as DDS samples: messages, calls
+// without an answer (notes) and calls with an answer (questions).
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
@@ -38,8 +39,8 @@ void Worker::Send(const openr_wire_ToMaster& to_master, bool batched) {
   }
 }
 
-// Ends this process in the middle of a handler, because the effects of the handler are lost and it
-// cannot go on.
+// Ends this process in the middle of a handler, because the effects of the handler are lost and the
+// handler cannot go on.
 void Worker::ExitWithError(const std::string& why) {
   options_.say(why);
   SayGoodbye(why);
@@ -52,8 +53,8 @@ void Worker::KeepUntilSent(uint32_t region) {
   pinned_.push_back(region);
 }
 
-// Removes the bytes of `part` if the sample has them already.  Each region is sent only once in a
-// sample, even for several observers: the master copies its bytes with the first notification.
+// Removes the bytes of `part` if the next sample has them already.  Each region is sent only once
+// in a sample, even for several observers: the master copies its bytes with the first notification.
 void Worker::SendOnce(openr_wire_NotifiedRegion* part) {
   const auto [first, is_first] = parts_in_sample_.try_emplace(part->region, *part);
   const openr_wire_NotifiedRegion& sent = first->second;
@@ -88,8 +89,8 @@ bool Worker::MayBeRefused(const Message& message) {
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_ENTRY);
   to_master.body._u.entry = {message.target, message.selector};
   Send(to_master);
-  // Only the first message to an entry costs a question: the entry stays until its object is
-  // replaced, see Forget().
+  // Remembers the answer, so only the first message to an entry costs a question.  The entry stays
+  // until its object is replaced, see Forget().
   if (WaitForAnswer().status != 1) return true;
   known_entries_.insert(entry);
   return false;
@@ -104,8 +105,8 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   const bool may_be_refused = MayBeRefused(*message);
   const openr_wire_PostedMessage posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
-  // If the message may be refused, the sender must know at once; otherwise it goes with the other
-  // effects of the handler.
+  // Sends a message that may be refused at once, because the sender must know the result.  Other
+  // messages are sent with the effects of the handler.
   if (may_be_refused) {
     openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_POST);
     to_master.body._u.post = {t_current.object == nullptr ? kNoObject : t_current.object->id,
@@ -119,15 +120,17 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
     effect._u.posted = posted;
     effects_.push_back(effect);
   }
-  // A refused ready has given nothing back, so the observer keeps its regions.
+  // Does nothing after a refusal: a refused ready message has given nothing back, so the observer
+  // keeps its regions.
   if (error == sSUCCESS) marshaller_->CompleteSend(*message);
   system_->queue().Release(message);
   return error;
 }
 
-// Removes the pin of `region` from the effects and returns true, if the pin has not been sent yet;
-// then the unpin need not be sent either.  That is the usual case, because most observers take a
-// region and give it back in one handler.
+// Removes the latest call PinRegion() for `region` from the effects that are not sent yet.  The
+// call UnpinRegion() that is about to be sent would undo that call, so neither is sent.  Returns
+// false if the first one was sent already.  Most observers take a region and give it back in one
+// handler, so this saves most of these calls.
 bool Worker::CancelPendingPin(uint64_t region) {
   const auto is_pin = [region](const openr_wire_Effect& effect) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
@@ -156,7 +159,8 @@ CallResult Worker::Ask(uint32_t function, const CallArguments& arguments) {
   const Indivisible indivisible;
   if (is_shutting_down_) return {};
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_QUESTION);
-  // Effects of the handler so far go with the question, because the answer may depend on them.
+  // Sends the effects of the handler so far with the question, because the answer may depend on
+  // them.
   to_master.body._u.question = {t_current.object == nullptr ? kNoObject : t_current.object->id,
                                 function, arena_.Numbers(arguments.numbers),
                                 arena_.Text(arguments.text),
@@ -181,7 +185,7 @@ CallResult Worker::WaitForAnswer() {
 
 void Worker::Waits(uint64_t box, int64_t timeout_us, std::string_view why) {
   ASSERT(t_current.object != nullptr);
-  // The wait is only noted here; SendStopped() reports it when the dispatcher has left the handler.
+  // Only notes the wait.  SendStopped() reports it when the dispatcher has left the handler.
   waits_[t_current.object->id] = {openr_wire_STOP_WAITS, box, timeout_us, 0, std::string(why)};
 }
 

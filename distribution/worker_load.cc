@@ -56,8 +56,8 @@ std::string Worker::LoadObjects(const openr_wire_Load& load) {
   return "";
 }
 
-// Uses a folder of this host as the stick if the run's folder is not here and the files are the
-// same.
+// Uses another folder of this host as the Memory Stick if the run's folder is not on this host and
+// the other one has the same files.
 void Worker::FindStick(uint64_t hash) {
   if (IsFolder(stick_) || !options_.own_stick) return;
   const std::string own = options_.own_stick();
@@ -68,8 +68,8 @@ std::string Worker::AddRobot(const openr_wire_RobotEntry& entry) {
   std::shared_ptr<FolderStick> stick;
   if (entry.has_stick) {
     FindStick(entry.stick_hash);
-    // A wrong stick is a refusal and no loss, so the run may wait for a worker with the right
-    // stick.
+    // Refuses the run if the stick is wrong.  A refusal is no loss of the worker, so the run may
+    // wait for a worker with the right stick.
     is_refused_ = !IsFolder(stick_);
     if (is_refused_)
       return fmt::format("{}: there is no such folder here; give a copy of the run's (--stick)",
@@ -99,8 +99,8 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   if (entry.id < next) return;  // the object manager, which every System has from the beginning
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
-  // The master's stack uses the network.  The stack here serves only the shared buffers, so it gets
-  // a LoopbackNetwork without peers.
+  // Gives the network stack of this process no peers, because it serves only the shared buffers.
+  // The stack in the master uses the network.
   if (entry.is_stack) {
     AddIpStack(system_.get(), entry.robot, std::make_unique<LoopbackNetwork>());
     return;
@@ -113,7 +113,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
       loaded->push_back(Describe(*object));
       return;
     }
-    // The master reports the error, so the reason found here is sent to it.
+    // Sends the reason why the object cannot be loaded to the master, which reports the error.
     openr_wire_LoadedObject bad{};
     bad.id = entry.id;
     bad.name = arena_.Text(StringOf(entry.name));
@@ -157,8 +157,8 @@ void Worker::SendLoaded(std::vector<openr_wire_LoadedObject> loaded) {
   arena_.Clear();
 }
 
-// Sets the heap bytes used on `robot` by other processes.  All objects of a robot share its memory,
-// whatever process they are in.
+// Sets the number of heap bytes on `robot` that objects in other processes use.  These bytes count
+// here too, because all objects of a robot share its memory, whatever process they are in.
 void Worker::SetHeapElsewhere(int robot, uint64_t bytes) {
   system_->robot(robot).memory.used_bytes += bytes - std::exchange(heap_elsewhere_[robot], bytes);
 }

@@ -5,8 +5,8 @@
 namespace openr_host {
 namespace {
 
-// The quality of service of our endpoints.  ROS 2 messages are "plain CDR" (XCDR version 1).
-// Nothing is kept for readers that come later.
+// The quality of service of our ROS 2 writers and readers.  ROS 2 messages are "plain CDR" (XCDR
+// version 1).  No sample is kept for readers that come later.
 class Qos {
  public:
   explicit Qos(int depth) : qos_(dds_create_qos()) {

@@ -1,5 +1,5 @@
-// Writers and readers of ROS 2 topics.  Names and types follow the mapping of ROS 2 to DDS; the
-// partition is the default one.
+// Writers and readers of ROS 2 topics over DDS.  Names and types follow the mapping of ROS 2 to
+// DDS; the DDS partition is the default one.
 #pragma once
 
 #include <dds/dds.h>
@@ -38,7 +38,8 @@ class Ros2Reader {
   Ros2Reader(const Ros2Reader&) = delete;
   Ros2Reader& operator=(const Ros2Reader&) = delete;
 
-  // Returns whether a writer of this topic is best-effort, which this reader cannot receive from.
+  // Returns whether there is a best-effort writer of this topic, whose samples this reader cannot
+  // receive because it is reliable.
   bool HasMisfit() const;
 
   // Returns the next sample, which the caller gives back to Return(); null when there is none.

@@ -84,7 +84,7 @@ class Ros2Number {
   Ros2Writer writer_;
 };
 
-// A received command for joints; its values are not checked.
+// A received command for joints.  Names and values are as received and not checked.
 struct Ros2JointCommand {
   std::vector<std::string> joints;
   std::vector<double> position_rad;
@@ -94,7 +94,7 @@ struct Ros2JointCommand {
 // Receives sensor_msgs/JointState.
 class Ros2JointCommands {
  public:
-  static constexpr int kWaitingMax = 32;     // messages that may wait; the oldest are lost first
+  static constexpr int kWaitingMax = 32;     // limit of messages that wait; the oldest go first
   static constexpr size_t kJointsMax = 256;  // joints in a message; further ones are ignored
   static constexpr size_t kNameMax = 256;    // characters of a name; the rest is cut off
 
