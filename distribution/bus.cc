@@ -186,7 +186,7 @@ ChannelBase::~ChannelBase() {
 bool ChannelBase::IsConnected() const {
   dds_publication_matched_status_t readers;
   dds_subscription_matched_status_t writers;
-  // Both directions are needed: DDS finds the reader and the writer of the other end separately,
+  // Tests both directions, because DDS finds the reader and the writer of the other end separately,
   // and a sample sent to an end without a reader is lost.
   return dds_get_publication_matched_status(writer_, &readers) == DDS_RETCODE_OK &&
          dds_get_subscription_matched_status(reader_, &writers) == DDS_RETCODE_OK &&

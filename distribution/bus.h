@@ -110,8 +110,9 @@ class ChannelBase {
   // Returns whether DDS has found the reader and the writer of the channel's other end.
   bool IsConnected() const;
 
-  // Waits until the other end has received all samples, at most `timeout_ms`.  Samples that it has
-  // not received are lost when the channel is destroyed.
+  // Waits until the other end has received all samples, at most `timeout_ms`.  Must be called
+  // before the channel is destroyed if the last samples matter, because samples not yet received
+  // are then lost.
   void WaitForAcks(int timeout_ms);
 
   // Sends the samples that SendBatched() has kept.
@@ -145,7 +146,7 @@ class ChannelBase {
   int batched_count_ = 0;
   size_t last_bulk_bytes_ = 0;
   std::deque<void*> received_;
-  std::vector<void*> free_samples_;  // memory for samples to be received
+  std::vector<void*> free_samples_;  // memory for the next samples to receive
 };
 
 template <typename Out, typename In>

@@ -96,8 +96,9 @@ bool CheckedCalls::HasRegion(uint32_t region) const {
   return is_own_(regions.OwnerOf(region)) || is_own_(regions.MakerOf(region));
 }
 
-// Repeats in the master the mapping that an object has made in its worker, because the master's
-// IPStack lets the object send only data in a mapped buffer.
+// Notes in the master that an object in the worker has mapped or unmapped a buffer of the network
+// stack (IPStack), because the IPStack in the master lets an object send only data in a mapped
+// buffer.
 void CheckedCalls::NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) {
   IpStack* const stack = IpStack::OfCurrent();
   if (stack == nullptr) return;

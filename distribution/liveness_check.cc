@@ -58,8 +58,8 @@ bool LivenessCheck::HasEnded() const {
   if (pid_ == 0) return false;
   if (!Exists(pid_)) return true;
   const ProcessStat now = ProcessStatOf(pid_);
-  // With hidden /proc entries (hidepid) we know only that a process has this id, so we do not
-  // report an end.
+  // Reports no end if the /proc entry is hidden (mount option hidepid), because we then know only
+  // that some process has this id.
   if (now.state.empty() || start_time_.empty()) return false;
   // A zombie (Z) has ended; its parent has not read its status yet.
   return now.state == "Z" || now.state == "X" || now.start_time != start_time_;

@@ -124,7 +124,8 @@ bool Marshaller::IsChanged(const RCRegion& region, const ImportedRegion& importe
 void Marshaller::ReleaseSample() {
   for (RCRegion* const region : sample_regions_) {
     const auto found = imported_.find(region);
-    // Regions without `bytes` are skipped: an observer has given them back already.
+    // Skips a region that an observer has given back during the handler, so that nothing is left to
+    // compare later.
     if (found == imported_.end() || found->second.bytes == nullptr) continue;
     ImportedRegion& imported = found->second;
     imported.hash = HashBytes(std::exchange(imported.bytes, nullptr), region->Size());
@@ -174,8 +175,8 @@ std::vector<RCRegion*> Marshaller::TakeExportedBy(ObjectId subject) {
 std::vector<uint64_t> Marshaller::TakeDroppedTokens() {
   std::vector<uint64_t> tokens;
   std::erase_if(dropped_, [&](const auto& entry) {
-    // As long as the region table has the memory, an object may still pass the region on, so its
-    // token is kept.
+    // Keeps the token as long as the region table has the memory, because an object may still pass
+    // the region on.
     if (system_->regions().BaseOf(entry.second) != nullptr) return false;
     tokens.push_back(entry.first);
     return true;

@@ -47,8 +47,8 @@ class Marshaller {
   // received regions that it gives back.
   void CompleteSend(const Message& message);
 
-  // Decodes `in` into the new message `out`, except for class and due time.  Returns "" or what is
-  // wrong with `in`.  `in` must stay valid until ReleaseSample().
+  // Decodes `in` into the new message `out`, except for its class and due time, which the caller
+  // sets.  Returns "" or what is wrong with `in`.  `in` must stay valid until ReleaseSample().
   std::string Decode(const openr_wire_Message& in, Message* out);
   void ReleaseSample();
 
@@ -116,13 +116,13 @@ class Marshaller {
   static bool IsChanged(const RCRegion& region, const ImportedRegion& imported);
 
   uint64_t last_token_ = 0;
-  std::map<uint64_t, ExportedRegion> exported_;  // key: token of this process
+  std::map<uint64_t, ExportedRegion> exported_;  // by the token that this process gave
   // Regions that TakeExportedBy() has forgotten but that the peer may still give back, by token.
   std::map<uint64_t, uint32_t> withdrawn_;
   // Imported regions, by their RCRegion.  The map is never iterated where the order matters,
   // because the order of pointers differs from run to run.
   std::map<RCRegion*, ImportedRegion> imported_;
-  std::map<uint64_t, uint32_t> dropped_;   // region by token, see TakeDroppedTokens()
+  std::map<uint64_t, uint32_t> dropped_;   // by token; see TakeDroppedTokens()
   std::vector<RCRegion*> sample_regions_;  // received regions whose ImportedRegion::bytes is set
 };
 

@@ -14,12 +14,13 @@ namespace openr_host {
 namespace {
 
 constexpr char kClaimTopic[] = "openr_run";  // no sample is ever sent on it
-// Nanoseconds since 1970 with leading zeros, so that comparing claims as text compares times.
+// Number of digits of the time in a claim: nanoseconds since 1970 with leading zeros, so that
+// comparing claims as text compares their times.
 constexpr size_t kSinceDigits = 20;
-constexpr size_t kClaimsMax = 64;  // limit of claims of other runs that are compared
+constexpr size_t kClaimsMax = 64;  // limit of other runs' claims that are compared
 
-// Returns a claim "since pid on host".  While both of two runs wait for workers, they compare the
-// same two texts, so even with different clocks they agree which one gives way.
+// Makes a claim "TIME pid PID on HOST".  Two runs of the same name compare the same two texts, so
+// they agree which one gives way, even if the clocks of their hosts differ.
 std::string NewClaim() {
   const auto since =
       std::chrono::system_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
@@ -36,7 +37,8 @@ dds_qos_t* ClaimQos(const Bus& bus) {
   return qos;
 }
 
-// Returns the claim in the user data of a writer; "" if it has none.
+// Returns the claim that another run has put into the user data of its `writer`; "" if there is
+// none.
 std::string ClaimOf(dds_entity_t reader, dds_instance_handle_t writer) {
   dds_builtintopic_endpoint_t* const endpoint = dds_get_matched_publication_data(reader, writer);
   if (endpoint == nullptr) return "";

@@ -1,5 +1,5 @@
-// A run's claim to its name. openr join finds a run by its name, so two runs that hear each other
-// must not share a name.
+// A run's claim to its name.  A worker finds its run by the name (openr join), so two runs on the
+// same network must not share a name.
 #pragma once
 
 #include <string>

@@ -13,7 +13,8 @@
 namespace openr_host {
 namespace {
 
-// A requester that has not joined after this time loses its session to another requester.
+// Time for a process to join after it has got a session.  After this time another process that asks
+// to join gets a new session in its place.
 constexpr int64_t kSessionClaimMs = 5'000;
 // Limit of the length of a requester's id.  Requests with longer ids are ignored, because they come
 // from the network and may be forged.
@@ -175,8 +176,9 @@ bool ProcessSlot::ReceiveHello(int timeout_ms) {
   return true;
 }
 
-// Waits after the Hello until both directions are connected: DDS may find the worker's writer
-// before its reader, and a sample sent in between is lost.
+// Waits after the worker's Hello until the channel is connected in both directions.  DDS may find
+// the worker's writer before its reader, and a sample that is sent before DDS finds the reader is
+// lost.
 bool ProcessSlot::AwaitJoin(int timeout_ms) {
   if (has_joined_) return true;
   if (join_channel_ != nullptr) {

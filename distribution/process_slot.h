@@ -97,7 +97,7 @@ class ProcessSlot {
   std::vector<Abandoned> abandoned_;
   std::string requester_id_;  // JoinRequest::id of the process that got the session
   std::string session_;
-  int64_t session_opened_ms_ = 0;  // time when the external worker was given its session
+  int64_t session_opened_ms_ = 0;  // when the external worker got its session
   bool is_closed_ = false;
   bool has_joined_ = false;
   Identity identity_;

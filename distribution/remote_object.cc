@@ -44,7 +44,7 @@ bool RemoteObject::Dispatch(uint32_t, void*) {
   return true;
 }
 
-// Runs the handler in the worker; returns false if the worker was lost.
+// Lets the worker run the handler of the present message; returns false if the worker was lost.
 bool RemoteObject::Run() {
   try {
     return process_->RunHandler(this, *handler.running);

@@ -134,7 +134,8 @@ std::string RemoteProcess::FindLoss() {
   return problem;
 }
 
-// Throws ProcessLost if the sample is the worker's goodbye, which may arrive at any time.
+// Throws ProcessLost if the sample is the worker's goodbye, by which a worker tells that it ends.
+// The goodbye may arrive at any time.
 void RemoteProcess::CheckGoodbye(const openr_wire_ToMaster& to_master) const {
   if (to_master.body._d != openr_wire_TO_MASTER_GOODBYE) return;
   const openr_wire_Goodbye& goodbye = to_master.body._u.goodbye;
@@ -229,7 +230,7 @@ void RemoteProcess::Crash(const openr_wire_Crashed& crashed) {
 
 bool RemoteProcess::RunHandler(RemoteObject* object, const Message& message) {
   const uint64_t session = session_;
-  // The timer is started before sending, because the handler may already run before Send() returns.
+  // Starts the timer before sending, because the handler may already run before Send() returns.
   const Latency::Timer timer(&latency_, &latency_of_[object->id]);
   {
     WireArena arena;

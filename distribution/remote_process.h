@@ -92,7 +92,8 @@ class RemoteProcess {
   // arrive.
   void RunFree() { is_free_ = true; }
 
-  // Returns whether, in a free run, a handler of the object runs in the worker and does not wait.
+  // Returns whether, in a free run, a handler of the object runs in the worker at this time.  A
+  // handler that waits for a reply does not count.
   bool IsAtWork(ObjectId object) const { return running_.contains(object); }
 
   // Returns the number of messages that are lost with the worker in a free run.  Notifications and
@@ -124,8 +125,8 @@ class RemoteProcess {
   // Shortens the time after which the worker is given up if it does not answer.
   void ShortenTimeouts() { has_short_timeout_ = true; }
 
-  // Returns the worker's state of `object` for the state hash, and copies the bytes of the object's
-  // regions here.
+  // Asks the worker for the state of `object` and returns it, for the state hash of the run.  Also
+  // copies the bytes of the object's memory regions to the master.
   std::string FetchState(ObjectId object);
 
   // Releases everything that belongs to the lost worker while the run goes on: regions sent to it
@@ -134,8 +135,8 @@ class RemoteProcess {
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
   const std::string& loss() const { return loss_; }
-  // has_crashed(): a handler brought the worker down.  crashed_object() is the handler's object, or
-  // kNoObject if that is not known.
+  // Whether a handler brought the worker down, and the object of this handler, or kNoObject if the
+  // object is not known.
   bool has_crashed() const { return crashed_; }
   ObjectId crashed_object() const { return crashed_object_; }
 
@@ -232,7 +233,7 @@ class RemoteProcess {
   int64_t last_heard_ms_ = 0;
   bool has_short_timeout_ = false;
   bool is_silent_ = false;  // the user has been told that the worker is silent
-  std::string loss_;        // the value of loss()
+  std::string loss_;        // why the worker was lost, or ""
   bool crashed_ = false;
   ObjectId crashed_object_ = kNoObject;
 };

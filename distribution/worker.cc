@@ -58,8 +58,8 @@ void Worker::MoveEffectsTo(openr_wire_ToMaster* to_master) {
 }
 
 Worker::ReceivedSample Worker::Next(bool answer) {
-  // A user's request to end is obeyed between two handlers, so that the effects of a handler are
-  // sent as a whole.
+  // Obeys a user's request to end this process only between two handlers, so that the effects of a
+  // handler are sent as a whole.
   if (!answer && IsEndRequested()) return {channel_.get(), nullptr};
   if (!answer && !deferred_.empty()) {
     ReceivedSample sample = std::move(deferred_.front());
@@ -79,8 +79,8 @@ Worker::ReceivedSample Worker::Next(bool answer) {
       ReportRunEnded(end);
       _exit(end.run_goes_on ? 1 : 0);
     }
-    // In a free run the master sends further work while a handler waits for an answer, so the
-    // sample is kept until the handler has ended.
+    // Keeps the sample until the present handler has ended: in a free run the master does not wait
+    // for handlers, so it sends further messages while this handler waits for an answer.
     deferred_.push_back(std::move(sample));
   }
 }
@@ -99,8 +99,8 @@ std::string Worker::NoRunFound() const {
                      options_.bus.run, options_.process, options_.master_wait_ms / 1000);
 }
 
-// Requests a session, unless the run has given one on the command line.  Returns "" or why there is
-// no session.
+// Asks the run for a session, the name of the channel to the master.  A worker that the master has
+// started has it from the command line.  Returns "" or why there is no session.
 std::string Worker::RequestSession() {
   session_ = options_.session;
   if (!session_.empty()) return "";
@@ -109,7 +109,7 @@ std::string Worker::RequestSession() {
   WireArena arena;
   const openr_wire_JoinRequest request = {openr_wire_VERSION, arena.Text(id),
                                           arena.Text(HostName()), getpid()};
-  std::string taken;  // the last answer that the slot is taken
+  std::string taken;  // the last answer that another process has the slot
   for (int64_t waited_ms = 0; waited_ms < options_.master_wait_ms && !IsEndRequested();
        waited_ms += kJoinRetryMs) {
     if (!WaitFor(join_channel)) return NoRunFound();
@@ -283,7 +283,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   // Makes the message due at once, because the master sends it only when it is due.
   message->due_us = system_->now_us();
   if (!message->is_reply) ++object->waiting;
-  // The handler continues now; if it waits again, Waits() adds a new entry.
+  // Removes the wait of a handler that continues now.  If the handler waits again, Waits() adds a
+  // new entry.
   waits_.erase(object->id);
   system_->queue().Push(message, object->limits.priority);
   if (is_free_) {
@@ -356,7 +357,8 @@ void Worker::SendStopped(Object* object) {
   MoveEffectsTo(&to_master);
   // In a free run the sample may wait, to share a packet with the sample of the next handler.
   Send(to_master, is_free_);
-  // DDS has copied the bytes in Send(), so the memory of the regions may be released.
+  // Releases the memory of the sent regions, which is possible because Send() has copied their
+  // bytes.
   for (const uint32_t region : pinned_) system_->regions().DropCopy(region);
   pinned_.clear();
   arena_.Clear();
@@ -395,7 +397,7 @@ void Worker::SendState(ObjectId id) {
 // replaced.  They connect with the new object as with any other.
 void Worker::Forget(ObjectId id) {
   if (system_->object(id) != nullptr) system_->Forget(id);
-  // The new object may have other entries, so the answers about the old one are forgotten.
+  // Forgets which entries the old object had, because the new one may have others.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);
   to_master.body._u.forgotten = {id, arena_.Numbers(marshaller_->TakeDroppedTokens())};

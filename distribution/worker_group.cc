@@ -18,7 +18,7 @@
 namespace openr_host {
 namespace {
 
-// The interval of health checks of the workers in a free run.
+// How often a free run checks that its workers still exist.
 constexpr int64_t kHealthIntervalNs = 10'000'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.
@@ -128,7 +128,7 @@ std::string WorkerGroup::UnknownObjects() const {
 
 std::string WorkerGroup::Connect() {
   ASSERT(system_ != nullptr && !system_->booted());
-  // A free run has no trace hash, because no two free runs are equal.
+  // Computes no trace hash in a free run, because the order of messages differs from run to run.
   if (options_.is_free) system_->trace().set_hashing(false);
   for (auto& [name, member] : members_) {
     LoadNewObjects(&member);
@@ -154,8 +154,8 @@ void WorkerGroup::Welcome(Member* member) {
   if (member->is_external) claim_->MakePermanent();
 }
 
-// Returns the entries of the master's tables that the worker has not received, and counts them as
-// sent.
+// Returns the entries of the master's tables of robots and objects that the worker has not
+// received, and counts them as sent.
 openr_wire_Load WorkerGroup::NextLoadFor(Member* member, WireArena* arena) {
   openr_wire_Load load{};
   std::vector<openr_wire_RobotEntry> robots;
@@ -234,18 +234,17 @@ void WorkerGroup::WaitForAnotherWorker(Member* member, const std::string& why) {
   member->robots = member->known = 0;
 }
 
-// Handles the loss of a worker.  A crash is the end of an object, at a message that is the same in
-// every run, so the run can go on without the worker.  Any other loss stops a lockstep run, whose
-// clock would have to wait for ever, unless the worker may be restarted.
+// Handles the loss of a worker.  After a crash the run goes on without the worker, because a
+// handler crashes at the same message in every run.  After any other loss a lockstep run stops,
+// because it would wait for the worker for ever, unless the worker may be restarted.
 void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
                              const std::string& why) {
   RemoteProcess& process = *about->process();
   if (process.is_lost()) return;
   Member* const member = &members_[process.name()];
-  // The listener is called before anything changes, so that a recording has the loss at this
-  // instant.
+  // Calls the listener before anything changes, so that a recording has the loss at this instant.
   if (loss_listener_ && loss != RemoteObject::Loss::kAtEnd) loss_listener_(member->name);
-  // After a second Ctrl-C workers may end at any time; that is no loss to report.
+  // Reports no loss after a second Ctrl-C, because then workers may end at any time.
   if (IsInterrupted() && loss != RemoteObject::Loss::kCrashed) {
     process.set_lost();
     return StopRun(
@@ -254,7 +253,7 @@ void WorkerGroup::HandleLoss(const RemoteObject* about, RemoteObject::Loss loss,
   member->lost = why;
   member->crashed = loss == RemoteObject::Loss::kCrashed;
   ++member->losses;
-  // The run is over, so there is nothing to clean up or to restart.
+  // Cleans up and restarts nothing if the run is over.
   if (loss == RemoteObject::Loss::kAtEnd) {
     process.set_lost();
     system_->AddFindingAbout(about, Severity::kError, why);
@@ -303,7 +302,7 @@ void WorkerGroup::Pump(int64_t timeout_us) {
   for (auto& [name, member] : members_) member.process->FlushBatch();
   if (!HandleReceived()) {
     bus_.Wait(timeout_us);
-    // The wait may have been ended by Ctrl-C; the workers then end, which is no loss.
+    // Returns after a second Ctrl-C: the workers end then, which is no loss to handle.
     if (IsInterrupted()) return;
     HandleReceived();
   }

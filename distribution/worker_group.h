@@ -79,12 +79,13 @@ class WorkerGroup {
   // Returns for each object of a worker the most bytes of heap that it has used.
   std::map<ObjectId, uint64_t> HeapMax() const;
 
-  // Sets a listener for each object of a worker that is lost while the run goes on, and for each
-  // object of a worker that is restarted.
+  // Set the listeners that are called for each object of a worker: OnCrash() when the worker is
+  // lost while the run goes on, OnReturn() when the worker has been restarted.
   void OnCrash(std::function<void(Object*)> listener) { crash_listener_ = std::move(listener); }
   void OnReturn(std::function<void(Object*)> listener) { return_listener_ = std::move(listener); }
 
-  // Sets a listener for the name of each lost worker, called when the master notices the loss.
+  // Sets a listener that is called with the name of a worker when the master notices that the
+  // worker is lost.
   void OnLoss(std::function<void(const std::string& process)> listener) {
     loss_listener_ = std::move(listener);
   }
@@ -93,7 +94,7 @@ class WorkerGroup {
   // lost workers.  Must not be called from a handler.
   void CheckWorkers();
 
-  // In a free run, waits at most `timeout_us` for samples of the workers and handles them.  Must
+  // Waits in a free run for samples of the workers, at most `timeout_us`, and handles them.  Must
   // not be called from a handler.
   void Pump(int64_t timeout_us);
 
@@ -108,7 +109,7 @@ class WorkerGroup {
   void End();
 
  private:
-  // The stage of a worker in a loss and restart.
+  // How far the restart of a lost worker has come.
   enum class Stage {
     kRunning,       // the worker is not lost
     kNotRestarted,  // the worker is lost and will not be restarted
@@ -180,7 +181,7 @@ class WorkerGroup {
   std::unique_ptr<NameClaim> claim_;  // null without external workers
   std::map<std::string, Member> members_;
   System* system_ = nullptr;
-  int64_t next_check_ns_ = 0;  // time of the next health check in a free run
+  int64_t next_check_ns_ = 0;  // when a free run next checks its workers
   std::string problem_;        // the first problem before Boot()
   std::function<void(const std::string&)> loss_listener_;
   std::function<void(Object*)> crash_listener_;

@@ -20,13 +20,14 @@ namespace {
 constexpr int64_t kCrashRecordMs = 5'000;   // time for a crashed process to write its crash record
 constexpr int64_t kRetryPauseMs = 1'000;    // pause after a failed restart
 constexpr int64_t kReturnNoticeMs = 2'000;  // the user is told of a restart that takes longer
-// The pause between two steps of the restarts in lockstep.
+// The pause between two steps of restarts while the run stands still and waits for them.
 constexpr int kReturnPollUs = 1'000;
 
 }  // namespace
 
-// Returns whether the worker may be restarted.  An external worker may join again at any time in a
-// free run.  In lockstep it may join again only with --restart, because the run has to wait for it.
+// Returns whether the worker may be restarted.  In a free run an external worker (started by a
+// user) may join again at any time.  In lockstep it may join again only with --restart, because the
+// run has to wait for it.
 bool WorkerGroup::MayRestart(const Member& member) const {
   return member.restarts_left > 0 || (member.is_external && options_.is_free);
 }
@@ -88,12 +89,12 @@ void WorkerGroup::AdvanceRestart(Member* member, bool may_load) {
         return;
     }
     CheckRestart(member);
-  } catch (const std::runtime_error& error) {  // lost again, or it cannot be started
+  } catch (const std::runtime_error& error) {  // the new process is lost or cannot be started
     if (!IsInterrupted()) FailAttempt(member, error.what());
   }
 }
 
-// Throws ProcessLost if the restarted process has ended or its time is over.
+// Throws ProcessLost if the restarted process has ended or has taken longer than it may.
 void WorkerGroup::CheckRestart(Member* member) {
   if (member->child != nullptr && !member->child->HowItEnded().empty())
     throw ProcessLost(member->child->HowItEnded());
@@ -122,13 +123,13 @@ void WorkerGroup::FailAttempt(Member* member, const std::string& why) {
   EnterStage(member, Stage::kCleaningUp);
 }
 
-// Starts the process again when the old one has ended, or closes the slot if it may not be
-// restarted.
+// Starts a new process for the lost worker when the old process has ended.  If the worker may not
+// be restarted, closes its slot instead.
 void WorkerGroup::Restart(Member* member) {
   if (!member->is_cleaned_up || !system_->booted()) return;
   if (member->attempt_failed && WallClockMs() - member->since_ms < kRetryPauseMs) return;
   if (member->child != nullptr && member->child->HowItEnded().empty()) {
-    // A crashed process is given time to write its record on the stick.
+    // Gives a crashed process time to write its crash record on the Memory Stick.
     if (member->crashed && WallClockMs() - member->since_ms < kCrashRecordMs) return;
     member->child.reset();  // kills the old process, which was unreachable or stopped
   }
@@ -189,8 +190,8 @@ void WorkerGroup::OnReplaced(ObjectId id) {
   }
   for (auto& [name, member] : members_) {
     for (const auto& [other, object] : member.objects) {
-      // While this worker's objects are replaced, its old stand-ins with smaller ids are destroyed
-      // already, so they are skipped.
+      // Skips stand-ins that are destroyed already: objects are replaced in the order of their ids,
+      // so these are the worker's old stand-ins with smaller ids.
       if (other >= id || member.stage != Stage::kReplacing) object->ForgetObserver(id);
     }
     if (member.stage != Stage::kReplacing || !member.successors.contains(id)) continue;
@@ -222,9 +223,9 @@ bool WorkerGroup::IsRestarting(const Member& member) const {
          (member.stage == Stage::kCleaningUp && member.is_cleaned_up);
 }
 
-// Advances all restarts by one step; returns true while one is under way.  Processes join in any
-// order, but load and replace their objects in the order of their names, so that every run is the
-// same.
+// Advances all restarts by one step; returns true while a restart is under way.  Processes join in
+// any order, but load and replace their objects in the order of the processes' names, so that every
+// run is the same.
 bool WorkerGroup::AdvanceRestarts() {
   bool is_first = true;
   for (auto& [name, member] : members_) {

@@ -47,7 +47,8 @@ void Worker::ExitWithError(const std::string& why) {
   _exit(1);
 }
 
-// Keeps the memory of a region that the object may release before the sample is sent.
+// Keeps the memory of `region` until the next sample is sent, because the object may release it
+// before.
 void Worker::KeepUntilSent(uint32_t region) {
   system_->regions().KeepCopy(region);
   pinned_.push_back(region);
@@ -80,8 +81,9 @@ openr_wire_PostedMessage Worker::Encode(const Message& message, int64_t delay_us
   return posted;
 }
 
-// Returns whether the master may refuse the message: a reply, whose box may be closed; any message
-// with --strict, which limits queues; and a message to an entry that does not exist.
+// Returns whether the master may refuse the message.  It may refuse a reply, because the receiver
+// may have closed the reply box; any message with --strict, which limits the number of waiting
+// messages; and a message to an entry that does not exist.
 bool Worker::MayBeRefused(const Message& message) {
   if (message.is_reply || system_->options().strict) return true;
   const std::pair<ObjectId, uint32_t> entry(message.target, message.selector);
@@ -136,7 +138,7 @@ bool Worker::CancelPendingPin(uint64_t region) {
     return effect._d == openr_wire_EFFECT_NOTE && effect._u.note.kind == kPinRegion &&
            effect._u.note.numbers._buffer[0] == region;
   };
-  // The latest pin is searched for: earlier ones may belong to other references to the region.
+  // Searches for the latest pin, because earlier ones may belong to other references to the region.
   const auto found = std::find_if(effects_.rbegin(), effects_.rend(), is_pin);
   if (found == effects_.rend()) return false;
   effects_.erase(std::next(found).base());

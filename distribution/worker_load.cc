@@ -96,7 +96,7 @@ void Worker::CheckRobot(int robot) const {
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
   const auto next = static_cast<ObjectId>(system_->objects().size());
-  if (entry.id < next) return;  // the object manager, which every System has from the beginning
+  if (entry.id < next) return;  // skips the object manager, which every System has
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
   // Gives the network stack of this process no peers, because it serves only the shared buffers.
