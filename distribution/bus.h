@@ -26,8 +26,8 @@ namespace openr_host {
 // taken for dead, so we use the longest lease that Cyclone DDS accepts.
 //
 // kReturningLease_s is for the same workers if they may be restarted.  Until the lease of a killed
-// process is over, every participant of the domain takes it for a slow reader and keeps data for
-// it, which makes each restart slower; so the lease is shorter.
+// process is over, every participant of the domain takes the process for a slow reader and keeps
+// data for it.  That makes each restart slower, so this lease is shorter.
 //
 // kLease_s is for all other processes.
 constexpr int kWatchedLease_s = 3600;

@@ -76,7 +76,8 @@ class ProcessSlot {
   // The channel to the joined or joining worker; null if there is none.
   MasterChannel* channel() const { return channel_.get(); }
   const Identity& identity() const { return identity_; }
-  // The identity of the present worker, or of the last one if none has reported yet.
+  // The host and process id of the present worker.  Until that worker has sent its Hello, those of
+  // the worker before it.
   const Identity& last_identity() const { return identity_.pid == 0 ? previous_ : identity_; }
 
  private:

@@ -101,7 +101,7 @@ class RemoteProcess {
   // handler crashed the worker is not counted either.
   size_t CountUndelivered() const;
 
-  // Sends the samples that were kept to share a packet.
+  // Sends the samples to the worker that were kept to share a packet.
   void FlushBatch();
 
   // Handles the samples that the worker has sent; returns true if there were any.  Must not be
@@ -217,7 +217,7 @@ class RemoteProcess {
   std::map<ObjectId, RemoteObject*> objects_;
   std::set<ObjectId> awaited_objects_;  // objects that the worker is loading
   uint64_t session_ = 0;                // number of restarts of the worker so far
-  // The last counts of dropped messages that the worker reported, by object.
+  // The number of dropped messages that the worker has reported last, by object.
   std::map<ObjectId, uint64_t> dropped_;
   std::map<int, uint64_t> heap_by_robot_;  // bytes used by the worker's objects, by robot
   bool is_lost_ = false;

@@ -22,7 +22,7 @@ namespace openr_host {
 namespace {
 
 constexpr int kMasterPollMs = 100;      // interval of checks that the master still exists
-constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive the goodbye
+constexpr int kGoodbyeFlushMs = 1'000;  // time for the master to receive a goodbye
 // Time that a crashed process waits until the master has received its report.  The limit is long,
 // because the process ends then and cannot repeat the report.
 constexpr int kCrashFlushMs = 3'000;
@@ -42,7 +42,7 @@ Worker::~Worker() {
   // and call the SDK, which must not reach the channel.
   is_shutting_down_ = true;
   marshaller_.reset();
-  system_.reset();  // destructors of images may still call the marshaller's functions
+  system_.reset();  // runs destructors of the objects' code, which may still call this Worker
 }
 
 openr_wire_ToMaster Worker::NewToMaster(openr_wire_ToMasterKind kind) {

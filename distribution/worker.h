@@ -136,7 +136,7 @@ class Worker : public MasterLink {
   std::set<std::string> own_object_names_;  // names of this worker's objects
   bool has_reported_joined_ = false;
   std::map<int, uint64_t> heap_elsewhere_;  // heap bytes used in other processes, by robot
-  bool is_free_ = false;                    // the run is free-running
+  bool is_free_ = false;                    // the master does not wait for handlers
   std::set<ObjectId> fast_objects_;  // objects whose last handler took less than kFastHandlerNs
   bool is_shutting_down_ = false;    // no handler runs any more; objects are being unloaded
   // Entries of objects in other processes; the master has answered that they exist.

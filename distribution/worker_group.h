@@ -69,7 +69,7 @@ class WorkerGroup {
     std::string lost;       // the reason of the loss, "" while the worker runs
     int losses = 0;         // how often the worker was lost
     int returns = 0;        // how often the worker was restarted
-    uint64_t handlers = 0;  // number of handlers run; their times include sending both ways
+    uint64_t handlers = 0;  // number of handlers run; the times below include sending
     double median_us = 0;
     double p99_us = 0;
     double max_us = 0;
@@ -118,10 +118,10 @@ class WorkerGroup {
     kLoading,       // the new process loads its images
     kReplacing,     // the master's new stand-ins are about to replace the old ones
   };
-  // A worker of the group.
+  // What the master knows about one worker.
   struct Member {
     std::string name;
-    std::unique_ptr<ChildProcess> child;  // null: external
+    std::unique_ptr<ChildProcess> child;  // null: a user starts the worker
     std::unique_ptr<RemoteProcess> process;
     std::map<ObjectId, RemoteObject*> objects;
     std::string lost;
