@@ -135,8 +135,8 @@ class RemoteProcess {
 
   // The reason of a loss that HandleReceived() or CheckHealth() has found; "" if there was none.
   const std::string& loss() const { return loss_; }
-  // Whether a handler brought the worker down, and the object of this handler, or kNoObject if the
-  // object is not known.
+  // Return whether a handler brought the worker down, and the object of this handler, or kNoObject
+  // if the object is not known.
   bool has_crashed() const { return crashed_; }
   ObjectId crashed_object() const { return crashed_object_; }
 

@@ -18,7 +18,7 @@
 namespace openr_host {
 namespace {
 
-// How often a free run checks that its workers still exist.
+// The interval at which a free run checks that its workers still exist.
 constexpr int64_t kHealthIntervalNs = 10'000'000;
 constexpr int64_t kExitWaitMs = 5'000;  // time for a worker to end after it was told to end
 // The time for a worker to end after a second Ctrl-C, when the user does not want to wait.

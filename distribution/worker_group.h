@@ -109,7 +109,7 @@ class WorkerGroup {
   void End();
 
  private:
-  // How far the restart of a lost worker has come.
+  // The stages of the restart of a lost worker.
   enum class Stage {
     kRunning,       // the worker is not lost
     kNotRestarted,  // the worker is lost and will not be restarted
@@ -118,7 +118,7 @@ class WorkerGroup {
     kLoading,       // the new process loads its images
     kReplacing,     // the master's new stand-ins are about to replace the old ones
   };
-  // What the master knows about one worker.
+  // The master's data about one worker.
   struct Member {
     std::string name;
     std::unique_ptr<ChildProcess> child;  // null: a user starts the worker
