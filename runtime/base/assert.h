@@ -13,9 +13,10 @@ namespace openr_host {
 [[noreturn]] void AssertFailed(const char* file, int line, const char* condition,
                                const std::string& details);
 
-// Returns the state of the run as lines of text, each with its newline.  The pointer is null while
-// no run exists.  The function also marks the object's code as left.  Otherwise abort() would end
-// only the handler and not the process.
+// A function of the runtime that describes the state of the run (virtual time, object, message,
+// seed) for AssertFailed(), as lines of text, each with its newline.  Null until the first System
+// is made.  The function also clears t_current (current.h).  Otherwise abort(), called while code
+// of an object runs, would end only the object's handler and not the process.
 extern std::string (*assert_context)();
 
 }  // namespace openr_host

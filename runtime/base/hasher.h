@@ -1,4 +1,5 @@
-// XXH3 over a stream of plain values, for trace and state hashes.
+// Hasher: computes the XXH3 hash of a stream of values.  The trace hash and the state hash of a run
+// are made with Hasher.
 //
 // Only values are hashed, never addresses or padding, because those differ from run to run: Add()
 // takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.
@@ -17,8 +18,8 @@ namespace openr_host {
 class Hasher {
  public:
   Hasher();
-  // Makes a hasher that also appends all added bytes to `*copy`, so that another process can add
-  // them to its hash.
+  // Makes a hasher that also appends all added bytes to `*copy`.  The bytes can then be sent to
+  // another process, which adds them to its own hash.
   explicit Hasher(std::string* copy) : Hasher() { copy_ = copy; }
   ~Hasher();
   Hasher(const Hasher&) = delete;

@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// Appends the rest of the file to `bytes`.  Returns false with errno set if reading fails.
+// Reads the open file `descriptor` to its end and appends the bytes to `*bytes`.  Returns false
+// with errno set if reading fails.
 bool ReadRest(int descriptor, std::string* bytes) {
   char block[65536];
   for (;;) {
@@ -35,7 +36,7 @@ std::optional<std::string> ReadFile(const std::string& path) {
   const bool is_whole = ReadRest(descriptor, &bytes);
   const int error = errno;
   close(descriptor);
-  errno = error;  // restored for the caller, because close() may have changed it
+  errno = error;  // the errno of ReadRest(), for the caller: close() may have changed it
   if (!is_whole) return std::nullopt;
   return bytes;
 }

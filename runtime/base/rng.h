@@ -1,4 +1,6 @@
-// Random numbers that depend on the seed and a name, and on nothing else.
+// Rng: a generator of random numbers that depend only on a seed and a name.  Generators with
+// different names give different numbers, so a new generator does not change the numbers of the
+// others.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +10,8 @@ namespace openr_host {
 
 class Hasher;
 
-// The generator xoshiro256**; its state is filled by splitmix64, which starts at
-// seed XOR XXH3(name).
+// Generates random numbers with the algorithm xoshiro256**.  The algorithm splitmix64, which starts
+// at seed XOR XXH3(name), fills the initial state.
 class Rng {
  public:
   Rng(uint64_t seed, std::string_view name);

@@ -8,7 +8,8 @@
 namespace openr_host {
 namespace {
 
-// The limit that Ninja uses: a name more than 3 edits away was not meant.
+// The largest number of edits between a misspelt name and a suggested name.  The build tool Ninja
+// has the same limit: a name that is more than 3 edits away was probably not meant.
 constexpr int kEditsMax = 3;
 
 char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -22,8 +23,9 @@ bool EqualsIgnoringCase(std::string_view a, std::string_view b) {
 
 int EditDistance(std::string_view a, std::string_view b) {
   const size_t width = b.size() + 1;
-  // Three rows of the table of distances are enough: the current row, the row above it, and the
-  // row before that, which swaps look at.
+  // The table of edit distances is computed row by row.  Only three rows are kept: `row` is
+  // computed now, `above` is the row before it, and `before` is the row before `above`, which is
+  // needed for swapped letters.
   std::vector<int> before(width), above(width), row(width);
   for (size_t j = 0; j < width; ++j) above[j] = static_cast<int>(j);
   for (size_t i = 1; i <= a.size(); ++i) {

@@ -11,8 +11,9 @@ namespace openr_host {
 // Returns true if `a` and `b` are equal when the case of ASCII letters is ignored.
 bool EqualsIgnoringCase(std::string_view a, std::string_view b);
 
-// Returns how many insertions, deletions, replacements and swaps of neighbours turn `a` into `b`
-// (optimal string alignment).  The case of ASCII letters does not count.
+// Returns the smallest number of insertions, deletions, replacements and swaps of neighbouring
+// characters that turn `a` into `b` (optimal string alignment).  The case of ASCII letters does not
+// count.
 int EditDistance(std::string_view a, std::string_view b);
 
 // Returns the candidate nearest to `word`, the first of several equally near candidates.  Returns

@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns how the names of this program's temporary folders begin.  Containers may share the
-// folder of temporary files but have process ids of their own.  Because an id means nothing
-// outside its PID namespace, the prefix contains the number of that namespace.
+// Returns the prefix of the names of our temporary folders.  It contains the number of the PID
+// namespace.  Containers may share the folder of temporary files but count their processes
+// separately, so a process id alone could mean a process of another container.
 std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();
@@ -27,8 +27,8 @@ std::string Prefix() {
   return fmt::format("openr-host-run-{}-", space);
 }
 
-// Removes the folders of processes that no longer exist.  The name of a folder is `prefix` and a
-// process id.
+// Removes the temporary folders of processes that no longer exist.  The name of such a folder is
+// `prefix`, the process id and a random ending.
 void RemoveStaleFolders(const fs::path& parent, const std::string& prefix) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {

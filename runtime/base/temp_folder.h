@@ -1,13 +1,14 @@
-// A temporary folder in the host's folder for temporary files.
+// TempFolder: a folder for files that only this process needs, in the host's folder for temporary
+// files.
 #pragma once
 
 #include <string>
 
 namespace openr_host {
 
-// A temporary folder.  The destructor removes the folder, but only in the process that made it, not
-// in its forks.  A killed process leaves its folder behind, so the constructor removes the folders
-// of killed processes.
+// The destructor removes the folder, but only in the process that made it, not in the forks of that
+// process.  A killed process leaves its folder behind, so the constructor removes the folders of
+// killed processes.
 class TempFolder {
  public:
   // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's

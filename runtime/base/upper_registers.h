@@ -3,16 +3,16 @@
 // Code that was compiled for AVX, as the C library's string functions and xxHash are, may leave
 // bits in the upper halves of the 16 vector registers.  Code that was compiled for SSE, as libode,
 // the images and most of this program are, keeps those bits with every instruction that writes a
-// register. On several processors each such instruction then waits for the one that wrote the
-// register before it.  The values are the same, the time is not (docs/performance.md, "Upper
-// halves").
+// register.  On several processors each such instruction then waits for the instruction that wrote
+// the register before it.  So the code computes the same values but takes longer
+// (docs/performance.md, "Upper halves").
 #pragma once
 
 namespace openr_host {
 
-// Sets the upper halves to zero, which ends the waiting.  Called before long stretches of SSE code.
-// Does nothing on a processor without AVX, nor in a build for AVX, where the compiler itself clears
-// the registers.
+// Sets the upper halves to zero, so that SSE instructions no longer wait for each other.  Called
+// before long stretches of SSE code.  Does nothing on a processor without AVX.  Does nothing in a
+// build for AVX either, because the compiler itself clears the registers there.
 #if defined(__x86_64__) && !defined(__AVX__)
 inline void ClearUpperRegisters() {
   if (__builtin_cpu_supports("avx")) asm volatile("vzeroupper");

@@ -1,13 +1,14 @@
-// The clock of the host, for pacing, time limits of processes and measurements.  Nothing that an
-// object can see may depend on this clock.
+// The wall clock of the host, for pacing, time limits of processes and measurements.  Nothing that
+// a program of the robot can see may depend on this clock.
 #pragma once
 
 #include <cstdint>
 
 namespace openr_host {
 
-// Returns the time of the monotonic clock in nanoseconds; its origin is arbitrary.  While code of
-// an image runs, the call would return the robot's clock, so callers there need an ApiScope.
+// Returns the time of the host's monotonic clock in nanoseconds; its origin is arbitrary.  A
+// function that code of an image (a program of the robot) has called must make an ApiScope
+// (current.h) before this call.  Otherwise the result is the robot's virtual time.
 int64_t WallClockNs();
 
 inline int64_t WallClockMs() { return WallClockNs() / 1'000'000; }
