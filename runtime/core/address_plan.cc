@@ -20,9 +20,9 @@ namespace {
 constexpr uintptr_t kTiB = uintptr_t{1} << 40;
 constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
-constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps kFirstArea: a process uses one of the two
+constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps kFirstArea; a process uses only one area
 
-// Offsets from the begin of the area.
+// Offsets of the ranges (heaps, images ...) from the begin of the area.
 constexpr uintptr_t kHeaps = 0;
 constexpr uintptr_t kImages = 4 * kTiB;
 constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
@@ -37,7 +37,8 @@ static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <=
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
 static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
 
-// Records which places and region areas are taken.  Used only on the thread that makes Systems.
+// Records which places of objects and which region areas are taken.  Used only on the thread that
+// makes Systems.
 struct Plan {
   uintptr_t area = 0;  // 0: addresses are not planned
   std::array<bool, AddressPlace::kPlaces> taken = {};
@@ -50,8 +51,9 @@ constexpr bool kIsPlanned = false;
 constexpr bool kIsPlanned = true;
 #endif
 
-// Returns whether nothing is mapped in the kAreaBytes from `area` on.  A tool that runs the program
-// in its own way may have mappings there; then addresses are not planned.
+// Returns whether no memory is mapped in the kAreaBytes from `area` on.  A tool that runs this
+// program in a special way may have mapped memory there.  Then the plan is not used, and the kernel
+// chooses all addresses.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -66,8 +68,8 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Returns whether the first and the last page of the area can be mapped.  They cannot on machines
-// whose addresses have fewer bits.
+// Returns whether the first and the last page of the area can be mapped.  On a machine whose
+// addresses have fewer bits they cannot, and the plan is not used.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -78,12 +80,12 @@ bool IsReachable(uintptr_t area) {
   return true;
 }
 
-// A copy of Plan::area that can be read fast, because free() needs it for every block.  0 until the
-// first System is made.
+// A copy of Plan::area, which is 0 until the first System is made.  The copy is a plain variable
+// because free() reads it for every block, so the access must be fast.
 constinit uintptr_t g_area = 0;
 
-// Returns the plan, which is never deleted because Systems may be destroyed after all static
-// objects.
+// Returns the plan of this process.  The plan is never deleted, because a System may be destroyed
+// even after the static objects of the program.
 Plan& ThePlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;
@@ -104,7 +106,7 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 AddressPlace::AddressPlace(ObjectId id) {
   Plan& plan = ThePlan();
   if (plan.area == 0) return;
-  // Each id has two places; see the header.
+  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.
   const int64_t own = int64_t{2} * id;
   for (const int64_t index : {own, own + 1}) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])
@@ -159,8 +161,8 @@ bool MapAt(char* address, size_t bytes) {
       mmap(address, bytes, PROT_READ | PROT_WRITE,
            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
   if (mapped == address) return true;
-  // A kernel before Linux 4.17 takes `address` only for a hint, so the memory may be mapped
-  // elsewhere.
+  // A kernel before Linux 4.17 takes `address` only for a hint, so the memory may now be mapped
+  // elsewhere and is given back.
   if (mapped != MAP_FAILED) munmap(mapped, bytes);
   return false;
 }

@@ -3,14 +3,14 @@
 // Programs send addresses: many put the address of a region into a message, and padding that was
 // never set may hold a pointer.  The kernel maps memory at random addresses, so the messages of
 // such a program would differ from process to process.  Therefore this plan gives the memory of
-// objects fixed addresses.  Each object has a place, that is, a number that selects its part of
-// each range below.  So the address of memory follows from the number of the object or region and
-// is the same in every process and on every machine.  All ranges lie in a part of the address space
-// that Linux on x86-64 leaves empty:
+// objects fixed addresses.  Each object has a place: a number that selects one part of each range
+// below.  So the address of memory follows from the number of the object or region and is the same
+// in every process and on every machine.  All ranges lie in a part of the address space that Linux
+// on x86-64 leaves empty:
 //
 //     2 TiB   heaps, 128 MiB for each place
 //     6 TiB   images, 16 MiB for each place
-//     6.5     stacks, 2 MiB for each place
+//   6.5 TiB   stacks, 2 MiB for each place
 //     7 TiB   regions
 //    10 TiB   read-only copies of received regions, 128 MiB for each place (guard_pages.h)
 //    14 TiB   the end
@@ -30,7 +30,8 @@
 
 namespace openr_host {
 
-// The place of one object that was loaded from a file: its memory area in each range.
+// The place of one object, which was loaded from a file, in the address plan: one area for the
+// object in each range.
 class AddressPlace {
  public:
   static constexpr int kPlaces = 1 << 15;
@@ -40,15 +41,16 @@ class AddressPlace {
   static constexpr size_t kStackBytes = size_t{1} << 20;  // for the stacks of stack_memory.h
   static constexpr size_t kCopyBytes = size_t{128} << 20;
 
-  // Takes one of the two places that each `id` has.  The second place is used while the first is
-  // taken: by an object that this one replaces, or by an object of another System in this process.
-  // If both are taken, takes the last free place of the plan.
+  // Takes a place for object `id`, which has two places of its own.  The second is used while the
+  // first is taken: by an object that this object replaces, or by an object of another System in
+  // this process.  If both are taken, takes the last free place of the plan.
   explicit AddressPlace(ObjectId id);
   ~AddressPlace();  // REQUIRES: nothing is mapped at this place any more
   AddressPlace(const AddressPlace&) = delete;
   AddressPlace& operator=(const AddressPlace&) = delete;
 
-  // Return the first address of each area, or null if addresses are not planned.
+  // Return the first address of the object's area in each range, or null if addresses are not
+  // planned.
   char* heap() const;
   char* image() const;
   char* thunks() const;
@@ -62,8 +64,8 @@ class AddressPlace {
   int index_ = -1;  // the number of the place; -1: addresses are not planned
 };
 
-// Takes an area for the regions of one System and returns its first address.  Returns null if all
-// areas are taken or addresses are not planned.
+// Takes an area for the regions (blocks of shared memory) of one System and returns its first
+// address.  Returns null if all such areas are taken or addresses are not planned.
 char* TakeRegionArea();
 // Gives back an `area` that TakeRegionArea() returned.
 void GiveRegionArea(char* area);
@@ -73,11 +75,12 @@ constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB
 // memory or the addresses are in use.
 bool MapAt(char* address, size_t bytes);
 
-// Returns whether `address` lies in the range of the plan.
+// Returns whether `address` lies between the begin and the end of the address plan.
 bool IsPlanned(const void* address);
 
-// Moves the plan to another range of addresses.  If two runs with different ranges give different
-// results, the program depends on addresses.  REQUIRES: no System has been made in this process.
+// Moves the plan to another range of addresses.  Used to test a program: if its runs with two
+// ranges differ, the program depends on addresses.  REQUIRES: no System has been made in this
+// process.
 void UseOtherAddresses();
 
 }  // namespace openr_host

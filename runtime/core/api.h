@@ -1,4 +1,5 @@
-// Conversions between object ids of the host and OIDs of the robot, for the functions of the SDK.
+// Converts between ObjectId, the index of an object in its System, and OID, the robot's identifier
+// of an object.  Used by the functions of the SDK.
 #pragma once
 
 #include <OID.h>
@@ -8,8 +9,8 @@
 
 namespace openr_host {
 
-// The OID of object 0, near the OIDs of the first application objects in the object tables that
-// robots printed.
+// The OID of object 0.  Tables of objects that real robots printed have OIDs near this number for
+// the first objects of an application.
 constexpr uintptr_t kFirstOid = 0x80000042;
 
 inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_t>(id); }

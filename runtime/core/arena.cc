@@ -12,14 +12,14 @@
 namespace openr_host {
 namespace {
 
-constexpr size_t kLargest = 32 << 10;  // larger blocks get whole spans
+constexpr size_t kLargest = 32 << 10;  // bytes; a larger block gets whole spans
 constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 
-// The arena of each place, by the place's number.
+// The arena (heap) of each object.  The index is the number of the object's place (address_plan.h).
 constinit Arena* g_arenas[AddressPlace::kPlaces] = {};
 
-// Returns the block size of a class.  Classes 0 to 15 are multiples of 16 up to 256; after them,
-// four classes per doubling go up to 32 KiB.
+// Returns the block size of a size class.  The sizes of classes 0 to 15 are the multiples of 16 up
+// to 256.  From there up to 32 KiB, four classes divide each doubling into equal steps.
 size_t SizeOfClass(int size_class) {
   if (size_class < 16) return static_cast<size_t>(size_class + 1) * 16;
   const int step = size_class - 16;
@@ -60,8 +60,9 @@ bool Arena::MapUpTo(size_t span_end) {
   return true;
 }
 
-// Takes the first `count` free spans in a row, which are full of zeros, for `use`.  Returns null if
-// there are none.
+// Takes `count` neighbouring free spans with the lowest addresses for `use`, and returns their
+// first address.  Their bytes are zeros.  Returns null if there are not enough neighbouring free
+// spans, or no memory.
 char* Arena::TakeSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {
@@ -80,7 +81,8 @@ char* Arena::TakeSpans(size_t count, int16_t use) {
 // Frees the spans of the large block that begins with span `first`.
 void Arena::GiveSpans(size_t first) {
   const size_t count = spans_[first].span_count;
-  // The kernel takes the pages back and gives pages of zeros at the next access.
+  // The kernel takes the pages back, and gives pages of zeros at the next access.  So free spans
+  // hold only zeros.
   madvise(base_ + first * kSpanBytes, count * kSpanBytes, MADV_DONTNEED);
   for (size_t k = first; k < first + count; ++k) spans_[k] = {};
   first_free_ = std::min(first_free_, first);
@@ -99,8 +101,8 @@ void Arena::Account(size_t size) {
 }
 
 void* Arena::Allocate(size_t size, size_t alignment) {
-  // Blocks whose size class is a power of two are aligned to their size within a span, so `size` is
-  // rounded up to such a class.
+  // A block of a size class that is a power of two lies at a multiple of its size.  So for a larger
+  // alignment, `size` is rounded up to a power of two.
   if (alignment > 16) size = std::bit_ceil(std::max(size, alignment));
   if (!MayTake(size)) return nullptr;
   if (alignment > kSpanBytes) return nullptr;

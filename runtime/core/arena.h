@@ -1,4 +1,4 @@
-// The heap of one object, freed as a whole when the object is destroyed.
+// Arena: the heap of one object.  All its memory is freed when the object is destroyed.
 //
 // Memory comes in spans of 64 KiB from the heap area of the object's place (address_plan.h).  The
 // arena of a block follows from the block's address in O(1), so free() works whichever object is
@@ -6,7 +6,8 @@
 // own.  A block is filled with zeros when it is allocated.  Otherwise the block could still hold an
 // address of the C library from an earlier use, and no run may depend on such an address.  Two
 // limits hold: the memory of the robot, which all its objects share, and the size of the place's
-// heap area.  The heap size in the .ocf file is no limit: on the robot it is a step of growth.
+// heap area.  The heap size in the object's .ocf file is no limit, because on the robot the heap
+// grows in steps of that size.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@
 
 namespace openr_host {
 
-// The memory that all objects of one robot share.
+// The memory that all objects of one robot use together, and its limit.
 struct MemoryBudget {
   size_t limit_bytes = SIZE_MAX;
   size_t used_bytes = 0;
@@ -26,9 +27,9 @@ struct MemoryBudget {
 
 class Arena {
  public:
-  // Makes an empty heap in the heap area of `place`, which no other arena may use.  If `budget` is
-  // null, the memory is limited only by the area; otherwise `budget` must outlive the arena.
-  // REQUIRES: place.heap() is not null.
+  // Makes an empty heap in the heap area of `place` (address_plan.h), which no other arena may use.
+  // If `budget` is null, the size of the area is the only limit; otherwise `budget` must outlive
+  // the arena.  REQUIRES: place.heap() is not null.
   explicit Arena(const AddressPlace& place, MemoryBudget* budget = nullptr);
   ~Arena();  // frees all blocks
   Arena(const Arena&) = delete;
@@ -46,9 +47,9 @@ class Arena {
   static Arena* OwnerOf(const void* block);
   // Frees a block of an arena.  REQUIRES: OwnerOf(block) is not null.
   static void Free(void* block);
-  // Frees a block of an arena or of the host's heap.  Code that calls Allocate() directly must free
-  // with this function, because under Valgrind free() is Valgrind's function, which does not know
-  // arenas.
+  // Frees a block of an arena or of the host's heap.  A block that Allocate() returned directly
+  // must be freed with this function and not with free(): under Valgrind free() belongs to
+  // Valgrind, which does not know arenas.
   static void FreeAny(void* block);
   // Returns the number of bytes that may be used in `block`.  REQUIRES: OwnerOf(block) is not null.
   static size_t UsableSize(const void* block);
@@ -58,7 +59,7 @@ class Arena {
   static constexpr size_t kSpanBytes = size_t{64} << 10;
   static constexpr size_t kSpans = AddressPlace::kHeapBytes / kSpanBytes;
 
-  // A span of the heap.  It holds small blocks of one size class, or is the first or a later span
+  // One span of 64 KiB.  It holds small blocks of one size class, or is the first or a later span
   // of a large block.
   struct Span {
     int16_t use = kFree;      // the index of a size class, or one of the numbers below
@@ -85,7 +86,7 @@ class Arena {
 
   char* const base_;
   std::vector<Span> spans_;
-  size_t first_free_ = 0;    // all spans before this one are in use
+  size_t first_free_ = 0;    // index of a span; all spans before this index are in use
   size_t mapped_spans_ = 0;  // number of mapped spans, counted from the first span
   FreeBlock* free_[kClasses] = {};
   char* bump_[kClasses] = {};  // for each class, the next block that was never used

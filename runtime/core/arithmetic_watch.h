@@ -2,15 +2,16 @@
 // such operations raise SIGFPE while the handler's own code runs.
 //
 // Functions of the SDK and of the C library are not the handler's own code, so their operations
-// raise nothing.  ApiScope and LibraryScope (current.h) tell the watch when such a call begins and
-// ends.
+// raise nothing.  Objects of the classes ApiScope and LibraryScope (current.h) tell the watch when
+// such a call begins and ends.
 #pragma once
 
 namespace openr_host {
 
 class ArithmeticWatch {
  public:
-  // Sets whether this process has a signal handler for SIGFPE (CrashLog).  At first it has none.
+  // Sets whether this process has a signal handler for SIGFPE, which the class CrashLog installs.
+  // Initially no such handler exists.
   static void SetCatches(bool on);
   // Returns whether operations may raise SIGFPE, that is, whether a signal handler exists.  Always
   // false with AddressSanitizer, and under Valgrind, because the processor that Valgrind emulates
@@ -22,8 +23,9 @@ class ArithmeticWatch {
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Excludes the flag `kind` from the watch, so that operations which raise this flag raise no more
-  // SIGFPE.  Called by the signal handler, which itself changes the MXCSR of the interrupted code.
+  // Excludes the flag `kind` from the watch: operations that raise this flag then raise no SIGFPE.
+  // Called by the handler of SIGFPE, which also changes the interrupted code's MXCSR, the register
+  // that enables SIGFPE.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
   // Pause and resume the watch.  Called before and after the image's code calls a function that is

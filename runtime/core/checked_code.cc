@@ -1,6 +1,7 @@
-// Handlers of the checks that are compiled into images (cmake/compile-flags.txt): unaligned access,
-// division by zero, numbers too large for an integer.  The robot's processor stops at these faults
-// (core.md 8.2, field-notes.md 4), the host's does not.
+// Reports faults at which the robot's processor stops, and the host's mostly does not: unaligned
+// access, division by zero, numbers too large for an integer (core.md 8.2, field-notes.md 4).
+// Checks for these faults are compiled into images, the programs of the robot
+// (cmake/compile-flags.txt).
 //
 // When a check fails, the code that the compiler inserted calls a function of
 // UndefinedBehaviorSanitizer's runtime.  This file defines these functions, so their names and
@@ -26,14 +27,14 @@ namespace {
 struct SourcePlace {
   const char* file;
   uint32_t line;
-  uint32_t column;  // kSaid if this place has been reported
+  uint32_t column;  // kSaid after a fault at this place has been reported
 };
 constexpr uint32_t kSaid = UINT32_MAX;
 
 struct TypeText {
   uint16_t kind;  // 0: an integer, 1: a floating-point number
   uint16_t info;  // width and sign of an integer, width of a floating-point number
-  char name[1];   // "'int'", and longer
+  char name[1];   // the first byte of the name, which goes on behind the struct: "'int'"
 
   bool is_integer() const { return kind == 0; }
   bool is_signed() const { return (info & 1) != 0; }
@@ -66,7 +67,7 @@ std::string Render(const SourcePlace& place) {
 // Reports a fault of the running object.  With --strict the object crashes; otherwise a finding is
 // added, once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  if (t_current.system == nullptr || t_current.object == nullptr) return;  // not in an object
+  if (t_current.system == nullptr || t_current.object == nullptr) return;  // code of the host runs
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));
   if (std::exchange(place->column, kSaid) == kSaid) return;
@@ -105,9 +106,10 @@ double ValueOf(const TypeText& type, uintptr_t value) {
   return number;
 }
 
-// Returns whether the robot's processor stops at the conversion.  It converts to 32 bits first,
-// even if the type is smaller or the number is negative and becomes unsigned.  A library function
-// converts to long long, and stops only for NaN.
+// Returns whether the robot's processor stops at the conversion of `number` to an integer.  The
+// processor converts to 32 bits first, even to a smaller type, and even a negative number to an
+// unsigned type.  Only a conversion to long long is different: a library function does it and stops
+// only for NaN.
 bool TrapsOnTheRobot(const CastData& data, double number) {
   const TypeText& to = *data.to;
   const bool is_long_long =
@@ -134,8 +136,8 @@ void __ubsan_handle_type_mismatch_v1(AccessData* data, uintptr_t address) {
          "exception 4 or 5");
 }
 
-// Stops the object even without --strict, because the host's processor also stops at an integer
-// division by zero.
+// Reports an integer division by zero.  Stops the object even without --strict, because the host's
+// processor would also stop at this division.
 void __ubsan_handle_divrem_overflow(ArithmeticData* data, uintptr_t, uintptr_t divisor) {
   const bool is_zero = data->type->bits() <= 64 ? divisor == 0 : false;
   if (!is_zero || t_current.object == nullptr) return;

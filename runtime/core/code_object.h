@@ -1,7 +1,9 @@
-// Objects built in code: parts of the robot, test probes, load generators.
+// CodeObject: the base class of objects that are C++ classes of this program and are not loaded
+// from files.  Such objects are parts of the robot, probes of tests and load generators.
 //
-// They use the same subjects, observers and messages as objects from images.  Only the entry table
-// differs: an image gets its table from its stub, a CodeObject makes its own.
+// A CodeObject sends and receives messages like an object from a file (an image).  Only the table
+// of entries, the functions that are called for messages, is different: an image has a table in its
+// file, a CodeObject makes the table itself.
 //
 //   class Blinker : public CodeObject {
 //    public:
@@ -31,7 +33,8 @@ class CodeObject : public OObject {
   CodeObject();
   ~CodeObject() override;
 
-  // Adds the state that decides the future; see Object::HashState().
+  // Adds to the hash all state of this object that can change what happens later in the run; see
+  // Object::HashState().
   virtual void HashState(Hasher*) const {}
 
   Object& host() const { return *host_; }
@@ -42,13 +45,15 @@ class CodeObject : public OObject {
   using Notify = std::function<void(const ONotifyEvent&)>;
   using Extra = std::function<void(void* message)>;
 
-  // Add a subject or an observer and register it as `service`, a full name of four parts.  `ready`
-  // or `notify` is called for each ready or notification and may be empty.  This object owns the
-  // returned subject or observer.  REQUIRES: called in the constructor.
+  // Add a subject (sending end of connections) or an observer (receiving end) and register it as
+  // `service`, a full name such as "Blinker.Blink.OCommandVectorData.S".  `ready` or `notify` is
+  // called for each ready or notification and may be empty.  This CodeObject owns the returned
+  // subject or observer.  REQUIRES: called in the constructor.
   OSubject* AddSubject(const std::string& service, Ready ready = {});
   OObserver* AddObserver(const std::string& service, Notify notify = {});
 
-  // Adds an entry that accepts any message, and returns its selector.
+  // Adds an entry that calls `extra` with the bytes of each message that it receives.  Returns the
+  // entry's selector, the number that senders must give.
   Selector AddExtra(const std::string& name, Extra extra);
 
  private:
@@ -61,7 +66,7 @@ class CodeObject : public OObject {
   std::vector<std::unique_ptr<OObserver>> own_observers_;
 };
 
-// The runtime's Object for a CodeObject.
+// The Object that runs a CodeObject: calls its functions when messages arrive.
 class CodeHost : public Object {
  public:
   using Object::Object;

@@ -1,4 +1,4 @@
-// Names of places in the code of objects, as findings show them: "Talker.cc:57".
+// Names places in the source code of objects for the texts of findings: "Talker.cc:57".
 //
 // A name comes from the debug information of an image.  The runtime cannot read debug information,
 // so the program provides a function that can (openr/).
@@ -12,8 +12,8 @@ namespace openr_host {
 // is not known.
 using PlaceNamer = std::string (*)(const void* address);
 
-// Sets the function that names places.  With null, which is the initial value, places have no
-// names.
+// Sets the function that finds the names of places.  With null, which is the initial value, no
+// place has a name.
 void SetPlaceNamer(PlaceNamer namer);
 
 // Returns the name of the place of the instruction at `address` ("Talker.cc:57"), or "" if the name
@@ -24,7 +24,8 @@ std::string NameOfPlace(const void* address);
 // the address of the call.  Returns null if no code of that image is on the stack.
 const void* CallerInImage();
 
-// Returns ", at Talker.cc:57" for the place of CallerInImage(), or "" if its name is not known.
+// Returns ", at Talker.cc:57", the end of a finding's text, for the place of CallerInImage().
+// Returns "" if that place has no name.
 std::string AtCaller();
 
 }  // namespace openr_host

@@ -1,4 +1,4 @@
-// The cost model that a cost file describes.
+// ConfiguredCost: gives each handler the processor time that a cost file sets for it.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,9 @@
 
 namespace openr_host {
 
-// Takes the cost of each handler from the rules of a cost file.  Jitter is uniform.  It is drawn
-// from a generator that is derived from the seed and the word "cost".
+// Takes the cost of each handler from the rules of a cost file.  The cost varies by a random
+// jitter, which is uniform.  The jitter has a random generator of its own, so it does not change
+// other random numbers of the run.
 class ConfiguredCost : public CostModel {
  public:
   ConfiguredCost(CostConfig config, uint64_t seed);
@@ -22,8 +23,8 @@ class ConfiguredCost : public CostModel {
   int64_t FrameUs() const override { return config_.frame_us; }
   void HashState(Hasher* hasher) const override;
 
-  // Returns the rules whose pattern matches no handler called so far.  A rule that matches counts
-  // as used, even if a later rule overrides it.
+  // Returns the places in the cost file of the rules that have matched no handler so far.  A rule
+  // that matches counts as used, even if a later rule overrides it.
   std::vector<FilePosition> Unused() const;
 
  protected:
