@@ -1,6 +1,8 @@
-// The runtime's state of a subject (OSubject) and of an observer (OObserver).
+// The runtime's record of each subject (OSubject, the sending end of connections) and of each
+// observer (OObserver, the receiving end).
 //
-// The state lies on the host's heap, not on the object's.  Only handlers of the object change it.
+// This state lies on the host's heap and not on the object's heap.  Only handlers of the object
+// change it.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -20,30 +22,36 @@ class Hasher;
 class Object;
 class System;
 
-// Operations on regions that only the runtime may do.
+// Operations on RCRegions (references to shared memory) that the runtime may do and objects may
+// not.
 struct RegionAccess {
-  // Makes a region of the observer for the region `source` that it has received, with one
-  // reference.
+  // Makes the observer's own RCRegion, with one reference, for `source`, the subject's RCRegion
+  // that a notification has brought.  Both refer to the same memory, unless the observer gets a
+  // read-only copy (guard_pages.h).
   static RCRegion* Receive(RCRegion* source, MemoryRegionID id, offset_t offset, size_t size);
-  // Deletes a region that Receive() has made.
+  // Deletes an RCRegion that Receive() has made.
   static void GiveBack(RCRegion* received);
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Returns whether the library sent the message that `object` handles, with a payload of this
-// `kind`.  If an object sent bytes of its own to the entry of a subject or observer, adds an error
-// finding and returns false: such bytes must not be read as a notification or a ready.
+// Returns whether the payload of the message that `object` handles is of this `kind`, and so was
+// sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a subject or
+// observer, adds an error finding and returns false, because the bytes must not be read as a
+// notification or a ready.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
-// The type of a deassert that the runtime itself sends because an observer is lost.
+// Type of a deassert (the message that an observer is not ready) that the runtime sends in the name
+// of an observer.  The observer cannot receive, because its process has ended or its object is
+// being replaced.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
-// Sends `subject` a deassert in the name of the observer at entry `selector` of `object`.  Also
-// gives back `regions`, which the subject had sent to this observer, at most MAX_NUM_DATA.
+// Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
+// ready.  The deassert also gives back `regions`, at most MAX_NUM_DATA, which the subject had sent
+// to this observer.
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
                   const std::vector<RCRegion*>& regions);
-// Refuses the notification `message` to `object`, which will not be delivered: calls SendDeassert()
-// with the regions of `message`.
+// Handles a notification to `object` that will not be delivered: gives its regions back to the
+// subject with SendDeassert().
 void RefuseNotification(Object* object, const Message& message);
 
 // A subject's record of one observer.
@@ -59,7 +67,8 @@ struct ObserverLink {
   int ready = 0;
   size_t skipped = 0;  // notifications skipped since the last kept notification
 
-  std::vector<RCRegion*> fresh;  // regions set since the last notify, at most MAX_NUM_DATA
+  // regions set since the last call of Notify(), at most MAX_NUM_DATA
+  std::vector<RCRegion*> fresh;
   struct Unit {
     int data;  // number of regions in `pending` that belong to this notification
   };
@@ -79,15 +88,17 @@ struct SubjectState {
   // Returns the link to the observer `id`, or null if that observer is not connected.
   ObserverLink* Find(const ObserverID& id);
 
-  // Adds `region`, with one reference, to the data of the next notify.
+  // Takes a reference to `region` and adds the region to the data of the next notification.
   OStatus SetData(ObserverLink* link, RCRegion* region);
-  // Makes the data set so far a pending unit, and sends it if the observer is ready.
+  // Makes one notification (a pending unit) of the data that were set since the last one, and sends
+  // it if the observer is ready.
   OStatus Notify(ObserverLink* link);
-  // Sends pending units if the observer is ready and has at least `min` of them.
+  // Sends pending notifications if the observer is ready and at least `min` of them are pending.
   void Flush(ObserverLink* link);
-  // Releases all data that have not been sent.
+  // Gives up the references to all data that have not been sent.
   void Clear(ObserverLink* link);
-  // Drops the oldest pending unit and releases its regions.  REQUIRES: a unit is pending.
+  // Drops the oldest pending notification and gives up its references to regions.  REQUIRES: a
+  // notification is pending.
   void DropOldestUnit(ObserverLink* link);
 
   void HashState(Hasher* hasher) const;
@@ -105,11 +116,11 @@ struct SubjectState {
 struct ObserverState {
   ObserverState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
-  // Sends `command` to `subject`, together with the regions of `subject` that this object no longer
-  // uses.
+  // Sends `command`, ready or not ready, to `subject`.  The message also gives back the regions of
+  // `subject` that this object no longer uses.
   OStatus SendReady(const SubjectID& subject, ObjcommCommand command);
-  // Counts the readies in `asserted`.  Adds a finding if an observer asserts again and again
-  // without a notification.
+  // Counts in `asserted` how often this observer tells a subject that it is ready.  Adds a finding
+  // if the observer repeats this again and again without a notification in between.
   void CountReady(const SubjectID& subject, ObjcommCommand command);
 
   System* const system;

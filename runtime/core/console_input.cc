@@ -16,7 +16,8 @@ void ConsoleInput::Feed(int robot, std::string_view text) {
   for (const Listener& listener : listeners_) listener(robot, typed);
   Terminal& terminal = terminals_[robot];
   terminal.coming += typed;
-  // The text becomes readable at the next frame boundary, or at once if this instant is one.
+  // The text becomes readable at the next frame boundary, or at once if the current time is a frame
+  // boundary.
   const int64_t frame_us = system_->frame_us();
   terminal.enters_us = (system_->now_us() + frame_us - 1) / frame_us * frame_us;
 }
@@ -37,7 +38,8 @@ void ConsoleInput::EnterDue() {
   }
 }
 
-// Wakes the first reader that still waits.  Skips readers whose object was reloaded meanwhile.
+// Wakes the first object that still waits for a line.  Skips objects that were reloaded meanwhile,
+// because these no longer wait.
 void ConsoleInput::WakeNext(Terminal* terminal) {
   while (!terminal->readers.empty()) {
     const auto [id, box] = terminal->readers.front();
@@ -46,7 +48,8 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     if (object == nullptr || object->handler.blocked == nullptr ||
         object->handler.blocked_box != box)
       continue;
-    // The message holds the line only for the trace; the reader takes the line from the terminal.
+    // The message has a copy of the line only for the trace.  The object that is woken takes the
+    // line from the terminal.
     Message* const wake = system_->NewMessage(id, 0);
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;
@@ -59,8 +62,9 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
   }
 }
 
-// Removes a reader that was lost.  If the reader was no longer in the list, it had been woken for a
-// line, so the next reader is woken for this line.
+// Removes object `reader`, whose process has ended, from the list of readers.  If it was not in the
+// list, it had been woken for a line that it will not read, so the next reader is woken for this
+// line.
 void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
   if (!waited && !terminal->text.empty()) WakeNext(terminal);

@@ -35,23 +35,24 @@ class ConsoleInput {
   using Listener = std::function<void(int robot, std::string_view text)>;
   void OnFeed(Listener listener) { listeners_.push_back(std::move(listener)); }
 
-  // Returns the next frame boundary at which typed text becomes readable, or INT64_MAX if no text
-  // is waiting.
+  // Returns the virtual time of the next frame boundary (a multiple of System::frame_us()) at which
+  // typed text becomes readable, or INT64_MAX if no text is waiting.
   int64_t NextUs() const;
-  // Makes text readable whose frame boundary has come, and wakes a reader.
+  // Makes typed text readable if its frame boundary has come.  Then wakes an object that waits for
+  // a line.
   void EnterDue();
 
   // Waits for a line, copies at most `size` bytes of it to `buffer`, echoes these bytes and returns
   // their number.  The next call returns the rest of the line.  If `is_gone` returns true after the
-  // wait, because the reader was lost meanwhile, returns 0 and leaves the line to the next reader.
-  // REQUIRES: called in a handler.
+  // wait, because the process of the caller has ended meanwhile, returns 0 and leaves the line to
+  // the next object that waits.  REQUIRES: called in a handler.
   size_t Read(char* buffer, size_t size, const std::function<bool()>& is_gone = {});
 
   // Sets whether Read() echoes the text.  The echo is switched off if the user's terminal has
   // already shown the typed text.
   void set_echo(bool echo) { echo_ = echo; }
 
-  // The text of HandlerState::blocked_why while an object reads the console.
+  // Describes to users what an object that reads the console waits for (HandlerState::blocked_why).
   static constexpr std::string_view kWhy = "a line from the console";
 
   void HashState(Hasher* hasher) const;

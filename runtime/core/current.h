@@ -1,4 +1,5 @@
-// The object that is running on this thread, if any.
+// t_current: the object whose code runs on this thread, if any, and classes that change t_current
+// for a scope.
 //
 // The SDK's functions have no argument for the object that calls them, so they read it from
 // t_current.  The dispatcher sets t_current around every handler, and the loader sets t_current
@@ -15,11 +16,11 @@ class System;
 struct Current {
   System* system = nullptr;
   Object* object = nullptr;
-  // True while code of an image is running, and not a function of the runtime that this code has
-  // called.  While true, malloc() takes memory from the object's heap and fopen() opens files of
-  // the Memory Stick.
+  // True while code of an image (a program of the robot) runs, but false while a function of the
+  // runtime runs that this code has called.  While true, malloc() takes memory from the object's
+  // heap and fopen() opens files of the Memory Stick.
   bool image_code = false;
-  // The watch over the arithmetic of the running handler; null if there is none.
+  // Finds floating-point faults of the running handler; null if the handler is not watched.
   ArithmeticWatch* watch = nullptr;
 };
 
@@ -27,8 +28,9 @@ struct Current {
 // destroyed, so it can be used before main() and in malloc().
 extern thread_local constinit Current t_current;
 
-// Switches to the host's heap and the host's files for a scope.  The first statement of every
-// function of the SDK that may allocate memory or open files makes an ApiScope.
+// While an ApiScope exists, malloc() and fopen() use the host's heap and files and not those of the
+// object.  The first statement of every function of the SDK that may allocate memory or open files
+// makes an ApiScope.
 class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
@@ -46,9 +48,9 @@ class ApiScope {
   const bool image_code_;
 };
 
-// Keeps operations from raising SIGFPE for a scope, while memory and files are still the object's.
-// The first statement of every function of the C library that the runtime defines makes a
-// LibraryScope.
+// While a LibraryScope exists, floating-point operations raise no SIGFPE.  Unlike with an ApiScope,
+// malloc() and fopen() still use the heap and files of the object.  The first statement of every
+// function of the C library that the runtime defines makes a LibraryScope.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {
@@ -64,7 +66,7 @@ class LibraryScope {
   ArithmeticWatch* const watch_;
 };
 
-// Makes `object` of `system` the current object for a scope.
+// While a CurrentScope exists, `object` of `system` is the current object.
 class CurrentScope {
  public:
   CurrentScope(System* system, Object* object, bool image_code = false) : saved_(t_current) {

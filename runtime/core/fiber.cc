@@ -26,12 +26,14 @@ namespace context = boost::context::detail;
 
 namespace {
 
-// The two fibers of a switch.  They are not local variables, because the switch changes the stack.
+// The fibers that the current switch leaves and enters.  These are not local variables, because a
+// switch changes the stack.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
-// Tells AddressSanitizer that a stack is empty.  Otherwise the marks that functions without a
-// return have left in its shadow memory would make the next use of these addresses an error.
+// Tells AddressSanitizer that a stack is empty.  Functions that never returned have left marks for
+// their variables in its shadow memory.  Because of these marks, it would report the next use of
+// the stack as an error.
 void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
 #ifdef OPENR_ASAN
   __asan_unpoison_memory_region(bottom, bytes);
@@ -68,7 +70,8 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // Receives the state of stacks that are given up, which nothing reads.
+  // Stands in for `from` when the running stack is given up.  Nothing reads the state that is saved
+  // in it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;
@@ -92,7 +95,8 @@ void Fiber::FinishSwitch() {
   const void* bottom = nullptr;
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
-  // The bounds of the thread's own stack become known only here.
+  // AddressSanitizer tells the bounds of the thread's own stack only at the first switch away from
+  // that stack.
   if (t_left->stack_ == nullptr) {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;

@@ -1,4 +1,4 @@
-// Stacks that handlers run on, and the switch between them.
+// Fiber: a stack on which handlers run, and the switch from one stack to another.
 //
 // The dispatcher runs on a fiber and calls handlers directly, so a handler that
 // does not wait costs no switch.  A handler that waits keeps its fiber; the
@@ -49,7 +49,7 @@ class Fiber {
   size_t stack_bytes_ = 0;
 };
 
-// The stack of the caller of System::Run...().
+// The fiber for the stack of the thread itself, on which System::Run...() was called.
 class MainFiber : public Fiber {
  public:
   MainFiber() : Fiber(NoStack{}) {}

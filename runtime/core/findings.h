@@ -20,21 +20,21 @@ struct Finding {
   int64_t time_us = 0;  // virtual time when the finding was first added
   std::string text;
   uint64_t count = 1;  // how often the finding was added
-  // The cause of the finding.  Findings with the same cause are kept as one, for example all lines
-  // of CONNECT.CFG that name the same missing object.  If empty, findings with the same text are
-  // kept as one.
+  // Identifies the cause of the finding.  Findings with the same cause are kept as one, for example
+  // all lines of CONNECT.CFG that name the same missing object.  If empty, findings with the same
+  // text are kept as one.
   std::string cause = {};
   std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
   // places of later findings with this cause, at most kPlacesMax
   std::vector<std::string> also_at = {};
 };
 
-// Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)", or "" if `finding` was
-// added only once.
+// Returns " (40 times, also at CONNECT.CFG:5, CONNECT.CFG:6 and 37 more)" for the end of a
+// finding's text, or "" if `finding` was added only once.
 std::string HowOften(const Finding& finding);
 
-// Findings in order of first appearance.  Findings about one object with the same text, or with the
-// same cause, are kept as one and counted.
+// A list of findings in the order in which they were first added.  Findings about one object with
+// the same text, or with the same cause, are kept as one and counted.
 class Findings {
  public:
   // The largest number of different findings that are kept; further findings are only counted.

@@ -12,7 +12,7 @@
 
 namespace openr_host {
 
-// Bits of MXCSR, each raised by one kind of operation.
+// Bits of the register MXCSR.  The processor sets each bit after one kind of operation.
 enum FpFlag : unsigned {
   kFpInvalid = 0x01,    // a NaN was made, or a number does not fit its integer type
   kFpDenormal = 0x02,   // an operand was denormal
@@ -25,8 +25,8 @@ constexpr int kFpKinds = 5;  // number of bits in kFpAll
 // The flags of operations that would stop the robot.  SIGFPE can find the instruction that raises
 // one of these flags (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// The distance, in bits, from the flag of a kind in MXCSR to its mask bit on the left, which keeps
-// the kind from raising SIGFPE.
+// How many bits a flag must be shifted to the left to get its mask bit in MXCSR.  While the mask
+// bit is set, the operation raises no SIGFPE.
 constexpr int kFpMaskShift = 7;
 
 // FpState() and SetFpState() save and restore MXCSR.  CatchFp() lets exactly the flags `kinds`

@@ -1,4 +1,5 @@
-// The first word of every command in a new command vector, until the program sets the command.
+// kNeverFilled: the first word of each command in a new command vector.  The word stays until the
+// program sets the command.
 //
 // On the robot a new vector holds the bytes that the memory held before, so joints whose commands
 // are not set shiver or move to extreme positions (field-notes.md, 7.5).  Here the first word is a

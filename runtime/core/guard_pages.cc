@@ -35,8 +35,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
     return pages == MAP_FAILED ? nullptr : static_cast<char*>(pages);
   }
   size_t& next = next_in_[area];
-  // When the area is used again from its begin, copies that are still in use may lie there.  So the
-  // following pages are tried too.
+  // After the end of the area, the search continues at its begin, where copies that are still in
+  // use may lie.  If so, the pages after them are tried.
   for (size_t tried = 0; tried < AddressPlace::kCopyBytes; tried += bytes) {
     if (next + bytes > AddressPlace::kCopyBytes) next = 0;
     char* const pages = area + next;
@@ -46,8 +46,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
-// Returns writable pages: with kReused the pages that were given back last, if any; otherwise new
-// pages.
+// Returns pages that are writable: with kReused, pages of the same size that were given back, if
+// there are any; otherwise new pages.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
@@ -83,8 +83,8 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // The pages stay mapped, but without access.  After munmap() the kernel could use these
-    // addresses for another mapping, and a later access would be no fault.
+    // The pages stay mapped but cannot be accessed.  If they were unmapped, the kernel could put
+    // other memory at these addresses, and a later access of the observer would be no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

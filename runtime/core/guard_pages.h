@@ -24,8 +24,8 @@ namespace openr_host {
 class GuardPages {
  public:
   enum class GivenBack {
-    kGone,    // an access to data that the observer has given back is a fault
-    kReused,  // such data can still be read; later copies replace them, as on the robot
+    kGone,    // a copy that was given back cannot be accessed: every access is a fault
+    kReused,  // such a copy can be read until a later copy replaces it, as on the robot
   };
   explicit GuardPages(GivenBack given_back) : given_back_(given_back) {}
   ~GuardPages();
@@ -33,8 +33,8 @@ class GuardPages {
   GuardPages& operator=(const GuardPages&) = delete;
 
   // Returns a read-only copy of the `size` bytes at `data`, or null if there is no memory.  The
-  // copy lies in the area of `place`, the place of the object that receives the data.  `place` is
-  // null for an object without a place; such objects share one area.
+  // copy lies in the memory area of `place` (address_plan.h), the place of the object that receives
+  // the data.  `place` is null for an object without a place; such objects share one area.
   char* NewCopy(const AddressPlace* place, const char* data, size_t size);
 
   // Ends the use of `copy`, which the observer has given back.  With kReused, the next copy may lie
@@ -42,15 +42,15 @@ class GuardPages {
   // the area is used up.  Does nothing if NewCopy() did not make `copy`.
   void Retire(const char* copy);
 
-  // Returns the mistake that made the access to `address` a fault, or "" if `address` is in no area
-  // for copies.  May be called in a signal handler.
+  // Returns a text about the mistake that made the access to `address` a fault, or "" if `address`
+  // is in no area for copies.  May be called in a signal handler.
   const char* WhyFault(const void* address) const;
 
  private:
   char* MapPages(char* area, size_t bytes);
 
-  // A copy in use: its area (null if addresses are not planned), and the number of bytes of its
-  // pages.
+  // A copy that is in use.  `area` is its memory area (null if addresses are not planned), and
+  // `bytes` is the size of its pages.
   struct Copy {
     char* area;
     size_t bytes;
@@ -60,8 +60,8 @@ class GuardPages {
 
   const GivenBack given_back_;
   const AddressPlace shared_place_{kNoObject};  // the area of objects that have no place
-  // The keys of the three maps are addresses, which may differ from run to run.  So the maps are
-  // only looked up, and their order decides nothing.
+  // The keys of these three maps are addresses, which may differ from run to run.  Therefore
+  // nothing may depend on the order of the maps.
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // offset of the next copy in each area
   // pages that were given back, by area and number of bytes

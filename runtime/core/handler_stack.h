@@ -1,6 +1,6 @@
-// The stack on which only the code of one image runs.  It lies at the planned addresses of the
-// object and is full of zeros when a handler begins.  Imported functions have a stack of their own
-// (imported_calls.h).
+// HandlerStack: a stack on which only the code of one image (a program of the robot) runs.  It lies
+// at the planned addresses of the object and is full of zeros when a handler begins.  Functions
+// that the image imports run on another stack (imported_calls.h).
 //
 // Programs send bytes of their stack that they never set: padding, and members that a constructor
 // forgot.  If the runtime and the C library also used this stack, such bytes would be addresses
@@ -24,9 +24,10 @@ class HandlerStack {
   // Calls function(argument) on the empty stack.  If the caller runs on this stack already, because
   // an object calls an entry of its own, calls the function directly.
   //
-  // Afterwards clears the written bytes.  The search for them ends at a gap of zeros.  A wide gap
-  // takes longer to search, so the first 64 calls and every 16th call search until a gap of 32 KiB,
-  // the other calls until a gap of 4 KiB.
+  // Afterwards sets the bytes that were written to zero.  The search for these bytes begins at the
+  // top of the stack and ends at a gap of zeros.  Because a search for a wide gap takes longer,
+  // only the first 64 calls and every 16th call search for a gap of 32 KiB, and the other calls for
+  // a gap of 4 KiB.
   void Call(void (*function)(void*), void* argument);
 
   // Returns how many bytes the last call used, or the running call has used so far.  Returns 0 with
@@ -39,8 +40,8 @@ class HandlerStack {
   StackMemory memory_;
   uint64_t calls_ = 0;
   size_t used_bytes_ = 0;
-  // true while a handler runs, and after a handler that did not return, for example because of
-  // exit()
+  // true if the stack may have bytes that are not zero: while a handler runs, and after a handler
+  // that did not return, for example because of exit()
   bool is_dirty_ = false;
 };
 

@@ -15,8 +15,9 @@ namespace {
 constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 
-// There is no search with these tools.  They reserve so much memory that many numbers look like
-// addresses in it, and the memory of objects is not planned.
+// With AddressSanitizer and ThreadSanitizer, messages are not searched for host addresses.  These
+// tools reserve so much memory that many numbers look like addresses in it.  Also, the memory of
+// objects has no planned addresses then.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSearched = false;
 #else

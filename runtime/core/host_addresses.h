@@ -20,9 +20,10 @@ class HostAddresses {
   // if there is no such address, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES:
   // `data` is aligned to 8.
   //
-  // Some numbers look like addresses but are none.  After 64 numbers that were in the range of host
-  // addresses but not mapped, this function returns -1 for the rest of the run, because a later
-  // number that is mapped would probably be no address either.
+  // Some numbers look like addresses but are none.  The function counts numbers that are in the
+  // range of host addresses but at which no memory is mapped.  After 64 such numbers it returns -1
+  // for the rest of the run, because a later number at which memory is mapped is probably no
+  // address either.
   int64_t FindIn(const void* data, size_t size);
 
  private:
