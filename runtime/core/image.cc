@@ -42,7 +42,8 @@ std::string RunFolder::AddCopy(const std::string& file, const std::string& bytes
     return "";
   };
   const fs::path source(file);
-  // Each copy gets a folder of its own, because forks of this process use the same RunFolder.
+  // Each copy gets a folder of its own.  Forks of this process use the same RunFolder and could
+  // otherwise overwrite each other's copies.
   std::string folder_name = folder_.path() + "/XXXXXX";
   if (mkdtemp(folder_name.data()) == nullptr) return fail(folder_.path());
   const fs::path folder = folder_name;
@@ -99,9 +100,9 @@ std::string ImageObject::Load(const std::string& file, RunFolder* folder) {
   return problem.empty() ? ReadTables() : problem;
 }
 
-// Takes planned addresses for the image, its heap and its stack.  Returns the bytes to load.  An
-// image that cannot be moved is loaded at an address that the kernel chooses, but its heap and
-// stack still get planned addresses.
+// Takes planned addresses (address_plan.h) for the image, its heap and its stack.  Returns the
+// bytes to load, changed for the planned address.  An image that cannot be changed so is loaded at
+// an address that the kernel chooses; its heap and stack still get planned addresses.
 std::string ImageObject::TakePlace(const std::string& original) {
   std::string bytes = original;
   HoldConstructors(&bytes);
@@ -117,9 +118,9 @@ std::string ImageObject::TakePlace(const std::string& original) {
   return bytes;
 }
 
-// Makes imported calls run on a stack of their own.  Does nothing if a tool watches the stack, or
-// if the image is not at its planned address, because thunks work only there.  Returns "" or the
-// reason of a failure.
+// Makes calls from the image to imported functions run on a stack of their own.  Does nothing if a
+// tool watches the stack.  Does nothing either if the image is not at its planned address, because
+// RedirectImports() works only there.  Returns "" or the reason of a failure.
 std::string ImageObject::TakeImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
   if (place == nullptr || IsStackWatched() || info < place->image() ||
@@ -143,7 +144,8 @@ std::string ImageObject::RunConstructors() {
   return "";
 }
 
-// Runs code of the image on its own stack, if it has one.
+// Calls `function` of the image on the stack of this object, or on the current stack if the object
+// has none.
 void ImageObject::Run(void (*function)(void*), void* argument) {
   if (stack_ == nullptr) {
     function(argument);
@@ -181,7 +183,8 @@ std::string ImageObject::ReadTables() {
   const auto* extras = static_cast<const char* const*>(dlsym(handle_, "openr_extra_names"));
   int extra_count = 0;
   while (extras != nullptr && extras[extra_count] != nullptr) ++extra_count;
-  // Extras come last in the table (SDK reference, section 1.3).
+  // Extra entries come last in the table of entries (SDK reference, section 1.3).  So their
+  // selectors are the last `extra_count` numbers.
   const auto first_extra =
       static_cast<uint32_t>(entries_.size()) - static_cast<uint32_t>(extra_count);
   for (int i = 0; i < extra_count; ++i)
@@ -201,7 +204,7 @@ bool ImageObject::HasEntry(uint32_t selector) const {
 
 bool ImageObject::Dispatch(uint32_t selector, void* payload) {
   if (!HasEntry(selector)) return false;
-  if (FpFlags() != 0) ClearFpFlags();  // code that ran before this handler may have left flags
+  if (FpFlags() != 0) ClearFpFlags();  // the flags may come from code that ran before this handler
   has_reported_cast = false;
   ArithmeticWatch* const watch = t_current.watch;
   if (watch != nullptr && !watch->has_begun()) watch->Begin(kFpCaught & ~fp_seen_);

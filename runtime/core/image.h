@@ -1,8 +1,9 @@
-// Images: objects loaded from files.  Each instance of an image has statics of its own.
+// ImageObject: an object of the robot whose code is loaded from a file, the image.  Each object has
+// static variables of its own, even if two objects are loaded from one file.
 //
-// On the host such a file is a shared object built from the object's sources and
-// its stub (cmake/OpenrObject.cmake).  Every instance is loaded from a copy in the
-// run folder, because the loader would give two loads of one file the same statics.
+// On the host an image is a shared object, built from the object's sources and its stub
+// (cmake/OpenrObject.cmake).  Every object is loaded from a copy of the image in the run folder,
+// because the loader would give two loads of one file the same static variables.
 #pragma once
 
 #include <ObjectEntryTable.h>
@@ -18,7 +19,8 @@
 
 namespace openr_host {
 
-// The description that the build puts into every host image, under the symbol openr_image_info.
+// The description of an image, which the build puts into every image under the symbol
+// openr_image_info.
 struct ImageInfo {
   uint32_t version;  // kImageVersion
   uint32_t reserved;
@@ -29,15 +31,15 @@ constexpr uint32_t kImageVersion = 1;
 // A temporary folder for copies of images; its destructor removes the folder.
 class RunFolder {
  public:
-  // Writes `bytes`, the content of `file`, to a new file and returns the new file's path.  If a
-  // debug file (NAME.DBG) lies beside `file`, makes a link to the debug file beside the copy.  If
-  // the copy cannot be written, returns "" and sets `*problem`.
+  // Writes `bytes`, the content of the image `file`, to a new file and returns the new file's path.
+  // If a debug file (NAME.DBG) lies beside `file`, makes a link to it beside the copy.  If the copy
+  // cannot be written, returns "" and sets `*problem`.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
   // Replaces the file `copy`, which has been loaded, by a new file with `bytes`, the bytes of the
-  // original image.  Debuggers then read correct addresses of symbols, because the bytes that were
-  // loaded had been changed.  The memory of the loaded image stays.  If the new file cannot be
-  // written, debuggers show wrong addresses; the run is not affected.
+  // original image.  The loaded memory does not change.  The copy had been changed for its load
+  // address, and debuggers would compute wrong addresses of symbols from it.  If the new file
+  // cannot be written, debuggers show wrong addresses; the run is not affected.
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:
@@ -49,8 +51,8 @@ class ImageObject : public Object {
   using Object::Object;
   ~ImageObject() override;  // unloads the image
 
-  // Loads a copy of `file` and runs the constructors of its global objects as code of this object.
-  // Returns "", or the reason why the image cannot be loaded.
+  // Loads a copy of the image `file` and runs the constructors of its global objects as code of
+  // this object.  Returns "", or the reason why the image cannot be loaded.
   std::string Load(const std::string& file, RunFolder* folder);
 
   bool HasCode(const void* address) const override;
@@ -62,7 +64,8 @@ class ImageObject : public Object {
   size_t StackUsed() const { return stack_ == nullptr ? 0 : stack_->UsedBytes(); }
 
   // Adds a finding if the handler that has just ended did an operation that would stop the robot's
-  // floating-point unit.  Called however the handler ended.
+  // floating-point unit.  Called after every handler, even if the handler was ended before its
+  // return.
   void CheckNumbers(uint32_t selector) {
     if ((FpFlags() & ~fp_seen_) != 0) ReportFpFlags(selector);
   }
@@ -79,7 +82,7 @@ class ImageObject : public Object {
   void* handle_ = nullptr;
   bool has_thunks_ = false;
   std::vector<Entry> entries_;  // entry functions by selector; null: the image has no such entry
-  // the FpFlags() that handlers have raised so far; each flag is reported once
+  // the flags (FpFlag) that handlers of this object have raised so far; each flag is reported once
   unsigned fp_seen_ = 0;
 };
 

@@ -18,7 +18,8 @@ namespace {
 
 constexpr char kForRobot[] =
     "is a binary for the robot (MIPS); build the object for the host (openr build)";
-constexpr char kOcfSection[] = "openr_ocf";  // the build puts this section into images
+// The section of an image that holds its .ocf text.  The build makes this section.
+constexpr char kOcfSection[] = "openr_ocf";
 constexpr char kCutOff[] = "ends too early: the file was cut off; copy it again";
 
 // Returns whether the file has all bytes that the dynamic linker maps.  A file that was cut off
@@ -41,7 +42,7 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
   if (bytes.size() < sizeof(Elf32_Ehdr) || std::memcmp(&header, ELFMAG, SELFMAG) != 0)
     return "is not an object image; build the object for the host (openr build)";
-  *is_for_robot = header.e_machine == EM_MIPS;  // this field is at the same offset for 32 bits
+  *is_for_robot = header.e_machine == EM_MIPS;  // e_machine has the same offset in a 32-bit file
   if (*is_for_robot) return kForRobot;
   if (bytes.size() < sizeof header || header.e_ident[EI_CLASS] != ELFCLASS64)
     return "is not a shared object for this machine";
@@ -49,7 +50,8 @@ std::string CheckFormat(const std::string& bytes, bool* is_for_robot) {
   return IsWhole(bytes, header) ? "" : kCutOff;
 }
 
-// Reads a value of type T at offset `at` into `*value`.  Returns false if the file is too short.
+// Copies the value of type T at offset `at` of the file into `*value`.  Returns false if the file
+// is too short.
 template <typename T>
 bool ReadAt(const std::string& bytes, uint64_t at, T* value) {
   if (at > bytes.size() || sizeof(T) > bytes.size() - at) return false;

@@ -1,4 +1,5 @@
-// Files of images on a stick: shared objects for this machine, which may be compressed.
+// Reads image files from a Memory Stick.  An image has the code of one object of the robot.  On the
+// host it is a shared object for this machine, and may be compressed.
 #pragma once
 
 #include <string>
@@ -19,13 +20,15 @@ struct ImageFile {
 // it is an image, is for this machine, and is complete.
 ImageFile ReadImageFile(const std::string& path);
 
-// Returns the .ocf text in the bytes of a host image; "" if there is none.
+// Returns the .ocf text (name, priority and memory sizes of the object) that is in the bytes of a
+// host image; "" if there is none.
 std::string OcfTextOf(const std::string& bytes);
 
 // Returns all texts of at least 8 characters in the bytes of an image, as the tool `strings` does.
 std::vector<std::string_view> TextsIn(std::string_view bytes);
 
-// Returns the texts of an image that are names of services.
+// Returns the texts in the bytes of an image that have the form of service names:
+// "JointMover.Move.MoveCommand.O".
 std::vector<std::string> ServicesInImage(std::string_view bytes);
 
 }  // namespace openr_host

@@ -11,18 +11,20 @@
 namespace openr_host {
 namespace {
 
-// Relocations whose addend is an address of the image itself.
+// Types of relocations whose addend is an address of the image itself, so moving the image changes
+// the addend.
 #if defined(__aarch64__)
 constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATIVE;
 #else
 constexpr uint32_t kRelative = R_X86_64_RELATIVE, kIndirect = R_X86_64_IRELATIVE;
 #endif
 
-// Tags that replace DT_INIT_ARRAY and DT_INIT_ARRAYSZ.  Because loaders ignore these tags, they do
-// not run the constructors.
+// HoldConstructors() puts these tags in place of DT_INIT_ARRAY and DT_INIT_ARRAYSZ, which name the
+// constructors.  Because the loader ignores unknown tags, it does not run the constructors.
 constexpr int64_t kHeldArray = 0x60006f70, kHeldArraySize = 0x60006f71;
 
-// Returns whether the value of a dynamic tag is an address in the image.
+// Returns whether the value of an entry of the dynamic section with this `tag` is an address in the
+// image, which moves with the image.
 bool IsAddress(int64_t tag) {
   switch (tag) {
     case DT_PLTGOT:
@@ -50,7 +52,8 @@ class Rebase {
  public:
   Rebase(std::string bytes, uint64_t by) : bytes_(std::move(bytes)), by_(by) {}
 
-  // Returns the changed file, or "" if the file cannot be changed.
+  // Returns the bytes of the changed file, or "" if the file cannot be changed or needs more than
+  // `size_max` bytes of memory.
   std::string Run(uint64_t size_max);
 
  private:
@@ -171,11 +174,11 @@ std::string Rebase::Run(uint64_t size_max) {
   uint64_t end = 0;
   for (const Elf64_Phdr& segment : segments_) {
     if (segment.p_type != PT_LOAD) continue;
-    if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address already
+    if (end == 0 && segment.p_vaddr != 0) return "";  // linked for an address other than 0
     end = std::max(end, segment.p_vaddr + segment.p_memsz);
   }
-  // Relocations in the formats REL and RELR are not supported, because the linkers of Debian write
-  // RELA for this processor.
+  // Relocations in the formats REL and RELR are not supported.  They do not occur here, because the
+  // linkers of Debian write the format RELA for this processor.
   const bool is_strange = ValueOf(DT_REL) != 0 || ValueOf(DT_RELR) != 0;
   if (is_bad_ || end > size_max || is_strange) return "";
   MoveRelocations(DT_RELA, DT_RELASZ);

@@ -1,10 +1,10 @@
-// Changes to the copy of an image before it is loaded: moves the image to another address, and
-// keeps the loader from running its constructors.
+// Changes the copy of an image before it is loaded: moves the image to a planned address, and keeps
+// the loader from running the constructors of its global objects.
 //
-// The kernel chooses the address of a shared object, unless the file was linked for a certain
-// address: then glibc from 2.36 on asks the kernel for that address.  An image is linked once and
-// loaded many times.  So the copy in the run folder is changed as if it had been linked for the
-// address of the object's place.
+// The kernel normally chooses the address of a shared object.  Only if the file was linked for a
+// certain address, glibc from 2.36 on asks the kernel for that address.  An image is linked once
+// and loaded many times, for several objects.  So each copy is changed as if it had been linked for
+// the planned address of its object (address_plan.h).
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,14 @@ namespace openr_host {
 // changes nothing if `bytes` are not such a shared object or need more than `size_max` bytes of
 // memory.  REQUIRES: `address` is a multiple of 64 KiB.
 //
-// Section headers, the table of all symbols and debug information are not changed, because gdb
-// computes from the address of the dynamic section how far the image was moved.
+// Section headers, the table of all symbols and debug information keep the old addresses.  gdb adds
+// the distance by which the image was moved, which it computes from the address of the dynamic
+// section.
 bool RebaseImage(std::string* bytes, uint64_t address, uint64_t size_max);
 
 // Changes the shared object `bytes` so that the loader does not run the constructors of its global
-// objects.  Does nothing if `bytes` are no shared object of this processor.
+// objects.  They are run later, as code of the object that is loaded (HeldConstructors()).  Does
+// nothing if `bytes` are no shared object of this processor.
 void HoldConstructors(std::string* bytes);
 
 // Returns the constructors that HoldConstructors() has held back, in the order in which they must

@@ -97,8 +97,8 @@ static_assert(AddressPlace::kStackBytes == 0x100000);
 static_assert(StackMemory::kBottomOffset == 0xbf000);
 static_assert(StackMemory::kImportsTopOffset == 0xbe000);
 
-// Functions of the C library that take a variable number of arguments.  Those of C++ end with a
-// "z" in their mangled name.
+// Functions of the C library that take a variable number of arguments.  C++ functions are not
+// listed, because a "z" at the end of the mangled name shows a variable number.
 constexpr std::string_view kVariadic[] = {
     "__asprintf_chk",
     "__dprintf_chk",
@@ -152,7 +152,8 @@ constexpr std::string_view kVariadic[] = {
     "wscanf",
 };
 
-// Functions without a thunk: they keep the caller's stack pointer or return address for later.
+// Functions that get no thunk.  They keep the stack pointer or return address of their caller for
+// later use, so they must be called directly.
 constexpr std::string_view kBoundToCaller[] = {
     "__sigsetjmp", "_setjmp", "getcontext", "setjmp", "sigsetjmp", "swapcontext", "vfork",
 };
@@ -164,7 +165,7 @@ bool IsVariadic(std::string_view name) {
   return std::ranges::binary_search(kVariadic, name);
 }
 
-// The address ranges of the code of all libraries and of the program.
+// The address ranges that hold machine code, of this program and of all libraries.
 class CodeRanges {
  public:
   CodeRanges() { dl_iterate_phdr(&Add, this); }
@@ -196,7 +197,7 @@ class CodeRanges {
 constexpr size_t kThunkBytes = 16;
 constexpr uint64_t kPage = 4096;
 
-// The tables of a loaded image, as pointers and addresses in memory.
+// The addresses of a loaded image and of its tables in memory.
 struct LoadedImage {
   explicit LoadedImage(char* image);
   uint64_t ValueOf(int64_t tag) const;
@@ -235,7 +236,7 @@ class Redirection {
 
  private:
   struct Import {
-    uint64_t* slot;  // holds the address of the function
+    uint64_t* slot;  // the word of the image that holds the address of the function
     uint64_t symbol;
   };
 
@@ -265,14 +266,15 @@ void Redirection::FindImports(int64_t table, int64_t size) {
                         ELF64_R_SYM(relocation.r_info)};
     const uint64_t function = *import.slot;
     if (function >= image_.begin && function < image_.end) continue;
-    if (!code_.Contain(function)) continue;  // the address of a variable
+    if (!code_.Contain(function)) continue;  // `function` is the address of a variable
     if (std::ranges::count(kBoundToCaller, NameOf(import.symbol)) > 0) continue;
     imports_.push_back(import);
   }
 }
 
-// Writes a thunk: mov r11, FUNCTION; jmp *WORD.  Two words in front of all thunks hold the
-// addresses of the two functions that change the stack.
+// Writes a thunk and returns its address: mov r11, FUNCTION; jmp *WORD.  WORD is one of the two
+// words in front of all thunks, which hold the addresses of the two functions that change the
+// stack.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);
@@ -301,8 +303,8 @@ std::string Redirection::Run(size_t bytes_max) {
     return "has no memory for the calls of imported functions";
   const std::array<void (*)(), 2> targets = {&openr_call_import, &openr_call_variadic_import};
   std::memcpy(thunks_, targets.data(), sizeof targets);
-  // A function gets one thunk even if several tables name it, because a program may compare the
-  // addresses.
+  // A function gets only one thunk even if several tables of the image name it.  A program may
+  // compare the addresses of functions, so they must be equal.
   for (size_t i = 0; i < imports_.size(); ++i) {
     const auto same = std::ranges::find(imports_, imports_[i].symbol, &Import::symbol);
     const auto index = static_cast<size_t>(same - imports_.begin());

@@ -1,11 +1,12 @@
-// Runs imported functions of an image on a stack of their own (stack_memory.h).  Imported functions
-// are those of the SDK and of the C and C++ libraries.  The stack of the image then holds only what
-// the image's own functions wrote.
+// Runs the functions that an image imports (functions of the SDK and of the C and C++ libraries) on
+// a stack of their own (stack_memory.h).  The stack of the image then holds only what the image's
+// own functions wrote.
 //
-// The loader has written the addresses of imported functions into tables of the image.  Each is
-// replaced by the address of a thunk: a few instructions that change the stack, call the function
-// and change the stack back.  Thunks lie in the place of the object (address_plan.h), so a program
-// that sends the address of a function sends the same bytes in every process.
+// The loader has written the addresses of imported functions into tables of the image.
+// RedirectImports() replaces each of these addresses by the address of a thunk: a few instructions
+// that change the stack, call the function and change the stack back.  Thunks lie at planned
+// addresses of the object (address_plan.h), so a program that sends the address of a function sends
+// the same bytes in every process.
 //
 // Two kinds of functions have no thunk: virtual functions of library classes, and functions that
 // need their caller's frame, such as setjmp().  A function of the image that a library function
@@ -24,12 +25,13 @@ namespace openr_host {
 std::string RedirectImports(char* image, char* thunks, size_t bytes);
 
 // Returns whether `address` lies in the code with which thunks change the stack.  Backtraces leave
-// out such a frame, because it tells their readers nothing.
+// out a frame of this code, because it tells their readers nothing.
 bool IsStackChange(uintptr_t address);
 
-// Returns the address in the image to which the running function will return.  A function that was
-// called by a thunk needs this function, because its own return address lies in the code of the
-// thunks.  `own` is __builtin_return_address(0); it is returned if no thunk was used.
+// Returns the address in the image to which the calling function will return.  If a thunk has
+// called that function, its own return address lies in the code of the thunks, so this function
+// finds the address behind the thunk.  `own` is __builtin_return_address(0), which is returned if
+// no thunk was used.
 const void* ReturnAddressInImage(const void* own);
 
 }  // namespace openr_host

@@ -1,13 +1,14 @@
-// Sections of code that a signal handler must not interrupt to end the process.
+// Indivisible: marks a section of code.  A signal handler must not end the process while this
+// thread is in such a section.
 //
-// Such code holds a lock that the end of the process takes too, so an end in the middle of this
-// code would wait for ever.
+// The code in the section holds a lock that ending the process needs too.  If the process were
+// ended in the middle of the section, it would wait for this lock for ever.
 #pragma once
 
 namespace openr_host {
 
-// While an Indivisible exists, a signal handler puts off the end of the process; the destructor of
-// the outermost one then ends the process.  Only for the thread that runs handlers.
+// While an Indivisible exists, a signal handler does not end the process at once.  The destructor
+// of the outermost Indivisible then ends it.  Only for the thread that runs handlers.
 class Indivisible {
  public:
   Indivisible();
@@ -15,9 +16,9 @@ class Indivisible {
   Indivisible(const Indivisible&) = delete;
   Indivisible& operator=(const Indivisible&) = delete;
 
-  // Returns true if an Indivisible exists, whose destructor will then call `end`.  Returns false if
-  // the signal handler may end the process itself.  Called in a signal handler of the thread that
-  // runs handlers.
+  // Called in a signal handler that wants to end the process by calling `end`.  If an Indivisible
+  // exists, returns true, and its destructor will call `end`.  If not, returns false, and the
+  // signal handler may end the process itself.  Only for signals of the thread that runs handlers.
   static bool PutOff(void (*end)());
 };
 

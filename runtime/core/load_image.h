@@ -1,4 +1,4 @@
-// Loads images from the Memory Stick of a robot.
+// Loads images, the files with the code of objects, from the Memory Stick of a robot.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ class System;
 std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
                                        const std::string& path, const std::string& where);
 
-// Loads the image `path` as a new object of `system`.  Returns null and adds a finding in the same
-// cases as OpenImage().
+// Loads the image `path` as a new object of `system` and returns the object.  If the image cannot
+// be loaded, returns null and adds an error finding that begins with `where`.
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where);
 
 }  // namespace openr_host

@@ -57,7 +57,8 @@ class StickLoader {
   const StandIns& stand_ins_;
 };
 
-// Returns "FILE: " followed by kMissing, or by the reason why the file cannot be read.
+// Returns a text for users that says why the configuration file `name` was not read: "FILE: " and
+// kMissing, or "FILE: " and the error.
 std::string StickLoader::WhyNoConfig(const char* name) {
   const int error = stick_ == nullptr ? ENOENT : stick_->WhyUnread(kConfFolder + std::string(name));
   const std::string why =
@@ -65,7 +66,8 @@ std::string StickLoader::WhyNoConfig(const char* name) {
   return fmt::format("{}{}: {}", kConfFolder, name, why);
 }
 
-// Returns the name of the object in an image that is not loaded; "" if the image cannot be read.
+// Reads the image file `path` without loading it, and returns the name of its object; "" if the
+// file cannot be read.
 std::string StickLoader::NameInImage(const std::string& path) {
   if (stick_ == nullptr) return "";
   const MemoryStick::Location location = stick_->Locate(path);
@@ -116,8 +118,8 @@ void StickLoader::LoadConnections() {
   const bool is_strict = system_.options().strict;
   const auto text = ReadConfig("CONNECT.CFG");
   if (!text) {
-    // Programs that use no service of another object came without CONNECT.CFG, and the robot starts
-    // them.  So a missing file may be only a note.
+    // A robot also starts without CONNECT.CFG, and some old programs whose objects are not
+    // connected have no such file.  So a missing CONNECT.CFG becomes only a note.
     const std::string why = WhyNoConfig("CONNECT.CFG");
     const Severity severity = why.ends_with(kMissing) ? Severity::kNote
                               : is_strict             ? Severity::kError

@@ -1,4 +1,4 @@
-// Tools that a program may run under: Valgrind and AddressSanitizer.
+// Finds out under which memory checker this program runs: Valgrind or AddressSanitizer.
 #pragma once
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ inline bool IsUnderValgrind() {
 }
 
 // Returns whether a tool watches the stack.  AddressSanitizer and Valgrind report accesses to
-// memory below the stack pointer, so that memory must not be read or cleared under them.
+// memory below the stack pointer, so with these tools that memory must not be read or cleared.
 inline bool IsStackWatched() {
 #if defined(__SANITIZE_ADDRESS__)
   return true;
