@@ -114,8 +114,9 @@ class Object {
   // the object has no such entry.
   virtual bool Dispatch(uint32_t selector, void* payload) = 0;
 
-  // Adds the state of the object that decides its future, except regions, queues and ready flags,
-  // which System::state_hash() adds.  Images add nothing, because their memory is never hashed.
+  // Adds to the hash all state of the object that can change what happens later in the run, except
+  // regions, queues and ready flags, which System::state_hash() adds.  Images add nothing, because
+  // their memory is never hashed.
   virtual void HashState(Hasher*) const {}
 
   // Returns the name of entry `selector` for traces and messages: "DoStart", "Mover (Notify)".
@@ -133,12 +134,12 @@ class Object {
   // gives its regions back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
-  // Returns whether the object's code was in a worker that is lost.  The loss itself is a finding,
-  // so its consequences are not reported too.
+  // Returns whether the object's code was in a worker process that has ended.  That end is a
+  // finding already, so its consequences are not reported too.
   virtual bool IsLost() const { return false; }
 
-  // Returns whether a handler of the object runs in another process, where wall time passes.
-  // Virtual time then does not tell how long the handler takes.
+  // Returns whether a handler of the object runs in another process now.  That process takes wall
+  // time, so virtual time does not tell how long the handler takes.
   virtual bool IsAtWorkElsewhere() const { return false; }
 
   // Returns whether `address` is an instruction of the object's image.
@@ -175,7 +176,8 @@ class Object {
   int64_t handler_ns_max = 0;  // longest handler, wall time; 0 without SystemOptions::wall_clock_ns
   size_t stack_max = 0;        // most bytes that a handler used; see SystemOptions::measure_stacks
 
-  // the blocks of NewRegion(); only looked up, because the keys are addresses
+  // The blocks that NewRegion() has returned to this object.  The order of the set must not decide
+  // anything, because addresses differ from run to run.
   std::set<void*> private_regions;
 
   uint32_t random_state = 1;  // the state of rand()

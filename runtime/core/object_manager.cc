@@ -18,8 +18,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the message of a DoXxx entry.  Which parameters belong to which reason is inferred from
-// the names (core.md, 1.4), because no document says it.
+// Returns the message that calls DoInit, DoStart, DoStop or DoDestroy of `object`.  No document
+// says which parameters belong to which reason; this is inferred from their names (core.md, 1.4).
 OReasonMessage MessageOf(const Object& object, OReason reason) {
   if (reason != oreasonBOOT) {
     const OShutdownParam param(true);
@@ -85,9 +85,9 @@ void ObjectManager::PostWith(Selector selector, int value) {
   system().Post(message);
 }
 
-// Returns whether PostWith() or PostXxx() has posted the message with this selector and value, and
-// counts the message as done.  If not, adds an error finding, because every object can send a
-// message to the object manager.
+// Returns whether the object manager itself has posted the message with this selector and value,
+// and notes that the message is handled now.  Every object can send a message with this selector,
+// so a message that the object manager has not posted becomes an error finding.
 bool ObjectManager::IsDue(Selector selector, int value) {
   const auto found = due_.find({selector, value});
   if (found != due_.end()) {
@@ -108,8 +108,9 @@ void ObjectManager::Begins(ObjectId id) {
   if (are_connected_) starting_.erase(found);
 }
 
-// Puts held messages back into the queue, now that the connections are made.  Messages of objects
-// whose DoInit has not begun stay held, because these objects take no part in the run.
+// Puts the messages that were held during the boot back into the queue, because the connections are
+// made now.  Messages to an object whose DoInit has not begun stay held, because this object takes
+// no part in the run.
 void ObjectManager::ReleaseEarlyMessages() {
   are_connected_ = true;
   for (auto next = starting_.begin(); next != starting_.end();) {
@@ -136,8 +137,9 @@ void ObjectManager::RunBoot() {
   system().booted_ = true;
 }
 
-// Ends the boot with --strict because of an error, for example a connection to an unknown service.
-// Services are known only after all objects have run DoInit, so the error cannot be found earlier.
+// Switches all robots off during the boot.  Called with --strict if there is an error, for example
+// a connection to an unknown service.  Services are known only after all objects have run DoInit,
+// so the error is not found earlier.
 void ObjectManager::RefuseToStart() {
   for (int robot = 0; robot < system().robot_count(); ++robot) {
     system().PowerOff(robot,
@@ -153,11 +155,12 @@ void ObjectManager::RunShutdown(int robot) {
   system().PowerOff(robot);
 }
 
-// Replaces an image.  The new image is loaded first, so nothing changes if it cannot be loaded.
+// Replaces object `id` by a new load of its image file.  The file is loaded before the old object
+// is stopped, so nothing changes if it cannot be loaded.
 void ObjectManager::RunReload(ObjectId id) {
   Object* const old = system().object(id);
   if (old == nullptr || !old->is_image)
-    return;  // the code of `old` is in another process, or in this program
+    return;  // only an object that was loaded from a file here can be loaded again
   std::unique_ptr<Object> fresh = OpenImage(&system(), old->robot, old->id, old->path, "reload");
   if (fresh == nullptr) return;
   Send(old, oentrySTOP, oreasonSHUTDOWN);
@@ -176,8 +179,8 @@ void ObjectManager::RunTask() {
 
 void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   std::map<ObjectId, std::vector<StandingReady>> readies;
-  // All old objects are marked first, so that messages which one of them leaves behind are not sent
-  // to another.
+  // Marks all old objects before the messages to them are removed.  The removal of a notification
+  // sends a deassert to its sender, but not if the sender is marked, because it is replaced too.
   for (const auto& object : fresh) system().object(object->id)->is_leaving = true;
   for (const auto& object : fresh)
     readies[object->id] = system().EndMessagesTo(system().object(object->id));
@@ -187,8 +190,8 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     system().Replace(std::move(object));
   }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
-  // Makes the connections of the new objects.  Services that were unknown while an object was lost
-  // are reported now, unless they belong to one of the new objects.
+  // Makes the connections of the new objects.  Services that were unknown while a worker process
+  // was lost are reported now, unless their connection belongs to a new object.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {
@@ -205,8 +208,8 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
-  // An observer that is itself replaced asserts ready in its own boot, so its old ready is not sent
-  // again.
+  // The readies of the other observers are sent again.  An observer that is itself replaced asserts
+  // ready in its own boot, so its old ready is left out.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().AssertAgain(id, standing);
@@ -234,7 +237,7 @@ void ObjectManager::SendToAll(Selector entry, OReason reason, bool system_object
 void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   if (entry == oentryINIT) uninitialised_.erase(object->id);
   if (uninitialised_.contains(object->id))
-    return;                    // without DoInit it has no subjects or observers
+    return;                    // an object that had no DoInit has no subjects or observers
   if (object->is_off) return;  // the robot of `object` was switched off meanwhile
   OReasonMessage message = MessageOf(*object, reason);
   OStatusMessage reply;
@@ -261,9 +264,10 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   }
 }
 
-// Returns whether `service` may be unknown because its object is lost.  The first part of a
-// service's name is not always the name of its object.  So `service` is also compared with the
-// services of lost objects that have the same first part.
+// Returns whether `service` may be unknown only because its object is lost, that is, the process of
+// the object has ended.  The first part of a service's name is usually the name of its object.  If
+// not, a registered service with the same first part shows which object it is.  If there is none,
+// any lost object of the robot may be it.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;
@@ -279,7 +283,9 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  if (MayBeLost(connection.robot, service)) {  // the loss itself has been reported
+  // A service of a lost process is not reported now, because the loss of the process has been
+  // reported.
+  if (MayBeLost(connection.robot, service)) {
     unreported_.emplace(&connection, service);
     return;
   }
@@ -288,7 +294,7 @@ void ObjectManager::ReportUnknown(const Connection& connection, const std::strin
       "OBJECT.CFG)";
   std::vector<std::string> known;
   const std::string object = service.substr(0, service.find('.') + 1);
-  std::string cause = object;  // assumes that no service of the object is registered
+  std::string cause = object;  // first assumes that no service of the object is registered
   const auto wanted = ParseServiceName(service, nullptr);
   for (const auto& [name, entry] : system().robot(connection.robot).directory) {
     known.push_back(name);
@@ -319,7 +325,7 @@ void ObjectManager::Connect(const Connection& connection) {
   if (observer == directory.end()) ReportUnknown(connection, connection.observer);
   if (subject == directory.end() || observer == directory.end()) return;
 
-  const auto has_lost_end = [&] {  // a lost object is connected when it has returned
+  const auto has_lost_end = [&] {  // an object of a lost process is connected when it is back
     return system().object(subject->second.first)->IsLost() ||
            system().object(observer->second.first)->IsLost();
   };

@@ -9,10 +9,10 @@
 
 namespace openr_host {
 
-// Readies wait in the message queue of the subject's object, and the robot refuses the 33rd
-// message.  So on the robot an observer that asserts again and again would fail.
+// Counts repeated readies, because on the robot they would fail.  Readies wait in the message queue
+// of the subject's object, and the robot refuses the 33rd message in a queue.
 void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
-  constexpr int kTimesMax = 8;  // our choice: no program asserts that often on purpose
+  constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   auto entry = std::find_if(asserted.begin(), asserted.end(),
                             [&](const Asserted& each) { return each.subject == subject; });
   if (entry == asserted.end()) entry = asserted.insert(asserted.end(), {subject, 0});
@@ -36,8 +36,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   ready.observerID = id;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  // Regions to which this object has no reference go back.  If there are more than fit into this
-  // ready, the others wait for the next ready.
+  // The ready gives back the regions to which this object holds no reference of its own.  Regions
+  // that do not fit into this ready wait for the next one.
   RCRegion* returned[MAX_NUM_DATA];
   std::vector<RCRegion*>* regions = nullptr;
   for (Held& entry : held) {
@@ -72,7 +72,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   System* const system = object->system;
   Object* const sender = system->object(ObjectIdOf(subject.GetOID()));
   if (sender == nullptr) return;
-  // An object that is being replaced receives no more messages, so it gets its regions directly.
+  // A subject whose object is being replaced receives no more messages, so its regions are given
+  // back by a direct call.
   if (sender->is_leaving) {
     for (RCRegion* const region : regions) sender->ReturnRegion(region);
     return;
@@ -89,7 +90,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   message->kind = PayloadKind::kReady;
   if (system->Post(message) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  // if false, a worker owns the regions of this stand-in
+  // False if `sender` stands for an object in a worker process, because then the worker has the
+  // subjects and releases the regions.
   const bool is_here = !sender->subjects.empty();
   for (RCRegion* const region : regions) {
     if (is_here) {

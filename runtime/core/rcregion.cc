@@ -19,11 +19,11 @@ using openr_host::t_current;
 
 namespace {
 
-// A free list for the memory of RCRegions.  They are small, many and short-lived.
+// A pool of memory for RCRegions, because RCRegions are small, many and short-lived.
 struct Pool {
   std::vector<void*> free;
-  // All chunks, kept until the end, so that a leaked region is reported as a region and not as
-  // memory.
+  // The addresses of all chunks.  A leak checker then finds the chunks reachable and does not
+  // report them when an object has not deleted its regions.
   std::vector<void*> chunks;
   static constexpr size_t kChunk = 64;
 
@@ -43,13 +43,13 @@ struct Pool {
 };
 
 Pool& ThePool() {
-  // Never deleted, because regions may be deleted after everything else.
+  // The pool is never deleted, because regions may be deleted even after all static objects.
   static thread_local Pool* const pool = new Pool;
   return *pool;
 }
 
-// Returns where most regions were made: ", 65000 of them made at Talker.cc:57".  Returns "" if that
-// is not known.
+// Returns a text about the place in the program that made the most regions: ", 65000 of them made
+// at Talker.cc:57".  Returns "" if that place is not known.
 std::string MadeWhere(const RegionTable& table) {
   const auto [address, count] = table.MostCommonPlace();
   const std::string place = openr_host::NameOfPlace(address);
@@ -142,8 +142,8 @@ void RCRegion::AddReference() { ++count_; }
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // A received region belongs to its observer until the next ready gives it back, so it is not
-  // deleted here.
+  // The observer keeps a received region until its next ready gives the region back, so the region
+  // is not deleted here.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

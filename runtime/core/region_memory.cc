@@ -12,11 +12,11 @@
 namespace openr_host {
 namespace {
 
-// the mapping step is this size or a cell, whichever is larger
+// Memory is mapped in steps of this size, or of one cell if a cell is larger.
 constexpr size_t kMapBytes = 64 << 10;
 constexpr size_t kKeepBytes = 256 << 10;  // larger cells are unmapped when they are freed
 
-// Sets flag `index`.  The list grows only as far as the highest flag that was set needs.
+// Sets flag `index` to `value`.  The list is made longer only when a flag beyond its end is set.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;
@@ -29,7 +29,8 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // All smaller classes come first; their cells are a geometric series.
+  // The cells of all smaller classes lie before this class.  The sum of their sizes is that of a
+  // geometric series.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 
@@ -43,8 +44,8 @@ RegionMemory::~RegionMemory() {
   GiveRegionArea(area_);
 }
 
-// Returns the cell of `slot`, and maps its memory if that has not been done.  Returns null if there
-// is no memory.
+// Returns the cell of `slot` and maps its memory if it is not mapped yet.  Returns null if there is
+// no memory.
 char* RegionMemory::MappedCell(int size_class, uint32_t slot) {
   const size_t cell = CellBytes(size_class);
   const size_t step = std::max(cell, kMapBytes);

@@ -1,7 +1,8 @@
-// Memory for the blocks of a RegionTable.
+// RegionMemory: allocates the memory of regions, the blocks of shared memory that a RegionTable
+// lists.
 //
-// The address of a block follows from its slot in the table and its size, so it is the same in
-// every process of a run.
+// The address of a block follows from its slot (index) in the table and its size.  So the address
+// is the same in every process of a run.
 #pragma once
 
 #include <array>
@@ -30,8 +31,9 @@ class RegionMemory {
   void Free(char* block);
 
  private:
-  // Each size class has one cell for each slot.  The cells of class 0 have 64 bytes, those of each
-  // further class four times as many as those of the class before.
+  // Blocks belong to size classes.  Each class has one cell, the memory for one block, for each
+  // slot.  A cell of class 0 has 64 bytes, and a cell of each further class four times as many as a
+  // cell of the class before.
   static constexpr int kClasses = 10;
   static size_t CellBytes(int size_class) { return size_t{64} << (2 * size_class); }
   static size_t OffsetOf(int size_class);
@@ -40,7 +42,8 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;  // by slot
-    // by number of the mapping step, because a step is mapped as a whole
+    // For each mapping step: whether it is mapped.  Memory is mapped in steps, which may hold
+    // several cells (kMapBytes).
     std::vector<bool> is_mapped;
   };
 

@@ -1,9 +1,10 @@
-// Access rights to shared memory: AllowToAttachMemoryRegion() and similar functions (MCOOP.h).
+// RegionShares: the access rights of objects to regions (blocks of shared memory), for
+// AllowToAttachMemoryRegion() and similar functions of MCOOP.h.
 //
 // The rules are those of the robot's memory-protected configuration: a region belongs to the object
-// that made it, and another object needs the owner's permission.  Without the permission it gets
-// error 44 (field-notes.md, 3.1).  The rights decide only what these functions return.  As on a
-// robot without protection, every object can still read and write every region.
+// that made it, and another object needs the owner's permission.  Without the permission the other
+// object gets error 44 (field-notes.md, 3.1).  The rights decide only what these functions return.
+// As on a robot without protection, every object can still read and write every region.
 #pragma once
 
 #include <MemoryRegion.h>
@@ -22,7 +23,8 @@ class RegionShares {
  public:
   explicit RegionShares(RegionTable* regions) : regions_(regions) {}
 
-  // All these functions return an sError.  `self` is the object that calls.
+  // Do the work of AllowToAttachMemoryRegion(), AttachMemoryRegion() and so on.  Return an sError.
+  // `self` is the object that calls.
   int32_t Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info, ObjectId other,
                 bool giving_ownership);
   int32_t Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info);

@@ -12,7 +12,8 @@ namespace {
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr size_t kGuardBytes = 0;
-// memory of a copy is freed, so that later reads of the copy are found
+// With AddressSanitizer, the memory of a copy that is no longer used is freed and not kept for the
+// next copy.  Then AddressSanitizer reports reads of the old copy.
 constexpr bool kReusesCopies = false;
 #else
 constexpr size_t kGuardBytes = 16;
@@ -59,8 +60,9 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
 }
 
-// Empties the slot that `id` names, for a block whose id another process has given out.  Returns
-// null if the slot has a live block.
+// Prepares the slot that `id` names for a new block whose id another process has chosen.  Frees the
+// old memory of the slot, or moves it to outlived_ if it is pinned.  Returns null if the slot has a
+// live block.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
   if (index >= 0xffff) return nullptr;
@@ -86,8 +88,8 @@ char* RegionTable::AdoptOwn(uint32_t id, size_t size, ObjectId owner) {
   return slot->base;
 }
 
-// Uses the memory of the block's last copy again if that memory suffices, because a subject sends
-// the same few regions again and again.
+// Uses the memory of the last copy of this block again if the size is the same.  This saves time,
+// because a subject sends the same few regions again and again.
 char* RegionTable::AdoptCopy(uint32_t id, size_t size) {
   Slot* slot = FindMemory(id);
   if (slot != nullptr && slot->is_idle && slot->capacity == size) {
@@ -163,7 +165,8 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // Counts in order of slots, because an order of addresses would differ from run to run.
+  // The counts are in order of slots, and not of addresses, because the order of addresses would
+  // differ from run to run.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

@@ -1,9 +1,10 @@
-// Shared memory of one System: every block that objects pass to each other.
+// RegionTable: the regions of one System.  A region is a block of shared memory in which objects
+// pass data to each other.
 //
 // A MemoryRegionID is (generation << 16 | slot + 1).  A later block in the same slot has another
-// generation, so the id of a deleted block never names it.  Ids and addresses (region_memory.h) are
-// the same in every run.  New blocks are filled with zeros.  A few known bytes follow every block,
-// so that a write beyond the end of the block can be found.
+// generation, so the id of a deleted block never names the later block.  Ids and addresses
+// (region_memory.h) are the same in every run.  New blocks are filled with zeros.  A few known
+// bytes follow every block, so that a write beyond the end of the block can be found.
 #pragma once
 
 #include <cstddef>
@@ -28,17 +29,17 @@ class RegionTable {
 
   static constexpr uint32_t kNoRegion = 0;
 
-  // Make a block with a given `id` in the table of a worker.  In a run with several processes, the
-  // master's table gives out the ids.  AdoptOwn() makes the block of an object in this process.
-  // AdoptCopy() makes a copy of a block of another process; the copy must be pinned at once with
-  // KeepCopy(), and is free after the last DropCopy().  A copy is not always filled with zeros: it
-  // may hold the bytes of an earlier copy of the same block.  Both functions return null if there
-  // is no memory.
+  // Make a block with a given `id` in the table of a worker process.  In a run with several
+  // processes, only the table of the master process chooses ids.  AdoptOwn() makes the block of an
+  // object in this process.  AdoptCopy() makes a copy of a block of another process; the copy must
+  // be pinned at once with KeepCopy(), and is free after the last DropCopy().  A copy is not always
+  // filled with zeros: it may hold the bytes of an earlier copy of the same block.  Both functions
+  // return null if there is no memory.
   char* AdoptOwn(uint32_t id, size_t size, ObjectId owner);
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id);
   void DropCopy(uint32_t id);
-  // Removes a block of AdoptOwn() that the master has deleted.
+  // Removes a block that AdoptOwn() made and that the master process has deleted.
   void Lose(uint32_t id);
 
   // Finds the block in which `address` lies, and sets `*id` and `*offset`.  Returns false if there
@@ -49,7 +50,7 @@ class RegionTable {
   // kNoRegion if there is no memory or no free slot.
   uint32_t New(size_t size, ObjectId owner);
 
-  // Records `address`, the instruction that made block `id`, for MostCommonPlace().
+  // Records `address`, the instruction of a program that made block `id`, for MostCommonPlace().
   void NotePlace(uint32_t id, const void* address);
   // Returns the instruction that made the most live blocks, and the number of these blocks.
   // Returns null if no instruction was recorded.
@@ -62,13 +63,13 @@ class RegionTable {
   // Deletes all blocks of an object that is being unloaded.
   void DeleteAllOf(ObjectId owner);
 
-  // Return null, 0 or kNoObject if `id` names no block.
+  // Return the address, the size and the owner of block `id`, or null, 0 and kNoObject if `id`
+  // names no block.
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
   ObjectId OwnerOf(uint32_t id) const;
-  // Returns the object that made the block, even if another object owns the block now, because the
-  // bytes are in the process of the maker.  Returns kNoObject if the block was deleted or its maker
-  // was unloaded.
+  // Returns the object that made the block, whose process has the bytes.  The block may have
+  // another owner now.  Returns kNoObject if the block was deleted or its maker was unloaded.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
@@ -95,7 +96,7 @@ class RegionTable {
   void ForEachOf(ObjectId owner,
                  const std::function<void(uint32_t id, char* base, size_t size)>& visit) const;
 
-  // Adds the ids, owners, sizes and bytes of all live blocks.
+  // Adds the ids, owners, sizes and bytes of all live blocks to the hash of the run's state.
   void HashState(Hasher* hasher) const;
 
  private:
@@ -124,8 +125,9 @@ class RegionTable {
 
   RegionMemory memory_;
   std::vector<Slot> slots_;
-  // The memory of copies that were still pinned when another block got their slot.  This happens
-  // only if a subject is replaced while an observer in this process still reads its data.
+  // The memory of copies that were still pinned (being read) when another block got their slot.
+  // This happens only if a subject is replaced while an observer in this process still reads its
+  // data.
   std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live slots

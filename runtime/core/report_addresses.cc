@@ -1,4 +1,5 @@
-// The finding about messages that hold addresses of this process.
+// Reports messages that hold an address of this process.  Such an address differs from run to run,
+// and so do the hashes of the run.
 #include <OPENR/ObjcommMessages.h>
 #include <OPENR/RCRegion.h>
 #include <fmt/format.h>
