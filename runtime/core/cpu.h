@@ -26,7 +26,7 @@ class CostModel {
   virtual int64_t CostUs(const Object& object, uint32_t selector) = 0;
   // Returns how long a frame of the robot's devices lasts on the virtual clock.
   virtual int64_t FrameUs() const;
-  // Adds the state of the model that decides future costs.
+  // Adds to the hash all state of the model that can change later costs.
   virtual void HashState(Hasher*) const {}
 };
 

@@ -68,8 +68,9 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
-  // If the callee runs in another process, wall time passes and virtual time does not count, so the
-  // wait goes on after a time-out.
+  // A time-out is measured in virtual time.  If the callee's handler runs in another process,
+  // virtual time does not tell how long it takes, so a time-out is ignored and the wait begins
+  // again.
   for (;;) {
     const int32_t result = Wait(box, reply, reply_size, nullptr, timeout_us, why);
     if (result != sTIMEOUT || !system_->object(target)->IsAtWorkElsewhere()) return result;

@@ -9,8 +9,8 @@ namespace openr_host {
 // 4 bytes".  The process gets SIGILL while the code that made the fault is still on the stack.
 [[noreturn]] void StopAsTheRobotDoes(const std::string& what);
 
-// Returns the description of the fault that StopAsTheRobotDoes() has announced, for the handler of
-// SIGILL.  Returns "" if that function was not called.
+// Returns the text `what` of the last call of StopAsTheRobotDoes(), or "" if there was none.
+// Called by the handler of SIGILL to describe the crash.
 const char* AnnouncedFault();
 
 }  // namespace openr_host

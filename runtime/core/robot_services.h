@@ -1,4 +1,5 @@
-// The interface between the OPENR:: functions and the simulated robot.
+// RobotServices: the interface between the OPENR:: functions, which objects call, and the simulated
+// robot.
 //
 // Every function has the meaning and the results of the function of the same name in OPENRAPI.h.
 // The base class is a robot without devices: its functions return that a primitive or a key does
@@ -54,11 +55,11 @@ class RobotServices {
   virtual OStatus SetVolumeSwitch(OVolumeSwitch volume);
   virtual OStatus GetVolumeSwitch(OVolumeSwitch* volume);
 
-  // Sets the state of random generators to the state of a new robot with this seed.  Called before
-  // System::Boot().
+  // Sets the state of all random generators of the robot as for a new robot with this seed.  Called
+  // before System::Boot().
   virtual void Reseed(uint64_t) {}
 
-  // Adds the state that decides the future results of these functions.
+  // Adds to the hash all state that can change what these functions do or return later.
   virtual void HashState(Hasher* hasher) const;
 };
 

@@ -20,11 +20,11 @@ enum class EndKind : uint8_t {
   kHandlerLimit,  // a handler did not return
   kLostProcess,   // a process with objects of the run was lost
   kNoBoot,        // the robot did not boot, or was refused before any object started
-  kSignal,        // Ctrl-C or SIGTERM came again
+  kSignal,        // Ctrl-C or SIGTERM came a second time
 };
 constexpr int kEndKinds = 12;
 
-// Returns "time", "idle" ...: the values of `ended_by` in a report.
+// Returns the name of `kind` as reports show it in the field `ended_by`: "time", "idle" ...
 const char* EndName(EndKind kind);
 
 struct RunEnd {
@@ -32,7 +32,7 @@ struct RunEnd {
   std::string why = "the robot was shut down";  // "PowerMonitor shut the robot down ..."
 };
 
-// Returns "ended by time: --for 20s is over", for people.
+// Returns a sentence about the end for people: "ended by time: --for 20s is over".
 std::string DescribeEnd(const RunEnd& end);
 
 }  // namespace openr_host

@@ -47,7 +47,7 @@ class Gate {
   virtual bool Admit(Message* message) = 0;
 };
 
-// A schedule that draws its choices from a seed.
+// A schedule that chooses at random, with a generator that depends only on `seed`.
 class SeedSchedule : public Schedule {
  public:
   explicit SeedSchedule(uint64_t seed) : rng_(seed, "order") {}

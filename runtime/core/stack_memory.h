@@ -22,7 +22,7 @@ class StackMemory {
   // The size of the stack.  Only the pages that were touched use memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
-  // Offsets from a planned address.
+  // Offsets from the begin of a stack at a planned address.
   static constexpr size_t kGuardBytes = 4096;
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
@@ -43,12 +43,12 @@ class StackMemory {
   }
 
   // Returns how many bytes of the stack were written to, counted from the top.  The search goes
-  // from the top down and ends after `gap_bytes` of zeros.  So bytes below an unused array of this
-  // size are missed.  Returns 0 with AddressSanitizer and under Valgrind, which do not allow these
-  // reads.  REQUIRES: the caller runs on another stack.
+  // from the top down and ends after `gap_bytes` of zeros.  So the function misses written bytes
+  // below an array of this size that was not written.  Returns 0 with AddressSanitizer and under
+  // Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
-  // Sets the bytes that UsedBytes() counts to zero, and returns the number of these bytes.
+  // Sets to zero the bytes that UsedBytes(gap_bytes) counts, and returns their number.
   size_t Clear(size_t gap_bytes);
 
   static constexpr size_t kWideGapBytes = size_t{32} << 10;

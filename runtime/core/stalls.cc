@@ -15,8 +15,8 @@ double Seconds(int64_t us) { return static_cast<double>(us) * 1e-6; }
 constexpr char kReadyAdvice[] =
     "an observer gets nothing until it asserts ready, again after every notification";
 
-// Adds the stall of one connection, if there is one.  An observer that has deasserted does not want
-// data, so it does not stall.
+// Adds to `stalls` the stall of the connection `link`, if the observer is not ready.  No stall is
+// added for an observer that has deasserted, because it does not want data.
 void FindInLink(const Object& object, const SubjectState& subject, const ObserverLink& link,
                 int64_t now_us, std::vector<Stall>* stalls) {
   if (link.ready < 0) return;

@@ -1,7 +1,8 @@
 // Stalls: objects that wait for a ready, for a reply or for the processor.
 //
-// If an observer forgets to assert ready, the robot reports nothing, and subject and observer both
-// stop sending (field-notes.md, 2.2).  A stall names the two objects.
+// An observer that forgets to assert ready, that is, to ask for the next data, gets no more data.
+// The robot reports nothing, and subject and observer both stop sending (field-notes.md, 2.2).  The
+// text of a stall names both objects.
 #pragma once
 
 #include <cstdint>
@@ -29,17 +30,17 @@ struct Stall {
   bool is_chosen = false;
 };
 
-// In a program that works, no object waits for as long as this.
+// The shortest wait that is reported.  In a program that works, no object waits so long.
 constexpr int64_t kStallUs = 1'000'000;
 
 // Returns the stalls that have lasted for `least_us` or longer, in order of objects.  Stalls with
-// `may_be_done` are found only from kStallUs on, because most observers work on a notification
-// before they assert.
+// `may_be_done` must have lasted for kStallUs at least, because most observers work on a
+// notification before they assert.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
 // Adds a finding for every stall that has lasted for kStallUs or longer: a note if `is_chosen`,
-// otherwise a warning.  Stalls with `may_be_done` are left out unless the run `is_silent`.  Called
-// at the end of a run.
+// otherwise a warning.  Stalls with `may_be_done` are left out unless `is_silent`, that is, no
+// object sends messages any more.  Called at the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

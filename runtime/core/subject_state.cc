@@ -14,7 +14,7 @@
 namespace openr_host {
 
 bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // No message is running if a test calls the entry directly.
+  // There is no running message if a test calls the function of the entry directly.
   if (object.handler.running == nullptr || object.handler.running->kind == kind) return true;
   object.system->AddFinding(
       Severity::kError,
@@ -103,8 +103,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
   link->pending.insert(link->pending.end(), link->fresh.begin(), link->fresh.end());
   link->fresh.clear();
   Flush(link);
-  // Old units are dropped only after Flush(), so that data which the observer can take now are not
-  // lost.
+  // Old notifications are dropped only after Flush(), so that data which the observer can take now
+  // are sent and not lost.
   while (link->units.size() > link->max) {
     DropOldestUnit(link);
     ++object->dropped_count;
@@ -116,7 +116,7 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 
 void SubjectState::Flush(ObserverLink* link) {
   if (link->ready <= 0 || link->units.empty() || link->units.size() < link->min) return;
-  // One message carries as many whole units as fit, oldest first.
+  // One message carries as many whole notifications (units) as fit, oldest first.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&

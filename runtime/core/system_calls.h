@@ -1,4 +1,4 @@
-// The calls of a handler to its System: everything that a handler does and others can see.
+// SystemCalls: the interface for everything that a handler does and other objects or users can see.
 //
 // There are three kinds of SystemCalls.  LocalCalls works on the tables of the System itself.  In a
 // worker process, WorkerCalls sends the calls to the master (distribution/worker_calls.h).  The
@@ -44,7 +44,7 @@ class SystemCalls {
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
   // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us` (< 0: without
-  // limit).  Returns the message that will end the wait at that time, or null if this process
+  // limit).  Returns the message that will end the wait after `timeout_us`, or null if this process
   // posted no such message.
   virtual Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
@@ -82,8 +82,8 @@ class SystemCalls {
   virtual uint32_t NewRegion(size_t size, ObjectId owner) = 0;
   virtual bool DeleteRegion(uint32_t region) = 0;
   virtual bool ResizeRegion(uint32_t region, size_t size) = 0;
-  // Return false if there is no such region.  UnpinRegion() also returns false if the region is not
-  // pinned.
+  // Pinning keeps the memory of a region until it is unpinned.  Both functions return false if
+  // there is no such region.  UnpinRegion() also returns false if the region is not pinned.
   virtual bool PinRegion(uint32_t region) = 0;
   virtual bool UnpinRegion(uint32_t region) = 0;
 
@@ -102,12 +102,12 @@ class SystemCalls {
   // Adds a finding about the object `about`, or about the system if `about` is null.
   virtual void AddFinding(const Object* about, Severity severity, std::string_view text) = 0;
 
-  // Do what System::Shutdown() and System::PowerOff() do.
+  // Shut down or switch off one robot; see System::Shutdown() and System::PowerOff().
   virtual void Shutdown(int robot, const RunEnd& why) = 0;
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
-  // Tells all processes that use the caller's stick that the file `path` is about to change, and
-  // returns when all of them know.
+  // Tells all processes of the run that use the caller's stick that the file `path` is about to
+  // change.  Returns when all these processes know.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

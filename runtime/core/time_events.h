@@ -39,7 +39,8 @@ class TimeEvents {
   // Removes all events of object `id` and all events that post to it.
   void ForgetObject(ObjectId id);
 
-  // Returns when the next event is due, or INT64_MAX if no event has a time.
+  // Returns the virtual time at which the next event is due, or INT64_MAX if all events wait for
+  // replies.
   int64_t NextUs() const;
   // Posts the messages of events that are due now, in the order of the events' ids.
   void PostDue();

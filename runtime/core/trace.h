@@ -1,4 +1,5 @@
-// The trace: every delivered message in order, and the hash of all of them.
+// Trace: computes one hash of all delivered messages in their order, and passes every message to
+// listeners (sinks).
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,7 @@ class Trace {
  public:
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
-  // Adds `message` to the hash and passes it to the sinks.
+  // Adds `message`, which is delivered at `now_us`, to the hash and passes it to the sinks.
   void Deliver(const Message& message, int64_t now_us);
 
   // Adds a `sink`, a function that is called for every delivered message, after the sinks that were
@@ -38,8 +39,8 @@ class Trace {
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
-  // Switches hashing on or off.  If off, messages are only counted, which benchmarks use to measure
-  // the cost of hashing.
+  // Switches hashing on or off.  If off, and if there are no sinks, messages are only counted.
+  // Benchmarks use this to measure the cost of hashing.
   void set_hashing(bool on) { hashing_ = on; }
   uint64_t hash() const;
   uint64_t count() const { return count_; }
