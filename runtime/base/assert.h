@@ -1,4 +1,4 @@
-// ASSERT, which checks in every build a condition that only a mistake in our own code can break.
+// ASSERT: checks, in release builds too, a condition that only a mistake in our own code can break.
 //
 // A failed ASSERT prints the condition, the values given and the state of the run (virtual time,
 // object, message, seed), then aborts.

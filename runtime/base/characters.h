@@ -1,4 +1,5 @@
-// Tests for kinds of characters in text files of the robot: ASCII only, whatever the host's locale.
+// Tests whether a character is a blank, a digit or a letter, for text files of the robot.  Only
+// ASCII characters count, whatever the host's locale.
 #pragma once
 
 namespace openr_host {

@@ -1,4 +1,5 @@
-// The upper halves of the processor's vector registers.
+// ClearUpperRegisters(): clears the upper halves of the processor's vector registers, because bits
+// that are left there make other code slow.
 //
 // Code that was compiled for AVX, as the C library's string functions and xxHash are, may leave
 // bits in the upper halves of the 16 vector registers.  Code that was compiled for SSE, as libode,

@@ -18,10 +18,10 @@
 // Memory is mapped only when it is needed, and not reserved before.  So a limit on address space
 // (ulimit -v) counts only used memory.
 //
-// Addresses are not planned with AddressSanitizer or ThreadSanitizer, because the tables of these
-// tools lie in the same part of the address space, nor if that part was not empty at the start
-// (address_plan.cc).  Objects then share the host's heap, and the kernel chooses the address of
-// every mapping.
+// There are two cases in which addresses are not planned: with AddressSanitizer or ThreadSanitizer,
+// because tables of these tools lie in the same part of the address space, and if that part was not
+// empty at the start (address_plan.cc).  Objects then share the host's heap, and the kernel chooses
+// the address of every mapping.
 #pragma once
 
 #include <cstddef>

@@ -53,7 +53,8 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  // The rounded end still lies in the heap area, because the area's size is a multiple of the step.
+  // `end` is rounded up to a whole step.  It still lies in the heap area, because the area's size
+  // is a multiple of the step.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;

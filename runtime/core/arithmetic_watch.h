@@ -39,9 +39,9 @@ class ArithmeticWatch {
  private:
   bool has_begun_ = false;
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
-  // how many calls of functions that are not the image's own are nested now
+  // How many nested calls of functions that are not the image's own are running now.
   int calls_ = 0;
-  unsigned saved_fp_ = 0;  // the image's MXCSR during such a call
+  unsigned saved_fp_ = 0;  // the image's MXCSR, kept during such a call
 };
 
 }  // namespace openr_host

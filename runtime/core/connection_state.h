@@ -131,7 +131,8 @@ struct ObserverState {
   size_t min = 1;
   size_t max = 1;
   std::list<OSubjectInfo> subjects;
-  // Regions received from one subject that have not been given back, oldest first.
+  // The regions that this observer has received from one subject and has not given back yet, oldest
+  // first.
   struct Held {
     SubjectID subject;
     std::vector<RCRegion*> regions;

@@ -48,8 +48,7 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     if (object == nullptr || object->handler.blocked == nullptr ||
         object->handler.blocked_box != box)
       continue;
-    // The message has a copy of the line only for the trace.  The object that is woken takes the
-    // line from the terminal.
+    // The message holds the line only for the trace; the reader takes the line from the terminal.
     Message* const wake = system_->NewMessage(id, 0);
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;

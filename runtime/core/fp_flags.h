@@ -1,4 +1,5 @@
-// Floating-point flags: which kinds of operations happened since the flags were last cleared.
+// Reads the floating-point flags, which tell what kinds of operations happened since the flags were
+// last cleared.
 //
 // On x86-64 only the flags of SSE2 are read, with one instruction.  fetestexcept() is not used,
 // because it also reads the flags of the old coprocessor, which takes longer than a short handler.

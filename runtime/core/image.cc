@@ -216,8 +216,8 @@ bool ImageObject::Dispatch(uint32_t selector, void* payload) {
 // (field-notes.md, 4.4).  Each kind of operation is reported once per object.
 void ImageObject::ReportFpFlags(uint32_t selector) {
   const ApiScope scope;
-  // A conversion that checked_code.cc has reported also sets kFpInvalid, so kFpInvalid is not
-  // reported again here.
+  // A conversion to an integer that checked_code.cc has reported also sets the flag kFpInvalid.  In
+  // this case the flag is not reported again here.
   const unsigned reported = has_reported_cast ? unsigned{kFpInvalid} : 0u;
   const unsigned fresh = FpFlags() & ~fp_seen_ & ~reported;
   const bool makes_denormals = ((fp_seen_ | fresh) & kFpUnderflow) != 0;

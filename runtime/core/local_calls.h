@@ -1,4 +1,5 @@
-// LocalCalls: the SystemCalls of a handler whose System is in this process.
+// LocalCalls: the SystemCalls (what a handler can ask of its System) for a System in the same
+// process.
 #pragma once
 
 #include "runtime/core/system_calls.h"

@@ -34,11 +34,11 @@ class ObjectManager : public CodeObject {
   // in a handler of the object manager.
   void Begin(std::vector<std::unique_ptr<Object>> fresh);
 
-  // Returns whether `message` must be held because of the boot of its receiver.
-  // - The first message that an object handles is DoInit.  On the robot DoInit is in the mailbox
-  //   before any other object knows the new one (core.md, 1.5).
-  // - A ready is held until the connections are made, because before that the subject does not know
-  //   the observer.
+  // Returns whether `message` must be kept back because its receiver is still in its boot.
+  // - The first message that an object handles is DoInit.  On the robot DoInit is in the mailbox of
+  //   the new object before any other object knows the new object (core.md, 1.5).
+  // - A ready is kept back until the connections are made, because before that the subject does
+  //   not know the observer.
   bool IsTooEarly(const Message& message) const {
     if (starting_.empty() || message.sender == host().id) return false;
     const auto found = starting_.find(message.target);

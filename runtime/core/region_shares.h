@@ -32,8 +32,8 @@ class RegionShares {
   int32_t ChangeProtection(ObjectId self, uint32_t region, MemoryProtectionInfo info);
 
   // Returns whether `self` may write to `region` on a robot with memory protection: `self` owns the
-  // region, or the owner has allowed it.  A permission counts only if both objects run in the same
-  // process.
+  // region, or the owner has allowed it.  In a run with several processes only the master process
+  // knows what owners have allowed, so in a worker process only the owner may write.
   bool MayWrite(ObjectId self, uint32_t region) const;
 
  private:

@@ -18,7 +18,8 @@ namespace {
 
 thread_local StackMemory* t_newest = nullptr;
 
-// number of words that IsZero() tests together, without a branch
+// The number of words that IsZero() tests together.  One test of many words is faster than a branch
+// for each word.
 constexpr size_t kWordsAtATime = 32;
 constexpr size_t kStepBytes = kWordsAtATime * sizeof(uint64_t);
 

@@ -1,4 +1,4 @@
-// Findings about handlers that use more stack than their .ocf file gives.
+// Reports handlers that use more stack than the .ocf file (the settings) of their object gives.
 //
 // On the robot a stack that is too small overwrites other memory, and nothing reports it
 // (field-notes.md, 3.7).  Stack frames of a 64-bit host are at most twice as large as the robot's,

@@ -75,8 +75,8 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 
 namespace {
 
-// Reports a notify to an observer that has deasserted.  If the observer is lost, nothing is
-// reported, because the loss itself is a finding.
+// Reports a notify to an observer that has deasserted.  Nothing is reported if the process of the
+// observer has ended, because that is a finding already.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
   link->told_deasserted = true;

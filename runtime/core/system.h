@@ -59,8 +59,8 @@ struct SystemOptions {
   // The seed of everything that is random.  With 1, messages have the canonical order; with any
   // other seed, the order is drawn from those that the robot allows (schedule.h).
   uint64_t seed = 1;
-  // Lets mistakes that stop a robot stop it here too; without, they are only findings.  Objects
-  // receive read-only copies of data (guard_pages.h).
+  // If true, mistakes of programs that stop a real robot stop the robot here too.  If false, they
+  // are only findings.  Also makes objects receive read-only copies of data (guard_pages.h).
   bool strict = false;
   // Receives what objects print; null: standard output.
   std::function<void(std::string_view text)> console = {};
@@ -151,9 +151,9 @@ class System {
   // added and nothing changes.  REQUIRES: booted() and `id` names an image.
   void Reload(ObjectId id);
 
-  // Posts the replacement of objects whose worker was lost; EndAllOf() was called for them.  The
-  // objects of `fresh` have the same ids.  All of them are in place before the first DoInit.
-  // REQUIRES: booted().
+  // Posts the replacement of objects whose worker process has ended, after EndAllOf() was called
+  // for them.  Each object of `fresh` has the id of the object that it replaces.  All of them are
+  // in place before the first DoInit.  REQUIRES: booted().
   void Return(std::vector<std::unique_ptr<Object>> fresh);
 
   // Ends every connection of the other objects with object `id`.  A worker calls this when an
@@ -298,8 +298,7 @@ class System {
 
   // The steps of a replacement (reload.cc), in this order:
   // 1. Takes all messages to `old` out of the queue, because nothing will receive them.  Returns
-  // the
-  //    observers that were ready for `old`, including readies among these messages.
+  //    the observers that were ready for `old`, including readies among these messages.
   std::vector<StandingReady> EndMessagesTo(Object* old);
   // 2. Puts `fresh` into the table of objects in place of the object with its id.
   void Replace(std::unique_ptr<Object> fresh);

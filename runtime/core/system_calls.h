@@ -35,8 +35,8 @@ class SystemCalls {
   // `message`.
   virtual int32_t Post(Message* message, int64_t delay_us) = 0;
 
-  // OpenBox() lets the caller receive a reply to `box`.  CloseBox() ends that, and releases a reply
-  // that has already arrived.
+  // Each request has a number, its box, under which the reply arrives.  OpenBox() lets the caller
+  // receive a reply to `box`.  CloseBox() ends that, and releases a reply that has already arrived.
   virtual void OpenBox(uint64_t box) = 0;
   virtual void CloseBox(uint64_t box) = 0;
 
@@ -44,7 +44,7 @@ class SystemCalls {
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
   // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us` (< 0: without
-  // limit).  Returns the message that will end the wait after `timeout_us`, or null if this process
+  // limit).  Returns the message that will end the wait at that time, or null if this process
   // posted no such message.
   virtual Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
