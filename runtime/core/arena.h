@@ -62,7 +62,7 @@ class Arena {
   // One span of 64 KiB.  It holds small blocks of one size class, or is the first or a later span
   // of a large block.
   struct Span {
-    int16_t use = kFree;      // the index of a size class, or one of the numbers below
+    int16_t use = kFree;      // the index of a size class, or kFree, kLarge, kInside
     uint16_t span_count = 0;  // in the first span of a large block: the number of its spans
   };
   static constexpr int16_t kFree = -1, kLarge = -2, kInside = -3;

@@ -67,7 +67,7 @@ std::string Render(const SourcePlace& place) {
 // Reports a fault of the running object.  With --strict the object crashes; otherwise a finding is
 // added, once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
-  if (t_current.system == nullptr || t_current.object == nullptr) return;  // code of the host runs
+  if (t_current.system == nullptr || t_current.object == nullptr) return;  // no object is running
   if (t_current.system->options().strict)
     StopAsTheRobotDoes(fmt::format("{} at {} ({})", what, Render(*place), exception));
   if (std::exchange(place->column, kSaid) == kSaid) return;

@@ -74,11 +74,11 @@ struct ObserverLink {
   };
   std::vector<RCRegion*> pending;  // regions that were notified but not sent yet, oldest first
   std::vector<Unit> units;         // notifications whose regions are in `pending`, oldest first
-  int64_t waiting_since_us = -1;   // virtual time of the oldest pending unit
+  int64_t waiting_since_us = -1;   // virtual time since which a notification waits; -1: none waits
   uint64_t sent = 0;               // messages sent
   int64_t sent_us = 0;             // virtual time of the last message
-  uint64_t replaced = 0;           // number of units dropped because newer units replaced them
-  bool is_lost = false;            // the observer is lost, and the runtime has deasserted for it
+  uint64_t replaced = 0;           // notifications dropped because newer ones replaced them
+  bool is_lost = false;            // the last deassert came from the runtime (kDeassertOfLost)
   bool told_deasserted = false;    // a finding about a notify after a deassert has been added
 };
 

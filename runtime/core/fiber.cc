@@ -32,8 +32,8 @@ thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
 // Tells AddressSanitizer that a stack is empty.  Functions that never returned have left marks for
-// their variables in its shadow memory.  Because of these marks, it would report the next use of
-// the stack as an error.
+// their variables in the shadow memory of AddressSanitizer.  With these marks, AddressSanitizer
+// would report the next use of the stack as an error.
 void ForgetFrames([[maybe_unused]] const void* bottom, [[maybe_unused]] size_t bytes) {
 #ifdef OPENR_ASAN
   __asan_unpoison_memory_region(bottom, bytes);

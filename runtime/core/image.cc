@@ -119,8 +119,9 @@ std::string ImageObject::TakePlace(const std::string& original) {
 }
 
 // Makes calls from the image to imported functions run on a stack of their own.  Does nothing if a
-// tool watches the stack.  Does nothing either if the image is not at its planned address, because
-// RedirectImports() works only there.  Returns "" or the reason of a failure.
+// memory checker, such as Valgrind, watches the stack.  Does nothing either if the image is not at
+// its planned address, because RedirectImports() works only there.  Returns "" or the reason of a
+// failure.
 std::string ImageObject::TakeImports() {
   const char* const info = static_cast<const char*>(dlsym(handle_, "ObjectEntryTable"));
   if (place == nullptr || IsStackWatched() || info < place->image() ||

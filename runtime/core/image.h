@@ -22,7 +22,7 @@ namespace openr_host {
 // The description of an image, which the build puts into every image under the symbol
 // openr_image_info.
 struct ImageInfo {
-  uint32_t version;  // kImageVersion
+  uint32_t version;  // the value of kImageVersion in the build that made the image
   uint32_t reserved;
   const char* ocf;  // the text of the .ocf file
 };

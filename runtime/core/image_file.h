@@ -9,11 +9,10 @@
 namespace openr_host {
 
 struct ImageFile {
-  std::string bytes;  // the shared object, decompressed
-  bool is_compressed =
-      false;                  // compressed with gzip, as Makefiles of programs do when they install
-  bool is_for_robot = false;  // a MIPS binary
-  std::string problem;        // the reason why the file cannot be loaded; "" if it can be loaded
+  std::string bytes;           // the shared object, decompressed
+  bool is_compressed = false;  // with gzip, as Makefiles of programs do when they install
+  bool is_for_robot = false;   // a MIPS binary
+  std::string problem;         // the reason why the file cannot be loaded; "" if it can be loaded
 };
 
 // Reads the file `path` and checks everything that can be checked without loading the file: whether

@@ -19,7 +19,8 @@ using openr_host::t_current;
 
 namespace {
 
-// A pool of memory for RCRegions, because RCRegions are small, many and short-lived.
+// A pool of memory for RCRegions.  RCRegions are small, many and short-lived, so single allocations
+// would take long.
 struct Pool {
   std::vector<void*> free;
   // The addresses of all chunks.  A leak checker then finds the chunks reachable and does not

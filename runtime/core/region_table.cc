@@ -165,8 +165,8 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // The counts are in order of slots, and not of addresses, because the order of addresses would
-  // differ from run to run.
+  // Counts how many blocks each instruction has made, in the order of slots.  An order of addresses
+  // would differ from run to run, and with it the choice between two equal counts.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

@@ -1,5 +1,5 @@
-// Sends the data of a subject: ready, notify, pending data, and the order in which references are
-// released.  See measured.md, section 1.
+// Sends the data of a subject to its observers: keeps data pending until an observer is ready, and
+// releases references to regions in the measured order.  See measured.md, section 1.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -141,7 +141,8 @@ class System {
   // messages does not change: it stays that of set_schedule().  REQUIRES: before Boot().
   void Reseed(uint64_t seed);
 
-  // Posts the boot: DoInit of all objects, connections, DoStart of all.
+  // Posts the message that begins the boot: DoInit of all objects, then their connections, then
+  // DoStart of all objects.
   void Boot();
 
   // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old

@@ -87,7 +87,7 @@ class SystemCalls {
   virtual bool PinRegion(uint32_t region) = 0;
   virtual bool UnpinRegion(uint32_t region) = 0;
 
-  // Change or check access rights as RegionShares does.  Return an sError.
+  // Change or check access rights to `region`; see RegionShares.  Return an sError.
   virtual int32_t AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
                               bool giving_ownership) = 0;
   virtual int32_t Attach(uint32_t region, MemoryProtectionInfo info) = 0;

@@ -13,8 +13,9 @@
 
 namespace openr_host {
 
-// A delivered message.  Its bytes are present only as a hash, so the record has no address and no
-// padding.
+// The record of a delivered message, of which the trace hash is made.  It holds a hash in place of
+// the message's bytes, and so no memory addresses and no padding, which would differ from run to
+// run.
 struct TraceRecord {
   uint64_t number;
   uint64_t cause;
