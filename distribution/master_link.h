@@ -6,17 +6,16 @@
 #include <string_view>
 
 #include "distribution/call_codec.h"
+#include "runtime/core/message.h"
 
 namespace openr_host {
-
-struct Message;
 
 class MasterLink {
  public:
   virtual ~MasterLink() = default;
 
   // Posts `message` as SystemCalls::Post() does.
-  virtual int32_t Post(Message* message, int64_t delay_us) = 0;
+  virtual int32_t Post(OwnedMessage message, int64_t delay_us) = 0;
 
   // Both functions make the master call the function with number `function` in WorkerCallList.
   // Ask() waits and returns the result.  Tell() does not wait and has no result; its arguments must

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "distribution/remote_object.h"
 #include "distribution/remote_process.h"
@@ -114,7 +115,7 @@ void RemoteProcess::Apply(const openr_wire_ToMaster& to_master, Object* self) {
 // Returns whether `message` answers the request that the handler of `self` is serving, or forwards
 // that request to another object.
 bool RemoteProcess::Answers(const Message& message, const Object* self) {
-  const Message* const request = self == nullptr ? nullptr : self->handler.running;
+  const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
   return request != nullptr && message.reply_box != 0 && message.reply_box == request->reply_box &&
          (message.is_reply ? message.target : message.sender) == request->sender;
 }
@@ -132,7 +133,7 @@ void RemoteProcess::CheckEnds(const openr_wire_Message& in, const Object* self) 
   const auto is_own = [&](ObjectId id) {
     return self == nullptr ? id == kNoObject || objects_.contains(id) : id == self->id;
   };
-  const Message* const request = self == nullptr ? nullptr : self->handler.running;
+  const Message* const request = self == nullptr ? nullptr : self->handler.running.get();
   const bool is_forwarded = request != nullptr && !in.is_reply && in.reply_box != 0 &&
                             in.reply_box == request->reply_box && in.sender == request->sender;
   if (!is_own(in.sender) && !is_forwarded) Refuse("a message in the name of another object");
@@ -160,12 +161,12 @@ void RemoteProcess::Check(const openr_wire_Message& in, const Object* self) {
 int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self) {
   Check(posted.message, self);
   const CurrentScope scope(system_, self);
-  Message* const message = system_->NewMessage(posted.message.target, posted.message.selector);
+  OwnedMessage message = system_->NewMessage(posted.message.target, posted.message.selector);
   // Remembers the class and the cause that the System has given: those from the worker do not
   // count.
   const MessageClass message_class = message->message_class;
   const uint64_t cause = message->cause;
-  const std::string problem = marshaller_->Decode(posted.message, message);
+  const std::string problem = marshaller_->Decode(posted.message, message.get());
   marshaller_->ReleaseSample();
   if (!problem.empty()) Refuse(problem);
   if (posted.delay_us < 0 || posted.delay_us > kDelayMaxUs) Refuse("a message for another time");
@@ -178,16 +179,13 @@ int32_t RemoteProcess::Post(const openr_wire_PostedMessage& posted, Object* self
     // Refuses a reply if the object that asked has closed its reply box meanwhile, as in a run with
     // one process.
     const Object* const asker = system_->object(message->target);
-    if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) {
-      system_->queue().Release(message);
-      return sRBOXWASCLEANED;
-    }
+    if (asker == nullptr || !asker->boxes.open.contains(message->reply_box)) return sRBOXWASCLEANED;
   }
   const bool is_notify = message->kind == PayloadKind::kNotify && self != nullptr;
   const StandingReady used = {is_notify ? posted.message.payload._u.notify.selector : 0,
                               message->target, message->selector};
   const bool answers = Answers(*message, self);
-  const int32_t error = system_->Post(message, posted.delay_us);
+  const int32_t error = system_->Post(std::move(message), posted.delay_us);
   // Marks the request as answered.  Else the master would send an empty answer in the name of the
   // object if the worker is lost later.
   if (answers && error == sSUCCESS) self->handler.running->reply_box = 0;

@@ -315,8 +315,7 @@ std::optional<RemoteProcess::Stop> RemoteProcess::WaitForStopInFreeRun(RemoteObj
   const bool is_new = running_.emplace(object->id, box).second;
   ASSERT(is_new, "{} runs a handler already", object->name);
   bool timed_out = false;
-  Message* const wake = system_->requests().Await(box, -1, wait_reason_, &timed_out);
-  system_->queue().Release(wake);
+  system_->requests().Await(box, -1, wait_reason_, &timed_out);
   if (is_lost_ || session != session_) return std::nullopt;
   Stop stop = std::move(stops_[object->id]);
   stops_.erase(object->id);
@@ -392,11 +391,11 @@ void RemoteProcess::HandleFreeSample(const openr_wire_ToMaster& to_master) {
 
 // Ends the wait of `object` in the master: posts the reply to `box`, for which the object waits.
 void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
-  Message* const wake = system_->NewMessage(object, 0);
+  OwnedMessage wake = system_->NewMessage(object, 0);
   wake->message_class = MessageClass::kInput;
   wake->is_reply = true;
   wake->reply_box = box;
-  system_->Post(wake);
+  system_->Post(std::move(wake));
 }
 
 // Waits for the reply in the master, in place of the handler in the worker, so that other objects
@@ -404,12 +403,10 @@ void RemoteProcess::WakeHandler(ObjectId object, uint64_t box) {
 void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint64_t session) {
   openr_wire_ToWorker to_worker = NewToWorker(openr_wire_TO_WORKER_RESUME);
   openr_wire_Resume& resume = to_worker.body._u.resume;
-  Message* const reply =
+  const OwnedMessage reply =
       system_->requests().Await(stop.box, stop.timeout_us, stop.why, &resume.timed_out);
-  if (is_lost_ || session != session_) {  // another object's handler brought the worker down
-    system_->queue().Release(reply);
-    return;
-  }
+  // The worker may be lost: the handler of another object of that worker has crashed meanwhile.
+  if (is_lost_ || session != session_) return;
   WireArena arena;
   resume.now_us = system_->now_us();
   resume.heap_elsewhere = HeapElsewhere(system_, object->robot);
@@ -418,7 +415,6 @@ void RemoteProcess::ResumeWithReply(RemoteObject* object, const Stop& stop, uint
   resume.reply.is_reply = true;
   resume.reply.reply_box = stop.box;
   Send(to_worker);
-  system_->queue().Release(reply);
 }
 
 void RemoteProcess::ResumeWithLine(RemoteObject* object, const Stop& stop, uint64_t session) {

@@ -268,8 +268,8 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   if (object == nullptr) throw std::runtime_error("a message to an object that is not there");
   // Sets the clock of this System to the time of the master's clock.
   if (now_us > system_->now_us()) system_->RunUntil(now_us);
-  Message* const message = system_->queue().Allocate();
-  const std::string problem = marshaller_->Decode(in, message);
+  OwnedMessage message = system_->queue().Allocate();
+  const std::string problem = marshaller_->Decode(in, message.get());
   if (!problem.empty()) throw std::runtime_error("a malformed message: " + problem);
   CheckRobot(object->robot);
   SetHeapElsewhere(object->robot, deliver.heap_elsewhere);
@@ -286,7 +286,7 @@ void Worker::Deliver(const openr_wire_Deliver& deliver, bool timed_out) {
   // Removes the wait of a handler that continues now.  If the handler waits again, Waits() adds a
   // new entry.
   waits_.erase(object->id);
-  system_->queue().Push(message, object->limits.priority);
+  system_->queue().Push(std::move(message), object->limits.priority);
   if (is_free_) {
     RunTimed(object->id);
   } else {

@@ -61,7 +61,7 @@ class Worker : public MasterLink {
   void ReportCrash(std::string_view text);
 
   // ---- MasterLink
-  int32_t Post(Message* message, int64_t delay_us) override;
+  int32_t Post(OwnedMessage message, int64_t delay_us) override;
   void Tell(uint32_t function, const CallArguments& arguments) override;
   CallResult Ask(uint32_t function, const CallArguments& arguments) override;
   void Waits(uint64_t box, int64_t timeout_us, std::string_view why) override;

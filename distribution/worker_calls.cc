@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "distribution/ask_master.h"
 #include "runtime/core/dispatcher.h"
@@ -10,8 +11,8 @@
 
 namespace openr_host {
 
-int32_t WorkerCalls::Post(Message* message, int64_t delay_us) {
-  return master_->Post(message, delay_us);
+int32_t WorkerCalls::Post(OwnedMessage message, int64_t delay_us) {
+  return master_->Post(std::move(message), delay_us);
 }
 
 void WorkerCalls::OpenBox(uint64_t box) {
@@ -28,7 +29,7 @@ void WorkerCalls::CloseBox(uint64_t box) {
 // here.  The master checks the box when the reply is posted.
 bool WorkerCalls::AcceptsReply(ObjectId, uint64_t) const { return true; }
 
-Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) {
+const Message* WorkerCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) {
   master_->Waits(box, timeout_us, why);
   return nullptr;
 }
@@ -38,12 +39,11 @@ size_t WorkerCalls::ReadLine(char* buffer, size_t size) {
   const uint64_t box = system_->requests().OpenBox();
   master_->WaitsForLine(box, size);
   self->handler.blocked_why = ConsoleInput::kWhy;
-  Message* const line = system_->dispatcher().WaitFor(box);
+  const OwnedMessage line = system_->dispatcher().WaitFor(box);
   self->handler.blocked_why.clear();
   self->boxes.open.erase(box);
   const size_t count = std::min<size_t>(line->size, size);
   std::memcpy(buffer, line->payload, count);
-  system_->queue().Release(line);
   return count;
 }
 

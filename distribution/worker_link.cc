@@ -98,12 +98,9 @@ bool Worker::MayBeRefused(const Message& message) {
   return false;
 }
 
-int32_t Worker::Post(Message* message, int64_t delay_us) {
+int32_t Worker::Post(OwnedMessage message, int64_t delay_us) {
   const Indivisible indivisible;
-  if (is_shutting_down_) {
-    system_->queue().Release(message);
-    return sFAIL;
-  }
+  if (is_shutting_down_) return sFAIL;
   const bool may_be_refused = MayBeRefused(*message);
   const openr_wire_PostedMessage posted = Encode(*message, delay_us);
   int32_t error = sSUCCESS;
@@ -125,7 +122,6 @@ int32_t Worker::Post(Message* message, int64_t delay_us) {
   // Does nothing after a refusal: a refused ready message has given nothing back, so the observer
   // keeps its regions.
   if (error == sSUCCESS) marshaller_->CompleteSend(*message);
-  system_->queue().Release(message);
   return error;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "runtime/base/spelling.h"
 #include "runtime/core/api.h"
@@ -17,6 +18,7 @@ using openr_host::CurrentScope;
 using openr_host::Message;
 using openr_host::Object;
 using openr_host::OidOf;
+using openr_host::OwnedMessage;
 using openr_host::PayloadKind;
 
 bool Bench::CheckNames(const MessageSpec& spec, const Place& place) {
@@ -94,7 +96,7 @@ bool Bench::InjectNotify(const MessageSpec& spec, std::string_view bytes, const 
   const CurrentScope scope(system_.get(), system_->object(from->object));
   RCRegion* const region = new RCRegion(bytes.size());
   std::memcpy(region->Base(), bytes.data(), bytes.size());
-  Message* const message = system_->NewMessage(to->object, to->selector);
+  OwnedMessage message = system_->NewMessage(to->object, to->selector);
   auto& notify = *new (message->payload) ONotifyMessage;
   notify.msgType = omsgNOTIFY_V22;
   notify.subjectID = OServiceEntry(OidOf(from->object), from->selector);
@@ -106,7 +108,7 @@ bool Bench::InjectNotify(const MessageSpec& spec, std::string_view bytes, const 
   notify.data[0].size = region->Size();
   message->size = sizeof notify;
   message->kind = PayloadKind::kNotify;
-  if (system_->Post(message) == sSUCCESS) return true;
+  if (system_->Post(std::move(message)) == sSUCCESS) return true;
   region->RemoveReference();
   return Miss(place, "Inject: the queue of the receiver is full");
 }
@@ -116,7 +118,7 @@ bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
   const auto to = FindService(spec.to(), " (Ready)", place);
   if (!from || !to || !AreConnected(*to, *from, place)) return false;
   const CurrentScope scope(system_.get(), system_->object(from->object));
-  Message* const message = system_->NewMessage(to->object, to->selector);
+  OwnedMessage message = system_->NewMessage(to->object, to->selector);
   auto& ready = *new (message->payload) OReadyMessage;
   ready.msgType = omsgREADY_V22;
   ready.command =
@@ -125,7 +127,7 @@ bool Bench::InjectReady(const MessageSpec& spec, const Place& place) {
   ready.numOfData = 0;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  return system_->Post(message) == sSUCCESS ||
+  return system_->Post(std::move(message)) == sSUCCESS ||
          Miss(place, "Inject: the queue of the receiver is full");
 }
 
@@ -142,11 +144,11 @@ bool Bench::InjectEntry(const MessageSpec& spec, std::string_view bytes, const P
     return false;
   }
   const CurrentScope scope(system_.get(), spec.from().empty() ? nullptr : &object(spec.from()));
-  Message* const message = system_->NewMessage(target.id, selector);
+  OwnedMessage message = system_->NewMessage(target.id, selector);
   std::memset(message->payload, 0, sizeof message->payload);
   std::memcpy(message->payload, bytes.data(), bytes.size());
   message->size = static_cast<uint32_t>(bytes.size());
-  return system_->Post(message) == sSUCCESS ||
+  return system_->Post(std::move(message)) == sSUCCESS ||
          Miss(place, "Inject: the queue of the receiver is full");
 }
 

@@ -13,6 +13,7 @@ namespace openr::testing {
 
 using openr_host::CurrentScope;
 using openr_host::Message;
+using openr_host::OwnedMessage;
 using openr_host::PayloadKind;
 using openr_host::System;
 
@@ -34,24 +35,24 @@ void ReturnRegions(System* system, const Message& message) {
 
 }  // namespace
 
-bool HeldMessages::Take(Message* message) {
-  if (is_open_ || passing_.erase(message->number) > 0) return false;
-  if (!spec_.Matches(SeenMessage(*system_, *message))) return false;
+bool HeldMessages::Take(OwnedMessage* message) {
+  if (is_open_ || passing_.erase((*message)->number) > 0) return false;
+  if (!spec_.Matches(SeenMessage(*system_, **message))) return false;
   has_held_ = true;
-  messages_.push_back(message);
+  messages_.push_back(std::move(*message));
   return true;
 }
 
 // Messages are put back at the head of the queue, so the last one is put back first.
 void HeldMessages::Release() {
   is_open_ = true;
-  for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(messages_.back());
+  for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(std::move(messages_.back()));
 }
 
 void HeldMessages::ReleaseOne() {
   if (messages_.empty()) return;
   passing_.insert(messages_.front()->number);
-  system_->Readmit(messages_.front());
+  system_->Readmit(std::move(messages_.front()));
   messages_.pop_front();
 }
 
@@ -61,8 +62,8 @@ void HeldMessages::ReleaseInOrder(const std::vector<size_t>& order) {
     throw std::invalid_argument(fmt::format(
         "ReleaseInOrder: {} messages are held; the order must name each once", messages_.size()));
   }
-  std::deque<Message*> sorted;
-  for (const size_t index : order) sorted.push_back(messages_.at(index));
+  std::deque<OwnedMessage> sorted;
+  for (const size_t index : order) sorted.push_back(std::move(messages_.at(index)));
   messages_ = std::move(sorted);
   Release();
 }
@@ -71,26 +72,25 @@ std::string HeldMessages::Text() const {
   return fmt::format("{} held: {}", messages_.size(), spec_.Text());
 }
 
-bool Doors::Admit(Message* message) {
-  if (Lose(message)) return false;
+OwnedMessage Doors::Admit(OwnedMessage message) {
+  if (Lose(*message)) return nullptr;
   for (HeldMessages& held : held_) {
-    if (held.Take(message)) return false;
+    if (held.Take(&message)) return nullptr;
   }
-  return true;
+  return message;
 }
 
-bool Doors::Lose(Message* message) {
+bool Doors::Lose(const Message& message) {
   for (DroppedMessages& dropped : dropped_) {
     if (dropped.left_ == 0) continue;
-    const SeenMessage seen(*system_, *message);
+    const SeenMessage seen(*system_, message);
     if (!dropped.spec_.Matches(seen)) continue;
     --dropped.left_;
     dropped.texts_.push_back(seen.Text());
-    openr_host::Object* const target = system_->object(message->target);
-    if (!message->is_reply) --target->waiting;
+    openr_host::Object* const target = system_->object(message.target);
+    if (!message.is_reply) --target->waiting;
     ++target->dropped_count;
-    ReturnRegions(system_, *message);
-    system_->queue().Release(message);
+    ReturnRegions(system_, message);
     return true;
   }
   return false;

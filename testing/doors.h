@@ -42,8 +42,8 @@ class HeldMessages {
 
  private:
   friend class Doors;
-  // Holds `message` if it fits and holding has not ended.  Returns whether the message is held now.
-  bool Take(openr_host::Message* message);
+  // Takes `*message` and holds it if it fits and holding has not ended.  Returns whether the message is held now.
+  bool Take(openr_host::OwnedMessage* message);
 
   openr_host::System* const system_;
   const MessageSpec spec_;
@@ -51,7 +51,7 @@ class HeldMessages {
   bool is_optional_ = false;
   bool has_held_ = false;
   bool is_open_ = false;
-  std::deque<openr_host::Message*> messages_;
+  std::deque<openr_host::OwnedMessage> messages_;
   std::set<uint64_t> passing_;  // numbers of messages released one by one; not held again
 };
 
@@ -91,13 +91,15 @@ class Doors : public openr_host::Gate {
   // few.  Reports each of them once.
   void Verify(const ReportAt& report);
 
-  bool Admit(openr_host::Message* message) override;
+  openr_host::OwnedMessage Admit(openr_host::OwnedMessage message) override;
 
   // Returns one line for each Hold() that holds messages now.
   std::string Text() const;
 
  private:
-  bool Lose(openr_host::Message* message);
+  // Does what the loss of `message` means for its ends, if it is to be dropped.  Returns whether it
+  // is.
+  bool Lose(const openr_host::Message& message);
 
   openr_host::System* const system_;
   std::deque<HeldMessages> held_;

@@ -11,9 +11,9 @@
 namespace openr::testing {
 
 using openr_host::kFrameUs;
-using openr_host::Message;
 using openr_host::MessageClass;
 using openr_host::NetworkEvent;
+using openr_host::OwnedMessage;
 
 namespace {
 
@@ -84,9 +84,9 @@ void TcpClient::PostPoll() {
   if (std::exchange(poll_posted_, true)) return;
   const openr_host::CurrentScope scope(&system(), &host());
   const int64_t now_us = system().now_us();
-  Message* const message = system().NewMessage(host().id, poll_entry_);
+  OwnedMessage message = system().NewMessage(host().id, poll_entry_);
   message->message_class = MessageClass::kInput;
-  system().Post(message, kFrameUs - now_us % kFrameUs);
+  system().Post(std::move(message), kFrameUs - now_us % kFrameUs);
 }
 
 void TcpClient::Poll() {

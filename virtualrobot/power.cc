@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "runtime/base/hasher.h"
 #include "runtime/core/api.h"
@@ -103,7 +104,7 @@ void Power::NotifyChange() {
   last_ = now;
   for (const Watcher& watcher : watchers_) {
     if (!Asks(watcher.filter, before, now)) continue;
-    Message* const message =
+    OwnedMessage message =
         system_->NewMessage(ObjectIdOf(watcher.entry.GetOID()), watcher.entry.GetSelector());
     std::memset(message->payload, 0, sizeof(OPowerStatusMessage));  // the padding is hashed too
     auto& payload = *reinterpret_cast<OPowerStatusMessage*>(message->payload);
@@ -118,7 +119,7 @@ void Power::NotifyChange() {
     payload.powerStatus.timeDif = now.timeDif;
     payload.powerStatus.volume = now.volume;
     message->size = sizeof(OPowerStatusMessage);
-    system_->Post(message);
+    system_->Post(std::move(message));
   }
 }
 

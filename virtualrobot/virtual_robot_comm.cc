@@ -40,11 +40,11 @@ OStatus OVirtualRobotComm::DoDestroy(const OSystemEvent&) {
 }
 
 void OVirtualRobotComm::PostNextFrame() {
-  Message* const message = system().NewMessage(host().id, frame_);
+  OwnedMessage message = system().NewMessage(host().id, frame_);
   message->message_class = MessageClass::kFrame;
   const int64_t frame_us = system().frame_us();
   const int64_t next = (system().now_us() / frame_us + 1) * frame_us;
-  system().Post(message, next - system().now_us());
+  system().Post(std::move(message), next - system().now_us());
 }
 
 // Runs everything that happens at the boundary between two frames.  The order of the steps is the

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
@@ -22,9 +23,9 @@ IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   return stack != nullptr && target.get_oid() == OidOf(stack->host().id) ? stack : nullptr;
 }
 
-Message* NewRequest(IpStack* stack, const antEnvMsg& message) {
+OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   const size_t size = AntMessageSize(message);
-  Message* const request =
+  OwnedMessage request =
       t_current.system->NewMessage(stack->host().id, stack->EntryFor(message.dstSelector));
   std::memset(request->payload, 0, sizeof request->payload);
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
@@ -101,10 +102,10 @@ antError antEnvMsg::Reply() {
     return AntErrorOf(system.requests().Reply(system.requests().TakeTicket(),
                                               static_cast<const void*>(this), size, hash));
   }
-  Message* const answer = system.NewMessage(ObjectIdOf(contInfo.oid), contInfo.selector);
+  OwnedMessage answer = system.NewMessage(ObjectIdOf(contInfo.oid), contInfo.selector);
   std::memcpy(answer->payload, static_cast<const void*>(this), size);
   answer->size = static_cast<uint32_t>(size);
   answer->kind = PayloadKind::kHashed;
   answer->payload_hash = hash;
-  return AntErrorOf(system.Post(answer));
+  return AntErrorOf(system.Post(std::move(answer)));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "runtime/api/mcoop_limits.h"
 #include "runtime/core/api.h"
@@ -16,8 +17,8 @@ namespace {
 
 constexpr uint64_t kTimeCallsMax = 1'000'000;  // this many calls in a handler mean a busy loop
 
-Message* NewBytes(const OID& oid, Selector selector, const void* msg, size_t size) {
-  Message* const message = t_current.system->NewMessage(ObjectIdOf(oid), selector);
+OwnedMessage NewBytes(const OID& oid, Selector selector, const void* msg, size_t size) {
+  OwnedMessage message = t_current.system->NewMessage(ObjectIdOf(oid), selector);
   if (size > 0) std::memcpy(message->payload, msg, size);
   message->size = static_cast<uint32_t>(size);
   return message;
@@ -151,10 +152,10 @@ sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   if (t_current.system->object(ObjectIdOf(oid)) == nullptr) return sINVALIDOID;
   const ReplyTicket ticket = t_current.system->requests().TakeTicket();
   if (ticket.box == 0) return sINVALIDRID;
-  Message* const message = NewBytes(oid, selector, msg, size);
+  OwnedMessage message = NewBytes(oid, selector, msg, size);
   message->sender = ticket.to;
   message->reply_box = ticket.box;
-  return t_current.system->Post(message);
+  return t_current.system->Post(std::move(message));
 }
 
 sError CleanRBox(RID rbox) {

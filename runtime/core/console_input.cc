@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
@@ -49,14 +50,14 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
         object->handler.blocked_box != box)
       continue;
     // The message holds the line only for the trace; the reader takes the line from the terminal.
-    Message* const wake = system_->NewMessage(id, 0);
+    OwnedMessage wake = system_->NewMessage(id, 0);
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;
     wake->reply_box = box;
     const size_t line = std::min(terminal->text.find('\n') + 1, Message::kPayloadMax);
     std::memcpy(wake->payload, terminal->text.data(), line);
     wake->size = static_cast<uint32_t>(line);
-    system_->Post(wake);
+    system_->Post(std::move(wake));
     return;
   }
 }

@@ -17,18 +17,17 @@ bool Cpu::IsFreeFor(const Object& object) const {
   return jobs_.empty() || object.limits.priority > jobs_.back().object->limits.priority;
 }
 
-void Cpu::Wait(Object* object, Message* message, int64_t now_us) {
+void Cpu::Wait(Object* object, OwnedMessage message, int64_t now_us) {
   if (object->processor.starving_since_us < 0) object->processor.starving_since_us = now_us;
-  waiting_.push_back(message);
+  waiting_.push_back(std::move(message));
 }
 
-std::vector<Message*> Cpu::TakeMessagesTo(ObjectId id) {
-  std::vector<Message*> taken;
-  std::erase_if(waiting_, [&](Message* message) {
-    if (message->target != id) return false;
-    taken.push_back(message);
-    return true;
-  });
+std::vector<OwnedMessage> Cpu::TakeMessagesTo(ObjectId id) {
+  std::vector<OwnedMessage> taken;
+  for (OwnedMessage& message : waiting_) {
+    if (message->target == id) taken.push_back(std::move(message));
+  }
+  std::erase(waiting_, nullptr);
   return taken;
 }
 
@@ -72,14 +71,14 @@ void Cpu::End(int64_t now_us) {
   object->processor.is_busy = false;
   // Without a current object, Post() does not put the messages back into the outbox.
   const CurrentScope nobody(system_, nullptr);
-  for (const ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
-    system_->Post(outgoing.message, outgoing.delay_us);
+  for (ProcessorState::Outgoing& outgoing : std::exchange(object->processor.outbox, {})) {
+    system_->Post(std::move(outgoing.message), outgoing.delay_us);
   }
   // Messages that wait are older than messages due now, so they go to the front of the queue.  The
   // newest of them is put there first, so that the oldest comes out first.
   system_->ReturnHeld(object);
   while (!waiting_.empty()) {
-    system_->Readmit(waiting_.back());
+    system_->Readmit(std::move(waiting_.back()));
     waiting_.pop_back();
   }
 }
@@ -90,7 +89,7 @@ void Cpu::HashState(Hasher* hasher) const {
     hasher->Add(job.left_us);
     hasher->Add(job.since_us);
   }
-  for (const Message* message : waiting_) hasher->Add(message->number);
+  for (const OwnedMessage& message : waiting_) hasher->Add(message->number);
 }
 
 }  // namespace openr_host

@@ -47,11 +47,10 @@ class Cpu {
   static constexpr int64_t kLongHandlerUs = 32'000;
 
   // Keeps `message`, which is for `object`, until the processor is free.
-  void Wait(Object* object, Message* message, int64_t now_us);
+  void Wait(Object* object, OwnedMessage message, int64_t now_us);
 
-  // Returns the messages that wait here for object `id`, oldest first.  The caller then owns these
-  // messages.
-  std::vector<Message*> TakeMessagesTo(ObjectId id);
+  // Takes the messages that wait here for object `id`, oldest first.
+  std::vector<OwnedMessage> TakeMessagesTo(ObjectId id);
 
   // Ends the wait of `object` for the processor.  Adds a finding if the wait was long.
   void Grant(Object* object, int64_t now_us);
@@ -78,8 +77,9 @@ class Cpu {
   };
 
   System* const system_;
-  std::vector<Job> jobs_;          // the last job runs; those before it were interrupted
-  std::vector<Message*> waiting_;  // messages whose receiver waits for the processor, oldest first
+  std::vector<Job> jobs_;  // the last job runs; those before it were interrupted
+  // messages whose receiver waits for the processor, oldest first
+  std::vector<OwnedMessage> waiting_;
 };
 
 }  // namespace openr_host

@@ -83,8 +83,8 @@ void Dispatcher::Loop() {
       continue;
     }
     MessageQueue& queue = system_->queue_;
-    if (Message* const message = queue.Pop(system_->schedule_)) {
-      Deliver(message);
+    if (OwnedMessage message = queue.Pop(system_->schedule_)) {
+      Deliver(std::move(message));
       continue;
     }
     // No message is due now, so the clock goes to the next message or other event.
@@ -106,25 +106,29 @@ void Dispatcher::AdvanceTo(int64_t time_us) {
   system_->now_us_ = time_us;
 }
 
-void Dispatcher::Deliver(Message* message) {
+void Dispatcher::Deliver(OwnedMessage message) {
   Object* const object = system_->object(message->target);
-  if (object == nullptr || object->is_off) {
-    system_->queue_.Release(message);
-    return;
-  }
+  if (object == nullptr || object->is_off) return;
   // A handler runs to its end before the next handler of its object begins, and a boot begins with
   // DoInit.  Replies are never held, because the handler that waits needs them.
   if (!message->is_reply && (object->handler.blocked != nullptr || object->processor.is_busy ||
                              system_->manager_->IsTooEarly(*message))) {
-    object->handler.held.push_back(message);
+    object->handler.held.push_back(std::move(message));
     return;
   }
-  if (system_->gate_ != nullptr && !system_->gate_->Admit(message)) return;
+  if (system_->gate_ != nullptr) {
+    message = system_->gate_->Admit(std::move(message));
+    if (message == nullptr) return;
+  }
   if (message->is_reply) {
-    DeliverReply(object, message);
+    DeliverReply(object, std::move(message));
     return;
   }
-  if (!system_->cpus_.empty() && !MayRun(object, message)) return;
+  if (!system_->cpus_.empty() && !MayRun(object, *message)) {
+    Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
+    cpu->Wait(object, std::move(message), system_->now_us_);
+    return;
+  }
   ASSERT(object->waiting > 0, "{} gets a message, none was counted as waiting", object->name);
   --object->waiting;
   ++delivered_;
@@ -135,36 +139,30 @@ void Dispatcher::Deliver(Message* message) {
                     "other without waiting; from here each message takes 1 us",
                     free_deliveries_));
   }
-  RunHandler(object, message);
+  RunHandler(object, std::move(message));
 }
 
-// Gives `object` the processor for `message` and returns true.  If the processor is not free, keeps
-// `message` until it is free, and returns false.
-bool Dispatcher::MayRun(Object* object, Message* message) {
+// Gives `object` the processor for `message` and returns true.  Returns false if the processor is
+// not free.
+bool Dispatcher::MayRun(Object* object, const Message& message) {
   if (object->is_system) return true;
   Cpu* const cpu = system_->cpus_[static_cast<size_t>(object->robot)].get();
-  if (!cpu->IsFreeFor(*object)) {
-    cpu->Wait(object, message, system_->now_us_);
-    return false;
-  }
+  if (!cpu->IsFreeFor(*object)) return false;
   cpu->Grant(object, system_->now_us_);
-  const int64_t cost_us = system_->options_.cost->CostUs(*object, message->selector);
-  if (cost_us > 0) cpu->Begin(object, message->selector, cost_us, system_->now_us_);
+  const int64_t cost_us = system_->options_.cost->CostUs(*object, message.selector);
+  if (cost_us > 0) cpu->Begin(object, message.selector, cost_us, system_->now_us_);
   return true;
 }
 
-void Dispatcher::DeliverReply(Object* object, Message* message) {
+void Dispatcher::DeliverReply(Object* object, OwnedMessage message) {
   ++delivered_;
   system_->trace_.Deliver(*message, system_->now_us_);
+  const uint64_t box = message->reply_box;
   // The box is already closed if `message` is a time-out and the reply came before it.
-  if (!object->boxes.open.contains(message->reply_box)) {
-    system_->queue_.Release(message);
-    return;
-  }
-  if (Message* const earlier = std::exchange(object->boxes.arrived[message->reply_box], message))
-    system_->queue_.Release(earlier);
-  if (object->handler.blocked == nullptr || object->handler.blocked_box != message->reply_box) {
-    system_->time_events_.ReplyArrived(object->id, message->reply_box);
+  if (!object->boxes.open.contains(box)) return;
+  object->boxes.arrived[box] = std::move(message);
+  if (object->handler.blocked == nullptr || object->handler.blocked_box != box) {
+    system_->time_events_.ReplyArrived(object->id, box);
     return;
   }
   Fiber* const waiting = object->handler.blocked;
@@ -174,12 +172,15 @@ void Dispatcher::DeliverReply(Object* object, Message* message) {
   SwitchTo(waiting);
 }
 
-void Dispatcher::RunHandler(Object* object, Message* message) {
+void Dispatcher::RunHandler(Object* object, OwnedMessage owned) {
+  Message* const message = owned.get();
   ASSERT(object->handler.running == nullptr, "{} runs one handler at a time", object->name);
   system_->trace_.Deliver(*message, system_->now_us_);
   ++object->message_count;
   if (message->selector == oentryINIT) system_->manager_->Begins(object->id);
-  object->handler.running = message;
+  // The state of the object owns the message, because this stack is lost if the handler is
+  // abandoned.
+  object->handler.running = std::move(owned);
   object->handler.time_calls = 0;
   ClearUpperRegisters();  // because the code of handlers is SSE code
   ArithmeticWatch watch;
@@ -221,12 +222,11 @@ void Dispatcher::FinishHandler(Object* object) {
     image->CheckNumbers(object->handler.running->selector);
   }
   t_current = {system_, nullptr, false};
-  system_->queue_.Release(object->handler.running);
-  object->handler.running = nullptr;
+  object->handler.running.reset();
   if (!object->processor.is_busy) system_->ReturnHeld(object);
 }
 
-Message* Dispatcher::WaitFor(uint64_t box) {
+OwnedMessage Dispatcher::WaitFor(uint64_t box) {
   Object* const object = t_current.object;
   ASSERT(object != nullptr && running_ != nullptr, "only a handler can wait");
   if (!object->boxes.arrived.contains(box)) {
@@ -241,7 +241,7 @@ Message* Dispatcher::WaitFor(uint64_t box) {
   }
   const auto found = object->boxes.arrived.find(box);
   ASSERT(found != object->boxes.arrived.end(), "woken without a reply to box {}", box);
-  Message* const message = found->second;
+  OwnedMessage message = std::move(found->second);
   object->boxes.arrived.erase(found);
   return message;
 }

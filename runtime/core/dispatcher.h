@@ -31,9 +31,9 @@ class Dispatcher {
   // not called in a handler.
   uint64_t Run(const Limits& limits);
 
-  // Suspends the running handler until a reply to `box` arrives.  Returns the reply, which the
-  // caller releases.  REQUIRES: called in a handler.
-  Message* WaitFor(uint64_t box);
+  // Suspends the running handler until a reply to `box` arrives, and returns the reply.  REQUIRES:
+  // called in a handler.
+  OwnedMessage WaitFor(uint64_t box);
 
   // Ends the running handler; see System::AbandonHandler().
   [[noreturn]] void Abandon();
@@ -48,10 +48,10 @@ class Dispatcher {
   bool MayContinue() const;
   void ToCaller();
   void AdvanceTo(int64_t time_us);
-  void Deliver(Message* message);
-  bool MayRun(Object* object, Message* message);
-  void DeliverReply(Object* object, Message* message);
-  void RunHandler(Object* object, Message* message);
+  void Deliver(OwnedMessage message);
+  bool MayRun(Object* object, const Message& message);
+  void DeliverReply(Object* object, OwnedMessage message);
+  void RunHandler(Object* object, OwnedMessage owned);
   void FinishHandler(Object* object);
   Fiber* TakeFiber();
   void SwitchTo(Fiber* fiber);

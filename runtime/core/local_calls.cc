@@ -16,8 +16,8 @@ Robot& RobotOfCaller(System* system) { return system->robot(t_current.object->ro
 
 }  // namespace
 
-int32_t LocalCalls::Post(Message* message, int64_t delay_us) {
-  return system_->Enqueue(message, delay_us);
+int32_t LocalCalls::Post(OwnedMessage message, int64_t delay_us) {
+  return system_->Enqueue(std::move(message), delay_us);
 }
 
 void LocalCalls::OpenBox(uint64_t box) {
@@ -29,25 +29,23 @@ void LocalCalls::OpenBox(uint64_t box) {
 void LocalCalls::CloseBox(uint64_t box) {
   Object* const self = t_current.object;
   self->boxes.open.erase(box);
-  const auto arrived = self->boxes.arrived.find(box);
-  if (arrived == self->boxes.arrived.end()) return;
-  system_->queue().Release(arrived->second);
-  self->boxes.arrived.erase(arrived);
+  self->boxes.arrived.erase(box);
 }
 
 bool LocalCalls::AcceptsReply(ObjectId asker, uint64_t box) const {
   return system_->object(asker)->boxes.open.contains(box);
 }
 
-Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
+const Message* LocalCalls::BeginWait(uint64_t box, int64_t timeout_us, std::string_view) {
   if (timeout_us < 0) return nullptr;
   // The caller sends itself an empty reply that arrives after `timeout_us`.
-  Message* const wake = system_->NewMessage(t_current.object->id, 0);
+  OwnedMessage message = system_->NewMessage(t_current.object->id, 0);
+  Message* const wake = message.get();
   wake->is_reply = true;
   wake->reply_box = box;
   wake->payload_hash = 1;
   wake->kind = PayloadKind::kHashed;
-  system_->Post(wake, timeout_us);
+  system_->Post(std::move(message), timeout_us);
   return wake;
 }
 

@@ -13,11 +13,11 @@ class LocalCalls : public SystemCalls {
   // `system` must outlive the calls.
   explicit LocalCalls(System* system) : system_(system) {}
 
-  int32_t Post(Message* message, int64_t delay_us) override;
+  int32_t Post(OwnedMessage message, int64_t delay_us) override;
   void OpenBox(uint64_t box) override;
   void CloseBox(uint64_t box) override;
   bool AcceptsReply(ObjectId asker, uint64_t box) const override;
-  Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) override;
+  const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) override;
   size_t ReadLine(char* buffer, size_t size) override;
   void SetQueueMax(int32_t messages) override;
   uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,

@@ -4,6 +4,7 @@
 #include <bit>
 #include <new>
 #include <tuple>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/core/schedule.h"
@@ -22,17 +23,20 @@ bool MessageQueue::Later::operator<(const Later& other) const {
 MessageQueue::MessageQueue() : levels_(kLevels) {}
 
 MessageQueue::~MessageQueue() {
-  for (Message* chunk : chunks_) delete[] chunk;
+  const size_t count = kChunk * chunks_.size();
+  ASSERT(free_.size() + size() == count, "{} of {} messages outlive their pool",
+         count - free_.size() - size(), count);
 }
 
-Message* MessageQueue::Allocate() {
+OwnedMessage MessageQueue::Allocate() {
   if (free_.empty()) {
-    Message* const chunk = new Message[kChunk];
-    chunks_.push_back(chunk);
-    for (size_t i = kChunk; i > 0; --i) free_.push_back(chunk + i - 1);
+    chunks_.emplace_back(new Message[kChunk]);
+    free_.reserve(kChunk * chunks_.size());  // because Release() must not fail
+    for (size_t i = kChunk; i > 0; --i) free_.push_back(&chunks_.back()[i - 1]);
   }
-  Message* const message = free_.back();
+  OwnedMessage message(free_.back());
   free_.pop_back();
+  message->pool = this;
   message->number = 0;
   message->cause = 0;
   message->reply_box = 0;
@@ -45,17 +49,15 @@ Message* MessageQueue::Allocate() {
   return message;
 }
 
-void MessageQueue::Release(Message* message) { free_.push_back(message); }
-
-void MessageQueue::Push(Message* message, int priority) {
+void MessageQueue::Push(OwnedMessage message, int priority) {
   ASSERT(message->due_us >= now_us_, "message {} is due at {} us, now is {} us", message->number,
          message->due_us, now_us_);
   const int level = LevelOf(*message, priority);
   if (message->due_us == now_us_) {
-    Append(message, level);
+    Append(message.release(), level);
     return;
   }
-  later_.push_back({message->due_us, level, message->number, message});
+  later_.push_back({message->due_us, level, message->number, message.release()});
   std::push_heap(later_.begin(), later_.end());
 }
 
@@ -69,14 +71,14 @@ void MessageQueue::Append(Message* message, int level) {
   ++due_count_;
 }
 
-void MessageQueue::PushFront(Message* message, int priority) {
+void MessageQueue::PushFront(OwnedMessage message, int priority) {
   ASSERT(message->due_us == now_us_, "message {} is due at {} us, now is {} us", message->number,
          message->due_us, now_us_);
   const int level = LevelOf(*message, priority);
   List& list = levels_[level];
   message->next = list.head;
-  list.head = message;
-  if (list.tail == nullptr) list.tail = message;
+  list.head = message.release();
+  if (list.tail == nullptr) list.tail = list.head;
   occupied_[level / 64] |= uint64_t{1} << (level % 64);
   ++due_count_;
 }
@@ -122,13 +124,13 @@ Message* MessageQueue::TakeFirst(int level, ObjectId target) {
   return message;
 }
 
-Message* MessageQueue::Pop(Schedule* schedule) {
+OwnedMessage MessageQueue::Pop(Schedule* schedule) {
   if (due_count_ == 0) return nullptr;
   const int level = FirstLevel();
   List& list = levels_[level];
   if (schedule != nullptr && list.head != list.tail)
-    return TakeFirst(level, ChooseTarget(list, schedule));
-  Message* const message = list.head;
+    return OwnedMessage(TakeFirst(level, ChooseTarget(list, schedule)));
+  OwnedMessage message(list.head);
   list.head = message->next;
   if (list.head == nullptr) {
     list.tail = nullptr;
@@ -151,12 +153,8 @@ void MessageQueue::Advance(int64_t time_us) {
   }
 }
 
-void MessageQueue::RemoveIf(const std::function<bool(const Message&)>& matches,
-                            const std::function<void(const Message&)>& dispose) {
-  const auto drop = [&](Message* message) {
-    dispose(*message);
-    Release(message);
-  };
+std::vector<OwnedMessage> MessageQueue::TakeIf(const std::function<bool(const Message&)>& matches) {
+  std::vector<OwnedMessage> taken;
   for (int level = 0; level < kLevels; ++level) {
     List old = levels_[level];
     if (old.head == nullptr) continue;
@@ -167,7 +165,7 @@ void MessageQueue::RemoveIf(const std::function<bool(const Message&)>& matches,
       Message* const next = message->next;
       --due_count_;
       if (matches(*message)) {
-        drop(message);
+        taken.emplace_back(message);
       } else {
         Append(message, level);
       }
@@ -176,10 +174,11 @@ void MessageQueue::RemoveIf(const std::function<bool(const Message&)>& matches,
   }
   std::erase_if(later_, [&](const Later& entry) {
     if (!matches(*entry.message)) return false;
-    drop(entry.message);
+    taken.emplace_back(entry.message);
     return true;
   });
   std::make_heap(later_.begin(), later_.end());
+  return taken;
 }
 
 void MessageQueue::ForEach(const std::function<void(const Message&)>& visit) const {

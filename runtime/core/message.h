@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace openr_host {
 
+class MessageQueue;
 class Schedule;
 
 // Index of an object in its System; -1 is the system itself.
@@ -47,38 +49,52 @@ struct Message {
   MessageClass message_class = MessageClass::kObject;
   PayloadKind kind = PayloadKind::kBytes;
   bool is_reply = false;  // a reply to `reply_box` of the target, which calls no entry
+  // the queue whose pool the message is from, set by Allocate(); null: from no pool
+  MessageQueue* pool = nullptr;
 
   // The largest number of bytes that a message can carry.  An ONotifyMessage of a 64-bit host needs
   // less.
   static constexpr size_t kPayloadMax = 384;
   alignas(16) unsigned char payload[kPayloadMax];
 };
+// A handler's time depends on the cache lines that a message takes, so a new field must fit into
+// the padding before the payload.
+static_assert(sizeof(void*) != 8 || sizeof(Message) == 80 + Message::kPayloadMax);
+
+// Gives a message back to its pool.
+struct ReturnToPool {
+  void operator()(Message* message) const;
+};
+
+// A message that is in no queue.  Its pool must outlive it.  Because the objects on the stack of an
+// abandoned handler are never destroyed, the message that a handler runs for belongs to the state
+// of its object (HandlerState::running).
+using OwnedMessage = std::unique_ptr<Message, ReturnToPool>;
 
 // The queue of all messages of one System, and the pool from which messages are allocated.
 class MessageQueue {
  public:
   MessageQueue();
-  ~MessageQueue();
+  ~MessageQueue();  // REQUIRES: all messages of the pool are queued or back
   MessageQueue(const MessageQueue&) = delete;
   MessageQueue& operator=(const MessageQueue&) = delete;
 
   // Returns a message from the pool.  All fields are reset except the payload, sender, target,
-  // selector and due time.  Release() gives the message back to the pool.
-  Message* Allocate();
-  void Release(Message* message);
+  // selector and due time.
+  OwnedMessage Allocate();
 
   // Queues `message`, whose due time, class and number are set.  `priority` is the priority of the
   // receiver, 0 to 255.  REQUIRES: message->due_us is not before the clock.
-  void Push(Message* message, int priority);
+  void Push(OwnedMessage message, int priority);
 
   // Queues `message`, which is due now, in front of the other messages of its class and priority.
   // To put back several messages in their order, begin with the last of them.
-  void PushFront(Message* message, int priority);
+  void PushFront(OwnedMessage message, int priority);
 
   // Takes the first message that is due now, or returns null if none is due.  A `schedule` may
   // choose another receiver instead, which must have a message of the same class and priority as
   // the first message.
-  Message* Pop(Schedule* schedule = nullptr);
+  OwnedMessage Pop(Schedule* schedule = nullptr);
   bool HasDue() const { return due_count_ > 0; }
   // Returns the message that Pop() without a schedule would take; null if none is due.
   const Message* First() const;
@@ -92,15 +108,16 @@ class MessageQueue {
 
   size_t size() const { return due_count_ + later_.size(); }
 
-  // Removes every queued message for which `matches` returns true: calls `dispose` for the message,
-  // then releases it.
-  void RemoveIf(const std::function<bool(const Message&)>& matches,
-                const std::function<void(const Message&)>& dispose);
+  // Takes every queued message for which `matches` returns true.  Returns those that are due in
+  // order of delivery, then the others in no order.
+  std::vector<OwnedMessage> TakeIf(const std::function<bool(const Message&)>& matches);
 
   // Calls `visit` for every queued message in order of delivery.
   void ForEach(const std::function<void(const Message&)>& visit) const;
 
  private:
+  friend struct ReturnToPool;
+
   static constexpr int kPriorities = 256;
   static constexpr int kLevels = kMessageClasses * kPriorities;
 
@@ -121,6 +138,8 @@ class MessageQueue {
   static int LevelOf(const Message& message, int priority) {
     return static_cast<int>(message.message_class) * kPriorities + (kPriorities - 1 - priority);
   }
+  // Gives `message`, which is in no list, back to the pool.  Allocates no memory.
+  void Release(Message* message) { free_.push_back(message); }
   void Append(Message* message, int level);
   int FirstLevel() const;
   Message* TakeFirst(int level, ObjectId target);
@@ -131,10 +150,13 @@ class MessageQueue {
   std::vector<List> levels_;              // messages that are due now
   uint64_t occupied_[kLevels / 64] = {};  // bit i is 1 if the list of level i is not empty
   std::vector<Later> later_;              // messages that are not due yet; a heap
-  std::vector<Message*> free_;            // the pool
-  std::vector<Message*> chunks_;          // the arrays in which the messages of the pool lie
+  std::vector<Message*> free_;            // the pool; has room for all its messages
+  // the arrays in which the messages of the pool lie
+  std::vector<std::unique_ptr<Message[]>> chunks_;
   // the receivers among which ChooseTarget() lets a schedule choose
   std::vector<ObjectId> candidates_;
 };
+
+inline void ReturnToPool::operator()(Message* message) const { message->pool->Release(message); }
 
 }  // namespace openr_host

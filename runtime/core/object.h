@@ -46,7 +46,7 @@ struct StandingReady {
 
 // The handler of an object that runs or waits.
 struct HandlerState {
-  Message* running = nullptr;  // the message being handled; null: no handler runs
+  OwnedMessage running;  // the message being handled; null: no handler runs
   // calls of GetSystemTime() in this handler; each call adds 1 us to the time
   uint64_t time_calls = 0;
   Fiber* blocked = nullptr;      // the stack of the handler while it waits; null: it does not wait
@@ -56,7 +56,7 @@ struct HandlerState {
   std::string blocked_why;
   // Messages that the object cannot handle yet, oldest first.  The reason is that its handler waits
   // or has the processor, or the boot (ObjectManager::IsTooEarly()).
-  std::deque<Message*> held;
+  std::deque<OwnedMessage> held;
   // The memory for the reply when an object calls an entry of its own (self connection).
   struct SelfReply {
     void* data;
@@ -68,9 +68,9 @@ struct HandlerState {
 
 // The numbered boxes in which an object receives replies; see requests.h.
 struct ReplyBoxes {
-  uint64_t last = 0;                     // the number of the newest box
-  std::set<uint64_t> open;               // boxes whose reply may come or has come
-  std::map<uint64_t, Message*> arrived;  // replies that no handler has received yet
+  uint64_t last = 0;                         // the number of the newest box
+  std::set<uint64_t> open;                   // boxes whose reply may come or has come
+  std::map<uint64_t, OwnedMessage> arrived;  // replies that no handler has received yet
 };
 
 // The object's use of the robot's processor, if handlers take time; see cpu.h.
@@ -79,7 +79,7 @@ struct ProcessorState {
   // virtual time since when a message has waited for the processor; -1: none waits
   int64_t starving_since_us = -1;
   struct Outgoing {
-    Message* message;
+    OwnedMessage message;
     int64_t delay_us;
   };
   std::vector<Outgoing> outbox;  // messages that are sent when the time of the handler is over

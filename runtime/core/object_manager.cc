@@ -79,10 +79,10 @@ void ObjectManager::PostTask(std::function<void()> task) {
 
 void ObjectManager::PostWith(Selector selector, int value) {
   due_.insert({selector, value});
-  Message* const message = system().NewMessage(host().id, selector);
+  OwnedMessage message = system().NewMessage(host().id, selector);
   std::memcpy(message->payload, &value, sizeof value);
   message->size = sizeof value;
-  system().Post(message);
+  system().Post(std::move(message));
 }
 
 // Returns whether the object manager itself has posted the message with this selector and value,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
@@ -30,7 +31,7 @@ void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command)
 }
 
 OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand command) {
-  Message* const message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
+  OwnedMessage message = system->NewMessage(ObjectIdOf(subject.GetOID()), subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
   ready.command = command;
   ready.observerID = id;
@@ -53,7 +54,7 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   const int count = ready.numOfData;
   // The message is posted before the regions are given up, because this object keeps them if the
   // message is refused.
-  const sError error = system->Post(message);
+  const sError error = system->Post(std::move(message));
   if (error != sSUCCESS) {
     system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
                               service, error));
@@ -79,7 +80,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
     return;
   }
   const CurrentScope scope(system, object);
-  Message* const message = system->NewMessage(sender->id, subject.GetSelector());
+  OwnedMessage message = system->NewMessage(sender->id, subject.GetSelector());
   auto& ready = *new (message->payload) OReadyMessage;
   ready.msgType = kDeassertOfLost;
   ready.command = objcommCMD_DEASSERT_READY;
@@ -88,7 +89,7 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   std::copy(regions.begin(), regions.end(), ready.rcRegion);
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  if (system->Post(message) == sSUCCESS) return;
+  if (system->Post(std::move(message)) == sSUCCESS) return;
   const CurrentScope there(system, sender);
   // False if `sender` stands for an object in a worker process, because then the worker has the
   // subjects and releases the regions.

@@ -98,31 +98,32 @@ std::vector<StandingReady> Object::StandingReadies() const {
 // Takes and returns all messages to `object`: messages that are held, that wait for the processor,
 // that are due now or later, and those in outboxes of objects whose handler's time is not over.
 // Replies in the queue are released, because the handler that waits for them ends.
-std::vector<Message> System::TakeMessagesTo(Object* object) {
-  std::vector<Message> messages;
-  const auto take = [&](Message* message) {
-    messages.push_back(*message);
-    queue_.Release(message);
-  };
-  for (; !object->handler.held.empty(); object->handler.held.pop_front())
-    take(object->handler.held.front());
+std::vector<OwnedMessage> System::TakeMessagesTo(Object* object) {
+  std::vector<OwnedMessage> messages;
+  for (OwnedMessage& message : object->handler.held) messages.push_back(std::move(message));
+  object->handler.held.clear();
   for (const auto& cpu : cpus_) {
-    for (Message* const message : cpu->TakeMessagesTo(object->id)) take(message);
+    for (OwnedMessage& message : cpu->TakeMessagesTo(object->id))
+      messages.push_back(std::move(message));
   }
-  queue_.RemoveIf([object](const Message& message) { return message.target == object->id; },
-                  [&](const Message& message) {
-                    if (!message.is_reply) messages.push_back(message);
-                  });
+  const auto is_to_object = [object](const Message& message) {
+    return message.target == object->id;
+  };
+  for (OwnedMessage& message : queue_.TakeIf(is_to_object)) {
+    if (!message->is_reply) messages.push_back(std::move(message));
+  }
   // This subtraction comes before the outboxes are searched, because messages in an outbox do not
   // count as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
   const auto take_outgoing = [&](const std::unique_ptr<Object>& sender) {
     if (sender == nullptr) return;
-    std::erase_if(sender->processor.outbox, [&](const ProcessorState::Outgoing& outgoing) {
-      if (outgoing.message->target != object->id || outgoing.message->is_reply) return false;
-      take(outgoing.message);
-      return true;
+    for (ProcessorState::Outgoing& outgoing : sender->processor.outbox) {
+      if (outgoing.message->target == object->id && !outgoing.message->is_reply)
+        messages.push_back(std::move(outgoing.message));
+    }
+    std::erase_if(sender->processor.outbox, [](const ProcessorState::Outgoing& outgoing) {
+      return outgoing.message == nullptr;
     });
   };
   for (const auto& sender : objects_) take_outgoing(sender);
@@ -137,14 +138,14 @@ void Object::HandleUndelivered(const Message& message) {
 
 std::vector<StandingReady> System::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
-  for (const Message& message : TakeMessagesTo(old)) {
-    if (message.kind == PayloadKind::kReady) {
-      const auto& ready = *reinterpret_cast<const OReadyMessage*>(message.payload);
+  for (const OwnedMessage& message : TakeMessagesTo(old)) {
+    if (message->kind == PayloadKind::kReady) {
+      const auto& ready = *reinterpret_cast<const OReadyMessage*>(message->payload);
       if (ready.command == objcommCMD_ASSERT_READY)
-        readies.push_back({message.selector, ObjectIdOf(ready.observerID.GetOID()),
+        readies.push_back({message->selector, ObjectIdOf(ready.observerID.GetOID()),
                            ready.observerID.GetSelector()});
     }
-    old->HandleUndelivered(message);
+    old->HandleUndelivered(*message);
   }
   return readies;
 }
@@ -180,13 +181,13 @@ void System::Replace(std::unique_ptr<Object> fresh) {
 void System::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies) {
   for (const StandingReady& standing : readies) {
     const CurrentScope scope(this, object(standing.observer));
-    Message* const message = NewMessage(id, standing.ready_selector);
+    OwnedMessage message = NewMessage(id, standing.ready_selector);
     auto& ready = *new (message->payload) OReadyMessage;
     ready.command = objcommCMD_ASSERT_READY;
     ready.observerID = OServiceEntry(OidOf(standing.observer), standing.notify_selector);
     message->size = sizeof ready;
     message->kind = PayloadKind::kReady;
-    Post(message);
+    Post(std::move(message));
   }
 }
 

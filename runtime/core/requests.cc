@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/core/dispatcher.h"
@@ -20,27 +21,26 @@ uint64_t Requests::OpenBox() {
   return self->boxes.last;
 }
 
-int32_t Requests::Send(Message* message, uint64_t* box) {
+int32_t Requests::Send(OwnedMessage message, uint64_t* box) {
   *box = OpenBox();
   message->reply_box = *box;
-  const int32_t error = system_->Post(message);
+  const int32_t error = system_->Post(std::move(message));
   if (error != sSUCCESS) t_current.object->boxes.open.erase(*box);
   return error;
 }
 
-Message* Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out) {
+OwnedMessage Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why,
+                             bool* timed_out) {
   Object* const self = t_current.object;
   ASSERT(self != nullptr && box != 0, "only an object waits, and for a box");
   self->handler.blocked_why = why;
-  Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
-  Message* const message = system_->dispatcher().WaitFor(box);
+  const Message* const wake = system_->calls().BeginWait(box, timeout_us, why);
+  OwnedMessage message = system_->dispatcher().WaitFor(box);
   self->handler.blocked_why.clear();
   *timed_out = message->kind == PayloadKind::kHashed && message->sender == self->id;
   if (*timed_out) return message;  // the box stays open, because the reply may still come
   // The reply came before the time-out, so the message that would end the wait is removed.
-  if (wake != nullptr)
-    system_->queue().RemoveIf([wake](const Message& m) { return &m == wake; },
-                              [](const Message&) {});
+  if (wake != nullptr) system_->queue().TakeIf([wake](const Message& m) { return &m == wake; });
   self->boxes.open.erase(box);
   return message;
 }
@@ -48,23 +48,22 @@ Message* Requests::Await(uint64_t box, int64_t timeout_us, std::string_view why,
 int32_t Requests::Wait(uint64_t box, void* reply, size_t reply_size, size_t* got,
                        int64_t timeout_us, std::string_view why) {
   bool timed_out = false;
-  Message* const message = Await(box, timeout_us, why, &timed_out);
+  const OwnedMessage message = Await(box, timeout_us, why, &timed_out);
   const size_t size = std::min<size_t>(message->size, reply_size);
   if (reply != nullptr) std::memcpy(reply, message->payload, size);
   if (got != nullptr) *got = size;
-  system_->queue().Release(message);
   return timed_out ? sTIMEOUT : sSUCCESS;
 }
 
 int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, size_t size,
                        void* reply, size_t reply_size, int64_t timeout_us) {
   if (size > Message::kPayloadMax) return sEXCEEDEDSIZEOFMSG;
-  Message* const message = system_->NewMessage(target, selector);
+  OwnedMessage message = system_->NewMessage(target, selector);
   std::memcpy(message->payload, data, size);
   message->size = static_cast<uint32_t>(size);
   uint64_t box = 0;
   const Object* const callee = system_->object(target);
-  const int32_t error = Send(message, &box);
+  const int32_t error = Send(std::move(message), &box);
   if (error != sSUCCESS) return error;
   const std::string why =
       fmt::format("the answer of {} ({})", callee->name, callee->EntryName(selector));
@@ -79,7 +78,7 @@ int32_t Requests::Call(ObjectId target, uint32_t selector, const void* data, siz
 
 ReplyTicket Requests::TakeTicket() {
   Message* const request =
-      t_current.object == nullptr ? nullptr : t_current.object->handler.running;
+      t_current.object == nullptr ? nullptr : t_current.object->handler.running.get();
   if (request == nullptr || request->reply_box == 0) return {};
   const ReplyTicket ticket{request->sender, request->reply_box};
   request->reply_box = 0;
@@ -93,7 +92,7 @@ int32_t Requests::Reply(const ReplyTicket& ticket, const void* data, size_t size
   const Object* const asker = system_->object(ticket.to);
   if (asker == nullptr) return sRBOXWASCLEANED;
   if (!system_->calls().AcceptsReply(asker->id, ticket.box)) return sRBOXWASCLEANED;
-  Message* const message = system_->NewMessage(ticket.to, 0);
+  OwnedMessage message = system_->NewMessage(ticket.to, 0);
   message->is_reply = true;
   message->reply_box = ticket.box;
   if (size > 0) std::memcpy(message->payload, data, size);
@@ -102,7 +101,7 @@ int32_t Requests::Reply(const ReplyTicket& ticket, const void* data, size_t size
     message->kind = PayloadKind::kHashed;
     message->payload_hash = payload_hash;
   }
-  return system_->Post(message);
+  return system_->Post(std::move(message));
 }
 
 }  // namespace openr_host

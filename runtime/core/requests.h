@@ -35,7 +35,7 @@ class Requests {
   // Send() posts the request `message` and sets `*box` to a new box for the reply.  Wait() then
   // waits for the reply as Call() does.  If `got` is not null, Wait() sets `*got` to the number of
   // copied bytes.
-  int32_t Send(Message* message, uint64_t* box);
+  int32_t Send(OwnedMessage message, uint64_t* box);
   int32_t Wait(uint64_t box, void* reply, size_t reply_size, size_t* got, int64_t timeout_us,
                std::string_view why);
 
@@ -43,10 +43,10 @@ class Requests {
   // they have received a reply.
   uint64_t OpenBox();
 
-  // Waits for the reply to `box` and returns the reply, which the caller releases.  After
-  // `timeout_us`, returns an empty message and sets `*timed_out`.  `why` describes for users what
-  // the handler waits for: "the answer of IPStack (Send)".
-  Message* Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
+  // Waits for the reply to `box` and returns the reply.  After `timeout_us`, returns an empty
+  // message and sets `*timed_out`.  `why` describes for users what the handler waits for: "the
+  // answer of IPStack (Send)".
+  OwnedMessage Await(uint64_t box, int64_t timeout_us, std::string_view why, bool* timed_out);
 
   // Takes the right to reply to the request that the caller handles.  Returns an empty ticket if
   // the message is no request, or if its ticket was already taken.

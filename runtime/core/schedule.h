@@ -42,9 +42,9 @@ class Schedule {
 class Gate {
  public:
   virtual ~Gate() = default;
-  // Returns true if `message` may be delivered now.  If false, the gate keeps `message` and gives
-  // it back later with System::Readmit().
-  virtual bool Admit(Message* message) = 0;
+  // Returns `message` if it may be delivered now.  Otherwise the gate keeps it, gives it back later
+  // with System::Readmit(), and returns null.
+  virtual OwnedMessage Admit(OwnedMessage message) = 0;
 };
 
 // A schedule that chooses at random, with a generator that depends only on `seed`.

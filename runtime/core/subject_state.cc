@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/base/hasher.h"
@@ -123,7 +124,7 @@ void SubjectState::Flush(ObserverLink* link) {
          data_count + link->units[unit_count].data <= MAX_NUM_DATA) {
     data_count += link->units[unit_count++].data;
   }
-  Message* const message =
+  OwnedMessage message =
       system->NewMessage(ObjectIdOf(link->observer.GetOID()), link->observer.GetSelector());
   auto& notify = *new (message->payload) ONotifyMessage;
   notify.subjectID = id;
@@ -136,7 +137,7 @@ void SubjectState::Flush(ObserverLink* link) {
     message->payload_hash = PayloadHash(*message, &bytes);
   }
   // If the message is refused, the data stay pending, and the next notify or ready tries again.
-  if (system->Post(message) != sSUCCESS) return;
+  if (system->Post(std::move(message)) != sSUCCESS) return;
   link->pending.erase(link->pending.begin(), link->pending.begin() + data_count);
   link->units.erase(link->units.begin(), link->units.begin() + static_cast<long>(unit_count));
   link->waiting_since_us = link->units.empty() ? -1 : system->now_us();

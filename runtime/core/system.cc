@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "runtime/base/assert.h"
 #include "runtime/core/api.h"
@@ -191,8 +192,8 @@ bool System::RunUntil(const std::function<bool()>& predicate, int64_t budget_us)
   return predicate();
 }
 
-Message* System::NewMessage(ObjectId target, uint32_t selector) {
-  Message* const message = queue_.Allocate();
+OwnedMessage System::NewMessage(ObjectId target, uint32_t selector) {
+  OwnedMessage message = queue_.Allocate();
   message->target = target;
   message->selector = selector;
   const Object* const sender = t_current.object;
@@ -206,37 +207,32 @@ Message* System::NewMessage(ObjectId target, uint32_t selector) {
 
 // Refuses a message to an entry that the target does not have.  Such messages come from old objects
 // whose stub was made from another stub.cfg than their sources.
-int32_t System::RefuseSelector(Message* message, const Object& target) {
+int32_t System::RefuseSelector(const Message& message, const Object& target) {
   AddFindingAbout(&target, Severity::kError,
                   fmt::format("MCOOPMailer::intraDeliver selector is out of range: sel={}, "
                               "sError = {}; the sender's table and this object's stub do not "
                               "belong together",
-                              message->selector, sEXCEEDEDSIZEOFENTRYTABLE));
-  queue_.Release(message);
+                              message.selector, sEXCEEDEDSIZEOFENTRYTABLE));
   return sEXCEEDEDSIZEOFENTRYTABLE;
 }
 
-int32_t System::Post(Message* message, int64_t delay_us) {
-  Object* const target = object(message->target);
-  if (target == nullptr) {
-    queue_.Release(message);
-    return sINVALIDOID;
-  }
+int32_t System::Post(OwnedMessage message, int64_t delay_us) {
+  if (object(message->target) == nullptr) return sINVALIDOID;
   if (t_current.object != nullptr && t_current.object->is_image) ReportHostAddresses(*message);
-  return calls_->Post(message, delay_us);
+  return calls_->Post(std::move(message), delay_us);
 }
 
-int32_t System::Enqueue(Message* message, int64_t delay_us) {
+int32_t System::Enqueue(OwnedMessage message, int64_t delay_us) {
   Object* const target = object(message->target);
   ASSERT(target != nullptr && delay_us >= 0, "message to object {} in {} us", message->target,
          delay_us);
   // The message leaves when the time of the running handler is over (cpu.h).
   if (Object* const self = t_current.object; self != nullptr && self->processor.is_busy) {
-    self->processor.outbox.push_back({message, delay_us});
+    self->processor.outbox.push_back({std::move(message), delay_us});
     return sSUCCESS;
   }
   if (!message->is_reply) {
-    if (!target->HasEntry(message->selector)) return RefuseSelector(message, *target);
+    if (!target->HasEntry(message->selector)) return RefuseSelector(*message, *target);
     // A part of the system uses messages to itself as a clock, so a schedule must not refuse them.
     const bool is_clock =
         target->is_system && (message->sender == target->id || message->sender == kNoObject);
@@ -246,7 +242,6 @@ int32_t System::Enqueue(Message* message, int64_t delay_us) {
                                   "does, sError = 13",
                                   message->selector, target->EntryName(message->selector)));
       ++target->dropped_count;
-      queue_.Release(message);
       return sFULLMSGQENTRY;
     }
     if (target->waiting >= target->queue_max) {
@@ -257,7 +252,6 @@ int32_t System::Enqueue(Message* message, int64_t delay_us) {
                       target->queue_max, message->selector, target->EntryName(message->selector)));
       if (options_.strict) {
         ++target->dropped_count;
-        queue_.Release(message);
         return sFULLMSGQENTRY;
       }
     }
@@ -266,18 +260,19 @@ int32_t System::Enqueue(Message* message, int64_t delay_us) {
   message->number = ++last_number_;
   message->due_us = now_us_ + delay_us + dispatcher_->creep_us();
   if (schedule_ != nullptr) message->due_us += schedule_->ExtraDelayUs(*message, now_us_, delay_us);
-  queue_.Push(message, target->limits.priority);
+  queue_.Push(std::move(message), target->limits.priority);
   return sSUCCESS;
 }
 
-void System::Readmit(Message* message) {
+void System::Readmit(OwnedMessage message) {
   message->due_us = now_us_;
-  queue_.PushFront(message, objects_[static_cast<size_t>(message->target)]->limits.priority);
+  const int priority = object(message->target)->limits.priority;
+  queue_.PushFront(std::move(message), priority);
 }
 
 void System::ReturnHeld(Object* object) {
   for (; !object->handler.held.empty(); object->handler.held.pop_back())
-    Readmit(object->handler.held.back());
+    Readmit(std::move(object->handler.held.back()));
 }
 
 int64_t System::NextInstant() const {
@@ -357,7 +352,7 @@ uint64_t System::state_hash() {
     hasher.Add(object->waiting);
     for (const auto& subject : object->subjects) subject->HashState(&hasher);
     object->HashState(&hasher);
-    for (const Message* message : object->handler.held) hasher.Add(message->number);
+    for (const OwnedMessage& message : object->handler.held) hasher.Add(message->number);
     for (const ProcessorState::Outgoing& outgoing : object->processor.outbox)
       hasher.Add(outgoing.message->cause);
   }

@@ -221,15 +221,15 @@ class System {
 
   // Returns a message from the current object (or the system) with an empty payload, to be filled
   // and posted.
-  Message* NewMessage(ObjectId target, uint32_t selector);
+  OwnedMessage NewMessage(ObjectId target, uint32_t selector);
 
   // Queues a message of NewMessage(), due `delay_us` from now.  Returns an sError: sSUCCESS,
   // sINVALIDOID, or sFULLMSGQENTRY if the receiver's queue is full (only with --strict).
-  int32_t Post(Message* message, int64_t delay_us = 0);
+  int32_t Post(OwnedMessage message, int64_t delay_us = 0);
 
   // Queues a message in the queue of this process; LocalCalls::Post() calls it.
   // REQUIRES: the target exists and delay_us >= 0.
-  int32_t Enqueue(Message* message, int64_t delay_us);
+  int32_t Enqueue(OwnedMessage message, int64_t delay_us);
 
   // Ends the running handler without returning to it.  REQUIRES: called in a handler.
   [[noreturn]] void AbandonHandler();
@@ -242,7 +242,7 @@ class System {
   void set_gate(Gate* gate) { gate_ = gate; }
   // Puts a message that a gate or the processor has kept back into the queue, due now and before
   // all others of its class and priority.
-  void Readmit(Message* message);
+  void Readmit(OwnedMessage message);
 
   // Adds typed text, which objects can read from the next frame boundary on.  REQUIRES: not called
   // in a handler.
@@ -306,7 +306,7 @@ class System {
   // 3. Posts the readies of step 1 to the new object, in the name of their observers.  An observer
   //    does not know of the replacement, so it would not assert again itself.
   void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
-  std::vector<Message> TakeMessagesTo(Object* object);
+  std::vector<OwnedMessage> TakeMessagesTo(Object* object);
 
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
@@ -316,7 +316,7 @@ class System {
   int64_t NextInstant() const;
   void DoWhatIsDue();
   friend class Cpu;
-  int32_t RefuseSelector(Message* message, const Object& target);
+  int32_t RefuseSelector(const Message& message, const Object& target);
   void ReportHostAddresses(const Message& message);
   // Puts the held messages of `object` back at the front of the queue, because they are older than
   // all messages due now.
@@ -330,7 +330,7 @@ class System {
   bool powered_off_ = false;
   std::optional<RunEnd> end_;
 
-  MessageQueue queue_;
+  MessageQueue queue_;  // outlives all members below, which may own messages
   RegionTable regions_;
   RegionShares region_shares_{&regions_};
   std::unique_ptr<GuardPages> guard_pages_;

@@ -31,9 +31,8 @@ class SystemCalls {
 
   // ---- Messages and replies
 
-  // Queues `message`, due `delay_us` from now, and returns an sError.  Becomes the owner of
-  // `message`.
-  virtual int32_t Post(Message* message, int64_t delay_us) = 0;
+  // Queues `message`, due `delay_us` from now, and returns an sError.
+  virtual int32_t Post(OwnedMessage message, int64_t delay_us) = 0;
 
   // Each request has a number, its box, under which the reply arrives.  OpenBox() lets the caller
   // receive a reply to `box`.  CloseBox() ends that, and releases a reply that has already arrived.
@@ -44,9 +43,9 @@ class SystemCalls {
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
   // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us` (< 0: without
-  // limit).  Returns the message that will end the wait at that time, or null if this process
-  // posted no such message.
-  virtual Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
+  // limit).  Returns the queued message that will end the wait at that time, or null if this
+  // process posted no such message.
+  virtual const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
   // Waits for a line of the console and copies it to `buffer`; see ConsoleInput::Read().
   virtual size_t ReadLine(char* buffer, size_t size) = 0;

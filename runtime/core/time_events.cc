@@ -70,13 +70,13 @@ bool TimeEvents::IsOff(const Event& event) const {
 void TimeEvents::Post(const Event& event) {
   const Letter& letter = event.letter;
   ASSERT(letter.bytes.size() <= Message::kPayloadMax, "an event of {} bytes", letter.bytes.size());
-  Message* const message = system_->NewMessage(letter.target, letter.selector);
+  OwnedMessage message = system_->NewMessage(letter.target, letter.selector);
   message->sender = letter.owner;
   message->cause = event.cause;
   if (!letter.bytes.empty())
     std::memcpy(message->payload, letter.bytes.data(), letter.bytes.size());
   message->size = static_cast<uint32_t>(letter.bytes.size());
-  system_->Post(message);
+  system_->Post(std::move(message));
 }
 
 void TimeEvents::PostDue() {

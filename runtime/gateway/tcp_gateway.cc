@@ -102,10 +102,10 @@ void TcpGateway::OpenLater(int channel, int64_t delay_us) { PostLater(open_, cha
 void TcpGateway::LookLater(int channel, int64_t delay_us) { PostLater(look_, channel, delay_us); }
 
 void TcpGateway::PostLater(Selector entry, int channel, int64_t delay_us) {
-  Message* const message = system().NewMessage(host().id, entry);
+  OwnedMessage message = system().NewMessage(host().id, entry);
   std::memcpy(message->payload, &channel, sizeof channel);
   message->size = sizeof channel;
-  system().Post(message, delay_us);
+  system().Post(std::move(message), delay_us);
 }
 
 void TcpGateway::ExpireLater(int64_t delay_us) {

@@ -239,13 +239,13 @@ void IpStack::Answer(Operation* operation, int32_t error, const void* data, size
     system().requests().Reply(operation->ticket, operation->bytes, operation->size, hash);
     return;
   }
-  Message* const answer =
+  OwnedMessage answer =
       system().NewMessage(ObjectIdOf(message.contInfo.oid), message.contInfo.selector);
   std::memcpy(answer->payload, operation->bytes, Message::kPayloadMax);
   answer->size = operation->size;
   answer->kind = PayloadKind::kHashed;
   answer->payload_hash = hash;
-  system().Post(answer);  // if the asking object has ended, the answer is dropped
+  system().Post(std::move(answer));  // if the asking object has ended, the answer is dropped
 }
 
 void IpStack::PollNetwork() {

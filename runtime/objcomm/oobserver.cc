@@ -156,7 +156,7 @@ namespace {
 // Adds a finding if the data in `notify` differ from the data that were sent
 // (SystemOptions::guard_regions).
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
-  const Message* const message = state->object->handler.running;
+  const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
   if (message == nullptr || PayloadHash(*message, &size) == message->payload_hash) return;
   const openr_host::Object* const sender = state->system->object(message->sender);

@@ -103,10 +103,10 @@ class ConformTest : public testing::Test {
     return UNDEF;
   }
   int32_t Post(const std::string& object, const std::string& entry, const std::string& text) {
-    Message* const message = system->NewMessage(IdOf(object), EntryOf(object, entry));
+    OwnedMessage message = system->NewMessage(IdOf(object), EntryOf(object, entry));
     std::memcpy(message->payload, text.c_str(), text.size() + 1);
     message->size = static_cast<uint32_t>(text.size() + 1);
-    return system->Post(message);
+    return system->Post(std::move(message));
   }
 
   std::string Findings() {

@@ -14,7 +14,7 @@ class ForgedTheirsTest : public ForgedTest {
   // Sends the worker's object a notification with region_here_.
   void Lend() {
     const CurrentScope scope(&system_, &sender_->host());
-    auto* const message = system_.NewMessage(remote_->id, kEntry);
+    OwnedMessage message = system_.NewMessage(remote_->id, kEntry);
     auto& notify = *new (message->payload) ONotifyMessage();
     notify.msgType = omsgNOTIFY_V22;
     notify.subjectID = OServiceEntry(OidOf(sender_->host().id), 5);
@@ -25,7 +25,7 @@ class ForgedTheirsTest : public ForgedTest {
     notify.data[0].size = kBytes;
     message->size = sizeof notify;
     message->kind = PayloadKind::kNotify;
-    system_.Post(message);
+    system_.Post(std::move(message));
     system_.RunFor(1000);
   }
 };

@@ -57,7 +57,7 @@ class LostObserverTest : public ::testing::Test {
   void Control() {
     const CurrentScope scope(&system_, remote_);
     const auto entry = system_.robot(0).directory.at("Sender.Out.Number.S");
-    Message* const message = system_.NewMessage(entry.first, entry.second);
+    OwnedMessage message = system_.NewMessage(entry.first, entry.second);
     auto& control = *new (message->payload) OControlMessage;
     std::memset(static_cast<void*>(&control), 0, sizeof control);
     control.msgType = omsgCONTROL_V21;
@@ -65,12 +65,12 @@ class LostObserverTest : public ::testing::Test {
     control.observerID = Observer();
     control.d_min = control.d_max = 1;
     message->size = sizeof control;
-    system_.Post(message);
+    system_.Post(std::move(message));
     system_.RunFor(1000);
   }
   void Ready() {
     const CurrentScope scope(&system_, remote_);
-    Message* const message =
+    OwnedMessage message =
         system_.NewMessage(sender_->host().id, sender_->out->GetID().GetSelector());
     auto& ready = *new (message->payload) OReadyMessage;
     ready.msgType = omsgREADY_V22;
@@ -79,7 +79,7 @@ class LostObserverTest : public ::testing::Test {
     ready.numOfData = 0;
     message->size = sizeof ready;
     message->kind = PayloadKind::kReady;
-    system_.Post(message);
+    system_.Post(std::move(message));
     system_.RunFor(1000);
   }
 

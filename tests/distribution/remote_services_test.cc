@@ -136,7 +136,7 @@ class DirectLink : public MasterLink {
     const CurrentScope scope(master_, master_->object(0));
     return WorkerCallList::Call(function, *this, arguments);
   }
-  int32_t Post(Message*, int64_t) override { return 0; }
+  int32_t Post(OwnedMessage, int64_t) override { return 0; }
   void Tell(uint32_t, const CallArguments&) override {}
   void Waits(uint64_t, int64_t, std::string_view) override {}
   void WaitsForLine(uint64_t, size_t) override {}

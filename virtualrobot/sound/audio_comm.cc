@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "runtime/core/api.h"
 #include "runtime/core/system.h"
 #include "virtualrobot/listeners.h"
@@ -35,9 +37,9 @@ void OVirtualRobotAudioComm::AnnounceFirst() { queue_.AnnounceFirst(); }
 void OVirtualRobotAudioComm::WakeIfNeeded() {
   const bool mic_due = robot_.microphone.Due(robot_.frame) && HasListener(*mic_);
   if (!running_ || (!queue_.busy() && !mic_due)) return;
-  Message* const message = system().NewMessage(host().id, frame_);
+  OwnedMessage message = system().NewMessage(host().id, frame_);
   message->message_class = MessageClass::kFrame;
-  system().Post(message);
+  system().Post(std::move(message));
 }
 
 void OVirtualRobotAudioComm::Frame() {

@@ -157,6 +157,13 @@ TEST_F(DispatcherTest, AHandlerCanBeAbandonedAndItsObjectGoesOn) {
   EXPECT_EQ(log, (Log{"a:1@0", "a:2@0", "a:3@0"}));
 }
 
+TEST_F(DispatcherTest, AMessageThatIsNotQueuedGoesBackToThePool) {
+  const Message* const first = system.NewMessage(kNoObject, 0).get();
+  EXPECT_EQ(system.NewMessage(kNoObject, 0).get(), first);
+  EXPECT_EQ(system.Post(system.NewMessage(99, 0)), sINVALIDOID);
+  EXPECT_EQ(system.NewMessage(kNoObject, 0).get(), first);
+}
+
 TEST_F(DispatcherTest, ExceptionsBelongToTheHandlerThatWaits) {
   Recorder* a = Add("a");
   Recorder* b = Add("b");
@@ -227,10 +234,10 @@ TEST_F(DispatcherTest, HowARunIsSlicedDoesNotShowInItsHashes) {
     Recorder* a = system.AddObject<Recorder>(0, "a", &log);
     Recorder* b = system.AddObject<Recorder>(0, "b", &log);
     const auto post = [&](Recorder* to, int value, int64_t delay_us) {
-      Message* const message = system.NewMessage(to->host().id, to->entry);
+      OwnedMessage message = system.NewMessage(to->host().id, to->entry);
       std::memcpy(message->payload, &value, sizeof value);
       message->size = sizeof value;
-      system.Post(message, delay_us);
+      system.Post(std::move(message), delay_us);
     };
     a->on_message = [&](int value) { post(b, value + 1, 13); };
     b->on_message = [&](int value) { post(a, value * 2 % 1009, value % 7); };

@@ -21,7 +21,7 @@ class Sleeper : public CodeObject {
     if (on_init) on_init();
     bool timed_out = false;
     const uint64_t box = system().requests().OpenBox();
-    system().queue().Release(system().requests().Await(box, kWaitUs, "nothing", &timed_out));
+    system().requests().Await(box, kWaitUs, "nothing", &timed_out);
     return oSUCCESS;
   }
   std::function<void()> on_init;
@@ -102,9 +102,9 @@ TEST_F(NewcomerTest, AMessageFromBeforeTheBootWaitsForDoInit) {
 // Who asks in a DoInit is answered, or the boot would wait for itself.
 TEST_F(NewcomerTest, AQuestionInADoInitIsHeardAtOnce) {
   sleeper_->on_init = [this] {
-    Message* const question = system_.NewMessage(newcomer_->host().id, newcomer_->entry);
+    OwnedMessage question = system_.NewMessage(newcomer_->host().id, newcomer_->entry);
     question->reply_box = system_.requests().OpenBox();
-    system_.Post(question);
+    system_.Post(std::move(question));
   };
   system_.Boot();
   system_.RunFor(2 * kWaitUs);

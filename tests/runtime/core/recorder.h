@@ -34,11 +34,11 @@ class Recorder : public CodeObject {
 inline int32_t PostTo(Recorder* target, int value, int64_t delay_us = 0,
                       MessageClass message_class = MessageClass::kObject) {
   System& system = target->system();
-  Message* const message = system.NewMessage(target->host().id, target->entry);
+  OwnedMessage message = system.NewMessage(target->host().id, target->entry);
   std::memcpy(message->payload, &value, sizeof value);
   message->size = sizeof value;
   message->message_class = message_class;
-  return system.Post(message, delay_us);
+  return system.Post(std::move(message), delay_us);
 }
 
 }  // namespace openr_host

@@ -134,13 +134,12 @@ TEST_F(ScheduleTest, StartsMayComeInAnyOrderInitsMayNot) {
 
 class KeepFor : public Gate {
  public:
-  bool Admit(Message* message) override {
-    if (message->target != kept_for) return true;
-    kept.push_back(message);
-    return false;
+  OwnedMessage Admit(OwnedMessage message) override {
+    if (message->target == kept_for) kept.push_back(std::move(message));
+    return message;
   }
   ObjectId kept_for = kNoObject;
-  std::vector<Message*> kept;
+  std::vector<OwnedMessage> kept;
 };
 
 TEST_F(ScheduleTest, AGateKeepsMessagesUntilTheyAreReadmitted) {
@@ -151,7 +150,7 @@ TEST_F(ScheduleTest, AGateKeepsMessagesUntilTheyAreReadmitted) {
   ASSERT_EQ(gate.kept.size(), 2u);
   gate.kept_for = kNoObject;
   log.clear();
-  for (size_t i = 2; i > 0; --i) system->Readmit(gate.kept[i - 1]);
+  for (size_t i = 2; i > 0; --i) system->Readmit(std::move(gate.kept[i - 1]));
   system->RunFor(1000);
   EXPECT_EQ(log, (Log{"a:1@1000", "a:2@1000"}));
 }

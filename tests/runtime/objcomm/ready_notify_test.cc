@@ -56,10 +56,10 @@ TEST_F(ReadyNotifyTest, BytesSentToTheEntryOfASubjectAreRefused) {
   Boot();
   RunAs(receiver, [&] {
     const Selector ready = sender->out->GetID().GetSelector();
-    Message* const message = system.NewMessage(sender->host().id, ready);
+    OwnedMessage message = system.NewMessage(sender->host().id, ready);
     std::memset(message->payload, 0x41, 64);
     message->size = 64;
-    EXPECT_EQ(system.Post(message), 0);
+    EXPECT_EQ(system.Post(std::move(message)), 0);
   });
   Settle();
   ASSERT_EQ(system.findings().all().size(), 1u);
