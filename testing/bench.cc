@@ -136,7 +136,7 @@ void Bench::LoadStick() {
       stand_in.make ? stand_in.make(*this) : void(AddProbe(name, ServicesOf(name)));
     };
   }
-  openr_host::LoadStickAndGateway(system_.get(), 0, stand_ins);
+  openr_host::LoadStick(system_.get(), 0, stand_ins, {openr_host::GatewayImage(system_.get(), 0)});
   std::vector<std::string> known;
   for (const auto& object : system_->objects()) {
     if (object->is_image) known.push_back(object->name);

@@ -17,6 +17,7 @@
 #include "openr/simulation/pacing.h"
 #include "runtime/base/wall_clock.h"
 #include "runtime/core/configured_cost.h"
+#include "runtime/core/load_stick.h"
 #include "runtime/gateway/tcp_gateway.h"
 #include "runtime/ipstack/ip_stack.h"
 #include "runtime/stick/memory_stick.h"
@@ -121,7 +122,9 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
   networks_.push_back(robot.ip_stack);
   const StandIns stand_ins =
       options.stand_ins ? options.stand_ins(system_.get(), robot.number) : StandIns();
-  if (!LoadStickAndGateway(system_.get(), robot.number, stand_ins)) loaded_ = false;
+  if (!LoadStick(system_.get(), robot.number, stand_ins,
+                 {GatewayImage(system_.get(), robot.number)}))
+    loaded_ = false;
 }
 
 // Adds a note if the battery is almost empty at boot.  Users expect that it ends the run, but it

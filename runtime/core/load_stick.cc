@@ -148,13 +148,17 @@ void StickLoader::LoadDesign() {
 
 }  // namespace
 
-bool LoadStick(System* system, int robot, const StandIns& stand_ins) {
+bool LoadStick(System* system, int robot, StandIns stand_ins,
+               const std::vector<SystemImage>& system_images) {
+  for (const SystemImage& image : system_images)
+    stand_ins.emplace(image.file, [&image](const std::string&) { image.add(); });
   Robot& dog = system->robot(robot);
   if (dog.stick != nullptr) dog.stick_hash = dog.stick->ContentHash();
   StickLoader loader(system, robot, stand_ins);
   const bool is_good = loader.LoadObjects();
   loader.LoadConnections();
   loader.LoadDesign();
+  for (const SystemImage& image : system_images) image.check();
   return is_good;
 }
 

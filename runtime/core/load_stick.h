@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace openr_host {
 
@@ -14,10 +15,19 @@ class System;
 // may add other objects in its place.
 using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
 
+// A part of the system that is an image on a robot and part of the runtime here.
+struct SystemImage {
+  std::string file;           // the name of the image in OBJECT.CFG: "TCPGW.BIN"
+  std::function<void()> add;  // adds the object; called instead of loading the image
+  // compares the part with the rest of the stick; called after everything else was loaded
+  std::function<void()> check;
+};
+
 // Loads the images that OBJECT.CFG names, and adds the connections of CONNECT.CFG and the keywords
-// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  Returns false if
-// the robot would not boot, because an image is missing or cannot be loaded.  REQUIRES: before
-// System::Boot().
-bool LoadStick(System* system, int robot, const StandIns& stand_ins = {});
+// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  A stand-in for the
+// file of a system image is called in place of its `add`.  Returns false if the robot would not
+// boot, because an image is missing or cannot be loaded.  REQUIRES: before System::Boot().
+bool LoadStick(System* system, int robot, StandIns stand_ins = {},
+               const std::vector<SystemImage>& system_images = {});
 
 }  // namespace openr_host

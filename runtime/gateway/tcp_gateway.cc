@@ -216,12 +216,9 @@ class GatewayLoader {
 
 }  // namespace
 
-bool LoadStickAndGateway(System* system, int robot, StandIns stand_ins) {
-  GatewayLoader loader(system, robot);
-  stand_ins.emplace(kGatewayImage, [&loader](const std::string&) { loader.Add(); });
-  const bool good = LoadStick(system, robot, stand_ins);
-  loader.CheckWires();
-  return good;
+SystemImage GatewayImage(System* system, int robot) {
+  const auto loader = std::make_shared<GatewayLoader>(system, robot);
+  return {kGatewayImage, [loader] { loader->Add(); }, [loader] { loader->CheckWires(); }};
 }
 
 }  // namespace openr_host

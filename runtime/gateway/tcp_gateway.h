@@ -72,9 +72,9 @@ class TcpGateway : public CodeObject {
   std::vector<std::unique_ptr<GatewayChannel>> channels_;
 };
 
-// Does what LoadStick() does, and adds the gateway if the stick needs it: OBJECT.CFG names
-// TCPGW.BIN, CONNECT.CFG names a service of TCPGateway, or HOSTGW.CFG names a robot for OPEN-R
-// calls.
-bool LoadStickAndGateway(System* system, int robot, StandIns stand_ins = {});
+// Returns the gateway of `robot` for LoadStick().  The stick asks for the gateway if OBJECT.CFG
+// names TCPGW.BIN, CONNECT.CFG names a service of TCPGateway, or HOSTGW.CFG names a robot for
+// OPEN-R calls.  REQUIRES: the robot has its stick.
+SystemImage GatewayImage(System* system, int robot);
 
 }  // namespace openr_host

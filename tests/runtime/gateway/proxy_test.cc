@@ -173,14 +173,14 @@ class ProxyTest : public testing::Test {
     auto services = std::make_unique<HeardServices>();
     asked = services.get();
     robot->robot(0).services = std::move(services);
-    EXPECT_TRUE(LoadStickAndGateway(robot.get(), 0));
+    EXPECT_TRUE(LoadStick(robot.get(), 0, {}, {GatewayImage(robot.get(), 0)}));
     robot->Boot();
     robot->RunFor(1000);
   }
   void StartPc(std::function<void()> body) {
     pc = NewSystem(pc_folder, "10.0.1.2");
     caller = pc->AddObject<Caller>(0, "caller", std::move(body));
-    EXPECT_TRUE(LoadStickAndGateway(pc.get(), 0));
+    EXPECT_TRUE(LoadStick(pc.get(), 0, {}, {GatewayImage(pc.get(), 0)}));
     pc->Boot();
   }
   void Frames(int count) {
@@ -309,7 +309,7 @@ TEST_F(ProxyTest, AnAddressThatNeverAnswersGetsTheHintAsWell) {
     System system({.console = [](std::string_view) {}});
     system.AddRobot("ERS-210", std::make_shared<FolderStick>(pc_folder.path()));
     AddIpStack(&system, 0, std::make_unique<DroppingNetwork>());
-    LoadStickAndGateway(&system, 0);
+    LoadStick(&system, 0, {}, {GatewayImage(&system, 0)});
     system.Boot();
     system.RunFor(30'000'000);
     const bool is_loopback = address[0] == '1' && address[1] == '2';

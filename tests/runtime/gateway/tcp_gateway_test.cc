@@ -70,7 +70,7 @@ class TcpGatewayTest : public testing::Test {
     system->AddRobot("ERS-210", std::make_shared<FolderStick>(folder.path()));
     AddIpStack(system.get(), 0, std::make_unique<LoopbackNetwork>(hub));
     chat = system->AddObject<Chat>(0, "chat");
-    EXPECT_TRUE(LoadStickAndGateway(system.get(), 0));
+    EXPECT_TRUE(LoadStick(system.get(), 0, {}, {GatewayImage(system.get(), 0)}));
     system->Boot();
     system->RunFor(1000);
   }
@@ -357,7 +357,7 @@ class GatewayPairTest : public testing::Test {
       AddIpStack(system.get(), i, std::make_unique<LoopbackNetwork>(hub),
                  {.address = i == 0 ? "" : "10.0.1.2"});
       (i == 0 ? *dog : *pc) = system->AddObject<Chat>(i, "chat");
-      LoadStickAndGateway(system.get(), i);
+      LoadStick(system.get(), i, {}, {GatewayImage(system.get(), i)});
     }
     system->Boot();
     system->RunFor(1'000'000);
