@@ -396,7 +396,7 @@ void Worker::SendState(ObjectId id) {
 // Disconnects the objects of this worker from object `id` of another process, which has been
 // replaced.  They connect with the new object as with any other.
 void Worker::Forget(ObjectId id) {
-  if (system_->object(id) != nullptr) system_->Forget(id);
+  if (system_->object(id) != nullptr) system_->object_table().Forget(id);
   // Forgets which entries the old object had, because the new one may have others.
   std::erase_if(known_entries_, [id](const auto& entry) { return entry.first == id; });
   openr_wire_ToMaster to_master = NewToMaster(openr_wire_TO_MASTER_FORGOTTEN);

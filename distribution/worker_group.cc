@@ -79,13 +79,13 @@ void WorkerGroup::Start(Member* member) {
 WorkerGroup::~WorkerGroup() = default;
 
 StandIns WorkerGroup::StandInsFor(System* system, int robot) {
-  if (system_ == nullptr) system->OnReplace([this](ObjectId id) { OnReplaced(id); });
+  if (system_ == nullptr) system->object_table().OnReplace([this](ObjectId id) { OnReplaced(id); });
   system_ = system;
   StandIns stand_ins;
   for (const auto& [object_name, process_name] : options_.placement.process_of) {
     stand_ins[object_name] = [this, robot, name = object_name,
                               member = &members_[process_name]](const std::string& path) {
-      const auto id = static_cast<ObjectId>(system_->objects().size());
+      const ObjectId id = system_->object_table().NextId();
       auto object = std::make_unique<RemoteObject>(
           system_, id, robot, member->process.get(),
           [this](const RemoteObject* about, RemoteObject::Loss loss, const std::string& why) {
@@ -96,7 +96,7 @@ StandIns WorkerGroup::StandInsFor(System* system, int robot) {
       member->objects[id] = object.get();
       member->process->Add(object.get());
       placed_.push_back(name);
-      system_->Adopt(std::move(object));
+      system_->object_table().Adopt(std::move(object));
       // The object is loaded at once, so that objects of all processes are loaded in the order of
       // OBJECT.CFG.
       LoadNewObjects(member);

@@ -58,7 +58,7 @@ void WorkerGroup::CleanUp(Member* member) {
     member->undelivered_before += object->undelivered_count;
   EnterStage(member, Stage::kCleaningUp);
   system_->PostTask([this, member] {
-    for (const auto& [id, object] : member->objects) system_->EndAllOf(id);
+    for (const auto& [id, object] : member->objects) system_->object_table().EndAllOf(id);
     member->is_cleaned_up = true;
   });
 }
@@ -171,7 +171,7 @@ void WorkerGroup::ReplaceObjects(Member* member) {
   for (auto& object : member->new_objects) new_objects.push_back(std::move(object));
   member->new_objects.clear();
   EnterStage(member, Stage::kReplacing);
-  system_->Return(std::move(new_objects));
+  system_->object_table().Return(std::move(new_objects));
 }
 
 // Called for each object `id` that is replaced.  First the other workers disconnect their objects

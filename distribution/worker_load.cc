@@ -95,7 +95,7 @@ void Worker::CheckRobot(int robot) const {
 // gets the same id here as in the master.
 void Worker::AddObject(const openr_wire_ObjectEntry& entry,
                        std::vector<openr_wire_LoadedObject>* loaded) {
-  const auto next = static_cast<ObjectId>(system_->objects().size());
+  const ObjectId next = system_->object_table().NextId();
   if (entry.id < next) return;  // skips the object manager, which every System has
   if (entry.id > next) throw std::runtime_error("an object before those that come first");
   CheckRobot(entry.robot);
@@ -124,7 +124,7 @@ void Worker::AddObject(const openr_wire_ObjectEntry& entry,
   auto absent = std::make_unique<AbsentObject>(system_.get(), next, entry.robot, marshaller_.get());
   absent->name = StringOf(entry.name);
   absent->is_system = entry.is_system;
-  system_->Adopt(std::move(absent));
+  system_->object_table().Adopt(std::move(absent));
 }
 
 openr_wire_LoadedObject Worker::Describe(const Object& object) {

@@ -42,7 +42,8 @@ class HeldMessages {
 
  private:
   friend class Doors;
-  // Takes `*message` and holds it if it fits and holding has not ended.  Returns whether the message is held now.
+  // Takes `*message` and holds it if it fits and holding has not ended.  Returns whether the
+  // message is held now.
   bool Take(openr_host::OwnedMessage* message);
 
   openr_host::System* const system_;

@@ -76,7 +76,7 @@ void Cpu::End(int64_t now_us) {
   }
   // Messages that wait are older than messages due now, so they go to the front of the queue.  The
   // newest of them is put there first, so that the oldest comes out first.
-  system_->ReturnHeld(object);
+  object->ReturnHeld();
   while (!waiting_.empty()) {
     system_->Readmit(std::move(waiting_.back()));
     waiting_.pop_back();

@@ -223,7 +223,7 @@ void Dispatcher::FinishHandler(Object* object) {
   }
   t_current = {system_, nullptr, false};
   object->handler.running.reset();
-  if (!object->processor.is_busy) system_->ReturnHeld(object);
+  if (!object->processor.is_busy) object->ReturnHeld();
 }
 
 OwnedMessage Dispatcher::WaitFor(uint64_t box) {

@@ -62,8 +62,8 @@ std::unique_ptr<ImageObject> OpenImage(System* system, int robot, ObjectId id,
 }
 
 Object* LoadImage(System* system, int robot, const std::string& path, const std::string& where) {
-  auto image = OpenImage(system, robot, system->NextObjectId(), path, where);
-  return image == nullptr ? nullptr : system->Adopt(std::move(image));
+  auto image = OpenImage(system, robot, system->object_table().NextId(), path, where);
+  return image == nullptr ? nullptr : system->object_table().Adopt(std::move(image));
 }
 
 }  // namespace openr_host

@@ -24,8 +24,8 @@ struct SystemImage {
 };
 
 // Loads the images that OBJECT.CFG names, and adds the connections of CONNECT.CFG and the keywords
-// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  A stand-in for the
-// file of a system image is called in place of its `add`.  Returns false if the robot would not
+// of DESIGNDB.CFG to the system.  Each problem becomes a finding with file:line.  A stand-in for
+// the file of a system image is called in place of its `add`.  Returns false if the robot would not
 // boot, because an image is missing or cannot be loaded.  REQUIRES: before System::Boot().
 bool LoadStick(System* system, int robot, StandIns stand_ins = {},
                const std::vector<SystemImage>& system_images = {});

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <utility>
+
+#include "runtime/core/api.h"
 #include "runtime/core/connection_state.h"
 #include "runtime/core/system.h"
 
@@ -56,6 +59,28 @@ std::string Object::NameService(uint32_t selector, const char* kind) {
   const std::string service = found == services.end() ? name : found->second;
   system->calls().NameEntry(selector, fmt::format("{} ({})", service, kind));
   return service;
+}
+
+std::vector<StandingReady> Object::StandingReadies() const {
+  std::vector<StandingReady> readies;
+  for (const auto& subject : subjects) {
+    for (const auto& link : subject->links) {
+      if (link->ready > 0)
+        readies.push_back({subject->id.GetSelector(), ObjectIdOf(link->observer.GetOID()),
+                           link->observer.GetSelector()});
+    }
+  }
+  return readies;
+}
+
+void Object::HandleUndelivered(const Message& message) {
+  if (message.kind != PayloadKind::kReady) ++dropped_count;
+  if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
+}
+
+void Object::ReturnHeld() {
+  for (; !handler.held.empty(); handler.held.pop_back())
+    system->Readmit(std::move(handler.held.back()));
 }
 
 }  // namespace openr_host

@@ -134,6 +134,10 @@ class Object {
   // gives its regions back to the subject.
   virtual void HandleUndelivered(const Message& message);
 
+  // Puts the held messages back at the front of the queue, because they are older than all messages
+  // due now.
+  void ReturnHeld();
+
   // Returns whether the object's code was in a worker process that has ended.  That end is a
   // finding already, so its consequences are not reported too.
   virtual bool IsLost() const { return false; }

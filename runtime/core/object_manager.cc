@@ -118,8 +118,7 @@ void ObjectManager::ReleaseEarlyMessages() {
     if (!starting->second) continue;
     Object* const object = system().object(starting->first);
     starting_.erase(starting);
-    if (object->handler.blocked == nullptr && !object->processor.is_busy)
-      system().ReturnHeld(object);
+    if (object->handler.blocked == nullptr && !object->processor.is_busy) object->ReturnHeld();
   }
 }
 
@@ -178,17 +177,9 @@ void ObjectManager::RunTask() {
 }
 
 void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
-  std::map<ObjectId, std::vector<StandingReady>> readies;
-  // Marks all old objects before the messages to them are removed.  The removal of a notification
-  // sends a deassert to its sender, but not if the sender is marked, because it is replaced too.
-  for (const auto& object : fresh) system().object(object->id)->is_leaving = true;
-  for (const auto& object : fresh)
-    readies[object->id] = system().EndMessagesTo(system().object(object->id));
   are_connected_ = false;
-  for (auto& object : fresh) {
-    starting_[object->id] = false;
-    system().Replace(std::move(object));
-  }
+  for (const auto& object : fresh) starting_[object->id] = false;
+  ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
   // Makes the connections of the new objects.  Services that were unknown while a worker process
   // was lost are reported now, unless their connection belongs to a new object.
@@ -212,7 +203,7 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   // ready in its own boot, so its old ready is left out.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
-    system().AssertAgain(id, standing);
+    system().object_table().AssertAgain(id, standing);
   }
   for (const auto& [id, standing] : readies) Send(system().object(id), oentrySTART, oreasonBOOT);
 }

@@ -23,8 +23,8 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Post a message of the object manager to itself.  Its handler does the work of System::Boot(),
-  // Shutdown(), Reload() or PostTask().
+  // Post a message of the object manager to itself.  Its handler does the work of Boot(),
+  // Shutdown() or PostTask() of System, or of ObjectTable::Reload().
   void PostBoot();
   void PostShutdown(int robot);
   void PostReload(ObjectId id);

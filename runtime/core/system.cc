@@ -68,17 +68,14 @@ System::System(SystemOptions options)
   manager_ = AddObject<ObjectManager>(0, "oobjectManager");
   manager_->host().is_system = true;
   manager_->host().limits.priority = 0;
-  OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
+  table_.OnEnd([this](ObjectId id) { time_events_.ForgetObject(id); });
   if (options_.seed != SystemOptions().seed) {
     seed_schedule_ = std::make_unique<SeedSchedule>(options_.seed);
     schedule_ = seed_schedule_.get();
   }
 }
 
-System::~System() {
-  // Objects are destroyed in reverse order, because images may refer to objects made before them.
-  while (!objects_.empty()) objects_.pop_back();
-}
+System::~System() = default;
 
 int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> stick) {
   auto robot = std::make_unique<Robot>();
@@ -92,16 +89,10 @@ int System::AddRobot(const std::string& design, std::shared_ptr<MemoryStick> sti
   return robot_count() - 1;
 }
 
-Object* System::Adopt(std::unique_ptr<Object> object) {
-  ASSERT(object->id == static_cast<ObjectId>(objects_.size()));
-  objects_.push_back(std::move(object));
-  return objects_.back().get();
-}
-
 Object* System::NewCodeHost(int robot, const std::string& name) {
-  auto host = std::make_unique<CodeHost>(this, static_cast<ObjectId>(objects_.size()), robot);
+  auto host = std::make_unique<CodeHost>(this, table_.NextId(), robot);
   host->name = name;
-  return Adopt(std::move(host));
+  return table_.Adopt(std::move(host));
 }
 
 CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code) {
@@ -110,25 +101,14 @@ CodeObject* System::FinishCodeObject(Object* host, std::unique_ptr<CodeObject> c
   return code_host->code.get();
 }
 
-Object* System::object(ObjectId id) const {
-  return id < 0 || static_cast<size_t>(id) >= objects_.size()
-             ? nullptr
-             : objects_[static_cast<size_t>(id)].get();
-}
-
-Object* System::FindObject(int robot, std::string_view name) const {
-  for (const auto& object : objects_) {
-    if (object->robot == robot && object->name == name) return object.get();
-  }
-  return nullptr;
-}
-
 RunFolder* System::run_folder() {
   if (run_folder_ == nullptr) run_folder_ = std::make_unique<RunFolder>();
   return run_folder_.get();
 }
 
 void System::Boot() { manager_->PostBoot(); }
+
+void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move(task)); }
 
 void System::Shutdown(int robot, const RunEnd& why) { calls_->Shutdown(robot, why); }
 
@@ -162,7 +142,7 @@ void System::CutPower(int index, const RunEnd& why) {
   if (index < robot_count() && !is_shutdown && !robot(index).powered_off) robot(index).end = why;
   NoteEnd(index, why);
   if (index < robot_count()) robot(index).powered_off = true;
-  for (const auto& object : objects_) {
+  for (const auto& object : objects()) {
     if (object != nullptr && object->robot == index && object.get() != &manager_->host())
       object->is_off = true;
   }
@@ -270,11 +250,6 @@ void System::Readmit(OwnedMessage message) {
   queue_.PushFront(std::move(message), priority);
 }
 
-void System::ReturnHeld(Object* object) {
-  for (; !object->handler.held.empty(); object->handler.held.pop_back())
-    Readmit(std::move(object->handler.held.back()));
-}
-
 int64_t System::NextInstant() const {
   int64_t end_us = std::min(time_events_.NextUs(), console_input_.NextUs());
   for (const auto& cpu : cpus_) end_us = std::min(end_us, cpu->EndUs());
@@ -347,7 +322,7 @@ uint64_t System::state_hash() {
     hasher.Add(size);
     hasher.Add(payload);
   });
-  for (const auto& object : objects_) {
+  for (const auto& object : objects()) {
     hasher.AddText(object->name);
     hasher.Add(object->waiting);
     for (const auto& subject : object->subjects) subject->HashState(&hasher);

@@ -1,4 +1,4 @@
-// System: the clock, the message queue, the objects and everything that they share.
+// System: the clock, the message queue, the table of objects and everything that they share.
 //
 // One System is one deterministic run.  One process may have several Systems, each used from one
 // thread.  Virtual robots and the IPStack are objects too.
@@ -29,6 +29,7 @@
 #include "runtime/core/host_addresses.h"
 #include "runtime/core/message.h"
 #include "runtime/core/object.h"
+#include "runtime/core/object_table.h"
 #include "runtime/core/region_shares.h"
 #include "runtime/core/region_table.h"
 #include "runtime/core/requests.h"
@@ -121,10 +122,6 @@ class System {
   Robot& robot(int index) { return *robots_.at(static_cast<size_t>(index)); }
   int robot_count() const { return static_cast<int>(robots_.size()); }
 
-  // Adds `object` and returns it.  REQUIRES: object->id is NextObjectId().
-  Object* Adopt(std::unique_ptr<Object> object);
-  ObjectId NextObjectId() const { return static_cast<ObjectId>(objects_.size()); }
-
   // Makes an object of class T (a CodeObject) with the arguments given.  Its
   // constructor runs as code of the new object.
   template <typename T, typename... Args>
@@ -145,34 +142,8 @@ class System {
   // DoStart of all objects.
   void Boot();
 
-  // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old
-  // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,
-  // initial statics and an empty heap.  Messages to the old object are lost, and regions that it
-  // had received go back to their subjects.  If the image cannot be loaded, an error finding is
-  // added and nothing changes.  REQUIRES: booted() and `id` names an image.
-  void Reload(ObjectId id);
-
-  // Posts the replacement of objects whose worker process has ended, after EndAllOf() was called
-  // for them.  Each object of `fresh` has the id of the object that it replaces.  All of them are
-  // in place before the first DoInit.  REQUIRES: booted().
-  void Return(std::vector<std::unique_ptr<Object>> fresh);
-
-  // Ends every connection of the other objects with object `id`.  A worker calls this when an
-  // object of another process has been replaced.
-  void Forget(ObjectId id);
-
   // Posts a call of `task`, which is made as soon as no message of an object is due.
   void PostTask(std::function<void()> task);
-
-  // Ends time events, network connections and registered names of object `id`, and deletes its
-  // regions.  To be called in a task, because messages that are due may point into regions.
-  void EndAllOf(ObjectId id);
-  // Registers a `listener` that EndAllOf() calls.
-  void OnEnd(std::function<void(ObjectId)> listener) { end_listeners_.push_back(listener); }
-
-  // Registers a `listener` that is called for every object that is replaced, before its successor
-  // is in place.
-  void OnReplace(std::function<void(ObjectId)> listener) { replace_listeners_.push_back(listener); }
 
   // Posts the shutdown of one robot: DoStop of its objects, then DoDestroy, then the robot is off.
   void Shutdown(int robot, const RunEnd& why = {});
@@ -257,10 +228,11 @@ class System {
 
   // ---- State of the run ----
 
-  // Return null if there is no such object.
-  Object* object(ObjectId id) const;
-  Object* FindObject(int robot, std::string_view name) const;
-  const std::vector<std::unique_ptr<Object>>& objects() const { return objects_; }
+  ObjectTable& object_table() { return table_; }
+  // Short forms for functions of the table.
+  Object* object(ObjectId id) const { return table_.Get(id); }
+  Object* FindObject(int robot, std::string_view name) const { return table_.Find(robot, name); }
+  const std::vector<std::unique_ptr<Object>>& objects() const { return table_.all(); }
 
   RegionTable& regions() { return regions_; }
   RegionShares& region_shares() { return region_shares_; }
@@ -273,6 +245,9 @@ class System {
   MessageQueue& queue() { return queue_; }
   SystemCalls& calls() { return *calls_; }
   Dispatcher& dispatcher() { return *dispatcher_; }
+  ObjectManager& manager() { return *manager_; }
+  // Returns the processors by robot; none without a cost model.
+  const std::vector<std::unique_ptr<Cpu>>& cpus() const { return cpus_; }
 
   uint64_t trace_hash() const { return trace_.hash(); }
   uint64_t state_hash();
@@ -297,17 +272,6 @@ class System {
   friend class Dispatcher;
   friend class ObjectManager;
 
-  // The steps of a replacement (reload.cc), in this order:
-  // 1. Takes all messages to `old` out of the queue, because nothing will receive them.  Returns
-  //    the observers that were ready for `old`, including readies among these messages.
-  std::vector<StandingReady> EndMessagesTo(Object* old);
-  // 2. Puts `fresh` into the table of objects in place of the object with its id.
-  void Replace(std::unique_ptr<Object> fresh);
-  // 3. Posts the readies of step 1 to the new object, in the name of their observers.  An observer
-  //    does not know of the replacement, so it would not assert again itself.
-  void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
-  std::vector<OwnedMessage> TakeMessagesTo(Object* object);
-
   CodeObject* FinishCodeObject(Object* host, std::unique_ptr<CodeObject> code);
   Object* NewCodeHost(int robot, const std::string& name);
 
@@ -315,12 +279,8 @@ class System {
   // input.  NextInstant() returns when the next one is due, DoWhatIsDue() does those due now.
   int64_t NextInstant() const;
   void DoWhatIsDue();
-  friend class Cpu;
   int32_t RefuseSelector(const Message& message, const Object& target);
   void ReportHostAddresses(const Message& message);
-  // Puts the held messages of `object` back at the front of the queue, because they are older than
-  // all messages due now.
-  void ReturnHeld(Object* object);
 
   SystemOptions options_;
   const std::unique_ptr<SystemCalls> calls_;
@@ -342,17 +302,15 @@ class System {
   Requests requests_{this};
   std::unique_ptr<RunFolder> run_folder_;
   std::vector<std::unique_ptr<Robot>> robots_;
-  std::vector<std::unique_ptr<Object>> objects_;
-  std::vector<std::unique_ptr<Object>> outlived_;  // objects replaced before their handler ended
   std::vector<Connection> connections_;
   std::unique_ptr<Dispatcher> dispatcher_;
   std::vector<std::unique_ptr<Cpu>> cpus_;  // by robot; none without a cost model
   std::unique_ptr<SeedSchedule> seed_schedule_;
   Schedule* schedule_ = nullptr;
   Gate* gate_ = nullptr;
-  std::vector<std::function<void(ObjectId)>> end_listeners_;
-  std::vector<std::function<void(ObjectId)>> replace_listeners_;
   ObjectManager* manager_ = nullptr;
+  // The table is the last member, because objects use the other members until they are destroyed.
+  ObjectTable table_{this};
 };
 
 template <typename T, typename... Args>

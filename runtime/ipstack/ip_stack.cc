@@ -325,7 +325,7 @@ IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
                     IpStackOptions options) {
   IpStack* const stack =
       system->AddObject<IpStack>(robot, IpStack::kName, std::move(network), std::move(options));
-  system->OnEnd([stack](ObjectId id) {
+  system->object_table().OnEnd([stack](ObjectId id) {
     const CurrentScope scope(&stack->system(), &stack->host());
     stack->ForgetObject(id);
   });

@@ -37,7 +37,7 @@ class ForgedTest : public ::testing::Test {
     system_.Boot();
     system_.RunFor(1000);
     auto remote = std::make_unique<RemoteObject>(
-        &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
+        &system_, system_.object_table().NextId(), 0, &process_,
         [this](const RemoteObject*, RemoteObject::Loss, const std::string& why) {
           losses_.push_back(why);
           process_.ReleaseAll();
@@ -47,7 +47,7 @@ class ForgedTest : public ::testing::Test {
     remote_ = remote.get();
     Come();
     process_.Add(remote_);
-    system_.Adopt(std::move(remote));
+    system_.object_table().Adopt(std::move(remote));
     region_here_ = system_.regions().New(kBytes, sender_->host().id);
     region_there_ = system_.regions().New(kBytes, remote_->id);
   }

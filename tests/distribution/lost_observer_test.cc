@@ -35,11 +35,11 @@ class LostObserverTest : public ::testing::Test {
     sender_ = system_.AddObject<SubjectProbe>(0, "sender");
     process_.set_lost();
     auto remote = std::make_unique<RemoteObject>(
-        &system_, static_cast<ObjectId>(system_.objects().size()), 0, &process_,
+        &system_, system_.object_table().NextId(), 0, &process_,
         [](const RemoteObject*, RemoteObject::Loss, const std::string&) {});
     remote->set_selectors({0, 1, 2, 3, kNotifyEntry});
     remote_ = remote.get();
-    system_.Adopt(std::move(remote));
+    system_.object_table().Adopt(std::move(remote));
     system_.set_schedule(&late_);
     system_.Boot();
     system_.RunFor(1000);
@@ -128,12 +128,12 @@ TEST_F(LostObserverTest, DelayedMessagesToAReplacedObserverAreCounted) {
   });
   const uint64_t undelivered = remote_->undelivered_count;
   uint64_t undelivered_at_end = 0;
-  system_.OnReplace([&](ObjectId id) {
+  system_.object_table().OnReplace([&](ObjectId id) {
     undelivered_at_end = static_cast<RemoteObject*>(system_.object(id))->undelivered_count;
   });
   std::vector<std::unique_ptr<Object>> fresh;
   fresh.push_back(remote_->NewInstance());
-  system_.Return(std::move(fresh));
+  system_.object_table().Return(std::move(fresh));
   system_.RunFor(1000);
   EXPECT_EQ(undelivered_at_end, undelivered + 1);
   EXPECT_EQ(region->NumberOfReference(), 1);

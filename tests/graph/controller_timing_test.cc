@@ -251,7 +251,7 @@ TEST(ControllerStylesTest, ALoopThatIsReplacedBeginsAnew) {
     bench.RunFor(std::chrono::seconds(1));
     const size_t last = bench.console().rfind("iteration 1\n");
     EXPECT_NE(bench.console().find("iteration 20\n", last), std::string::npos) << life;
-    bench.system().Reload(bench.object("Controller").id);
+    bench.system().object_table().Reload(bench.object("Controller").id);
     bench.RunFor(std::chrono::milliseconds(100));
   }
 }

@@ -10,7 +10,7 @@ TEST(ReloadTest, TheControllerIsReplacedAndTheDogGoesOnStanding) {
   WhenStanding({}, [](Graph& graph) {
     const ObjectId id = graph.system().FindObject(0, "Controller")->id;
     const uint64_t before = graph.system().object(id)->message_count;
-    graph.system().Reload(id);
+    graph.system().object_table().Reload(id);
     graph.system().RunFor(2'000'000);
     EXPECT_EQ(graph.Findings(), "");
     EXPECT_GT(graph.system().object(id)->message_count, before + 50);  // sensors arrive
@@ -22,7 +22,7 @@ TEST(ReloadTest, TheControllerIsReplacedAndTheDogGoesOnStanding) {
 TEST(ReloadTest, RcServerListensAgainAfterItWasReplaced) {
   WhenStanding(kIdeal, [](Graph& graph) {
     const ObjectId id = graph.system().FindObject(0, "RCServer")->id;
-    graph.system().Reload(id);
+    graph.system().object_table().Reload(id);
     graph.system().RunFor(1'000'000);
     EXPECT_EQ(graph.Findings(), "");
     EXPECT_EQ(graph.system().object(id)->state, "listening");

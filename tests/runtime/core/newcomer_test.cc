@@ -69,7 +69,7 @@ class NewcomerTest : public testing::Test {
     sleeper_ = MakeAnother<Sleeper>(*sleeper_);
     newcomer_ = MakeAnother<Newcomer>(*newcomer_, &log_);
     log_.clear();
-    system_.Return(std::move(fresh_));
+    system_.object_table().Return(std::move(fresh_));
     system_.RunFor(kWaitUs / 2);
   }
   void PostToNewcomer() {
@@ -185,7 +185,7 @@ class LeftMessagesTest : public testing::Test {
       host->code = std::make_unique<Newcomer>(&log_);
     }
     fresh_.push_back(std::move(host));
-    system_.Return(std::move(fresh_));
+    system_.object_table().Return(std::move(fresh_));
     system_.RunFor(2 * kWorkUs);
   }
 

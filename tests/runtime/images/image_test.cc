@@ -118,7 +118,7 @@ TEST_F(ImageTest, AReloadedImageStartsFreshUnderItsOidAndIsConnectedAgain) {
   EXPECT_EQ(talker->Ask("count"), "1");
   EXPECT_EQ(talker->Ask("count"), "2");
   const ObjectId id = system->FindObject(0, "probe")->id;
-  system->Reload(id);
+  system->object_table().Reload(id);
   system->RunFor(1000);
   EXPECT_EQ(Findings(), "");
   EXPECT_EQ(system->FindObject(0, "probe")->id, id);
@@ -137,7 +137,7 @@ TEST_F(ImageTest, WhatAReloadedImageWasLentGoesBack) {
     talker->out->NotifyObservers();  // on its way when the reload begins
     EXPECT_EQ(region->NumberOfReference(), 2);
   });
-  system->Reload(system->FindObject(0, "probe")->id);
+  system->object_table().Reload(system->FindObject(0, "probe")->id);
   system->RunFor(1000);
   EXPECT_EQ(region->NumberOfReference(), 1);
   EXPECT_EQ(talker->Ask("count"), "1");
@@ -156,7 +156,7 @@ TEST_F(ImageTest, AReloadThatCannotBeLoadedChangesNothing) {
   Start();
   EXPECT_EQ(talker->Ask("count"), "1");
   Write("OPEN-R/MW/OBJS/PROBE.BIN", "not an image");
-  system->Reload(system->FindObject(0, "probe")->id);
+  system->object_table().Reload(system->FindObject(0, "probe")->id);
   system->RunFor(1000);
   EXPECT_NE(Findings().find("reload: /MS/OPEN-R/MW/OBJS/PROBE.BIN is not an object image"),
             std::string::npos)

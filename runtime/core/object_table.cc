@@ -1,4 +1,5 @@
-// Replacement of an object of a running System; see Reload() and Return() in system.h.
+#include "runtime/core/object_table.h"
+
 #include <OPENR/ObjcommMessages.h>
 
 #include <algorithm>
@@ -54,89 +55,91 @@ void Disconnect(Object* other, Object* gone) {
   }
 }
 
+// Moves the messages to object `id` in the outbox of `sender`, except replies, to `messages`.
+void TakeOutgoing(Object* sender, ObjectId id, std::vector<OwnedMessage>* messages) {
+  if (sender == nullptr) return;
+  auto& outbox = sender->processor.outbox;
+  for (ProcessorState::Outgoing& outgoing : outbox) {
+    if (outgoing.message->target == id && !outgoing.message->is_reply)
+      messages->push_back(std::move(outgoing.message));
+  }
+  std::erase_if(outbox, [](const auto& outgoing) { return outgoing.message == nullptr; });
+}
+
 }  // namespace
 
-void System::Reload(ObjectId id) {
-  ASSERT(booted_ && object(id) != nullptr && object(id)->is_image,
-         "only an image of a booted system can be reloaded");
-  manager_->PostReload(id);
+ObjectTable::~ObjectTable() {
+  // Objects are destroyed in reverse order, because images may refer to objects made before them.
+  while (!objects_.empty()) objects_.pop_back();
 }
 
-void System::Return(std::vector<std::unique_ptr<Object>> fresh) {
-  ASSERT(booted_, "only to a booted system can an object return");
-  auto kept = std::make_shared<std::vector<std::unique_ptr<Object>>>(std::move(fresh));
-  PostTask([this, kept] { manager_->Begin(std::move(*kept)); });
+Object* ObjectTable::Adopt(std::unique_ptr<Object> object) {
+  ASSERT(object->id == NextId());
+  objects_.push_back(std::move(object));
+  return objects_.back().get();
 }
 
-void System::PostTask(std::function<void()> task) { manager_->PostTask(std::move(task)); }
+Object* ObjectTable::Find(int robot, std::string_view name) const {
+  for (const auto& object : objects_) {
+    if (object->robot == robot && object->name == name) return object.get();
+  }
+  return nullptr;
+}
 
-void System::EndAllOf(ObjectId id) {
-  for (const auto& listener : end_listeners_) listener(id);
-  std::erase_if(robot(object(id)->robot).names,
+void ObjectTable::EndAllOf(ObjectId id) {
+  for (const Listener& listener : end_listeners_) listener(id);
+  std::erase_if(system_->robot(Get(id)->robot).names,
                 [id](const auto& entry) { return entry.second == id; });
-  regions_.DeleteAllOf(id);
+  system_->regions().DeleteAllOf(id);
 }
 
-void System::Forget(ObjectId id) {
+void ObjectTable::Forget(ObjectId id) {
   for (const auto& other : objects_) {
-    if (other != nullptr && other->id != id) Disconnect(other.get(), object(id));
+    if (other != nullptr && other->id != id) Disconnect(other.get(), Get(id));
   }
 }
 
-std::vector<StandingReady> Object::StandingReadies() const {
-  std::vector<StandingReady> readies;
-  for (const auto& subject : subjects) {
-    for (const auto& link : subject->links) {
-      if (link->ready > 0)
-        readies.push_back({subject->id.GetSelector(), ObjectIdOf(link->observer.GetOID()),
-                           link->observer.GetSelector()});
-    }
-  }
-  return readies;
+void ObjectTable::Reload(ObjectId id) {
+  ASSERT(system_->booted() && Get(id) != nullptr && Get(id)->is_image,
+         "only an image of a booted system can be reloaded");
+  system_->manager().PostReload(id);
+}
+
+void ObjectTable::Return(std::vector<std::unique_ptr<Object>> fresh) {
+  ASSERT(system_->booted(), "only to a booted system can an object return");
+  auto kept = std::make_shared<std::vector<std::unique_ptr<Object>>>(std::move(fresh));
+  system_->PostTask([this, kept] { system_->manager().Begin(std::move(*kept)); });
 }
 
 // Takes and returns all messages to `object`: messages that are held, that wait for the processor,
 // that are due now or later, and those in outboxes of objects whose handler's time is not over.
 // Replies in the queue are released, because the handler that waits for them ends.
-std::vector<OwnedMessage> System::TakeMessagesTo(Object* object) {
+std::vector<OwnedMessage> ObjectTable::TakeMessagesTo(Object* object) {
   std::vector<OwnedMessage> messages;
   for (OwnedMessage& message : object->handler.held) messages.push_back(std::move(message));
   object->handler.held.clear();
-  for (const auto& cpu : cpus_) {
+  for (const auto& cpu : system_->cpus()) {
     for (OwnedMessage& message : cpu->TakeMessagesTo(object->id))
       messages.push_back(std::move(message));
   }
   const auto is_to_object = [object](const Message& message) {
     return message.target == object->id;
   };
-  for (OwnedMessage& message : queue_.TakeIf(is_to_object)) {
+  for (OwnedMessage& message : system_->queue().TakeIf(is_to_object)) {
     if (!message->is_reply) messages.push_back(std::move(message));
   }
   // This subtraction comes before the outboxes are searched, because messages in an outbox do not
   // count as waiting.
   object->waiting -= static_cast<int>(messages.size());
   ASSERT(object->waiting >= 0, "{} has {} waiting messages", object->name, object->waiting);
-  const auto take_outgoing = [&](const std::unique_ptr<Object>& sender) {
-    if (sender == nullptr) return;
-    for (ProcessorState::Outgoing& outgoing : sender->processor.outbox) {
-      if (outgoing.message->target == object->id && !outgoing.message->is_reply)
-        messages.push_back(std::move(outgoing.message));
-    }
-    std::erase_if(sender->processor.outbox, [](const ProcessorState::Outgoing& outgoing) {
-      return outgoing.message == nullptr;
-    });
-  };
-  for (const auto& sender : objects_) take_outgoing(sender);
-  for (const auto& sender : outlived_) take_outgoing(sender);
+  for (const auto& sender : objects_) TakeOutgoing(sender.get(), object->id, &messages);
+  for (const auto& sender : outlived_) TakeOutgoing(sender.get(), object->id, &messages);
   return messages;
 }
 
-void Object::HandleUndelivered(const Message& message) {
-  if (message.kind != PayloadKind::kReady) ++dropped_count;
-  if (message.kind == PayloadKind::kNotify) RefuseNotification(this, message);
-}
-
-std::vector<StandingReady> System::EndMessagesTo(Object* old) {
+// Takes all messages to `old` out of the run, because nothing will receive them.  Returns the
+// observers that were ready for `old`, including the readies among these messages.
+std::vector<StandingReady> ObjectTable::EndMessagesTo(Object* old) {
   std::vector<StandingReady> readies = old->StandingReadies();
   for (const OwnedMessage& message : TakeMessagesTo(old)) {
     if (message->kind == PayloadKind::kReady) {
@@ -150,12 +153,13 @@ std::vector<StandingReady> System::EndMessagesTo(Object* old) {
   return readies;
 }
 
-void System::Replace(std::unique_ptr<Object> fresh) {
+// Puts `fresh` in place of the object with its id.
+void ObjectTable::Place(std::unique_ptr<Object> fresh) {
   const ObjectId id = fresh->id;
-  Object* const old = object(id);
+  Object* const old = Get(id);
   ASSERT(old != nullptr, "there is no object {} to replace", id);
   {
-    const CurrentScope scope(this, old);
+    const CurrentScope scope(system_, old);
     for (const auto& observer : old->observers) {
       ReleaseHeld(
           observer.get(), [](const SubjectID&) { return true; },
@@ -163,10 +167,10 @@ void System::Replace(std::unique_ptr<Object> fresh) {
     }
   }
   Forget(id);
-  std::erase_if(robot(old->robot).directory,
+  std::erase_if(system_->robot(old->robot).directory,
                 [&](const auto& entry) { return entry.second.first == id; });
   if (old->is_image) EndAllOf(id);
-  for (const auto& listener : replace_listeners_) listener(id);
+  for (const Listener& listener : replace_listeners_) listener(id);
   fresh->message_count = old->message_count;
   fresh->dropped_count = old->dropped_count;
   fresh->is_off = old->is_off;
@@ -178,16 +182,26 @@ void System::Replace(std::unique_ptr<Object> fresh) {
   objects_[static_cast<size_t>(id)] = std::move(fresh);
 }
 
-void System::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies) {
+ObjectTable::Readies ObjectTable::Replace(std::vector<std::unique_ptr<Object>> fresh) {
+  Readies readies;
+  // All old objects are marked first, so that messages which one of them leaves behind are not sent
+  // to another.
+  for (const auto& object : fresh) Get(object->id)->is_leaving = true;
+  for (const auto& object : fresh) readies[object->id] = EndMessagesTo(Get(object->id));
+  for (auto& object : fresh) Place(std::move(object));
+  return readies;
+}
+
+void ObjectTable::AssertAgain(ObjectId id, const std::vector<StandingReady>& readies) {
   for (const StandingReady& standing : readies) {
-    const CurrentScope scope(this, object(standing.observer));
-    OwnedMessage message = NewMessage(id, standing.ready_selector);
+    const CurrentScope scope(system_, Get(standing.observer));
+    OwnedMessage message = system_->NewMessage(id, standing.ready_selector);
     auto& ready = *new (message->payload) OReadyMessage;
     ready.command = objcommCMD_ASSERT_READY;
     ready.observerID = OServiceEntry(OidOf(standing.observer), standing.notify_selector);
     message->size = sizeof ready;
     message->kind = PayloadKind::kReady;
-    Post(std::move(message));
+    system_->Post(std::move(message));
   }
 }
 

@@ -1,0 +1,92 @@
+// The objects of one System: adds, finds, ends and replaces them.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "runtime/core/message.h"
+#include "runtime/core/object.h"
+
+namespace openr_host {
+
+class System;
+
+class ObjectTable {
+ public:
+  using Listener = std::function<void(ObjectId)>;
+  // object -> the observers that are ready for its subjects
+  using Readies = std::map<ObjectId, std::vector<StandingReady>>;
+
+  // `system` must outlive the table.
+  explicit ObjectTable(System* system) : system_(system) {}
+  ~ObjectTable();
+  ObjectTable(const ObjectTable&) = delete;
+  ObjectTable& operator=(const ObjectTable&) = delete;
+
+  // Adds `object` and returns it.  REQUIRES: object->id is NextId().
+  Object* Adopt(std::unique_ptr<Object> object);
+  ObjectId NextId() const { return static_cast<ObjectId>(objects_.size()); }
+
+  // Return null if there is no such object.
+  Object* Get(ObjectId id) const {
+    const auto index = static_cast<size_t>(id);  // a negative id becomes a very large index
+    return index < objects_.size() ? objects_[index].get() : nullptr;
+  }
+  Object* Find(int robot, std::string_view name) const;
+  const std::vector<std::unique_ptr<Object>>& all() const { return objects_; }
+
+  // ---- Ends of objects
+
+  // Ends time events, network connections and registered names of object `id`, and deletes its
+  // regions.  To be called in a task, because messages that are due may point into regions.
+  void EndAllOf(ObjectId id);
+  // Registers a `listener` that EndAllOf() calls.
+  void OnEnd(Listener listener) { end_listeners_.push_back(std::move(listener)); }
+
+  // Ends every connection of the other objects with object `id`.  A worker calls this when an
+  // object of another process has been replaced.
+  void Forget(ObjectId id);
+
+  // ---- Replacement of objects
+
+  // Posts the replacement of an image by a new load of its file: DoStop and DoDestroy of the old
+  // object, then DoInit, connections and DoStart of the new one.  The new object has the same OID,
+  // initial statics and an empty heap.  Messages to the old object are lost, and regions that it
+  // had received go back to their subjects.  If the image cannot be loaded, an error finding is
+  // added and nothing changes.  REQUIRES: System::booted(), and `id` names an image.
+  void Reload(ObjectId id);
+
+  // Posts the replacement of objects whose worker was lost; EndAllOf() was called for them.  The
+  // objects of `fresh` have the same ids.  All of them are in place before the first DoInit.
+  // REQUIRES: System::booted().
+  void Return(std::vector<std::unique_ptr<Object>> fresh);
+
+  // Registers a `listener` that is called for every object that is replaced, before its successor
+  // is in place.
+  void OnReplace(Listener listener) { replace_listeners_.push_back(std::move(listener)); }
+
+  // Replace() and AssertAgain() are steps of a replacement; ObjectManager::Begin() calls them.
+  // Replace() puts the objects of `fresh` in place of the objects with their ids.  Messages to the
+  // old objects are lost.  Returns the observers that were ready for the old objects.
+  Readies Replace(std::vector<std::unique_ptr<Object>> fresh);
+  // Posts `readies` to the new object `id`, in the name of their observers.  An observer does not
+  // know of the replacement, so it would not assert again itself.
+  void AssertAgain(ObjectId id, const std::vector<StandingReady>& readies);
+
+ private:
+  std::vector<StandingReady> EndMessagesTo(Object* old);
+  std::vector<OwnedMessage> TakeMessagesTo(Object* object);
+  void Place(std::unique_ptr<Object> fresh);
+
+  System* const system_;
+  std::vector<std::unique_ptr<Object>> objects_;   // by id
+  std::vector<std::unique_ptr<Object>> outlived_;  // objects replaced before their handler ended
+  std::vector<Listener> end_listeners_;
+  std::vector<Listener> replace_listeners_;
+};
+
+}  // namespace openr_host
