@@ -22,7 +22,8 @@ constexpr uintptr_t kAreaBytes = 12 * kTiB;
 constexpr uintptr_t kFirstArea = 2 * kTiB;
 constexpr uintptr_t kOtherArea = 5 * kTiB;  // overlaps kFirstArea; a process uses only one area
 
-// Offsets of the ranges (heaps, images ...) from the begin of the area.
+// Offsets of the ranges (heaps, images ...) from the first address of the plan, which is kFirstArea
+// or kOtherArea.
 constexpr uintptr_t kHeaps = 0;
 constexpr uintptr_t kImages = 4 * kTiB;
 constexpr uintptr_t kStacks = 4 * kTiB + kTiB / 2;
@@ -37,8 +38,8 @@ static_assert(kStacks + AddressPlace::kPlaces * 2 * AddressPlace::kStackBytes <=
 static_assert(kRegions + kRegionAreas * kRegionAreaBytes <= kCopies);
 static_assert(kCopies + AddressPlace::kPlaces * AddressPlace::kCopyBytes <= kAreaBytes);
 
-// Records which places of objects and which region areas are taken.  Used only on the thread that
-// makes Systems.
+// The plan of this process: its first address, and which places of objects and which region areas
+// are taken.  It has no lock, because only the thread that makes Systems uses it.
 struct Plan {
   uintptr_t area = 0;  // 0: addresses are not planned
   std::array<bool, AddressPlace::kPlaces> taken = {};
@@ -51,9 +52,9 @@ constexpr bool kIsPlanned = false;
 constexpr bool kIsPlanned = true;
 #endif
 
-// Returns whether no memory is mapped in the kAreaBytes from `area` on.  A tool that runs this
-// program in a special way may have mapped memory there.  Then the plan is not used, and the kernel
-// chooses all addresses.
+// Returns whether no memory is mapped in the kAreaBytes from `area` on.  Linux leaves these
+// addresses empty, but a tool that runs this program, such as an emulator, may use them.  Then the
+// plan is not used, and the kernel chooses all addresses.
 bool IsEmpty(uintptr_t area) {
   std::FILE* const maps = std::fopen("/proc/self/maps", "re");
   if (maps == nullptr) return true;
@@ -68,8 +69,8 @@ bool IsEmpty(uintptr_t area) {
   return is_empty;
 }
 
-// Returns whether the first and the last page of the area can be mapped.  On a machine whose
-// addresses have fewer bits they cannot, and the plan is not used.
+// Returns whether the first and the last page of the area can be mapped.  They cannot on a machine
+// whose addresses have too few bits for the area.  Then the plan is not used.
 bool IsReachable(uintptr_t area) {
   constexpr size_t kPage = 4096;
   for (const uintptr_t address : {area, area + kAreaBytes - kPage}) {
@@ -84,8 +85,8 @@ bool IsReachable(uintptr_t area) {
 // because free() reads it for every block, so the access must be fast.
 constinit uintptr_t g_area = 0;
 
-// Returns the plan of this process.  The plan is never deleted, because a System may be destroyed
-// even after the static objects of the program.
+// Returns the plan of this process.  The plan is never deleted, because a static object of the
+// program may hold a System, which gives its places back to the plan when the program ends.
 Plan& ThePlan() {
   static Plan* const plan = [] {
     auto* const made = new Plan;
@@ -106,7 +107,8 @@ char* AreaOf(int index, uintptr_t offset, size_t bytes) {
 AddressPlace::AddressPlace(ObjectId id) {
   Plan& plan = ThePlan();
   if (plan.area == 0) return;
-  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.
+  // Object `id` has two places of its own, with the numbers 2 * id and 2 * id + 1.  Two are needed
+  // because an object can be loaded while the object that it replaces still has a place.
   const int64_t own = int64_t{2} * id;
   for (const int64_t index : {own, own + 1}) {
     if (index_ < 0 && index >= 0 && index < kPlaces && !plan.taken[static_cast<size_t>(index)])
@@ -161,8 +163,8 @@ bool MapAt(char* address, size_t bytes) {
       mmap(address, bytes, PROT_READ | PROT_WRITE,
            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
   if (mapped == address) return true;
-  // A kernel before Linux 4.17 takes `address` only for a hint, so the memory may now be mapped
-  // elsewhere and is given back.
+  // A kernel before Linux 4.17 takes `address` only for a hint and may map the memory elsewhere.
+  // Such memory is unmapped again, and this function fails.
   if (mapped != MAP_FAILED) munmap(mapped, bytes);
   return false;
 }

@@ -49,33 +49,38 @@ class AddressPlace {
   AddressPlace(const AddressPlace&) = delete;
   AddressPlace& operator=(const AddressPlace&) = delete;
 
-  // Return the first address of the object's area in each range, or null if addresses are not
-  // planned.
+  // Return the first address of the part of each range that belongs to this place (the thunks lie
+  // behind the image), or null if addresses are not planned.
   char* heap() const;
   char* image() const;
   char* thunks() const;
   char* stack(int number) const;  // number 0: for handlers; 1: for a controller's endless loop
   char* copies() const;
 
-  // Returns the number of the place in whose heap area `address` lies, or -1 if there is none.
+  // Returns the number of the place in whose heap area `address` lies, or -1 if `address` is in no
+  // heap area.  Arena::OwnerOf() uses this to find the heap of a block.
   static int OfHeap(const void* address);
 
  private:
   int index_ = -1;  // the number of the place; -1: addresses are not planned
 };
 
-// Takes an area for the regions (blocks of shared memory) of one System and returns its first
-// address.  Returns null if all such areas are taken or addresses are not planned.
+// Takes an area of kRegionAreaBytes for the regions (blocks of shared memory) of one System and
+// returns its first address.  There are two such areas.  Returns null if both are taken or
+// addresses are not planned.
 char* TakeRegionArea();
-// Gives back an `area` that TakeRegionArea() returned.
+// Gives back an `area` that TakeRegionArea() has returned, so that another System can take it.
 void GiveRegionArea(char* area);
+// The size of a region area.  RegionMemory needs about 1.33 TiB, the memory for one region of every
+// size class in every slot.
 constexpr size_t kRegionAreaBytes = size_t{3} << 39;  // 1.5 TiB
 
 // Maps `bytes` bytes of zeros at `address`, readable and writable.  Returns false if there is no
 // memory or the addresses are in use.
 bool MapAt(char* address, size_t bytes);
 
-// Returns whether `address` lies between the begin and the end of the address plan.
+// Returns whether `address` lies in the addresses of the plan, so that it is the same in every
+// process.
 bool IsPlanned(const void* address);
 
 // Moves the plan to another range of addresses.  Used to test a program: if its runs with two

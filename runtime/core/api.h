@@ -9,8 +9,8 @@
 
 namespace openr_host {
 
-// The OID of object 0.  Tables of objects that real robots printed have OIDs near this number for
-// the first objects of an application.
+// The OID of object 0.  A real robot prints a table of its objects; in tables that were published,
+// the first objects of an application have OIDs near this number (field-notes.md, 1.5).
 constexpr uintptr_t kFirstOid = 0x80000042;
 
 inline uintptr_t OidValue(ObjectId id) { return kFirstOid + static_cast<uintptr_t>(id); }

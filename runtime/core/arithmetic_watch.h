@@ -23,13 +23,14 @@ class ArithmeticWatch {
   void Begin(unsigned kinds);
   bool has_begun() const { return has_begun_; }
 
-  // Excludes the flag `kind` from the watch: operations that raise this flag then raise no SIGFPE.
-  // Called by the handler of SIGFPE, which also changes the interrupted code's MXCSR, the register
-  // that enables SIGFPE.
+  // Excludes the flag `kind` from the watch, because each kind of operation is reported once.
+  // Called by the handler of SIGFPE after it has recorded the instruction.  This handler also
+  // changes the interrupted code's MXCSR, the register that enables SIGFPE, so that the instruction
+  // does not raise SIGFPE again.
   void GiveUpCatching(unsigned kind) { kinds_ &= ~kind; }
 
-  // Pause and resume the watch.  Called before and after the image's code calls a function that is
-  // not its own.  Such calls may be nested.
+  // Pause and resume the watch.  Called before and after the image's code calls a function of the
+  // SDK or of the C library.  Such calls may be nested.
   void Enter();
   void Leave();
 
@@ -39,7 +40,7 @@ class ArithmeticWatch {
  private:
   bool has_begun_ = false;
   unsigned kinds_ = 0;  // the flags that raise SIGFPE
-  // How many nested calls of functions that are not the image's own are running now.
+  // How many nested calls of functions of the SDK and the C library are running now.
   int calls_ = 0;
   unsigned saved_fp_ = 0;  // the image's MXCSR, kept during such a call
 };

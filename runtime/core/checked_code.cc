@@ -64,8 +64,9 @@ std::string Render(const SourcePlace& place) {
   return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), place.line);
 }
 
-// Reports a fault of the running object.  With --strict the object crashes; otherwise a finding is
-// added, once for each place in the source.
+// Reports the fault `what` of the running object; `exception` is the exception of the robot's
+// processor ("exception 15").  With --strict the object crashes.  Otherwise a finding is added,
+// once for each place in the source.
 void Report(SourcePlace* place, const std::string& what, const char* exception) {
   if (t_current.system == nullptr || t_current.object == nullptr) return;  // no object is running
   if (t_current.system->options().strict)

@@ -1,7 +1,8 @@
 // Names places in the source code of objects for the texts of findings: "Talker.cc:57".
 //
 // A name comes from the debug information of an image.  The runtime cannot read debug information,
-// so the program provides a function that can (openr/).
+// so code outside the runtime that can (openr/ending/crash_log.cc) gives it a function with
+// SetPlaceNamer().
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ namespace openr_host {
 // is not known.
 using PlaceNamer = std::string (*)(const void* address);
 
-// Sets the function that finds the names of places.  With null, which is the initial value, no
-// place has a name.
+// Sets the function that NameOfPlace() calls to find a name.  With null, which is the initial
+// value, no place has a name.
 void SetPlaceNamer(PlaceNamer namer);
 
 // Returns the name of the place of the instruction at `address` ("Talker.cc:57"), or "" if the name

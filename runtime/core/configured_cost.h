@@ -23,13 +23,14 @@ class ConfiguredCost : public CostModel {
   int64_t FrameUs() const override { return config_.frame_us; }
   void HashState(Hasher* hasher) const override;
 
-  // Returns the places in the cost file of the rules that have matched no handler so far.  A rule
-  // that matches counts as used, even if a later rule overrides it.
+  // Returns the places in the cost file of the rules that have matched no handler so far, which are
+  // probably mistakes.  A rule that matches counts as used, even if a later rule overrides it.
   std::vector<FilePosition> Unused() const;
 
  protected:
-  // Returns the jitter to add to the cost of this call, from -range_us to range_us.  REQUIRES:
-  // range_us > 0.
+  // Returns the jitter to add to the cost of this call, from -range_us to range_us.  Virtual
+  // because the exploration of schedules chooses the jitter itself (openr/explore/explore_cost.h).
+  // REQUIRES: range_us > 0.
   virtual int64_t JitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
  private:
@@ -42,8 +43,9 @@ class ConfiguredCost : public CostModel {
   const CostConfig config_;
   std::vector<bool> used_;  // by index of the rule: whether its pattern has matched a handler
   Rng rng_;
-  // The results of Find(), by object and selector.  A result stays valid, because an entry does not
-  // change its name after its first call.
+  // The results of Find(), by object and selector, so that the rules are searched only at the first
+  // call of an entry.  A result stays valid, because an entry does not change its name after its
+  // first call.
   std::map<std::pair<ObjectId, uint32_t>, Cost> known_;
 };
 

@@ -34,15 +34,15 @@ struct RegionAccess {
   static RCRegion* SourceOf(const RCRegion* received) { return received->source_; }
 };
 
-// Returns whether the payload of the message that `object` handles is of this `kind`, and so was
-// sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a subject or
-// observer, adds an error finding and returns false, because the bytes must not be read as a
-// notification or a ready.
+// Returns whether the message that `object` handles is of this `kind` (a notification or a ready),
+// and so was sent by an OSubject or OObserver.  If an object has sent other bytes to the entry of a
+// subject or observer, adds an error finding and returns false, because these bytes must not be
+// read as a notification or a ready.
 bool IsRunningMessage(const Object& object, PayloadKind kind);
 
-// Type of a deassert (the message that an observer is not ready) that the runtime sends in the name
-// of an observer.  The observer cannot receive, because its process has ended or its object is
-// being replaced.
+// Message type of a deassert (the message that an observer is not ready) that the runtime sends in
+// the name of an observer.  The observer cannot receive, because its process has ended or its
+// object is being replaced.  No message type of the SDK has this value.
 constexpr OMessageType kDeassertOfLost = 0x10000;
 
 // Sends `subject` a deassert, which says that the observer at entry `selector` of `object` is not
@@ -62,8 +62,9 @@ struct ObserverLink {
   size_t min = 1;
   size_t max = 1;
 
-  // The observer's readiness.  1: ready.  0: not asserted yet, or data were sent since. -1:
-  // deasserted.  Two asserts in a row count as one, as on the robot.
+  // Whether the observer is ready for data: 1 if it is ready; 0 if it has not asserted ready yet,
+  // or if data were sent since then; -1 if it has deasserted ready.  Two asserts in a row count as
+  // one, as on the robot.
   int ready = 0;
   size_t skipped = 0;  // notifications skipped since the last kept notification
 
@@ -85,7 +86,7 @@ struct ObserverLink {
 struct SubjectState {
   SubjectState(System* the_system, Object* the_object) : system(the_system), object(the_object) {}
 
-  // Returns the link to the observer `id`, or null if that observer is not connected.
+  // Returns this subject's record of the observer `id`, or null if that observer is not connected.
   ObserverLink* Find(const ObserverID& id);
 
   // Takes a reference to `region` and adds the region to the data of the next notification.
@@ -93,9 +94,12 @@ struct SubjectState {
   // Makes one notification (a pending unit) of the data that were set since the last one, and sends
   // it if the observer is ready.
   OStatus Notify(ObserverLink* link);
-  // Sends pending notifications if the observer is ready and at least `min` of them are pending.
+  // Sends pending notifications if the observer is ready and at least ObserverLink::min of them are
+  // pending, the number that the observer has set with SetBufCtrlParam().
   void Flush(ObserverLink* link);
-  // Gives up the references to all data that have not been sent.
+  // Drops all data that were set or notified but not sent to the observer, and gives up the
+  // references to their regions.  Called when the program clears the buffer and when the connection
+  // ends.
   void Clear(ObserverLink* link);
   // Drops the oldest pending notification and gives up its references to regions.  REQUIRES: a
   // notification is pending.
@@ -138,9 +142,9 @@ struct ObserverState {
     std::vector<RCRegion*> regions;
   };
   std::vector<Held> held;
-  // The number of readies asserted to one subject since the last notification from any subject.
-  // Notifications of other subjects reset the number too, because a program that calls
-  // AssertReady() without argument, once per notification, asserts to all subjects each time.
+  // How often the observer has asserted ready to one subject since the last notification from any
+  // subject.  Not only a notification from the same subject counts, because a program that calls
+  // AssertReady() without argument after each notification asserts ready to all subjects each time.
   struct Asserted {
     SubjectID subject;
     int times;

@@ -49,7 +49,8 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
     if (object == nullptr || object->handler.blocked == nullptr ||
         object->handler.blocked_box != box)
       continue;
-    // The message holds the line only for the trace; the reader takes the line from the terminal.
+    // The message that wakes the reader also holds the line, so that the trace shows it.  The
+    // reader takes the line from the terminal and not from this message.
     OwnedMessage wake = system_->NewMessage(id, 0);
     wake->message_class = MessageClass::kInput;
     wake->is_reply = true;
@@ -62,9 +63,9 @@ void ConsoleInput::WakeNext(Terminal* terminal) {
   }
 }
 
-// Removes object `reader`, whose process has ended, from the list of readers.  If it was not in the
-// list, it had been woken for a line that it will not read, so the next reader is woken for this
-// line.
+// Ends the wait of object `reader`, whose process has ended, for a line.  If the reader is no
+// longer in the list of readers, it had been woken for a line, which nobody would read now.  In
+// this case wakes the next reader for this line.
 void ConsoleInput::GiveUp(Terminal* terminal, ObjectId reader, uint64_t box) {
   const bool waited = std::erase(terminal->readers, std::pair(reader, box)) > 0;
   if (!waited && !terminal->text.empty()) WakeNext(terminal);
@@ -74,7 +75,8 @@ size_t ConsoleInput::Read(char* buffer, size_t size, const std::function<bool()>
   Object* const self = t_current.object;
   ASSERT(self != nullptr, "only a handler reads the console");
   Terminal& terminal = terminals_[self->robot];
-  // The wait is in a loop, because another reader may have taken the line before this reader ran.
+  // The wait is repeated if the terminal has no text after it, because another reader may have
+  // taken the line before this reader ran.
   while (terminal.text.empty()) {
     const uint64_t box = system_->requests().OpenBox();
     terminal.readers.emplace_back(self->id, box);

@@ -31,7 +31,8 @@ class ConsoleInput {
   // with a newline.  REQUIRES: not called in a handler.
   void Feed(int robot, std::string_view text);
 
-  // Registers a `listener` that Feed() calls at once with the typed text.
+  // Registers a `listener` that Feed() calls with the typed text, for recordings.  Feed() calls it
+  // when the text is typed, and not only at the frame boundary where objects can read the text.
   using Listener = std::function<void(int robot, std::string_view text)>;
   void OnFeed(Listener listener) { listeners_.push_back(std::move(listener)); }
 

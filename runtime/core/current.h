@@ -24,8 +24,8 @@ struct Current {
   ArithmeticWatch* watch = nullptr;
 };
 
-// The object that runs on this thread.  The variable is constant-initialised and trivially
-// destroyed, so it can be used before main() and in malloc().
+// The object whose code runs on this thread.  The variable needs no constructor and no destructor
+// at run time, so it can be used before main() and in malloc().
 extern thread_local constinit Current t_current;
 
 // While an ApiScope exists, malloc() and fopen() use the host's heap and files and not those of the
@@ -66,7 +66,8 @@ class LibraryScope {
   ArithmeticWatch* const watch_;
 };
 
-// While a CurrentScope exists, `object` of `system` is the current object.
+// While a CurrentScope exists, `object` of `system` is the current object.  `image_code` is true if
+// code of the object's image runs in this scope (Current::image_code).
 class CurrentScope {
  public:
   CurrentScope(System* system, Object* object, bool image_code = false) : saved_(t_current) {

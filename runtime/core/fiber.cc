@@ -26,8 +26,8 @@ namespace context = boost::context::detail;
 
 namespace {
 
-// The fibers that the current switch leaves and enters.  These are not local variables, because a
-// switch changes the stack.
+// The fibers that the current switch leaves and enters.  The code after a switch runs on another
+// stack and would not find local variables of the code before it.
 thread_local Fiber* t_left = nullptr;
 thread_local Fiber* t_entered = nullptr;
 
@@ -70,8 +70,8 @@ void Fiber::Prepare(Main main, void* argument) {
 }
 
 void Fiber::SwitchFrom(Fiber* from) {
-  // Stands in for `from` when the running stack is given up.  Nothing reads the state that is saved
-  // in it.
+  // Takes the place of a null `from`, so that the code below needs no special case.  The state of
+  // the running stack is then saved in `nowhere`, and nothing reads it.
   static thread_local Fiber* const nowhere = new MainFiber;
   const bool forever = from == nullptr;
   if (forever) from = nowhere;
@@ -85,7 +85,8 @@ void Fiber::SwitchFrom(Fiber* from) {
                                  stack_bytes_);
 #endif
   const context::transfer_t transfer = context::jump_fcontext(context_, nullptr);
-  // This code runs after another fiber has switched back to `from`.
+  // This code runs when another fiber has switched back to `from`.  That other fiber is t_left now,
+  // and the state of its stack is known only here.
   t_left->context_ = transfer.fctx;
   from->FinishSwitch();
 }
@@ -95,8 +96,8 @@ void Fiber::FinishSwitch() {
   const void* bottom = nullptr;
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
-  // AddressSanitizer tells the bounds of the thread's own stack only at the first switch away from
-  // that stack.
+  // Keeps the bounds of the thread's own stack, which AddressSanitizer needs for the switch back to
+  // it.  It tells them only at the first switch away from that stack.
   if (t_left->stack_ == nullptr) {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;

@@ -43,7 +43,7 @@ class Fiber {
   Main main_ = nullptr;
   void* argument_ = nullptr;
   void* exceptions_[2] = {nullptr, nullptr};  // __cxa_eh_globals while the fiber is not running
-  // the fake stack that AddressSanitizer uses for this fiber
+  // for AddressSanitizer: its fake stack for this fiber, and the bounds of the real stack
   void* fake_stack_ = nullptr;
   const void* stack_bottom_ = nullptr;
   size_t stack_bytes_ = 0;

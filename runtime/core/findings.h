@@ -20,9 +20,9 @@ struct Finding {
   int64_t time_us = 0;  // virtual time when the finding was first added
   std::string text;
   uint64_t count = 1;  // how often the finding was added
-  // Identifies the cause of the finding.  Findings with the same cause are kept as one, for example
-  // all lines of CONNECT.CFG that name the same missing object.  If empty, findings with the same
-  // text are kept as one.
+  // Names the cause of the finding, such as a missing object.  Findings with the same cause, for
+  // example for all lines of CONNECT.CFG that name this object, are kept as one.  If empty, only
+  // findings with the same text are kept as one.
   std::string cause = {};
   std::string place = {};  // "CONNECT.CFG:4"; set only if there is a cause
   // places of later findings with this cause, at most kPlacesMax
@@ -37,8 +37,11 @@ std::string HowOften(const Finding& finding);
 // the same text, or with the same cause, are kept as one and counted.
 class Findings {
  public:
-  // The largest number of different findings that are kept; further findings are only counted.
+  // The largest number of different findings that are kept; further findings are only counted.  The
+  // limit is our choice: without a limit Add(), which compares a new finding with every kept one,
+  // could take very long.
   static constexpr size_t kMax = 1000;
+  // The largest number of places that one finding lists in `also_at`.
   static constexpr size_t kPlacesMax = 5;
 
   void Add(Finding finding);

@@ -46,8 +46,8 @@ char* GuardPages::MapPages(char* area, size_t bytes) {
   return nullptr;
 }
 
-// Returns pages that are writable: with kReused, pages of the same size that were given back, if
-// there are any; otherwise new pages.
+// Returns writable pages for a new copy.  Uses pages of the same size that were given back, if
+// there are any (only with kReused); otherwise maps new pages.
 char* GuardPages::TakePages(char* area, size_t bytes) {
   std::vector<char*>& unused = unused_[{area, bytes}];
   if (unused.empty()) return MapPages(area, bytes);
@@ -58,8 +58,8 @@ char* GuardPages::TakePages(char* area, size_t bytes) {
 }
 
 char* GuardPages::NewCopy(const AddressPlace* place, const char* data, size_t size) {
-  // The copy keeps the low bits of the address, so that data have the same alignment as at the
-  // sender.
+  // The address of the copy has the same remainder of a division by 16 as the address of `data`, so
+  // that data are as well aligned for the observer as for the subject.
   const size_t shift = reinterpret_cast<uintptr_t>(data) % 16;
   const size_t bytes = Pages(shift + size + 1);
   if (bytes > AddressPlace::kCopyBytes) return nullptr;
@@ -83,8 +83,9 @@ void GuardPages::Retire(const char* copy) {
   } else if (area != nullptr) {
     munmap(page, bytes);
   } else {
-    // The pages stay mapped but cannot be accessed.  If they were unmapped, the kernel could put
-    // other memory at these addresses, and a later access of the observer would be no fault.
+    // Without a planned area, the pages stay mapped but cannot be accessed.  If they were unmapped,
+    // the kernel could put other memory at these addresses, and a later access of the observer
+    // would be no fault.
     madvise(page, bytes, MADV_DONTNEED);
     mprotect(page, bytes, PROT_NONE);
   }

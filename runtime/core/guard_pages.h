@@ -60,11 +60,12 @@ class GuardPages {
 
   const GivenBack given_back_;
   const AddressPlace shared_place_{kNoObject};  // the area of objects that have no place
-  // The keys of these three maps are addresses, which may differ from run to run.  Therefore
-  // nothing may depend on the order of the maps.
+  // The keys of copies_, next_in_ and unused_ are addresses, which may differ from run to run.
+  // Therefore nothing may depend on the order of these maps.
   std::map<const char*, Copy> copies_;
   std::map<char*, size_t> next_in_;  // offset of the next copy in each area
-  // pages that were given back, by area and number of bytes
+  // pages of copies that were given back, for later copies in the same area with the same number of
+  // bytes
   std::map<std::pair<char*, size_t>, std::vector<char*>> unused_;
 };
 

@@ -4,10 +4,10 @@
 
 // Calls function(argument) with the stack pointer at `top`, a multiple of 16.
 //
-// A function saves some registers on its stack before it uses them.  At this point these registers
-// hold addresses of the host, which must not get onto the stack, so they are set to 0.  The old
-// stack pointer is kept at the top of the new stack, so that exceptions and debuggers can unwind:
-// .cfi_escape says that the canonical frame address is *(rsp + 8) + 16.
+// `function` may save registers of its caller on the new stack.  These registers hold addresses of
+// the host, which must not get onto this stack, so they are set to 0 before the call.  The address
+// of this code's frame on the old stack is kept at the top of the new stack.  `.cfi_escape` tells
+// exceptions and debuggers to read it there: the canonical frame address is *(rsp + 8) + 16.
 extern "C" void openr_call_on_stack(void (*function)(void*), void* argument, void* top);
 asm(R"(
     .text

@@ -20,10 +20,10 @@ class HostAddresses {
   // if there is no such address, and always with AddressSanitizer or ThreadSanitizer.  REQUIRES:
   // `data` is aligned to 8.
   //
-  // Some numbers look like addresses but are none.  The function counts numbers that are in the
-  // range of host addresses but at which no memory is mapped.  After 64 such numbers it returns -1
-  // for the rest of the run, because a later number at which memory is mapped is probably no
-  // address either.
+  // Some numbers look like addresses but are none: they are in the range of host addresses, but no
+  // memory is mapped there.  After 64 such numbers (our choice) the function returns -1 for the
+  // rest of the run.  A program that sends so many of them sends other data, and if memory is
+  // mapped at a later number, this is probably chance.
   int64_t FindIn(const void* data, size_t size);
 
  private:

@@ -32,14 +32,15 @@ constexpr uint32_t kImageVersion = 1;
 class RunFolder {
  public:
   // Writes `bytes`, the content of the image `file`, to a new file and returns the new file's path.
-  // If a debug file (NAME.DBG) lies beside `file`, makes a link to it beside the copy.  If the copy
-  // cannot be written, returns "" and sets `*problem`.
+  // If a file with debug information (NAME.DBG) lies beside `file`, makes a link to it beside the
+  // copy, where debuggers look for it.  If the copy cannot be written, returns "" and sets
+  // `*problem` to the reason.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
-  // Replaces the file `copy`, which has been loaded, by a new file with `bytes`, the bytes of the
-  // original image.  The loaded memory does not change.  The copy had been changed for its load
-  // address, and debuggers would compute wrong addresses of symbols from it.  If the new file
-  // cannot be written, debuggers show wrong addresses; the run is not affected.
+  // Replaces the file `copy` by a new file with `bytes`, the bytes of the original image, after the
+  // copy was loaded.  The loaded memory does not change.  The reason is that debuggers would
+  // compute wrong addresses of symbols from the copy, which was changed for its load address.  If
+  // the new file cannot be written, debuggers show wrong addresses; the run is not affected.
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:

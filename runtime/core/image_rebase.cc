@@ -11,8 +11,9 @@
 namespace openr_host {
 namespace {
 
-// Types of relocations whose addend is an address of the image itself, so moving the image changes
-// the addend.
+// Types of relocations, the places of the image that the loader fills in with addresses.  The value
+// of these two types is computed from an address of the image itself, the addend, so moving the
+// image changes the addend.
 #if defined(__aarch64__)
 constexpr uint32_t kRelative = R_AARCH64_RELATIVE, kIndirect = R_AARCH64_IRELATIVE;
 #else
@@ -57,12 +58,12 @@ class Rebase {
   std::string Run(uint64_t size_max);
 
  private:
-  // Returns `count` values of type T at `offset`.  If the file is too short, returns null and sets
-  // is_bad_.
+  // Returns the address in bytes_ of `count` values of type T at `offset` of the file.  If the file
+  // is too short, returns null and sets is_bad_, so that the file is not changed.
   template <typename T>
   T* At(uint64_t offset, uint64_t count);
-  // Returns the offset in the file of the bytes that are loaded at `address`.  Sets is_bad_ if
-  // there are no such bytes.
+  // Returns the offset in the file of the bytes that are loaded at `address`.  If there are no such
+  // bytes, returns 0 and sets is_bad_.
   uint64_t OffsetOf(uint64_t address);
   uint64_t ValueOf(int64_t tag) const;
   void MoveSegments(const Elf64_Ehdr& header);
@@ -124,8 +125,9 @@ void Rebase::MoveSegments(const Elf64_Ehdr& header) {
   }
 }
 
-// Moves the symbols of functions and variables of the image.  Symbols of other libraries, of
-// constants and of thread-local variables have no address in the image and are not changed.
+// Adds the distance of the move to the values of `symbols`, which are addresses of functions and
+// variables of the image.  Symbols of other libraries, of constants and of thread-local variables
+// are not changed, because their values are no addresses in the image.
 void Rebase::MoveSymbols(Elf64_Sym* symbols, uint64_t count) {
   if (symbols == nullptr) return;
   for (uint64_t i = 0; i < count; ++i) {

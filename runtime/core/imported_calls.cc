@@ -97,8 +97,9 @@ static_assert(AddressPlace::kStackBytes == 0x100000);
 static_assert(StackMemory::kBottomOffset == 0xbf000);
 static_assert(StackMemory::kImportsTopOffset == 0xbe000);
 
-// Functions of the C library that take a variable number of arguments.  C++ functions are not
-// listed, because a "z" at the end of the mangled name shows a variable number.
+// Functions of the C library that take a variable number of arguments, of which a thunk copies more
+// from the stack.  C++ functions are not listed, because a "z" at the end of the mangled name shows
+// a variable number.
 constexpr std::string_view kVariadic[] = {
     "__asprintf_chk",
     "__dprintf_chk",
@@ -165,7 +166,8 @@ bool IsVariadic(std::string_view name) {
   return std::ranges::binary_search(kVariadic, name);
 }
 
-// The address ranges that hold machine code, of this program and of all libraries.
+// The address ranges that hold machine code, of this program and of all libraries.  They tell
+// imported functions, which get thunks, from imported variables, which do not.
 class CodeRanges {
  public:
   CodeRanges() { dl_iterate_phdr(&Add, this); }
@@ -197,7 +199,8 @@ class CodeRanges {
 constexpr size_t kThunkBytes = 16;
 constexpr uint64_t kPage = 4096;
 
-// The addresses of a loaded image and of its tables in memory.
+// The addresses of a loaded image and of its tables in memory.  The dynamic section lists the
+// tables; ValueOf() returns the value of its entry `tag`, or 0 if there is no such entry.
 struct LoadedImage {
   explicit LoadedImage(char* image);
   uint64_t ValueOf(int64_t tag) const;
@@ -272,9 +275,9 @@ void Redirection::FindImports(int64_t table, int64_t size) {
   }
 }
 
-// Writes a thunk and returns its address: mov r11, FUNCTION; jmp *WORD.  WORD is one of the two
-// words in front of all thunks, which hold the addresses of the two functions that change the
-// stack.
+// Writes a thunk and returns its address.  A thunk has two instructions: mov r11, FUNCTION; jmp
+// *WORD.  In front of all thunks lie two words with the addresses of openr_call_import and
+// openr_call_variadic_import; WORD is the one that fits the function.
 uint64_t Redirection::MakeThunk(const Import& import, size_t index) {
   char* const thunk = thunks_ + (index + 1) * kThunkBytes;
   const char* const word = thunks_ + (IsVariadic(NameOf(import.symbol)) ? 8 : 0);

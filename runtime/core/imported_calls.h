@@ -19,19 +19,21 @@
 
 namespace openr_host {
 
-// Makes thunks for the image at `image`, which is also the address for which it was linked.  The
-// thunks take at most `bytes` of memory at `thunks`.  Returns "", or the reason of a failure.  Does
-// nothing on processors other than x86-64.  REQUIRES: nothing is mapped at `thunks`.
+// Makes thunks for the functions that the image at `image` imports.  The thunks take at most
+// `bytes` of memory at `thunks`.  Returns "", or the reason of a failure.  Does nothing on
+// processors other than x86-64.  REQUIRES: the image lies at the address for which it was linked or
+// to which RebaseImage() has moved it; nothing is mapped at `thunks`.
 std::string RedirectImports(char* image, char* thunks, size_t bytes);
 
-// Returns whether `address` lies in the code with which thunks change the stack.  Backtraces leave
-// out a frame of this code, because it tells their readers nothing.
+// Returns whether `address` lies in the code with which thunks change the stack.  A list of the
+// functions on the stack, which is printed after a crash, leaves this code out, because it is no
+// part of the program.
 bool IsStackChange(uintptr_t address);
 
-// Returns the address in the image to which the calling function will return.  If a thunk has
-// called that function, its own return address lies in the code of the thunks, so this function
-// finds the address behind the thunk.  `own` is __builtin_return_address(0), which is returned if
-// no thunk was used.
+// Called in a function F of the SDK with `own`, F's __builtin_return_address(0).  Returns the
+// address in the image to which F will return.  If the image has called F through a thunk, `own` is
+// not this address but lies in the code that changes the stack, which has saved the image's
+// address.  Without a thunk, returns `own`.
 const void* ReturnAddressInImage(const void* own);
 
 }  // namespace openr_host

@@ -58,7 +58,7 @@ class StickLoader {
 };
 
 // Returns a text for users that says why the configuration file `name` was not read: "FILE: " and
-// kMissing, or "FILE: " and the error.
+// either kMissing, if there is no such file, or the error of the read.
 std::string StickLoader::WhyNoConfig(const char* name) {
   const int error = stick_ == nullptr ? ENOENT : stick_->WhyUnread(kConfFolder + std::string(name));
   const std::string why =
@@ -81,8 +81,8 @@ std::string StickLoader::NameInImage(const std::string& path) {
 StandIns::const_iterator StickLoader::FindStandIn(const std::string& path) {
   if (stand_ins_.empty()) return stand_ins_.end();
   const auto by_file = stand_ins_.find(std::filesystem::path(path).filename().string());
-  // The search by file name comes first, because reading the image for the name of its object takes
-  // time.
+  // The name of the object is searched for only if the file name is not found, because the image
+  // must be read to find the name of its object, which takes time.
   return by_file != stand_ins_.end() ? by_file : stand_ins_.find(NameInImage(path));
 }
 

@@ -10,9 +10,10 @@ namespace openr_host {
 
 class System;
 
-// Functions that are called instead of loading an image.  The key is the name of the object in the
-// image ("JointMover") or of the file ("JOINTMOV.BIN").  A function gets the path of the image and
-// may add other objects in its place.
+// Functions that are called instead of loading an image, for objects that run in a worker process
+// and for objects that a test replaces.  The key is the name of the object in the image
+// ("JointMover") or of the file ("JOINTMOV.BIN").  A function gets the path of the image and may
+// add another object in its place.
 using StandIns = std::map<std::string, std::function<void(const std::string& path)>>;
 
 // A part of the system that is an image on a robot and part of the runtime here.

@@ -86,8 +86,8 @@ void ObjectManager::PostWith(Selector selector, int value) {
 }
 
 // Returns whether the object manager itself has posted the message with this selector and value,
-// and notes that the message is handled now.  Every object can send a message with this selector,
-// so a message that the object manager has not posted becomes an error finding.
+// and removes the message from due_, because it is handled now.  Every object can send a message
+// with this selector, so a message that is not in due_ becomes an error finding.
 bool ObjectManager::IsDue(Selector selector, int value) {
   const auto found = due_.find({selector, value});
   if (found != due_.end()) {
@@ -109,8 +109,8 @@ void ObjectManager::Begins(ObjectId id) {
 }
 
 // Puts the messages that were held during the boot back into the queue, because the connections are
-// made now.  Messages to an object whose DoInit has not begun stay held, because this object takes
-// no part in the run.
+// made now.  Messages to an object whose DoInit has not begun stay held: DoInit could not be sent
+// to this object, so it must handle no message.
 void ObjectManager::ReleaseEarlyMessages() {
   are_connected_ = true;
   for (auto next = starting_.begin(); next != starting_.end();) {
@@ -181,8 +181,8 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
   for (const auto& object : fresh) starting_[object->id] = false;
   ObjectTable::Readies readies = system().object_table().Replace(std::move(fresh));
   for (const auto& [id, standing] : readies) Send(system().object(id), oentryINIT, oreasonBOOT);
-  // Makes the connections of the new objects.  Services that were unknown while a worker process
-  // was lost are reported now, unless their connection belongs to a new object.
+  // Makes the connections that begin or end at a new object.  For the other connections, reports
+  // the services that were not reported while a worker process was lost and that are still unknown.
   for (const Connection& connection : system().connections()) {
     const auto& directory = system().robot(connection.robot).directory;
     const auto is_fresh = [&](const std::string& service) {
@@ -199,8 +199,9 @@ void ObjectManager::Begin(std::vector<std::unique_ptr<Object>> fresh) {
     if (no_observer) ReportUnknown(connection, connection.observer);
   }
   ReleaseEarlyMessages();
-  // The readies of the other observers are sent again.  An observer that is itself replaced asserts
-  // ready in its own boot, so its old ready is left out.
+  // Sends to each new object the readies that observers had asserted to the old one, because these
+  // observers do not know of the replacement.  A ready of an observer that is replaced too is left
+  // out: the new observer asserts ready in its own boot.
   for (auto& [id, standing] : readies) {
     std::erase_if(standing, [&](const auto& one) { return readies.contains(one.observer); });
     system().object_table().AssertAgain(id, standing);
@@ -255,10 +256,10 @@ void ObjectManager::Send(Object* object, Selector entry, OReason reason) {
   }
 }
 
-// Returns whether `service` may be unknown only because its object is lost, that is, the process of
-// the object has ended.  The first part of a service's name is usually the name of its object.  If
-// not, a registered service with the same first part shows which object it is.  If there is none,
-// any lost object of the robot may be it.
+// Returns whether `service` may be unknown only because the process of its object is lost.  The
+// object of a service is not known for sure.  First it is looked up by the first part of the
+// service's name, which is usually the object's name.  Otherwise a registered service with the same
+// first part gives the object.  If neither is found, it may be any lost object of the robot.
 bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
   const std::string prefix = service.substr(0, service.find('.') + 1);
   bool has_lost = false;
@@ -274,8 +275,8 @@ bool ObjectManager::MayBeLost(int robot, const std::string& service) const {
 }
 
 void ObjectManager::ReportUnknown(const Connection& connection, const std::string& service) {
-  // A service of a lost process is not reported now, because the loss of the process has been
-  // reported.
+  // A service of a lost process is only kept in unreported_ now, because the loss of the process
+  // has been reported and the process may come back.
   if (MayBeLost(connection.robot, service)) {
     unreported_.emplace(&connection, service);
     return;

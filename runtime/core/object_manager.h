@@ -1,9 +1,11 @@
 // ObjectManager: the system's object that boots all other objects, makes their connections and
 // shuts them down.  On the robot the object manager and the service manager do this.
 //
-// The object manager has the lowest priority, so its handlers continue only when no message of
-// another object is due.  Therefore readies that a system service asserts in its DoStart are
-// delivered before the first DoStart of the application (architecture.md, "Settled" 5).
+// The object manager boots objects one after the other: it sends DoInit or DoStart to an object and
+// waits for the reply.  It has the lowest priority, so it continues only when no message of another
+// object is due.  Therefore, if a system service asserts ready in its DoStart, the connected
+// subject gets this ready before the first DoStart of the application (architecture.md, "Settled"
+// 5).
 #pragma once
 
 #include <deque>
@@ -23,8 +25,9 @@ class ObjectManager : public CodeObject {
  public:
   ObjectManager();
 
-  // Post a message of the object manager to itself.  Its handler does the work of Boot(),
-  // Shutdown() or PostTask() of System, or of ObjectTable::Reload().
+  // Post a message of the object manager to itself, so that it does the work of Boot(), Shutdown()
+  // or PostTask() of System, or of ObjectTable::Reload(), in a handler, where it can wait for
+  // replies.
   void PostBoot();
   void PostShutdown(int robot);
   void PostReload(ObjectId id);
@@ -47,13 +50,14 @@ class ObjectManager : public CodeObject {
     return !found->second && !HoldsUpBoot(message);
   }
   // Returns whether `message` is a request from an object that is itself in its boot.  Such a
-  // message must not be held.  The DoInit of its sender waits for the reply, and the receiver's
-  // DoInit may be sent only after that DoInit has returned.
+  // message must not be kept back, or the boot would not go on: the sender waits for the reply in
+  // its DoInit, and the receiver gets its own DoInit only after the DoInit of the sender has
+  // returned.
   bool HoldsUpBoot(const Message& message) const {
     return message.reply_box != 0 && starting_.contains(message.sender);
   }
-  // Notes that the DoInit of object `id` begins, so messages to the object need not be held any
-  // more.  Only readies are held until the connections are made.
+  // Notes that the DoInit of object `id` begins.  From now on IsTooEarly() keeps back only readies
+  // to the object, until the connections are made.
   void Begins(ObjectId id);
 
   // The virtual time after which a DoInit, DoStart, DoStop or DoDestroy that has not returned
@@ -68,11 +72,12 @@ class ObjectManager : public CodeObject {
   void RunShutdown(int robot);
   void RunReload(ObjectId id);
   void RunTask();
-  // Calls `entry` (DoInit, DoStart, DoStop or DoDestroy) of `object` and waits until it has
-  // returned.
+  // Calls `entry` (DoInit, DoStart, DoStop or DoDestroy) of `object` with the `reason` (boot or
+  // shutdown), and waits until it has returned.
   void Send(Object* object, Selector entry, OReason reason);
   // Calls Send() for all system objects, or for all other objects if `system_objects` is false.
-  // The objects are those of `robot`, or of all robots.
+  // There are two calls for each step, because system objects boot before the others and shut down
+  // after them.  The objects are those of `robot`, or of all robots.
   void SendToAll(Selector entry, OReason reason, bool system_objects, int robot = kAllRobots);
   void Connect(const struct Connection& connection);
   void ReleaseEarlyMessages();
@@ -85,21 +90,23 @@ class ObjectManager : public CodeObject {
   Selector shutdown_;
   Selector reload_;
   Selector task_;
-  // The selector and value of each message that the object manager has posted to itself and has not
-  // handled yet.
+  // The messages that the object manager has posted to itself and has not handled yet, each as its
+  // selector and the value in it (a robot or an object id).  IsDue() uses them to refuse such a
+  // message from another object.
   std::multiset<std::pair<Selector, int>> due_;
   std::deque<std::function<void()>> tasks_;
   std::set<int> shutting_down_;  // indices of robots whose shutdown has begun
-  // objects to which DoInit could not be sent; they get no other call
+  // objects to which DoInit could not be sent; they get no DoStart, DoStop or DoDestroy either
   std::set<ObjectId> uninitialised_;
-  // The objects that are in their boot.  The value is true if the DoInit of the object has begun.
+  // The objects that are in their boot, for which IsTooEarly() keeps messages back.  The value is
+  // true if the DoInit of the object has begun; then only readies are kept back.
   std::map<ObjectId, bool> starting_;
   bool are_connected_ = true;  // false while the connections of this boot are not made yet
-  // Services that no object had registered when they were to be connected, each with its
-  // connection.  At that time a worker process was lost, and its objects may register these
-  // services after the restart of the process.  If the services are still unknown then, they become
-  // findings.  The keys are addresses, so the code never iterates over this set: the order would
-  // differ from run to run.
+  // Services that were not registered when their connection was to be made, each with this
+  // connection.  They are not reported yet, because a worker process was lost at that time, and its
+  // objects may register them after the restart of the process.  If they do not, the services
+  // become findings then.  The keys are addresses, so the code never iterates over this set: the
+  // order would differ from run to run.
   std::set<std::pair<const struct Connection*, std::string>> unreported_;
 };
 

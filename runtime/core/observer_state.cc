@@ -10,8 +10,9 @@
 
 namespace openr_host {
 
-// Counts repeated readies, because on the robot they would fail.  Readies wait in the message queue
-// of the subject's object, and the robot refuses the 33rd message in a queue.
+// Counts repeated readies of an observer to one subject, because on the robot they would fail:
+// readies wait in the message queue of the subject's object, and the robot refuses the 33rd message
+// in a queue.
 void ObserverState::CountReady(const SubjectID& subject, ObjcommCommand command) {
   constexpr int kTimesMax = 8;  // our choice: no program asserts ready more often on purpose
   auto entry = std::find_if(asserted.begin(), asserted.end(),
@@ -37,8 +38,9 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
   ready.observerID = id;
   message->size = sizeof ready;
   message->kind = PayloadKind::kReady;
-  // The ready gives back the regions to which this object holds no reference of its own.  Regions
-  // that do not fit into this ready wait for the next one.
+  // The ready gives back the regions that this object no longer uses, that is, to which it holds no
+  // reference of its own.  A ready can give back MAX_NUM_DATA regions; the others are given back by
+  // the next ready.
   RCRegion* returned[MAX_NUM_DATA];
   std::vector<RCRegion*>* regions = nullptr;
   for (Held& entry : held) {
@@ -52,8 +54,8 @@ OStatus ObserverState::SendReady(const SubjectID& subject, ObjcommCommand comman
     }
   }
   const int count = ready.numOfData;
-  // The message is posted before the regions are given up, because this object keeps them if the
-  // message is refused.
+  // The message is posted before this object gives up the regions, because the object keeps them if
+  // the message is refused.
   const sError error = system->Post(std::move(message));
   if (error != sSUCCESS) {
     system->Print(fmt::format("OObserver({})::SendReady() Sending Ready failed. sError = {}\n",
@@ -91,8 +93,8 @@ void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
   message->kind = PayloadKind::kReady;
   if (system->Post(std::move(message)) == sSUCCESS) return;
   const CurrentScope there(system, sender);
-  // False if `sender` stands for an object in a worker process, because then the worker has the
-  // subjects and releases the regions.
+  // Whether the subject is in this process.  If not, `sender` has no subjects here and stands for
+  // an object in a worker process, which has the subject and releases the regions.
   const bool is_here = !sender->subjects.empty();
   for (RCRegion* const region : regions) {
     if (is_here) {

@@ -44,7 +44,8 @@ struct Pool {
 };
 
 Pool& ThePool() {
-  // The pool is never deleted, because regions may be deleted even after all static objects.
+  // The pool is never deleted, because a static object of the program may still delete regions when
+  // the program ends.
   static thread_local Pool* const pool = new Pool;
   return *pool;
 }
@@ -137,14 +138,14 @@ RCRegion::~RCRegion() {
 
 void RCRegion::AddReference() { ++count_; }
 
-// Too many calls of RemoveReference() are a mistake of the object, so they become a finding and not
-// a failed assertion.
+// Removes one reference and deletes a region that has none left.  Too many calls are a mistake of
+// the object, so they become a finding and not a failed assertion.
 
 void RCRegion::RemoveReference() {
   if (--count_ > 0) return;
   const ApiScope scope;
-  // The observer keeps a received region until its next ready gives the region back, so the region
-  // is not deleted here.
+  // A received region is not deleted here.  The observer keeps it until its next ready gives the
+  // region back.
   const bool received = source_ != nullptr;
   if ((received || count_ < 0) && t_current.system != nullptr) {
     t_current.system->AddFinding(

@@ -12,11 +12,13 @@
 namespace openr_host {
 namespace {
 
-// Memory is mapped in steps of this size, or of one cell if a cell is larger.
+// Memory is mapped in pieces of this size, which hold several small cells, so that there are fewer
+// system calls.  A larger cell is mapped as one piece.
 constexpr size_t kMapBytes = 64 << 10;
 constexpr size_t kKeepBytes = 256 << 10;  // larger cells are unmapped when they are freed
 
-// Sets flag `index` to `value`.  The list is made longer only when a flag beyond its end is set.
+// Sets flag `index` of a list, in which flags beyond the end are false, to `value`.  The list grows
+// only when needed, because most runs use few of the 65,536 slots.
 void Set(std::vector<bool>* flags, size_t index, bool value) {
   if (index >= flags->size()) flags->resize(index + 1);
   (*flags)[index] = value;
@@ -29,8 +31,8 @@ bool IsSet(const std::vector<bool>& flags, size_t index) {
 }  // namespace
 
 size_t RegionMemory::OffsetOf(int size_class) {
-  // The cells of all smaller classes lie before this class.  The sum of their sizes is that of a
-  // geometric series.
+  // The cells of this class begin after those of all smaller classes.  For one slot, these have 64
+  // + 256 + ... bytes, a geometric series; its sum is multiplied by the number of slots.
   return (CellBytes(size_class) - CellBytes(0)) / 3 * kSlots;
 }
 

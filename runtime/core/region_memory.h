@@ -42,8 +42,8 @@ class RegionMemory {
 
   struct Cells {
     std::vector<bool> in_use;  // by slot
-    // For each mapping step: whether it is mapped.  Memory is mapped in steps, which may hold
-    // several cells (kMapBytes).
+    // For each piece of memory that is mapped at once: whether it is mapped.  A piece has kMapBytes
+    // and holds several cells, or one cell if a cell is larger.
     std::vector<bool> is_mapped;
   };
 

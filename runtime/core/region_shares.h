@@ -23,8 +23,10 @@ class RegionShares {
  public:
   explicit RegionShares(RegionTable* regions) : regions_(regions) {}
 
-  // Do the work of AllowToAttachMemoryRegion(), AttachMemoryRegion() and so on.  Return an sError.
-  // `self` is the object that calls.
+  // Do the work of AllowToAttachMemoryRegion(), AttachMemoryRegion(), DetachMemoryRegion() and
+  // ChangeProtectionMemoryRegion().  `self` is the object that calls them, and `info` is the right
+  // to read, or to read and write.  Allow() gives this right to `other`, and with
+  // `giving_ownership` makes `other` the owner.  Return an sError.
   int32_t Allow(ObjectId self, uint32_t region, MemoryProtectionInfo info, ObjectId other,
                 bool giving_ownership);
   int32_t Attach(ObjectId self, uint32_t region, MemoryProtectionInfo info);
@@ -42,7 +44,8 @@ class RegionShares {
     bool attached = false;
   };
 
-  // Returns sSUCCESS if `self` may use `region` with the rights `info`, otherwise an sError.
+  // Returns sSUCCESS if `self` may use `region` with the rights `info` (to read, or to read and
+  // write), otherwise an sError.  The owner has all rights; others have those that Allow() gave.
   int32_t Check(ObjectId self, uint32_t region, MemoryProtectionInfo info) const;
 
   RegionTable* const regions_;

@@ -60,9 +60,9 @@ uint32_t RegionTable::New(size_t size, ObjectId owner) {
   return static_cast<uint32_t>(slot.generation) << 16 | (index + 1);
 }
 
-// Prepares the slot that `id` names for a new block whose id another process has chosen.  Frees the
-// old memory of the slot, or moves it to outlived_ if it is pinned.  Returns null if the slot has a
-// live block.
+// Makes the slot that `id` names empty, for a new block with this id, which the master process has
+// chosen.  The old memory of the slot is freed.  If an observer still reads it (it is pinned), it
+// is moved to outlived_ instead.  Returns null if the slot has a live block.
 RegionTable::Slot* RegionTable::SlotFor(uint32_t id) {
   const uint32_t index = (id & 0xffff) - 1;
   if (index >= 0xffff) return nullptr;
@@ -165,8 +165,9 @@ void RegionTable::NotePlace(uint32_t id, const void* address) {
 }
 
 std::pair<const void*, int> RegionTable::MostCommonPlace() const {
-  // Counts how many blocks each instruction has made, in the order of slots.  An order of addresses
-  // would differ from run to run, and with it the choice between two equal counts.
+  // Counts how many blocks each instruction has made, and keeps the counts in the order of slots.
+  // In the order of addresses they would differ from run to run, and so would the choice between
+  // two equal counts.
   std::vector<std::pair<const void*, int>> counts;
   for (const Slot& slot : slots_) {
     if (!slot.live || slot.made_at == nullptr) continue;

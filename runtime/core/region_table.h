@@ -39,7 +39,8 @@ class RegionTable {
   char* AdoptCopy(uint32_t id, size_t size);
   void KeepCopy(uint32_t id);
   void DropCopy(uint32_t id);
-  // Removes a block that AdoptOwn() made and that the master process has deleted.
+  // Removes block `id`, which AdoptOwn() made, because the master process has deleted it.  The
+  // memory stays while the block is pinned.
   void Lose(uint32_t id);
 
   // Finds the block in which `address` lies, and sets `*id` and `*offset`.  Returns false if there
@@ -60,7 +61,7 @@ class RegionTable {
   // block is pinned.
   bool Delete(uint32_t id);
 
-  // Deletes all blocks of an object that is being unloaded.
+  // Deletes all blocks of the object `owner`, which has ended or is being replaced.
   void DeleteAllOf(ObjectId owner);
 
   // Return the address, the size and the owner of block `id`, or null, 0 and kNoObject if `id`
@@ -68,8 +69,9 @@ class RegionTable {
   char* BaseOf(uint32_t id) const;
   size_t SizeOf(uint32_t id) const;
   ObjectId OwnerOf(uint32_t id) const;
-  // Returns the object that made the block, whose process has the bytes.  The block may have
-  // another owner now.  Returns kNoObject if the block was deleted or its maker was unloaded.
+  // Returns the object that made the block, even if another object owns it now.  In a run with
+  // several processes, the bytes of the block are in the process of this object.  Returns kNoObject
+  // if the block was deleted or its maker has ended.
   ObjectId MakerOf(uint32_t id) const;
   void SetOwner(uint32_t id, ObjectId owner);
 
@@ -78,8 +80,9 @@ class RegionTable {
   // its memory.
   bool Resize(uint32_t id, size_t size);
 
-  // Returns whether the bytes after the end of a block were changed.  Always false with
-  // AddressSanitizer, which reports such a write itself.
+  // Returns whether a program has written beyond the end of block `id`, that is, whether the known
+  // bytes behind it were changed.  Always false with AddressSanitizer, which reports such a write
+  // itself.
   bool WrittenBeyond(uint32_t id) const;
 
   // Pin() keeps the memory of a block that is still being read, until Unpin().  Both functions
@@ -127,7 +130,7 @@ class RegionTable {
   std::vector<Slot> slots_;
   // The memory of copies that were still pinned (being read) when another block got their slot.
   // This happens only if a subject is replaced while an observer in this process still reads its
-  // data.
+  // data.  The memory is freed when the table is destroyed.
   std::vector<char*> outlived_;
   std::vector<uint32_t> free_;  // indices of the slots that New() may use again
   int live_count_ = 0;          // number of live slots

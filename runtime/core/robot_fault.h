@@ -6,7 +6,9 @@
 namespace openr_host {
 
 // Ends the running handler as a crash of its object.  `what` names the fault: "unaligned access of
-// 4 bytes".  The process gets SIGILL while the code that made the fault is still on the stack.
+// 4 bytes".  Executes an invalid instruction, so that the process gets SIGILL while the code that
+// made the fault is still on the stack.  The signal handler (openr/ending/crash_log.cc) can then
+// name this code.
 [[noreturn]] void StopAsTheRobotDoes(const std::string& what);
 
 // Returns the text `what` of the last call of StopAsTheRobotDoes(), or "" if there was none.

@@ -24,8 +24,8 @@ class Schedule {
     kNext,   // the object that gets its message next, among those with a message due now
   };
 
-  // Returns the index of the candidate to take; index 0 is the canonical choice.  Called only with
-  // two or more candidates.
+  // Returns the index in `candidates` of the object to take, as the answer to `question`.  Index 0
+  // is the choice of a run without a schedule.  Called only with two or more candidates.
   virtual size_t Choose(Question question, const std::vector<ObjectId>& candidates) = 0;
 
   // Returns the time to add to the due time of `message`, which is being posted and is due
@@ -33,12 +33,13 @@ class Schedule {
   // the same sender to the same receiver, so that they do not overtake the first.
   virtual int64_t ExtraDelayUs(const Message& message, int64_t now_us, int64_t delay_us);
 
-  // Returns whether the sender's call to post `message` fails, as on the robot when a queue is
-  // full.
+  // Returns whether the sender's call to post `message` shall fail, as on the robot when the queue
+  // of the receiver is full.
   virtual bool Refuses(const Message& message);
 };
 
-// Decides for every message, just before its delivery, whether it may be delivered now.
+// Decides for every message, just before its delivery, whether it may be delivered now.  Used by
+// tests that need messages in a certain order.
 class Gate {
  public:
   virtual ~Gate() = default;

@@ -22,7 +22,9 @@ class StackMemory {
   // The size of the stack.  Only the pages that were touched use memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
-  // Offsets from the begin of a stack at a planned address.
+  // The size of a guard page, and offsets from the first address of a stack at a planned address:
+  // the top of the image's stack (below the last 4 KiB), its bottom, and the top of the stack for
+  // imported functions.  The assembly code of imported_calls.cc uses the same numbers.
   static constexpr size_t kGuardBytes = 4096;
   static constexpr size_t kTopOffset = AddressPlace::kStackBytes - 4096;
   static constexpr size_t kBottomOffset = kTopOffset - kBytes;
@@ -37,7 +39,8 @@ class StackMemory {
   char* bottom() const { return bottom_; }
   char* top() const { return bottom_ + kBytes; }  // the stack grows down from here
 
-  // Returns whether `address` lies on this stack or on the stack for imported functions.
+  // Returns whether `address` lies on this stack or on the stack for imported functions, which is
+  // mapped below it.
   bool Contains(const void* address) const {
     return address >= mapping_ && address < mapping_ + mapped_bytes_;
   }
@@ -48,7 +51,8 @@ class StackMemory {
   // Valgrind, which do not allow these reads.  REQUIRES: the caller runs on another stack.
   size_t UsedBytes(size_t gap_bytes) const;
 
-  // Sets to zero the bytes that UsedBytes(gap_bytes) counts, and returns their number.
+  // Sets to zero the bytes that UsedBytes(gap_bytes) counts, and returns their number.  So the next
+  // handler finds an empty stack.
   size_t Clear(size_t gap_bytes);
 
   static constexpr size_t kWideGapBytes = size_t{32} << 10;

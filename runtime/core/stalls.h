@@ -20,8 +20,8 @@ struct Stall {
   int64_t since_us = 0;         // virtual time when the wait began
   std::string text;             // "JointMover waits for ready of RCServer on ... since t=1.248 s"
   const char* advice = "";      // what the author of the program can do
-  // The observer has asserted no ready since its last notification, and no data wait for it.  The
-  // observer may have forgotten to assert, or may want no more data.  So this stall is reported
+  // The observer has asserted no ready since its last notification, or not at all, and no data wait
+  // for it.  It may have forgotten to assert, or may want no more data.  So this stall is reported
   // only if no object of the run sends messages any more.
   bool may_be_done = false;
   // The observer has probably stopped on purpose, so the report has a note and not a warning.  This
@@ -33,14 +33,14 @@ struct Stall {
 // The shortest wait that is reported.  In a program that works, no object waits so long.
 constexpr int64_t kStallUs = 1'000'000;
 
-// Returns the stalls that have lasted for `least_us` or longer, in order of objects.  Stalls with
-// `may_be_done` must have lasted for kStallUs at least, because most observers work on a
-// notification before they assert.
+// Returns the stalls that have lasted for `least_us` or longer, in the order of the objects' ids.
+// A stall with `may_be_done` is returned only after kStallUs, even if `least_us` is shorter,
+// because most observers work on a notification before they assert ready again.
 std::vector<Stall> FindStalls(const System& system, int64_t least_us);
 
 // Adds a finding for every stall that has lasted for kStallUs or longer: a note if `is_chosen`,
-// otherwise a warning.  Stalls with `may_be_done` are left out unless `is_silent`, that is, no
-// object sends messages any more.  Called at the end of a run.
+// otherwise a warning.  `is_silent` says whether no object sends messages any more; only then are
+// stalls with `may_be_done` reported.  Called at the end of a run.
 void ReportStalls(System* system, bool is_silent);
 
 }  // namespace openr_host

@@ -1,5 +1,6 @@
-// Sends the data of a subject to its observers: keeps data pending until an observer is ready, and
-// releases references to regions in the measured order.  See measured.md, section 1.
+// Sends the data of a subject to its observers.  Data stay pending until an observer is ready.
+// References to regions are released at the moments that were measured with Sony's library
+// (measured.md, section 1).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +16,8 @@
 namespace openr_host {
 
 bool IsRunningMessage(const Object& object, PayloadKind kind) {
-  // There is no running message if a test calls the function of the entry directly.
+  // Without a running message there is nothing to check.  This occurs only if a test calls the
+  // function of the entry directly.
   if (object.handler.running == nullptr || object.handler.running->kind == kind) return true;
   object.system->AddFinding(
       Severity::kError,
@@ -34,7 +36,8 @@ ObserverLink* SubjectState::Find(const ObserverID& observer) {
 OStatus SubjectState::SetData(ObserverLink* link, RCRegion* region) {
   region->AddReference();
   link->fresh.push_back(region);
-  // A message holds at most MAX_NUM_DATA data, so the oldest data are dropped, as on the robot.
+  // Because a message holds at most MAX_NUM_DATA data, the oldest data are dropped, as on the
+  // robot.
   if (link->fresh.size() <= MAX_NUM_DATA) return oSUCCESS;
   link->fresh.front()->RemoveReference();
   link->fresh.erase(link->fresh.begin());
@@ -76,8 +79,9 @@ void ReportReplaced(const SubjectState& subject, const ObserverLink& link) {
 
 namespace {
 
-// Reports a notify to an observer that has deasserted.  Nothing is reported if the process of the
-// observer has ended, because that is a finding already.
+// Adds a finding about a notify to an observer that has deasserted ready, because this observer
+// gets no data.  Adds none if the process of the observer has ended, because that end is a finding
+// already.
 void ReportDeasserted(const SubjectState& subject, ObserverLink* link) {
   if (link->told_deasserted || link->is_lost || subject.object->is_system) return;
   link->told_deasserted = true;

@@ -39,12 +39,16 @@ class SystemCalls {
   virtual void OpenBox(uint64_t box) = 0;
   virtual void CloseBox(uint64_t box) = 0;
 
-  // Returns whether object `asker` accepts a reply to `box`, as far as this process knows.
+  // Returns whether object `asker` accepts a reply to `box`.  In a worker process returns true for
+  // every box, because only the master knows the boxes of all objects; the master checks the box
+  // when the reply is posted.
   virtual bool AcceptsReply(ObjectId asker, uint64_t box) const = 0;
 
   // Prepares a wait of the caller for the reply to `box`, of at most `timeout_us` (< 0: without
-  // limit).  Returns the queued message that will end the wait at that time, or null if this
-  // process posted no such message.
+  // limit).  `why` describes for users what the caller waits for.  Returns the queued message that
+  // will end the wait at its limit, so that the caller can remove this message if the reply comes
+  // first.  Returns null if there is no such message: without a limit, and in a worker process,
+  // where the master ends the wait.
   virtual const Message* BeginWait(uint64_t box, int64_t timeout_us, std::string_view why) = 0;
 
   // Waits for a line of the console and copies it to `buffer`; see ConsoleInput::Read().
@@ -57,20 +61,22 @@ class SystemCalls {
 
   virtual uint32_t AddTimedEvent(const TimeEvents::Letter& letter, int64_t first_us,
                                  int64_t period_us) = 0;
-  // Adds an event for the reply to `box`, which may have arrived already.  REQUIRES: `box` is open.
+  // Adds an event that posts `letter` when the reply to `box` arrives, or at once if it has arrived
+  // already.  REQUIRES: `box` is open.
   virtual uint32_t AddReplyEvent(const TimeEvents::Letter& letter, uint64_t box) = 0;
   virtual bool CancelEvent(uint32_t event) = 0;
   virtual int CountEvents() = 0;
 
   // ---- Names
 
-  // Do the work of Register(), Find() and Unregister() of MCOOP.h for the caller's robot.  Return
-  // an sError.
+  // Do the work of Register(), Find() and Unregister() of MCOOP.h, with which objects of the
+  // caller's robot find each other by names.  Return an sError.
   virtual int32_t RegisterName(ObjectId object, std::string_view name) = 0;
   virtual int32_t FindName(std::string_view name, ObjectId* object) = 0;
   virtual int32_t UnregisterName(std::string_view name) = 0;
 
-  // Registers entry `selector` of `object` as the service `name` of the caller's robot.
+  // Registers entry `selector` of `object` as the service `name` of the caller's robot, so that a
+  // connection of CONNECT.CFG can begin or end at it.
   virtual OStatus RegisterService(ObjectId object, uint32_t selector, std::string_view name) = 0;
 
   // Sets `name` as the text that traces and messages show for the caller's entry `selector`.
@@ -81,19 +87,23 @@ class SystemCalls {
   virtual uint32_t NewRegion(size_t size, ObjectId owner) = 0;
   virtual bool DeleteRegion(uint32_t region) = 0;
   virtual bool ResizeRegion(uint32_t region, size_t size) = 0;
-  // Pinning keeps the memory of a region until it is unpinned.  Both functions return false if
-  // there is no such region.  UnpinRegion() also returns false if the region is not pinned.
+  // Pinning keeps the memory of a region, even if the region is deleted, until it is unpinned.
+  // Observers pin regions that they have received.  Both functions return false if there is no such
+  // region.  UnpinRegion() also returns false if the region is not pinned.
   virtual bool PinRegion(uint32_t region) = 0;
   virtual bool UnpinRegion(uint32_t region) = 0;
 
-  // Change or check access rights to `region`; see RegionShares.  Return an sError.
+  // Change or check the access rights `info` of the caller, or of object `other`, to `region`; see
+  // the functions of RegionShares.  Return an sError.
   virtual int32_t AllowAccess(uint32_t region, MemoryProtectionInfo info, ObjectId other,
                               bool giving_ownership) = 0;
   virtual int32_t Attach(uint32_t region, MemoryProtectionInfo info) = 0;
   virtual int32_t Detach(uint32_t region) = 0;
   virtual int32_t CheckAccess(uint32_t region, MemoryProtectionInfo info) = 0;
 
-  // Notes that the caller has mapped (`is_mapped`) or unmapped a buffer of the IPStack.
+  // Tells the master process that the caller has mapped (`is_mapped`) or unmapped a buffer of the
+  // IPStack: the buffer with the number `cookie`, which lies in `region`.  The IPStack in the
+  // master needs this, because it lets an object send only data in a mapped buffer.
   virtual void NoteMapping(uint32_t cookie, uint32_t region, bool is_mapped) = 0;
 
   // ---- The run and its stick
@@ -106,7 +116,8 @@ class SystemCalls {
   virtual void PowerOff(int robot, const RunEnd& why) = 0;
 
   // Tells all processes of the run that use the caller's stick that the file `path` is about to
-  // change.  Returns when all these processes know.
+  // change, because each of them notes changed files (MemoryStick::NoteWritten()).  Returns when
+  // all these processes know.
   virtual bool NoteFileWritten(std::string_view path) = 0;
 };
 

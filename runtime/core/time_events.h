@@ -25,8 +25,8 @@ class TimeEvents {
     std::vector<unsigned char> bytes;
   };
 
-  // Adds an event that posts `letter` after `first_us` and then every `period_us`.  With a period
-  // of 0 the event posts only once.  Returns the id of the event, from 1.
+  // Adds an event that posts `letter` after `first_us` and then every `period_us`, or only once if
+  // the period is 0.  Returns the id of the event, which is at least 1.
   uint32_t AddTimed(Letter letter, int64_t first_us, int64_t period_us);
   // Adds an event that posts `letter` once, when the reply to `box` of the owner has arrived.
   // REQUIRES: box != 0.
@@ -36,15 +36,18 @@ class TimeEvents {
   bool Cancel(ObjectId owner, uint32_t id);
   // Returns the number of events of `owner`.
   int CountOf(ObjectId owner) const;
-  // Removes all events of object `id` and all events that post to it.
+  // Removes all events of object `id`, and all events that post to it, because the object has ended
+  // or is being replaced.
   void ForgetObject(ObjectId id);
 
   // Returns the virtual time at which the next event is due, or INT64_MAX if all events wait for
   // replies.
   int64_t NextUs() const;
-  // Posts the messages of events that are due now, in the order of the events' ids.
+  // Posts the messages of events that are due now, in the order of the events' ids, which is the
+  // same in every run.
   void PostDue();
-  // Posts the messages of events that wait for the reply to `box` of `owner`, which has arrived.
+  // Called when the reply to `box` of `owner` has arrived.  Posts the messages of the events that
+  // wait for this reply, and removes these events.
   void ReplyArrived(ObjectId owner, uint64_t box);
 
   void HashState(Hasher* hasher) const;

@@ -40,8 +40,8 @@ class Trace {
   int AddSink(Sink sink);
   void RemoveSink(int number);
 
-  // Switches hashing on or off.  If off, and if there are no sinks, messages are only counted.
-  // Benchmarks use this to measure the cost of hashing.
+  // Switches the computation of the hash on or off, to measure its cost in benchmarks.  If it is
+  // off and there are no sinks, messages are only counted.
   void set_hashing(bool on) { hashing_ = on; }
   uint64_t hash() const;
   uint64_t count() const { return count_; }
@@ -58,12 +58,15 @@ class Trace {
   mutable TraceRecord buffer_[kBuffered];
 };
 
-// Returns the hash of the content of `message` without addresses: of a notification the bytes of
-// its regions, of a ready its command and counts, of any other message its bytes.  Sets `*size` to
-// the number of hashed bytes.
+// Returns the hash of the content of `message` without memory addresses, and sets `*size` to the
+// number of hashed bytes.  Hashes of a notification its counts and the bytes of its regions, of a
+// ready its command and the number of regions that it gives back, of any other message its bytes.
+// For the kind kHashed returns the hash that the sender has set.
 uint64_t PayloadHash(const Message& message, uint32_t* size);
 
-// Returns the bytes that PayloadHash() hashes; "" for a message of kind kHashed.
+// Returns the content of `message` for recordings: of a notification the bytes of its regions, of a
+// ready its command and the number of regions that it gives back, of any other message its bytes.
+// Returns "" for the kind kHashed, because its bytes hold addresses.
 std::string PayloadBytes(const Message& message);
 
 }  // namespace openr_host
