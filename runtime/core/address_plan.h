@@ -18,10 +18,10 @@
 // Memory is mapped only when it is needed, and not reserved before.  So a limit on address space
 // (ulimit -v) counts only used memory.
 //
-// There are two cases in which addresses are not planned: with AddressSanitizer or ThreadSanitizer,
-// because tables of these tools lie in the same part of the address space, and if that part was not
-// empty at the start (address_plan.cc).  Objects then share the host's heap, and the kernel chooses
-// the address of every mapping.
+// Addresses are not planned in three cases: on processors other than x86-64; with AddressSanitizer
+// or ThreadSanitizer, because tables of these tools lie in the same part of the address space; and
+// if that part was not empty at the start (address_plan.cc).  Objects then share the host's heap,
+// and the kernel chooses the address of every mapping.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@
 
 namespace openr_host {
 
-// The place of one object, which was loaded from a file, in the address plan: one area for the
-// object in each range.
+// The place of one object, which was loaded from a file, in the address plan: a part of each range
+// (heaps, images ...) that only this object uses.
 class AddressPlace {
  public:
   static constexpr int kPlaces = 1 << 15;
@@ -83,9 +83,9 @@ bool MapAt(char* address, size_t bytes);
 // process.
 bool IsPlanned(const void* address);
 
-// Moves the plan to another range of addresses.  Used to test a program: if its runs with two
-// ranges differ, the program depends on addresses.  REQUIRES: no System has been made in this
-// process.
+// Moves the plan to other addresses.  The exploration of a program (openr/explore) runs the program
+// with both: if the runs differ, the program depends on addresses.  REQUIRES: no System has been
+// made in this process.
 void UseOtherAddresses();
 
 }  // namespace openr_host

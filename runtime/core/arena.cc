@@ -18,8 +18,8 @@ constexpr size_t kMapBytes = 1 << 20;  // memory is mapped in steps of this size
 // The arena (heap) of each object.  The index is the number of the object's place (address_plan.h).
 constinit Arena* g_arenas[AddressPlace::kPlaces] = {};
 
-// Returns the block size of a size class.  The sizes of classes 0 to 15 are the multiples of 16 up
-// to 256.  From there up to 32 KiB, four classes divide each doubling into equal steps.
+// Returns the size of the blocks of a size class: 16, 32, 48 ... 256 bytes for classes 0 to 15.
+// The later classes go up to 32 KiB, with four classes between each power of two and the next.
 size_t SizeOfClass(int size_class) {
   if (size_class < 16) return static_cast<size_t>(size_class + 1) * 16;
   const int step = size_class - 16;
@@ -53,17 +53,17 @@ Arena::~Arena() {
 bool Arena::MapUpTo(size_t span_end) {
   if (span_end <= mapped_spans_) return true;
   constexpr size_t kStep = kMapBytes / kSpanBytes;
-  // `end` is rounded up to a whole step.  It still lies in the heap area, because the area's size
-  // is a multiple of the step.
+  // `end` is rounded up to a multiple of kStep, because memory is mapped in steps of 1 MiB.  It
+  // still lies in the heap area, because the area's size is a multiple of 1 MiB.
   const size_t end = (span_end + kStep - 1) / kStep * kStep;
   if (!MapAt(base_ + mapped_spans_ * kSpanBytes, (end - mapped_spans_) * kSpanBytes)) return false;
   mapped_spans_ = end;
   return true;
 }
 
-// Takes `count` neighbouring free spans with the lowest addresses for `use`, and returns their
-// first address.  Their bytes are zeros.  Returns null if there are not enough neighbouring free
-// spans, or no memory.
+// Takes `count` neighbouring free spans with the lowest addresses, and returns the first address.
+// `use` becomes the Span::use of the first span: a size class, or kLarge.  The bytes of the spans
+// are zeros.  Returns null if there are not enough neighbouring free spans, or no memory.
 char* Arena::TakeSpans(size_t count, int16_t use) {
   size_t run = 0;
   for (size_t i = first_free_; i < kSpans; ++i) {
@@ -82,8 +82,8 @@ char* Arena::TakeSpans(size_t count, int16_t use) {
 // Frees the spans of the large block that begins with span `first`.
 void Arena::GiveSpans(size_t first) {
   const size_t count = spans_[first].span_count;
-  // The kernel takes the pages back, and gives pages of zeros at the next access.  So free spans
-  // hold only zeros.
+  // With MADV_DONTNEED the kernel takes the pages back, and gives pages of zeros at the next
+  // access.  So free spans hold only zeros, which TakeSpans() promises.
   madvise(base_ + first * kSpanBytes, count * kSpanBytes, MADV_DONTNEED);
   for (size_t k = first; k < first + count; ++k) spans_[k] = {};
   first_free_ = std::min(first_free_, first);

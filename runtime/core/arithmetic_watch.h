@@ -10,8 +10,9 @@ namespace openr_host {
 
 class ArithmeticWatch {
  public:
-  // Sets whether this process has a signal handler for SIGFPE, which the class CrashLog installs.
-  // Initially no such handler exists.
+  // Sets whether this process has a signal handler for SIGFPE; the class CrashLog installs one.
+  // Without a handler a SIGFPE would end the process, so operations must not raise it.  Initially
+  // there is no handler.
   static void SetCatches(bool on);
   // Returns whether operations may raise SIGFPE, that is, whether a signal handler exists.  Always
   // false with AddressSanitizer, and under Valgrind, because the processor that Valgrind emulates
@@ -34,7 +35,7 @@ class ArithmeticWatch {
   void Enter();
   void Leave();
 
-  // Ends the watch at the end of the handler.
+  // Ends the watch at the end of the handler: operations raise no SIGFPE any more.
   void End();
 
  private:

@@ -77,9 +77,9 @@ void Report(SourcePlace* place, const std::string& what, const char* exception) 
                                                                what, Render(*place), exception));
 }
 
-// Returns the alignment that the robot's processor needs for the access.  On the robot pointers and
-// long have 4 bytes, so a type that is aligned to 8 here is aligned to 4 there.  Only double and
-// long long are aligned to 8 on both.
+// Returns the alignment that the robot's processor needs for the memory access `data`.  On the
+// robot pointers and long have 4 bytes, so a type that is aligned to 8 here is aligned to 4 there.
+// Only double and long long are aligned to 8 on both.
 uintptr_t RobotAlignment(const AccessData& data) {
   const uintptr_t alignment = uintptr_t{1} << std::min<unsigned>(data.log_alignment, 3);
   if (alignment < 8) return alignment;

@@ -1,8 +1,8 @@
 // The runtime's record of each subject (OSubject, the sending end of connections) and of each
 // observer (OObserver, the receiving end).
 //
-// This state lies on the host's heap and not on the object's heap.  Only handlers of the object
-// change it.
+// The records lie on the host's heap and not on the object's heap, so they do not count as memory
+// of the robot.  Only handlers of the object change them.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -50,8 +50,8 @@ constexpr OMessageType kDeassertOfLost = 0x10000;
 // to this observer.
 void SendDeassert(Object* object, uint32_t selector, const SubjectID& subject,
                   const std::vector<RCRegion*>& regions);
-// Handles a notification to `object` that will not be delivered: gives its regions back to the
-// subject with SendDeassert().
+// Handles a notification to `object` that will not be delivered.  Gives the regions of `message`
+// back to the subject with SendDeassert(), so that the subject can use them again.
 void RefuseNotification(Object* object, const Message& message);
 
 // A subject's record of one observer.

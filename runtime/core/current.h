@@ -29,8 +29,8 @@ struct Current {
 extern thread_local constinit Current t_current;
 
 // While an ApiScope exists, malloc() and fopen() use the host's heap and files and not those of the
-// object.  The first statement of every function of the SDK that may allocate memory or open files
-// makes an ApiScope.
+// object, because memory and files of the runtime are not the object's.  The first statement of
+// every function of the SDK that may allocate memory or open files makes an ApiScope.
 class ApiScope {
  public:
   [[gnu::always_inline]] ApiScope() : image_code_(t_current.image_code) {
@@ -48,9 +48,10 @@ class ApiScope {
   const bool image_code_;
 };
 
-// While a LibraryScope exists, floating-point operations raise no SIGFPE.  Unlike with an ApiScope,
-// malloc() and fopen() still use the heap and files of the object.  The first statement of every
-// function of the C library that the runtime defines makes a LibraryScope.
+// While a LibraryScope exists, floating-point operations raise no SIGFPE, because they are not the
+// object's own.  Unlike with an ApiScope, malloc() and fopen() still use the heap and files of the
+// object.  The first statement of every function of the C library that the runtime defines makes a
+// LibraryScope.
 class LibraryScope {
  public:
   [[gnu::always_inline]] LibraryScope() : watch_(t_current.image_code ? t_current.watch : nullptr) {

@@ -26,8 +26,8 @@ constexpr int kFpKinds = 5;  // number of bits in kFpAll
 // The flags of operations that would stop the robot.  SIGFPE can find the instruction that raises
 // one of these flags (arithmetic_watch.h).
 constexpr unsigned kFpCaught = kFpInvalid | kFpDenormal | kFpDivByZero | kFpOverflow;
-// How many bits a flag must be shifted to the left to get its mask bit in MXCSR.  While the mask
-// bit is set, the operation raises no SIGFPE.
+// The distance in MXCSR from a flag to its mask bit, which is to the left.  While the mask bit is
+// set, the operation raises no SIGFPE.
 constexpr int kFpMaskShift = 7;
 
 // FpState() and SetFpState() save and restore MXCSR.  CatchFp() lets exactly the flags `kinds`

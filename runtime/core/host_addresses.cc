@@ -11,7 +11,7 @@ namespace openr_host {
 namespace {
 
 // The range of host addresses.  The kernel puts programs, their heaps and libraries above all
-// planned addresses, from 17 TiB on.
+// planned addresses, from 17 TiB on, and below 128 TiB, where the addresses of a program end.
 constexpr uint64_t kLowest = uint64_t{0x1100} << 32;
 constexpr uint64_t kEnd = uint64_t{1} << 47;
 

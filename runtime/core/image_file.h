@@ -26,8 +26,8 @@ std::string OcfTextOf(const std::string& bytes);
 // Returns all texts of at least 8 characters in the bytes of an image, as the tool `strings` does.
 std::vector<std::string_view> TextsIn(std::string_view bytes);
 
-// Returns the texts in the bytes of an image that have the form of service names:
-// "JointMover.Move.MoveCommand.O".
+// Returns the services of the object in an image without loading the image: all texts in its bytes
+// that have the form of service names, such as "JointMover.Move.MoveCommand.O".
 std::vector<std::string> ServicesInImage(std::string_view bytes);
 
 }  // namespace openr_host

@@ -22,10 +22,11 @@
 // functions, always from its top; other calls stay on their stack.  The word below that top holds
 // the address of the image's frame, for ReturnAddressInImage().
 //
-// Arguments on the stack are copied: 256 bytes, or 2 KiB for a function with a variable number of
-// arguments.  The copy uses only registers that hold no argument.  After the call, registers
-// without a result are set to 0, because they may hold host addresses and functions of the image
-// may save them on their stack.
+// The imported function looks for some of its arguments on the stack, so these are copied to the
+// other stack.  Because their size is not known, always 256 bytes are copied, or 2 KiB for a
+// function with a variable number of arguments (our choice).  The copy uses only registers that
+// hold no argument.  After the call, registers without a result are set to 0, because they may hold
+// host addresses and functions of the image may save them on their stack.
 extern "C" void openr_call_import();
 extern "C" void openr_call_variadic_import();
 asm(R"(

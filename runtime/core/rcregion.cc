@@ -19,12 +19,12 @@ using openr_host::t_current;
 
 namespace {
 
-// A pool of memory for RCRegions.  RCRegions are small, many and short-lived, so single allocations
-// would take long.
+// A pool of memory for RCRegions, which is taken from the host's heap in chunks of 64.  RCRegions
+// are small, many and short-lived, so single allocations would take long.
 struct Pool {
   std::vector<void*> free;
-  // The addresses of all chunks.  A leak checker then finds the chunks reachable and does not
-  // report them when an object has not deleted its regions.
+  // The addresses of all chunks, so that a leak checker finds the chunks reachable.  Otherwise it
+  // would report them when an object has not deleted its regions.
   std::vector<void*> chunks;
   static constexpr size_t kChunk = 64;
 

@@ -43,8 +43,8 @@ class RegionTable {
   // memory stays while the block is pinned.
   void Lose(uint32_t id);
 
-  // Finds the block in which `address` lies, and sets `*id` and `*offset`.  Returns false if there
-  // is no such block.
+  // Finds the block in which `address` lies, and sets `*id` to its id and `*offset` to the distance
+  // from its first byte.  Returns false if there is no such block.
   bool Locate(const void* address, uint32_t* id, size_t* offset) const;
 
   // Makes a block of `size` bytes that `owner` owns, and returns the id of the block.  Returns

@@ -19,7 +19,7 @@ namespace openr_host {
 
 class StackMemory {
  public:
-  // The size of the stack.  Only the pages that were touched use memory.
+  // The size of the stack, which is our choice.  Only the pages that were touched use memory.
   static constexpr size_t kBytes = size_t{256} << 10;
 
   // The size of a guard page, and offsets from the first address of a stack at a planned address:

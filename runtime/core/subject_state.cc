@@ -121,7 +121,8 @@ OStatus SubjectState::Notify(ObserverLink* link) {
 
 void SubjectState::Flush(ObserverLink* link) {
   if (link->ready <= 0 || link->units.empty() || link->units.size() < link->min) return;
-  // One message carries as many whole notifications (units) as fit, oldest first.
+  // Counts the notifications (units) that the message carries: as many as fit, oldest first,
+  // because the regions of one notification are not divided.
   size_t unit_count = 0;
   int data_count = 0;
   while (unit_count < link->units.size() &&

@@ -32,7 +32,8 @@ class Trace {
  public:
   using Sink = std::function<void(const TraceRecord&, const Message&)>;
 
-  // Adds `message`, which is delivered at `now_us`, to the hash and passes it to the sinks.
+  // Adds the record of `message`, which is delivered at `now_us`, to the hash and passes it to the
+  // sinks.
   void Deliver(const Message& message, int64_t now_us);
 
   // Adds a `sink`, a function that is called for every delivered message, after the sinks that were
