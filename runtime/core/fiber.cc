@@ -97,7 +97,7 @@ void Fiber::FinishSwitch() {
   size_t bytes = 0;
   __sanitizer_finish_switch_fiber(fake_stack_, &bottom, &bytes);
   // Keeps the bounds of the thread's own stack, which AddressSanitizer needs for the switch back to
-  // it.  It tells them only at the first switch away from that stack.
+  // this stack.  AddressSanitizer tells these bounds only at a switch away from the stack.
   if (t_left->stack_ == nullptr) {
     t_left->stack_bottom_ = bottom;
     t_left->stack_bytes_ = bytes;

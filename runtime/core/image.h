@@ -37,10 +37,10 @@ class RunFolder {
   // `*problem` to the reason.
   std::string AddCopy(const std::string& file, const std::string& bytes, std::string* problem);
 
-  // Replaces the file `copy` by a new file with `bytes`, the bytes of the original image, after the
-  // copy was loaded.  The loaded memory does not change.  The reason is that debuggers would
-  // compute wrong addresses of symbols from the copy, which was changed for its load address.  If
-  // the new file cannot be written, debuggers show wrong addresses; the run is not affected.
+  // Replaces the file `copy`, after it was loaded, by a new file with `bytes`, the bytes of the
+  // original image.  The copy was changed for its load address, and debuggers would compute wrong
+  // addresses of symbols from it.  The loaded memory does not change.  If the new file cannot be
+  // written, debuggers show wrong addresses; the run is not affected.
   void Replace(const std::string& copy, const std::string& bytes);
 
  private:
