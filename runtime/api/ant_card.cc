@@ -16,12 +16,14 @@ using openr_host::WlanConfig;
 
 namespace {
 
-// Two limits of the frame size, the defaults of 802.11b.  No frame is longer, so the card never
-// sends a request before a frame and never splits a frame.
+// The frame sizes above which the card asks for permission to send (RTS) or splits the frame, with
+// the default values of 802.11b.  No frame is longer, so a card with these values never does
+// either.
 constexpr int32 kRtsThreshold = 2347;
 constexpr int32 kFragmentationThreshold = 2346;
 
-// Clears `msg`, calls `fill` if the robot has a card, and sets and returns the status.
+// Implements a function that asks the card: clears `msg`, calls `fill` to set its fields if the
+// robot has a card with a driver, and stores the status in `msg` and returns it.
 template <typename Msg, typename Fill>
 EtherStatus Ask(Msg* msg, Fill fill) {
   const ApiScope scope;

@@ -15,8 +15,9 @@ using namespace openr_host;
 
 namespace {
 
-// Returns the stack that `target` names, or null if the robot has no such stack or no object runs.
-// Sets the error field of `message` to "failed", which holds until an answer arrives.
+// Returns the network stack that `target` names, or null if the robot has no such stack or no
+// object runs.  Sets the error field of `message` to "failed", because the program may read the
+// field although Send() or Call() fails and no answer arrives.
 IpStack* StackFor(const antStackRef& target, antEnvMsg* message) {
   SetAntError(message, ANT_FAIL);  // the value 1, which means "failed" in every protocol
   IpStack* const stack = IpStack::OfCurrent();
@@ -31,8 +32,9 @@ OwnedMessage NewRequest(IpStack* stack, const antEnvMsg& message) {
   std::memcpy(request->payload, static_cast<const void*>(&message), size);
   request->size = static_cast<uint32_t>(size);
   request->kind = PayloadKind::kHashed;
-  // The hash of the message covers data only if they are in a mapped buffer.  Data elsewhere are
-  // not read, because the address may be invalid.
+  // The hash stands for the message in the trace of the run.  Data that the message points to are
+  // hashed only if they are in a mapped shared buffer.  An address elsewhere may be invalid, so it
+  // is not read.
   const AntData data = DataToSend(message);
   const bool known = stack->buffers().Contains(data.begin, data.size);
   request->payload_hash = AntMessageHash(message, known ? data.begin : nullptr,
@@ -90,8 +92,9 @@ antError antEnvMsg::Call(antStackRef target, int size) {
 
 antEnvMsg* antEnvMsg::Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
-// Answers the request of the running handler.  Objects that stand in for a network stack call this
-// function; IPStack itself uses IpStack::Answer(), often in a later handler.
+// Answers the request that the running handler has received.  Only objects of a program that play
+// the role of a network stack call this function.  IPStack uses IpStack::Answer() instead, because
+// it often answers in a later handler, when the network has delivered data.
 antError antEnvMsg::Reply() {
   const ApiScope scope;
   if (t_current.object == nullptr) return ANT_FAIL;

@@ -1,5 +1,5 @@
-// Constructors of the messages that set parameters of the network stack or ask the DNS, and
-// functions that print the reference of an endpoint.
+// Constructors of the messages that set parameters of the network stack or ask the DNS, and the
+// functions that print an antModuleRef, the reference of a program to a TCP, UDP or DNS endpoint.
 #include <DNSEndpointMsg.h>
 #include <OPENR/OSyslog.h>
 #include <antEnvMsg.h>

@@ -42,8 +42,8 @@ int64_t DaysToMonth(int64_t year, int64_t month) {
 
 CivilDate DateOfDay(int64_t days) {
   CivilDate date;
-  // The first guess takes every year as 366 days long, so the guessed year may be too early but
-  // never too late.  The loop below moves on to the right year.
+  // The first guess counts every year as 366 days, so the guessed year may be too early but never
+  // too late.  The loop after it moves on to the right year.
   date.year = 2000 + FloorDiv(days, kDaysIn400Years) * 400;
   date.year += (days - DaysToYear(date.year)) / 366;
   while (days >= DaysToYear(date.year + 1)) ++date.year;

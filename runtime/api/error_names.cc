@@ -12,7 +12,7 @@
 
 namespace {
 
-// Names of the errors of the network stack.  The index of a name, here and in the arrays below, is
+// Names of the errors of the network stack.  In this array and those below, the index of a name is
 // the value of the error's constant.
 constexpr const char* kAntErrors[] = {
     "ANT_SUCCESS",

@@ -24,8 +24,9 @@ OwnedMessage NewBytes(const OID& oid, Selector selector, const void* msg, size_t
   return message;
 }
 
-// Returns sSUCCESS if `rbox` names an open reply box of the current object, so that the object may
-// wait for the reply or give up the box; otherwise an error.
+// Returns sSUCCESS if `rbox` names an open reply box of the current object, otherwise an error.  A
+// reply box is the place where the reply to one request arrives; only the object that sent the
+// request may wait at the box or close it.
 sError CheckBox(const RID& rbox) {
   const openr_host::Object* const self = t_current.object;
   if (self == nullptr || !rbox.IsValid()) return sINVALIDRID;
@@ -83,9 +84,9 @@ sError Unregister(const char* name) {
   return t_current.system->calls().UnregisterName(name);
 }
 
-// Finds the selector of an extra entry of the calling object (an Extra line of its stub.cfg) by
-// name.  Only extra entries are searched.  This is our choice, because no source says which names
-// the robot searches.
+// Finds the selector of an entry of the calling object by its name.  Only extra entries (the Extra
+// lines of stub.cfg) are searched.  This is our choice, because no source says which names the
+// robot searches.
 sError FindSelector(const char* name, Selector* selector) {
   const ApiScope scope;
   if (t_current.object == nullptr || name == nullptr || selector == nullptr) return sINVALIDARG;
@@ -144,7 +145,9 @@ sError Reply(void* msg, size_t size) {
   return t_current.system->requests().Reply(t_current.system->requests().TakeTicket(), msg, size);
 }
 
-// Passes the request of the running handler to another object, which answers the request instead.
+// Sends a message to the object `oid` and lets that object reply to the request that the running
+// handler has received.  The reply goes directly to the object that sent the request, because the
+// new message carries the sender and the reply box of the request.
 sError Delegate(OID oid, Selector selector, void* msg, size_t size) {
   const ApiScope scope;
   if (t_current.object == nullptr) return sFAIL;

@@ -10,8 +10,9 @@ using namespace openr_host;
 
 namespace {
 
-// Checks whether the current object may order one more event that sends a message of `size` bytes
-// to `oid`.  Returns sSUCCESS, or the error that the caller of the SDK's function gets.
+// Checks whether the current object may order one more event.  An event sends a letter, a message
+// of `size` bytes to the object `oid`, at a later time or when a reply arrives.  Returns sSUCCESS,
+// or the error that the SDK's function returns.
 sError CheckLetter(const OID& oid, size_t size) {
   if (t_current.object == nullptr) return sFAIL;
   if (size > kMessageMax) return sEXCEEDEDSIZEOFMSG;

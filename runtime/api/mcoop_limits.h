@@ -1,5 +1,5 @@
-// Limits and a conversion that the functions of MCOOP.h share, the interface of the robot's
-// operating system.
+// Limits, and the conversion of a RelativeTime to microseconds, for the functions of MCOOP.h.
+// MCOOP.h is the interface of the robot's operating system.
 #pragma once
 
 #include <Time_a.h>

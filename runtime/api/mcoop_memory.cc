@@ -17,8 +17,9 @@ namespace {
 
 constexpr size_t kPageBytes = 4096;  // page size of a robot with memory protection
 
-// Changes the size of a region that the current object owns.  If `grows` is true, the new size must
-// not be smaller, otherwise it must not be larger.
+// Changes the size of a region that the current object owns.  For GrowMemoryRegion() `grows` is
+// true, and the new size must not be smaller.  For ShrinkMemoryRegion() `grows` is false, and the
+// new size must be smaller.
 sError Resize(MemoryRegionID id, size_t size, bool grows) {
   if (t_current.object == nullptr) return sFAIL;
   RegionTable& regions = t_current.system->regions();

@@ -1,6 +1,6 @@
-// The functions of namespace OPENR.  Functions about devices call the RobotServices of the robot;
-// the other functions do their work here.  Functions that make and delete vectors are in
-// vectors.cc.
+// The functions of namespace OPENR.  Functions about devices call the RobotServices of the robot,
+// the interface to its simulated devices; the other functions do their work here.  Functions that
+// make and delete vectors are in vectors.cc.
 #include <OPENR/OPENRAPI.h>
 #include <fmt/format.h>
 

@@ -13,8 +13,8 @@ using namespace openr_host;
 
 namespace {
 
-// Removes a single 'l' before an integer conversion.  On the robot long has 32 bits, so programs
-// print 32-bit values with "%ld", for which this host would read 64 bits.
+// Removes the 'l' before an integer conversion, except in "ll".  On the robot long has 32 bits, so
+// programs print 32-bit values with "%ld".  On this host "%ld" would read 64 bits.
 std::string HostFormat(const char* format) {
   std::string result;
   for (const char* p = format; *p != '\0';) {
@@ -40,7 +40,8 @@ std::string Format(const char* format, va_list arguments) {
   return text;
 }
 
-// Stores the state that the object reports: the text after "state: " in a message of level info.
+// Stores the state of an object for the panel and for properties of a run.  An object reports its
+// state with a message of level info that begins with "state: ".
 void NoteState(openr_host::Object* object, OSyslogPriority priority, const std::string& text) {
   constexpr char kPrefix[] = "state: ";
   if (priority != osyslogINFO || object == nullptr || !text.starts_with(kPrefix)) return;

@@ -66,7 +66,7 @@ void AppendNames(longword bits, const NamedBit (&names)[N], std::vector<std::str
   }
 }
 
-// Converts units of 0.1 kelvin to degrees Celsius.
+// Converts a temperature in units of 0.1 kelvin to degrees Celsius; 0 degrees are 273.15 kelvin.
 double Celsius(word temperature) { return (int{temperature} - 2731.5) / 10; }
 
 std::string Zone(sbyte time_dif) {

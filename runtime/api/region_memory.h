@@ -8,8 +8,9 @@
 
 namespace openr_host {
 
-// Makes a region for the current object and returns the region's address.  If there is no memory,
-// or `bytes` is more than the robot has, returns null and sets `*id` to 0.
+// Makes a region of shared memory, owned by the current object, and returns the region's address.
+// If there is no memory left, or `bytes` is more than the memory of the robot, returns null and
+// sets `*id` to 0.
 inline char* NewSharedMemory(size_t bytes, MemoryRegionID* id) {
   ASSERT(t_current.object != nullptr && id != nullptr);
   *id = RegionTable::kNoRegion;

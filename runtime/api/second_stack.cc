@@ -17,18 +17,20 @@ using openr_host::ApiScope;
 using openr_host::ArithmeticWatch;
 using openr_host::t_current;
 
-// ApiScope marks code of the runtime.  The functions that switch stacks do not use it, because code
-// of the object runs directly before and after the switch.
+// A stack on which an object runs a function, the body, that may leave in the middle and be
+// continued later.  The functions that switch stacks make no ApiScope.  An ApiScope would make the
+// body count as code of the runtime, which uses the heap and files of the host.
 struct OpenrSecondStack {
-  // Like the stack of handlers, this stack lies at the planned addresses of its object and is
-  // cleared after use, so that its content is the same in every run.
+  // Like the stack of handlers, this stack lies at addresses that are planned for the object
+  // (core/address_plan.h) and is cleared after use, so that its content is the same in every run.
   openr_host::HandlerStack stack{Address()};
   openr_host::Fiber fiber;     // calls the body on `stack`
   openr_host::MainFiber home;  // the handler that switched to `stack`
   void (*body)(void*) = nullptr;
   void* argument = nullptr;
   std::optional<ArithmeticWatch> watch;  // finds NaN and the like in code on `stack`
-  // floating-point flags raised since the last switch to `stack`
+  // The floating-point exception flags that code on `stack` has raised, stored by GoHome() for
+  // GoThere().
   unsigned fp_flags = 0;
   bool has_left = false;  // true while the body waits to be continued
 
@@ -46,17 +48,18 @@ struct OpenrSecondStack {
     __builtin_unreachable();  // nothing switches back to a body that has ended
   }
 
-  // Switches back to the handler.  Each stack has floating-point flags of its own, which a switch
-  // saves and restores.  So the flags that were raised on `stack` are stored, and GoThere() adds
-  // them to those of the handler.
+  // Switches from `stack` back to the handler.  The switch restores the floating-point flags of the
+  // handler, so the flags that code on `stack` has raised would be lost.  They are stored here, and
+  // GoThere() adds them to those of the handler, which is checked for floating-point errors.
   void GoHome() {
     fp_flags = openr_host::FpFlags();
     if (fp_flags != 0) openr_host::ClearFpFlags();
     home.SwitchFrom(&fiber);
   }
 
-  // Switches to `stack`; returns when the body has left or ended.  The bytes that the body uses
-  // count as stack of the object, because on the robot there is only one stack.
+  // Switches to `stack` and returns when the body has left or ended.  Afterwards reports the bytes
+  // that the body has used as stack use of the object, because on the robot the body would run on
+  // the only stack of the object.
   void GoThere() {
     ArithmeticWatch* const outer = t_current.watch;
     if (watch) t_current.watch = &*watch;

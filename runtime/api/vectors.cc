@@ -17,8 +17,9 @@ namespace {
 // The number of regions at which a real robot stopped.  Its program had made a new vector for every
 // command (field-notes.md, 3.4).
 constexpr int kRegionsOfRobot = 0x1cb;
-// The number of regions of one object above which a warning is given.  This is our choice; the
-// sample programs need two regions per service.
+// The number of regions of one object above which a warning is given.  The number is our choice:
+// sample programs need two regions per service, so an object with more than 64 probably makes new
+// ones again and again.
 constexpr int kRegionsOfObject = 64;
 
 int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) {
@@ -29,7 +30,9 @@ int RegionsOfRobot(const System& system, const RegionTable& regions, int robot) 
   return count;
 }
 
-// Warns if a program seems to make a vector for every command instead of once.
+// Warns if the current object has more than kRegionsOfObject regions, because its program seems to
+// make a vector for every command instead of once.  With --strict, also shuts the robot down when
+// all its objects together have more than kRegionsOfRobot regions, as the real robot did.
 void WatchForLeak() {
   System& system = *t_current.system;
   const Object& self = *t_current.object;
@@ -72,7 +75,8 @@ OStatus NewVector(ODataType type, size_t info_size, size_t bytes, size_t count, 
   return oSUCCESS;
 }
 
-// Deletes a vector.  Returns `unknown` if `id` is no vector of type `type`.
+// Deletes the vector in region `id`.  If the region is no vector of type `type`, returns the error
+// `unknown`, because each OPENR::Delete... function has an error of its own for this case.
 OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   const RegionTable& regions = t_current.system->regions();
   if (regions.SizeOf(id) < sizeof(ODataVectorInfo)) return unknown;
@@ -80,9 +84,9 @@ OStatus DeleteVector(MemoryRegionID id, ODataType type, OStatus unknown) {
   return info->type == type && t_current.system->calls().DeleteRegion(id) ? oSUCCESS : unknown;
 }
 
-// Returns the size of `count` elements of `each` bytes.  If this is more than a robot's memory,
-// returns the size of that memory; the header of the vector then makes the region too large, so
-// that making it fails.
+// Returns the size of `count` elements of `each` bytes, but at most kRobotMemoryBytes, so that the
+// multiplication cannot overflow.  The caller adds the size of the header.  The sum is then more
+// than the robot has, and NewVector() returns oNO_MEMORY.
 size_t BytesOf(size_t count, size_t each) {
   return each != 0 && count > kRobotMemoryBytes / each ? kRobotMemoryBytes : count * each;
 }

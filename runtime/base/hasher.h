@@ -1,5 +1,6 @@
-// Hasher: computes the XXH3 hash of a stream of values.  The trace hash and the state hash of a run
-// are made with Hasher.
+// Hasher: computes the XXH3 hash of a stream of values.  Hasher makes the trace hash of a run (all
+// messages in their order) and the state hash (the state at one instant), by which two runs are
+// compared.
 //
 // Only values are hashed, never addresses or padding, because those differ from run to run: Add()
 // takes arithmetic types and enumerations, AddBytes() takes bytes that are all initialised.

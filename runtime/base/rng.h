@@ -10,8 +10,8 @@ namespace openr_host {
 
 class Hasher;
 
-// Generates random numbers with the algorithm xoshiro256**.  The algorithm splitmix64, which starts
-// at seed XOR XXH3(name), fills the initial state.
+// The algorithm is xoshiro256**.  Its initial state comes from the algorithm splitmix64, started at
+// the seed XOR the XXH3 hash of the name.
 class Rng {
  public:
   Rng(uint64_t seed, std::string_view name);

@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the prefix of the names of our temporary folders.  It contains the number of the PID
+// Returns the prefix of the names of our temporary folders, which contains the number of the PID
 // namespace.  Containers may share the folder of temporary files but count their processes
-// separately, so a process id alone could mean a process of another container.
+// separately.  A process id alone could mean a living process of another container, whose folder
+// would be removed.
 std::string Prefix() {
   std::error_code error;
   std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();

@@ -6,9 +6,9 @@
 
 namespace openr_host {
 
-// The destructor removes the folder, but only in the process that made it, not in the forks of that
-// process.  A killed process leaves its folder behind, so the constructor removes the folders of
-// killed processes.
+// Makes a folder and removes it in the destructor.  Only the process that made the folder removes
+// it; a fork of that process does not.  A killed process leaves its folder behind, so the
+// constructor also removes the folders of processes that no longer exist.
 class TempFolder {
  public:
   // Makes the folder.  If that fails, throws std::runtime_error with the place and the system's

@@ -1,9 +1,9 @@
-// Replaces fixed IP addresses in old programs by addresses of the network of today.
+// Replaces fixed IP addresses in old programs by addresses of today's network.
 //
-// A program for the robot often contains fixed addresses, such as 10.0.1.2 for a PC.  A pair of
-// addresses tells which address the host uses instead of such an address.  Pairs come from the
-// command line (openr run --ip ROBOT=HOST) and from the file HOSTADDR.CFG beside CONNECT.CFG, which
-// has one pair per line.  The robot ignores that file.
+// A program for the robot often contains fixed addresses, such as 10.0.1.2 for a PC, which no
+// longer exist.  A pair of addresses tells which address the host uses in place of such an address.
+// Pairs come from the command line (openr run --ip ROBOT=HOST) and from the file HOSTADDR.CFG
+// beside CONNECT.CFG, which has one pair per line.  The robot ignores that file.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,8 @@ std::string AddAddressPair(const AddressPair& pair, std::vector<AddressPair>* pa
 AddressConfig ParseAddressConfig(const std::string& file, std::string_view text,
                                  std::string_view design);
 
-// Returns `first`, followed by the pairs of `second` whose robot address is not in `first`.
+// Returns `first`, followed by the pairs of `second` whose robot address is not in `first`.  So
+// pairs of the command line take precedence over those of the file.
 std::vector<AddressPair> MergeAddressPairs(std::vector<AddressPair> first,
                                            const std::vector<AddressPair>& second);
 

@@ -12,8 +12,8 @@ enum class Severity {
   kNote,     // nothing is wrong; information only
 };
 
-// A position in a text file.  A record keeps the position from which it was read, so that a later
-// finding about the record ("no such service") can name the right line and show a caret.
+// A position in a text file.  A parsed record keeps the position from which it was read, so that a
+// later message about the record ("no such service") can name the right line and show a caret.
 struct FilePosition {
   std::string file;  // the name that the caller gave
   int line = 0;      // counted from 1; 0 means the file as a whole
@@ -21,7 +21,7 @@ struct FilePosition {
   std::string text;  // the line, without its end
 };
 
-// Returns `place` with its column replaced by `column`.
+// Returns the position in the same line as `place`, at `column`.
 FilePosition AtColumn(FilePosition place, int column);
 
 struct Diagnostic {
@@ -44,8 +44,8 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics);
 // the caret in place, UTF-8 sequences count as one character, control bytes are shown as '?'.
 std::string Render(const Diagnostic& diagnostic);
 
-// Returns what Render() returns, but without "warning: " or "note: ".  Findings use this text,
-// because they show their severity themselves.
+// Returns what Render() returns, but without "warning: " or "note: ".  Used for findings, the
+// warnings in the report of a run, which show their severity themselves.
 std::string RenderWithoutKind(const Diagnostic& diagnostic);
 
 // Returns all diagnostics as text, each followed by a newline.

@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The port of the robot's wireless console (Installation Guide 3.2.1).
+// The port of the robot's wireless console (Installation Guide 3.2.1).  A service on this port
+// causes a warning.
 constexpr int kConsolePort = 59000;
 
 std::optional<uint16_t> PortOf(const Word& word) {
@@ -50,9 +51,9 @@ class GatewayReader {
     config_->diagnostics.push_back(ErrorAt(place, std::move(why) + "; the service is not there"));
   }
 
-  // Reads the record for OPEN-R calls of programs on a PC to the robot.  In the robot's file it has
-  // the port where calls arrive.  In the PC's file it has the port and address to which calls are
-  // sent.
+  // Reads the record for OPEN-R calls, with which programs on a PC call functions of the robot.  In
+  // the robot's file the record has the port where calls arrive.  In the PC's file it has the port
+  // and address to which calls are sent.
   void ReadProxy(const RecordLine& line) {
     const bool is_of_host = line.words[0].text == kProxyRecord;
     if (is_of_host != (side_ == GatewaySide::kHost)) {
@@ -143,7 +144,9 @@ class GatewayReader {
     return false;
   }
 
-  // Returns true if no earlier record has the same service or port.  Otherwise reports an error.
+  // Returns true if no earlier record for the same robot has the same service, or the same port and
+  // address.  Otherwise reports an error, because a service has one connection, and the two sides
+  // find each other by the port.
   bool IsNew(const RecordLine& line, const GatewayRecord& record) {
     std::vector<GatewayRecord> all = config_->services;
     if (config_->proxy) all.push_back(*config_->proxy);
@@ -195,7 +198,7 @@ std::vector<Diagnostic> CheckGatewayWires(const ConnectConfig& wires, const Gate
   };
   std::vector<Wire> known;
   // Checks one end of a wire (a line of CONNECT.CFG): its service must exist, and no earlier wire
-  // may use the service.
+  // may use the service, because a service of the gateway carries one connection.
   const auto check = [&](const ServiceName& service, const std::string& section,
                          const FilePosition& place) {
     if (!Compose(service).starts_with(kGatewayPrefix)) return;

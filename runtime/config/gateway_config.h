@@ -41,13 +41,15 @@ struct GatewayRecord {
 
 struct GatewayConfig {
   std::vector<GatewayRecord> services;  // in the order of the file
-  // The record for OPEN-R calls: TCPGateway.Proxy.AperiosMessage.P (robot) or !ROBOT_PROXY (host).
+  // The record for OPEN-R calls, with which programs on a PC call functions of the robot.  The
+  // record is TCPGateway.Proxy.AperiosMessage.P in the robot's file, !ROBOT_PROXY in the PC's file.
   std::optional<GatewayRecord> proxy;
   std::vector<Diagnostic> diagnostics;
 };
 
-// Parses one "SERVICE PORT" (robot) or "SERVICE PORT HOST" (host) per line.  A bad line is reported
-// and skipped, and so is a line with the port or service of an earlier line.
+// Parses ROBOTGW.CFG (`side` is kRobot), with one "SERVICE PORT" per line, or HOSTGW.CFG (kHost),
+// with one "SERVICE PORT HOST" per line.  A bad line is reported and skipped, and so is a line with
+// the port or service of an earlier line.
 GatewayConfig ParseGatewayConfig(const std::string& file, std::string_view text,
                                  std::string_view design, GatewaySide side);
 

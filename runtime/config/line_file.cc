@@ -42,7 +42,8 @@ class SectionFilter {
   SectionFilter(std::string_view design, std::vector<Diagnostic>* diagnostics)
       : design_(design), diagnostics_(diagnostics) {}
 
-  // True while records of the current section are valid for the design.
+  // True while records of the current section are valid for the robot design given to the
+  // constructor.
   bool is_open() const { return is_open_; }
   const std::string& section() const { return section_; }
 
@@ -97,8 +98,9 @@ void SectionFilter::CheckSpelling(const FilePosition& place, const std::string& 
   }
 }
 
-// Returns whether a record has a control byte, and reports the first such byte.  Comments are not
-// checked: they may contain any byte, as comments in Japanese do.
+// Returns whether a record has a control byte, which no text file has on purpose, and reports the
+// first such byte.  Comments are not checked: they may contain any byte, as comments in Japanese
+// do.
 bool HoldsControlByte(const FilePosition& place, std::vector<Diagnostic>* diagnostics) {
   for (size_t i = 0; i < place.text.size(); ++i) {
     const unsigned char byte = static_cast<unsigned char>(place.text[i]);

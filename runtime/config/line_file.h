@@ -16,12 +16,12 @@
 
 namespace openr_host {
 
-// The longest line, our own limit.  It is ample, because the longest record that makes sense is two
-// service names of 127 characters.
+// The longest line that is read, in bytes; our own limit.  It is ample, because the longest useful
+// record is two service names of 127 characters.
 inline constexpr int kLineBytesMax = 1024;
 
-// A value for the parameter `design` of parsers.  It selects the records of all sections instead of
-// those for one robot design.
+// A value for the parameter `design` of parsers, in place of a robot design such as "ERS-210".  It
+// selects the records of all sections.
 inline constexpr std::string_view kEveryDesign = "*";
 
 struct Word {
@@ -52,7 +52,8 @@ struct RecordLine {
 std::vector<RecordLine> ReadRecords(const std::string& file, std::string_view text,
                                     std::string_view design, std::vector<Diagnostic>* diagnostics);
 
-// Returns true if records of the sections `section` and `other` can be valid for the same robot.
+// Returns true if some robot reads both sections: the names are equal, or one is "", whose records
+// are valid for every robot.
 bool MayHoldTogether(std::string_view section, std::string_view other);
 
 }  // namespace openr_host

@@ -9,7 +9,8 @@
 namespace openr_host {
 namespace {
 
-// Returns the earlier record with the same path that may be valid for the same robot, or nullptr.
+// Returns the earlier record with the same path, or nullptr.  Records in sections of different
+// robot designs are not compared, because no robot reads both.
 const ObjectRecord* FindObject(const std::vector<ObjectRecord>& objects, const std::string& path,
                                const std::string& section) {
   for (const ObjectRecord& object : objects) {

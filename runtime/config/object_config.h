@@ -1,4 +1,5 @@
-// OBJECT.CFG: the objects that run, in the order in which they are loaded.
+// OBJECT.CFG: lists the objects that the robot loads from its Memory Stick, in the order of
+// loading.
 #pragma once
 
 #include <string>

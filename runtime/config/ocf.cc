@@ -16,7 +16,8 @@ constexpr size_t kShortFieldCount = 7;  // fields after the word "object", short
 constexpr size_t kLongFieldCount = 14;
 constexpr int64_t kSizeBytesMax = std::numeric_limits<int32_t>::max();  // limit of a 32-bit robot
 constexpr int kPriorityMax = 255;
-// A wrong heap size: a typing error for 16384 that Sony's samples contained for half a year.
+// A typing error for the heap size 16384 that Sony's samples contained.  It gets a warning, because
+// programs were made from those samples.
 constexpr int64_t kMistypedHeapBytes = 16386;
 
 struct Field {
@@ -66,8 +67,8 @@ class FieldReader {
   std::string TakeName();
   int64_t TakeSize(const char* what);
   int TakePriority();
-  // Takes the next field.  Returns true if it is `yes`, false if it is `no`; anything else is an
-  // error.
+  // Takes the next field.  Returns true if it is `yes`, false if it is `no`.  Any other word is an
+  // error, whose message names the field `what`.
   bool TakeChoice(const char* what, const char* yes, const char* no);
   bool TakeCache();
 
@@ -133,7 +134,8 @@ bool FieldReader::TakeChoice(const char* what, const char* yes, const char* no) 
   return field.text == yes;
 }
 
-// Warns about unknown words, because gensnap, the SDK's tool, silently takes them as "nocache".
+// Takes the field that must be "cache" or "nocache".  Only warns about other words, because
+// gensnap, the SDK's tool, silently takes them as "nocache".
 bool FieldReader::TakeCache() {
   const Field& field = Take();
   if (field.text != "cache" && field.text != "nocache") {

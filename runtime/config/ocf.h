@@ -1,4 +1,5 @@
-// Parses an .ocf file, the record from which the SDK's linker makes the image header of an object.
+// Parses an .ocf file, which describes an object: its name, stack, heap and priority.  The SDK's
+// linker writes this description into the header of the object's image.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct Ocf {
   std::string name;    // run-time object name, unique among all objects
   std::string module;  // equal to `name` if the file has the short form
   // The next five fields and install_selector exist in the long form only.  They are kept as
-  // written and mean nothing to the host.
+  // written, because the host does not use them.
   std::string metaspace = "mCOOP";
   std::string pic = "pic";
   std::string pid = "pid";

@@ -29,8 +29,8 @@ struct ServiceNameFault {
 };
 
 // Parses the service name `text`; upper and lower case differ.  On failure returns nullopt and
-// fills `fault` unless `fault` is null.  Does not check the length, which callers compare with
-// kServiceNameBytesMax.
+// fills `fault` unless `fault` is null.  A name that is too long is no failure here, because
+// callers report it differently; they compare the length with kServiceNameBytesMax.
 std::optional<ServiceName> ParseServiceName(std::string_view text, ServiceNameFault* fault);
 
 // Returns the name as text, the inverse of ParseServiceName().

@@ -12,7 +12,8 @@
 namespace openr_host {
 namespace {
 
-// The subjects or the observers of a stub.cfg: their declared number and their Service lines.
+// What the parser knows about the subjects of a stub.cfg, or about its observers: their declared
+// number and their Service lines.
 struct Side {
   const char* noun;        // "subject" or "observer"
   const char* count_word;  // usual spelling of the keyword that declares the number
@@ -92,8 +93,8 @@ void StubParser::ReadLine(const FilePosition& place) {
   }
 }
 
-// Tracks whether the lines are between /* and */.  Only Sony's stub generator for PCs knows such
-// comments; the generator for the robot reads the lines inside.  So these lines are used here, with
+// Tracks whether the lines are between /* and */.  Only Sony's stub generator for PCs treats these
+// lines as a comment; the generator for the robot reads them.  So this parser reads them too, with
 // a warning.
 void StubParser::FollowBlockComment(const FilePosition& place) {
   const size_t open = place.text.rfind("/*");
@@ -176,8 +177,8 @@ void StubParser::CheckWhole(const std::string& file) {
 void StubParser::CheckCount(const std::string& file, const Side& side) {
   const int found = static_cast<int>(side.services->size());
   const std::string& object = result_.config.object_name;
-  // The SDK's stub needs at least one subject and at least one observer.  So an object that has
-  // none of a kind must declare a dummy service of that kind.
+  // The SDK's stub needs at least one subject and at least one observer.  So an object without
+  // subjects must declare a dummy subject, and likewise an object without observers.
   const std::string dummy =
       found > 0 ? ""
                 : fmt::format(
@@ -206,8 +207,8 @@ void StubParser::CheckCount(const std::string& file, const Side& side) {
   }
 }
 
-// Reports an Extra line whose function has the name of another entry.  The stub declares a C
-// function _X for each entry X, and two functions of the same name would not compile.
+// Reports an Extra line whose function has the name of another entry, such as Ready0.  The stub
+// declares a C function _X for each entry X, and two functions of the same name would not compile.
 void StubParser::CheckExtra(const StubExtra& extra) {
   std::vector<std::string> taken = {"Init",    "Start", "Stop",    "Destroy", "Hook",
                                     "Control", "Ready", "Connect", "Notify"};

@@ -11,12 +11,14 @@
 
 namespace openr_host {
 
-// An object of the robot has selectors 0..63, because the linker's image header holds no more.
+// An object of the robot has at most 64 entries, with selectors 0 to 63, because the header that
+// the linker writes into its image has no room for more.
 inline constexpr int kSelectorsMax = 64;
 
 struct StubService {
   ServiceName name;
-  // Member functions of the object's class; "" where stub.cfg says null.
+  // Member functions of the object's class that handle the events of the service; "" where stub.cfg
+  // says null.
   std::string
       connect_function;       // handles control events of a subject, connect events of an observer
   std::string data_function;  // handles ready events of a subject, notify events of an observer

@@ -133,8 +133,9 @@ std::string MakeStubHeader(const StubConfig& config, const std::string& source) 
 
 // ---- Generates <ObjectName>Stub.cc, which defines these functions and the table of entries
 
-// Returns for instance "StubFuncDefine_Ready(0, Resend)", or "StubFuncDefine_Ready_nofunc(0)" if
-// `function` is "".
+// Returns the line of the stub that defines the entry number `index` of the kind `kind`, such as
+// "StubFuncDefine_Ready(0, Resend)".  If `function` is "", the entry does nothing: the line is
+// "StubFuncDefine_Ready_nofunc(0)".
 std::string ServiceDefinition(const char* kind, size_t index, const std::string& function) {
   return function.empty() ? fmt::format("StubFuncDefine_{}_nofunc({})\n", kind, index)
                           : fmt::format("StubFuncDefine_{}({}, {})\n", kind, index, function);
@@ -166,10 +167,11 @@ std::vector<EntryPoint> ListEntries(const StubConfig& config) {
   return entries;
 }
 
-// Returns the definition of openr_extra_names.  The generated text first declares the array extern,
-// because a const array would otherwise have internal linkage, even in extern "C".  The macro for
-// the visibility is in this declaration, because g++ takes the visibility only from the first
-// declaration.
+// Returns the definition of openr_extra_names, the names of the extra entries, which the host reads
+// from the image.  The generated text first declares the array extern, because a const array would
+// otherwise be visible in its own file only, even in extern "C".  OPENR_HOST_EXPORT, the macro that
+// makes the array visible outside of the image, is in this declaration, because g++ takes the
+// visibility only from the first declaration.
 std::string MakeExtraNames(const StubConfig& config) {
   std::string names;
   for (const StubExtra& extra : config.extras) names += fmt::format("\"{}\", ", extra.function);

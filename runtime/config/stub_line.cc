@@ -63,7 +63,7 @@ bool StartsWith(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
 
-// Reports errors and warnings about one line.
+// Adds errors and warnings about one line of stub.cfg to the list of diagnostics.
 class Reporter {
  public:
   Reporter(const FilePosition& place, std::vector<Diagnostic>* diagnostics)
@@ -92,7 +92,9 @@ const KeywordName* FindKeyword(std::string_view word) {
 // text of the line from its first word, `word`, on.
 void WarnOfNearMiss(const Piece& rest, std::string_view word, Reporter* reporter) {
   if (FindKeyword(word) != nullptr) {
-    // "Service" and "Extra" are also words of plain English, so a comment may begin with them.
+    // "Service" and "Extra" are also words of plain English, so a comment may begin with them.  A
+    // line with neither a quote nor a bracket is taken for such a comment, because a Service line
+    // has a quote and an Extra line a bracket.
     const bool is_prose = (word == "Service" || word == "Extra") &&
                           rest.text.find_first_of("\"(") == std::string_view::npos;
     if (is_prose) return;
@@ -157,7 +159,7 @@ std::optional<ServiceName> ParseQuotedName(Piece* rest, Reporter* reporter) {
   return name;
 }
 
-// Returns the end of a message about unexpected text `rest`: the advice what to do with the text.
+// Returns advice about the unexpected text `rest`, for the end of an error message.
 const char* RemedyForRest(std::string_view rest) {
   const bool is_comment = StartsWith(rest, "//") || StartsWith(rest, "#") || StartsWith(rest, "/*");
   return is_comment ? "; a comment needs a line of its own" : "; remove it";
@@ -168,7 +170,8 @@ struct Fault {
   size_t offset = 0;
 };
 
-// Finds the fault of `rest`, which follows the name of function `name` and should be "()".
+// Finds the fault of `rest`, the text after the name of the function `name`.  The text should be
+// "()".
 Fault FindBracketFault(std::string_view rest, std::string_view name) {
   if (rest == "()") return {};
   if (rest.empty()) {
@@ -215,7 +218,7 @@ std::string ParseFunction(Piece piece, Reporter* reporter) {
   return "";
 }
 
-// Parses ", F(), G()", which follows the name of a service.
+// Parses ", F(), G()", the two functions after the name of a service, into `service`.
 void ParseFunctions(Piece rest, StubService* service, Reporter* reporter) {
   rest.SkipBlanks();
   if (!StartsWith(rest.text, ",")) {

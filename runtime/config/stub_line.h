@@ -13,7 +13,7 @@ namespace openr_host {
 
 enum class StubKeyword { kObjectName, kNumOfSubject, kNumOfObserver, kService, kExtra };
 
-// A line with a keyword and a colon; all other lines are ignored.
+// A line of stub.cfg with a keyword and a colon, such as "ObjectName : Mover".
 struct StubLine {
   StubKeyword keyword = StubKeyword::kService;
   std::string word;    // the keyword as written: two spellings mean the same keyword
@@ -21,8 +21,8 @@ struct StubLine {
   std::string value;   // the text after the colon, without blanks at both ends
 };
 
-// Splits `line` at its colon.  Returns nullopt if the line is ignored, and warns if an ignored line
-// looks like a misspelt keyword.
+// Splits `line` at its colon.  A line without a keyword and a colon counts as a comment: returns
+// nullopt, with a warning if the line looks like a misspelt keyword.
 std::optional<StubLine> RecognizeStubLine(const FilePosition& line,
                                           std::vector<Diagnostic>* diagnostics);
 

@@ -88,8 +88,9 @@ SubjectID OObserver::FindSender(RCRegion* region) const {
 
 namespace {
 
-// Asks the subject at `entry` to add or remove this observer.  If the subject is in the same
-// object, its entry is called directly, because a message would wait until this handler ends.
+// Asks the subject at `entry` to add or remove this observer, and waits for its reply.  If the
+// subject is in the same object, its entry is called directly.  A message to it would wait until
+// this handler ends, and this handler would wait for the reply.
 OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry,
                                 OControlMessage* control) {
   System* const system = state->system;
@@ -107,8 +108,8 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
                          : objcommCMD_REMOVEOBSERVER_SELF;
   openr_host::HandlerState::SelfReply self{&reply, sizeof reply, entry.GetSelector()};
   state->object->handler.self_reply = &self;
-  // From here on code of the object runs, so its heap and files are used, as when the dispatcher
-  // calls the entry.
+  // Until the entry returns, code of the object runs.  With image_code set, that code uses the heap
+  // and files of its object and not those of the host.
   t_current.image_code = state->object->is_image;
   state->object->Dispatch(entry.GetSelector(), control);
   t_current.image_code = false;
@@ -121,8 +122,9 @@ OControlReplyMessage AskSubject(ObserverState* state, const OServiceEntry& entry
 OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
   const ApiScope scope;
   const bool connect = msg.command == oconnectcmdCONNECT;
-  // Findings about this observer name its service.  The name is known only now, when the connection
-  // is made.
+  // Stores the full name of the service, with which findings name this observer.  The name is found
+  // by the selector of the entry that handles connect messages, so it is found here, while this
+  // entry runs.
   state_->service = state_->object->NameService(state_->id.GetSelector(), "Notify");
   OStatusMessage answer(status);
   if (status == oSUCCESS) {
@@ -153,8 +155,8 @@ OStatus OObserver::ConnectHandler(const OConnectMessage& msg, OStatus status) {
 
 namespace {
 
-// Adds a finding if the data in `notify` differ from the data that were sent
-// (SystemOptions::guard_regions).
+// Adds an error finding if the data in `notify` are not those that the subject sent, because the
+// subject wrote into a region after NotifyObservers().  Used with SystemOptions::guard_regions.
 void CheckUnchanged(ObserverState* state, const ONotifyMessage& notify) {
   const Message* const message = state->object->handler.running.get();
   uint32_t size = 0;
@@ -174,8 +176,9 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& msg, ONotifyEvent* event)
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kNotify)) return oUNKNOWN_COMMAND;
   if (state_->system->options().guard_regions) CheckUnchanged(state_, msg);
-  // The count of readies without a notification begins anew with every notification, from whichever
-  // subject it comes.
+  // The observer counts the readies that it asserts without getting a notification, because too
+  // many are probably a mistake.  A notification of any subject starts the count anew, because
+  // AssertReady() without argument asserts to all subjects each time.
   state_->asserted.clear();
   auto entry = std::find_if(state_->held.begin(), state_->held.end(),
                             [&](const auto& each) { return each.subject == msg.subjectID; });

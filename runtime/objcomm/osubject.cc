@@ -12,8 +12,9 @@ using namespace openr_host;
 
 namespace {
 
-// Calls `set` with a region of `size` bytes at `offset` in `memory`, which a program has made.  The
-// memory is not copied.  Returns oINVALID_ARG if there is no such memory.
+// Calls `set` with an RCRegion for `size` bytes at `offset` in `memory`, the shared memory that a
+// program has made.  The bytes are not copied.  Returns oINVALID_ARG if there is no such memory or
+// the bytes do not fit into it.
 template <typename Set>
 OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   const ApiScope scope;
@@ -29,8 +30,8 @@ OStatus WithRegion(MemoryRegionID memory, size_t offset, size_t size, Set set) {
   return status;
 }
 
-// Returns the number of bytes from the locator to the end of its region, or 0 if there is no such
-// region.
+// Returns the number of bytes from the place that `locator` names to the end of its shared memory,
+// or 0 if there is no such memory.
 size_t SizeFrom(const OMemoryLocator& locator) {
   const ApiScope scope;
   if (t_current.system == nullptr) return 0;
@@ -81,7 +82,8 @@ size_t OSubject::GetNotifyUnitSize() const { return state_->unit_size; }
 
 OStatus OSubject::SetData(const void* buf, size_t size) {
   const ApiScope scope;
-  // Without observers the region would be deleted as soon as it is made, so it is not made.
+  // Without observers nobody would take a reference on the region, so it would be deleted at once.
+  // It is not made at all.
   if (state_->links.empty()) return oSUCCESS;
   RCRegion* const region = new RCRegion(size);
   if (region->Base() == nullptr) return oNO_MEMORY;
@@ -172,7 +174,8 @@ OStatus OSubject::NotifyObserver(const ObserverID& id) {
 
 namespace {
 
-// Returns how many more data for the observer of `link` fit into the subject's buffer.
+// Returns how many more calls of SetData() for the observer of `link` fit into the subject's
+// buffer.
 size_t Remain(const SubjectState& state, const ObserverLink& link) {
   const size_t used = link.fresh.size() + link.pending.size();
   // Like the robot's ring buffer, the buffer holds one entry less than its size.
@@ -261,8 +264,9 @@ OStatus OSubject::ControlHandler(const OControlMessage& msg, OStatus status) {
 OStatus OSubject::ReadyHandler(const OReadyMessage& msg) {
   const ApiScope scope;
   if (!IsRunningMessage(*state_->object, PayloadKind::kReady)) return oUNKNOWN_COMMAND;
-  // A ready also gives back the regions of earlier notifications, which the observer no longer
-  // uses.  The subject's references to them are removed here.
+  // A ready also lists the regions of earlier notifications that the observer no longer uses.  The
+  // subject has held a reference on each of them, which is removed here so that the subject can
+  // write into them again.
   for (int i = 0; i < msg.numOfData; ++i) msg.rcRegion[i]->RemoveReference();
   ObserverLink* const link = state_->Find(msg.observerID);
   if (link == nullptr) return oNOT_FOUND;

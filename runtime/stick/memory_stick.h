@@ -32,31 +32,32 @@ class MemoryStick {
   };
   virtual Location Locate(std::string_view name) = 0;
 
-  // Returns the bytes of the file `name`, for the boot and for design data.  Returns nullopt if the
-  // file cannot be read; WhyUnread() then returns the reason.
+  // Returns the bytes of the file `name`.  Used by the runtime itself, for configuration files and
+  // design data.  Returns nullopt if the file cannot be read; WhyUnread() then returns the reason.
   std::optional<std::string> ReadFile(std::string_view name);
-  // Returns the errno with which reading `name` fails: ENOENT if there is no such file, EACCES if
+  // Returns the errno of a failed ReadFile() of `name`: ENOENT if there is no such file, EACCES if
   // it may not be read.
   int WhyUnread(std::string_view name);
 
-  // Returns the hash of names (below /MS) and contents of all files, or 0 without files.  Images
-  // and debug files are left out because they differ from build to build, and the record of a
-  // crash because an earlier run has written it.
+  // Returns the hash of names (below /MS) and contents of all files, or 0 without files.  A replay
+  // compares it with the hash of the recording, so files that may differ are left out: images and
+  // debug files, which differ from build to build, and the record of a crash in an earlier run.
   virtual uint64_t ContentHash() = 0;
 
-  // Notes that an object is about to make, write, rename or remove `name`.  From then on the
+  // Called before an object makes, writes, renames or removes the file `name`.  From then on the
   // content of the file is part of HashState().
   void NoteWritten(std::string_view name);
 
-  // Sets the `listener` that is called for each file or folder before an object first changes it.
+  // Sets the function that is called before an object changes a file or folder for the first time.
+  // A recording then saves the file or folder as it was at the start of the run.
   using ChangeListener = std::function<void(const Location&)>;
   void OnFirstChange(ChangeListener listener) { listener_ = std::move(listener); }
 
   bool writable() const { return writable_; }
   void set_writable(bool writable) { writable_ = writable; }
 
-  // Adds all state of the stick that can change what happens later to the hash: the names and
-  // contents of the files that objects have written.
+  // Adds the names and contents of the files that objects have written to the hash, because objects
+  // may read them later in the run.  Files that nobody has written do not change during a run.
   void HashState(Hasher* hasher);
 
  protected:
