@@ -18,8 +18,8 @@ void GatewayChannel::HashState(Hasher* hasher) const {
 void OutgoingChannel::Up() { observer_->AssertReady(); }
 
 void OutgoingChannel::Notify(const ONotifyEvent& event) {
-  // Data that arrive without a connection are dropped.  The subject may have sent them before it
-  // received the deassert of Down().
+  // Data of the subject that arrive without a connection are dropped.  The subject may have sent
+  // them before it received the "not ready" of Down().
   if (!connection_.is_up()) {
     gateway_->host().dropped_count += 1;
     return;
@@ -61,7 +61,8 @@ void OutgoingChannel::Received(std::string_view bytes) {
   SendHeld();
 }
 
-// Takes the ready back from the local subject, because without a connection its data would be lost.
+// Tells the local subject that the gateway is not ready, because without a connection the subject's
+// data would be lost.
 void OutgoingChannel::Down() {
   stream_ = {};
   peer_is_ready_ = false;
@@ -103,8 +104,8 @@ void IncomingChannel::Received(std::string_view bytes) {
   GatewaySet set;
   GatewayStream::Result result;
   while ((result = stream_.NextSet(&set)) == GatewayStream::Result::kTaken) {
-    // A peer that sends data without a ready causes only a warning, because the local subject can
-    // keep the data until its observer is ready.
+    // A peer must wait for a ready before it sends data.  Data without a ready cause only a
+    // warning, because nothing is lost: the local subject keeps them until its observer is ready.
     if (!std::exchange(asked_, false)) {
       gateway_->Warn(
           "the peer sends data before it was told that the observer is ready; they wait, and newer "

@@ -1,9 +1,11 @@
-// One service of the gateway: carries the notifications of a subject to an observer of the peer.
+// A channel is one service of the gateway: it carries the notifications of a subject on one
+// computer to an observer on another computer, the peer.
 //
-// Readies go in the other direction, as measured on Sony's gateway.  On the side of the subject,
-// the gateway asserts ready to the subject when the connection is made, keeps one set of data until
-// the peer is ready, sends the set and asserts ready again.  On the side of the observer, the
-// gateway sends the observer's readies to the peer.
+// A ready, the observer's message that it can take data, goes in the other direction, as measured
+// on Sony's gateway.  On the side of the subject, the gateway asserts ready to the subject when the
+// connection is made, keeps the data of one notification (a set) until the peer is ready, sends the
+// set and asserts ready again.  On the side of the observer, the gateway sends the observer's
+// readies to the peer.
 #pragma once
 
 #include <OPENR/OObserver.h>
@@ -70,15 +72,17 @@ class IncomingChannel : public GatewayChannel {
   void HashState(Hasher* hasher) const override;
 
  private:
-  // Sends `word`, which says ready or not ready, to the peer: now, or when the word before has been
-  // sent.
+  // Sends `word`, kGatewayAssert (ready) or kGatewayDeassert (not ready), to the peer.  If an
+  // earlier word is still being sent, sends `word` after it.
   void Tell(uint32_t word);
 
   TcpGateway* const gateway_;
   OSubject* subject_ = nullptr;
-  // The ready word to send next; 0: none.  One word is enough, because only the last ready counts.
+  // The word to send when the earlier word has been sent; 0: none.  There is no queue, because a
+  // newer word replaces an older one: only the observer's last state counts.
   uint32_t waiting_word_ = 0;
-  // true if "ready" was sent to the peer, and the peer has not sent data since
+  // true if "ready" was sent to the peer, and the peer has not sent data since; otherwise data
+  // cause a warning
   bool asked_ = false;
 };
 

@@ -20,9 +20,9 @@ namespace {
 constexpr int kReceiveBytes = 8192;
 constexpr int kSendBytes = 32768;
 
-// Returns the advice to write 127.0.0.1 for a robot that is a run on this computer.  An old
-// HOSTGW.CFG has the address of a real robot instead, which may belong to no computer of today.
-// Returns "" if the advice does not apply.
+// Returns the advice to write 127.0.0.1 in HOSTGW.CFG if the robot is a run on this computer.  An
+// old HOSTGW.CFG has the address of a real robot, which today may belong to no computer.  Returns
+// "" if the address is 127.0.0.1 already or is replaced by a pair of addresses (--ip).
 std::string HintFor(const IPAddress& address) {
   const IpStack* const stack = IpStack::OfCurrent();
   if (address.InLoop() || stack == nullptr) return "";
@@ -101,7 +101,8 @@ void GatewayConnection::TakeListen(const TCPEndpointListenMsg& answer) {
     Warn(fmt::format("cannot listen, error {}", static_cast<int>(answer.error)));
     return;
   }
-  // The endpoint that listened has become the connection, so another endpoint has to listen.
+  // The endpoint that listened has become the connection to `client`, so a new endpoint has to
+  // listen.
   const antModuleRef client = listener_;
   Listen();
   if (is_up_) {
@@ -165,8 +166,8 @@ void GatewayConnection::Refuse(const std::string& why) {
   Lose();
 }
 
-// Closes our end of the connection.  The next client, or the next attempt to connect, begins a new
-// connection.
+// Closes our end of the connection after an error.  On the robot's side another endpoint listens
+// already, and the host's side tries to connect again after kRetryUs.
 void GatewayConnection::Lose() {
   ASSERT(is_up_, "service {}", index_);
   Close(endpoint_);

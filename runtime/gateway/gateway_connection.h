@@ -1,8 +1,8 @@
 // The TCP connection of one service of the gateway; there is at most one at a time.
 //
 // The robot's side listens on the service's port; the host's side connects and tries again every
-// second.  Both use IPStack like any object (TCPEndpointMsg.h), so input from outside enters at the
-// same place as for all objects.  The connection of a second client is closed at once.
+// second.  Both send messages to IPStack like any object (TCPEndpointMsg.h), so IPStack records and
+// replays their input as that of all objects.  A second client is accepted and closed at once.
 #pragma once
 
 #include <TCPEndpointMsg.h>
@@ -30,19 +30,20 @@ class GatewayConnection {
   };
 
   static constexpr int64_t kRetryUs = 1'000'000;
-  // The time to wait for an answer to a connect.  After it a warning advises to check the address:
-  // a robot that is a run on this computer is 127.0.0.1.
+  // The time after which a connect without an answer causes a warning.  The warning says that the
+  // address of a robot that openr runs on this computer is 127.0.0.1, because an old HOSTGW.CFG
+  // often has the address of a real robot.
   static constexpr int64_t kHintUs = 5'000'000;
 
-  // `index` is the number of the service within the gateway.  The functions of `owner` are called
-  // in handlers of the gateway.
+  // `index` is the number of the service within the gateway, `record` its line of the
+  // configuration.  `owner` handles the data; its functions are called in handlers of the gateway.
   GatewayConnection(TcpGateway* gateway, int index, const GatewayRecord& record, Owner* owner);
 
   bool is_up() const { return is_up_; }
   bool is_sending() const { return is_sending_; }
 
-  // Listens or connects.  REQUIRES: a handler of the gateway runs.  All functions below require
-  // this too.
+  // Listens, or connects if the record has an address.  REQUIRES, like all functions below: a
+  // handler of the gateway runs.
   void Open();
   void Send(std::string_view bytes);  // REQUIRES: is_up()
   // Ends the connection because the peer broke the protocol, and adds a finding.
@@ -50,7 +51,7 @@ class GatewayConnection {
   void Refuse(const std::string& why);
 
   void TakeAnswer(const antEnvMsg& answer);
-  // Warns if the peer has not answered.  Called kHintUs after the first try to connect.
+  // Warns if no attempt to connect has succeeded or failed yet.  Called kHintUs after an attempt.
   void LookForAnswer();
 
   void HashState(Hasher* hasher) const;

@@ -15,7 +15,8 @@
 
 namespace openr_host {
 
-// The data of one notification, one string for each item.
+// The data of one notification of a subject: one string for each data item that SetData() has
+// added.
 using GatewaySet = std::vector<std::string>;
 
 inline constexpr uint32_t kGatewayAssert = 3;

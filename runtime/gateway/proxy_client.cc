@@ -30,8 +30,9 @@ void ProxyClient::Take(const void* payload, size_t size) {
   SendNext();
 }
 
-// Posts a message that calls Expire(), unless such a message is posted already.  One message is
-// enough, because the first request is the oldest, so its time limit is the next.
+// Posts a message that calls Expire() at the time limit of the oldest request, unless such a
+// message is posted already.  The limits of the other requests are later, so Expire() posts again
+// for them.
 void ProxyClient::WatchTime() {
   if (watches_ || requests_.empty()) return;
   watches_ = true;
@@ -48,7 +49,8 @@ void ProxyClient::Expire() {
                   "there (port and address of !ROBOT_PROXY in HOSTGW.CFG, "
                   "TCPGateway.Proxy.AperiosMessage.P in the robot's ROBOTGW.CFG)",
                   kPatienceUs / 1'000'000));
-  // The connection is closed, because a late answer would be taken for the answer to the next call.
+  // An open connection is closed, because a late answer would be taken for the answer to the next
+  // call.  Refuse() then fails all requests in Down().
   if (connection_.is_up()) return connection_.Refuse("has no answer to a call");
   AnswerAll(sTIMEOUT);
 }
@@ -68,7 +70,8 @@ void ProxyClient::Down() {
 void ProxyClient::SendNext() {
   if (waits_ || requests_.empty() || !connection_.is_up()) return;
   waits_ = true;
-  // Before the first call to an object, the robot must be asked by name for the object's OID.
+  // Before the first call to an object, the robot is asked for the object's OID, because a call
+  // needs the OID and the request has only the name.
   const Request& request = requests_.front();
   ProxyFrame frame;
   if (const auto known = oids_.find(request.object); known == oids_.end()) {

@@ -1,9 +1,9 @@
 // Sends OPEN-R calls of objects that run on a PC (a stick with !ROBOT_PROXY in HOSTGW.CFG) to the
 // robot.
 //
-// A call is a message to the gateway.  Only the sender of the message waits for the answer; other
-// objects run on.  The client sends a call only after the answer to the call before, because
-// answers on the wire have no number that identifies their call.
+// An object makes a call by a message to the gateway and waits for the reply; other objects run on.
+// The client sends a call only after the answer to the call before, because answers from the robot
+// have no number that identifies their call.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace openr_host {
 
-// The head of a message by which an object asks the gateway to call a system object of the robot.
-// The bytes of the call follow this head.
+// The head of the message by which an object asks the gateway to call a system object of the robot,
+// such as OVirtualRobot.  The bytes of the call follow this head.
 struct ProxyRequest {
   char object[16];      // name of the system object to call
   uint32_t selector;    // entry of that object
@@ -35,10 +35,11 @@ class ProxyClient : public GatewayChannel {
   ProxyClient(TcpGateway* gateway, int index, const GatewayRecord& record)
       : GatewayChannel(gateway, index, record), gateway_(gateway) {}
 
-  // Queues the ProxyRequest that the running handler received.  The answer to this request is a
-  // word with an sError, then the bytes of the reply.
+  // Queues the ProxyRequest in `payload`, the message that the running handler has received.  The
+  // reply to this message is a word with an sError, then the bytes of the robot's reply.
   void Take(const void* payload, size_t size);
-  // Fails all requests if the first one has waited for kPatienceUs.
+  // Fails all requests with sTIMEOUT if the oldest one has waited for kPatienceUs, because the
+  // others wait behind it.  With an open connection, closes it, and the requests get sFAIL.
   void Expire();
 
   void Up() override;
@@ -60,7 +61,7 @@ class ProxyClient : public GatewayChannel {
   void WatchTime();
   void SendNext();
   void TakeAnswer(const ProxyFrame& frame);
-  // Answers the first request and removes it.  REQUIRES: there is a request.
+  // Answers the oldest request and removes it.  REQUIRES: there is a request.
   void Answer(int32_t error, const std::string& bytes = "");
   void AnswerAll(int32_t error);
 
@@ -68,7 +69,7 @@ class ProxyClient : public GatewayChannel {
   std::deque<Request> requests_;
   std::map<std::string, uint32_t> oids_;  // OIDs on the robot, by name; valid for one connection
   bool waits_ = false;                    // the first request was sent but not answered yet
-  // a call had no answer, so calls fail until a new connection is made
+  // true after a call has had no answer: without a connection, new calls then fail at once
   bool gave_up_ = false;
   bool watches_ = false;  // a message that calls Expire() is posted
 };

@@ -17,9 +17,9 @@ namespace {
 
 constexpr size_t kGainsBytes = 6 * sizeof(word);
 
-// Returns whether `object` can wait for the network.  The object must run in this process, where
-// its handler can be suspended.  An object in another process cannot wait, because the master would
-// have to wait for it.
+// Returns whether `object` can wait for an answer from the network.  It can if it runs in this
+// process, because its handler can be suspended.  It cannot if it runs in another process (--place,
+// --isolate), because this process would have to wait for that process meanwhile.
 bool CanWait(const Object* object) {
   return object != nullptr && object->handler.running != nullptr &&
          (dynamic_cast<const CodeHost*>(object) != nullptr ||
@@ -165,7 +165,8 @@ OStatus ProxyServices::NewSyncKey(OVRSyncKey* key) {
 OStatus ProxyServices::CancelSyncKey(OVRSyncKey key) {
   return Control(ControlRequest::kCancelSyncKey, EncodeWord(key));
 }
-// Divides the key here without a message to the robot, as Sony's library does (binary.md, 4.1).
+// Divides a sync key, with which several command vectors start together, without a message to the
+// robot, as Sony's library does (binary.md, 4.1).
 OStatus ProxyServices::DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2) {
   return local_->DivideSyncKey(key, key1, key2);
 }
@@ -205,7 +206,7 @@ OStatus ProxyServices::GetVolumeSwitch(OVolumeSwitch* volume) {
   return LocalInstead("GetVolumeSwitch").GetVolumeSwitch(volume);
 }
 
-// Shuts down the robot of this run, not the robot to which calls go.
+// Shuts down the robot of this run, which stands for the PC, and not the robot to which calls go.
 OStatus ProxyServices::Shutdown(const OBootCondition& condition) {
   return local_->Shutdown(condition);
 }

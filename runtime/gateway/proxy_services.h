@@ -18,8 +18,9 @@ class System;
 
 class ProxyServices : public RobotServices {
  public:
-  // Sends calls to entry `selector` of the object `gateway` (proxy_client.h).  `local` executes the
-  // functions that are not sent to the robot.
+  // Sends calls as messages to entry `selector` of the object `gateway`, which passes them to the
+  // robot (proxy_client.h).  `local`, the services of this run's own robot, executes the functions
+  // that are not sent to the robot.
   ProxyServices(System* system, ObjectId gateway, uint32_t selector,
                 std::unique_ptr<RobotServices> local);
 
@@ -57,8 +58,8 @@ class ProxyServices : public RobotServices {
 
  private:
   // Sends `message` to entry `selector` of the robot's system object `object`, and waits for a
-  // reply of `reply_size` bytes.  Returns false if no reply comes, or if the caller cannot wait;
-  // the latter also adds a finding.
+  // reply of `reply_size` bytes.  Returns false if no reply comes.  If the calling object cannot
+  // wait, also returns false and adds a finding.
   bool Ask(const char* object, uint32_t selector, const std::string& message, size_t reply_size,
            std::string* reply);
   // Sends a control request to OVirtualRobot and returns its status.  Stores its result in

@@ -25,7 +25,7 @@ class ItemReader {
     at_ += 4;
     return word;
   }
-  // Takes one word for each argument.  Returns false if the item has fewer words.
+  // Reads one word into each argument.  Returns false if the item has fewer words.
   template <typename... Words>
   bool Take(Words*... words) {
     return (TakeOne(words) && ...);
@@ -49,8 +49,9 @@ const char* NameOf(ProxyCommand command) {
   return kNames[static_cast<size_t>(command)];
 }
 
-// Reads the words of a command into `frame`, and sets `*size` to the number of bytes that must
-// follow.  Returns false if the item is too short.
+// Reads the arguments of the command in `frame` from the item, the bytes of one call or answer.
+// Sets `*size` to the number of bytes that must follow them.  Returns false if the item is too
+// short.
 bool ReadWords(ItemReader* reader, ProxyFrame* frame, uint32_t* size) {
   switch (frame->command) {
     case ProxyCommand::kFind:

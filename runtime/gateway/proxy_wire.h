@@ -1,8 +1,8 @@
 // Encodes and decodes OPEN-R calls between a program on a PC and the robot.
 //
-// The words and their order are those of the reference (core.md, 5.4, "Proxy wire header"): number
-// of bytes that follow, number of items, which is 1, size of the item, command, arguments of the
-// command:
+// A call or an answer is a row of 32-bit words, in the order of the reference (core.md, 5.4, "Proxy
+// wire header"): number of bytes that follow, number of items (always 1), size of the item,
+// command, then the arguments of the command:
 //
 //   FIND        name, 64 bytes                              FIND_REPLY   error, OID
 //   SEND        OID, selector, size; the bytes              SEND_REPLY   error

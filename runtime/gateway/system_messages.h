@@ -1,11 +1,11 @@
-// Messages to the robot's system objects, which the OPENR:: functions send (binary.md, 4).  All
+// The messages that OPENR:: functions send to the system objects of the robot (binary.md, 4).  All
 // words have 32 bits, little-endian; the first word is a type.
 //
 // Only messages with a known layout are supported: those of OVirtualRobot about primitives, gains,
-// joint and sensor values and sync keys, the robot design of ODesignedRobot, and two messages of
-// OPowerManager.  Both are inferred: SetMotorPower from the size of its message, GetPowerStatus
-// from OPowerStatusMessage, which has the same size.  Other messages of OPowerManager are not
-// supported, because only their sizes are known.
+// joint and sensor values and sync keys, the message of ODesignedRobot for the robot design, and
+// two messages of OPowerManager.  The layouts of these two are inferred: that of SetMotorPower from
+// the size of its message, that of GetPowerStatus from OPowerStatusMessage, which has the same
+// size.  Other messages of OPowerManager are not supported, because only their sizes are known.
 #pragma once
 
 #include <cstddef>
@@ -56,15 +56,16 @@ inline constexpr uint32_t kOpenReplyType = 1025;  // also the type of a close re
 inline constexpr uint32_t kControlType = 1027;
 inline constexpr uint32_t kPowerType = 1024;  // plus the selector; our choice, ignored on receipt
 
-// Returns the word at `offset`, or 0 beyond the end of `bytes`.
+// Returns the 32-bit word at `offset`, or 0 if the bytes end before it.
 uint32_t WordIn(const std::string& bytes, size_t offset);
 
-// Returns the message for the request `request` of kControlSelector.  REQUIRES: `param`, the
-// parameter, fits into kControlBytes - kControlParamAt bytes.
+// Returns the message to the entry kControlSelector of OVirtualRobot that asks for `request` with
+// the parameter `param`.  REQUIRES: `param` fits into kControlBytes - kControlParamAt bytes.
 std::string ControlMessage(ControlRequest request, const std::string& param);
 
-// Returns the answer of the system object `name` to a message.  If the object or entry is not
-// supported, or the message is too short, returns "" and sets `*why` to the reason.
+// Executes `message`, which was sent to entry `selector` of the system object `name`, with
+// `services` and returns the answer.  If the object or entry is not supported, or the message is
+// too short, returns "" and sets `*why` to the reason.
 std::string AnswerSystemMessage(RobotServices* services, const std::string& design,
                                 const std::string& name, uint32_t selector,
                                 const std::string& message, std::string* why);

@@ -37,8 +37,8 @@ TcpGateway::TcpGateway(const GatewayConfig& config) {
     std::memcpy(&index, payload, sizeof index);
     channels_.at(static_cast<size_t>(index))->connection().LookForAnswer();
   });
-  // The message queue must hold the messages of all channels: answers of the network, data and
-  // readies. 8 messages per channel are ample.
+  // The message queue must hold the messages of all channels.  A channel has at most a few at a
+  // time (answers of the network, data, readies), so 8 are ample.
   host().queue_max = std::max(host().queue_max, 8 * static_cast<int>(channels_.size()));
 }
 
@@ -159,8 +159,9 @@ class GatewayLoader {
     if (!text && !CallsARobot()) return;
     const ConnectConfig wires = ParseConnectConfig("CONNECT.CFG", text.value_or(""), Design());
     const bool is_wired = !config_.services.empty() && NamesGateway(wires);
-    // OBJECT.CFG of a stick for PCs does not name the gateway.  So the gateway is also added if
-    // CONNECT.CFG connects one of its services, or if programs call a robot.
+    // The stick of a PC, unlike that of a robot, does not name the gateway in OBJECT.CFG.  So the
+    // gateway is also added if CONNECT.CFG connects one of its services, or if programs call a
+    // robot.
     if (host_ == nullptr && (is_wired || CallsARobot())) {
       Add();
       if (has_robot_file_)
@@ -188,8 +189,8 @@ class GatewayLoader {
     return text ? ParseGatewayConfig(file, *text, Design(), side) : GatewayConfig();
   }
 
-  // Returns whether the stick is that of a PC, whose programs call a robot.  Then the gateway is
-  // needed even if no file names it.
+  // Returns whether HOSTGW.CFG names a robot for OPEN-R calls.  The stick is then that of a PC, and
+  // the gateway is needed even if neither OBJECT.CFG nor CONNECT.CFG names it.
   bool CallsARobot() const { return config_.proxy && !config_.proxy->host.empty(); }
 
   static bool NamesGateway(const ConnectConfig& wires) {

@@ -36,8 +36,8 @@ class TcpGateway : public CodeObject {
   OStatus DoStart(const OSystemEvent& event) override;
   void HashState(Hasher* hasher) const override;
 
-  // Returns the entry that carries OPEN-R calls to the robot (proxy_client.h).
-  // REQUIRES: the configuration has !ROBOT_PROXY.
+  // Returns the selector of the gateway's entry for OPEN-R calls: a message to it is a ProxyRequest
+  // (proxy_client.h).  REQUIRES: the configuration has !ROBOT_PROXY.
   Selector call_entry() const {
     ASSERT(proxy_client_ != nullptr);
     return call_;
@@ -46,8 +46,8 @@ class TcpGateway : public CodeObject {
   // ---- Functions for the channels of this gateway
 
   const antStackRef& stack() const { return stack_; }
-  // Sends `message` to IPStack.  The answer goes to the channel whose number is the message's
-  // continuation.
+  // Sends `message` to IPStack.  IPStack copies the field `continuation` into its answer, so the
+  // answer goes to the channel whose number the caller has stored there.
   void PostToStack(antEnvMsg* message, int size);
   // Posts a message that calls GatewayConnection::Open() of `channel` after `delay_us`.
   void OpenLater(int channel, int64_t delay_us);

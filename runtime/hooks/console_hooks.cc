@@ -34,7 +34,7 @@ ssize_t ReadConsole(char* buffer, size_t size) {
   return static_cast<ssize_t>(t_current.system->calls().ReadLine(buffer, size));
 }
 
-// Returns the standard input of the current object.
+// Returns the standard input of the current object; makes it at the first call.
 FILE* Terminal() {
   const ApiScope scope;
   FILE*& terminal = t_current.object->files.terminal;
@@ -166,8 +166,8 @@ ssize_t read(int descriptor, void* data, size_t size) {
   return next(descriptor, data, size);
 }
 
-// Returns whether `descriptor` is a terminal.  For objects the descriptors 0, 1 and 2 are
-// terminals; all others are files.
+// Returns whether `descriptor` is a terminal.  Objects see the console at the descriptors 0, 1 and
+// 2; all their other descriptors are files.
 int isatty(int descriptor) noexcept {
   static const auto next = OPENR_NEXT(isatty);
   if (!InObject()) return next(descriptor);

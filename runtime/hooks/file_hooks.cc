@@ -74,8 +74,9 @@ StickUse UseOf(const char* mode) {
                                              : StickUse::kRead;
 }
 
-// Returns whether the current object may open the file; if not, sets errno.  A file that is already
-// open can be opened again only if all its users read it (Programmer's Guide, appendix A).
+// Returns whether the current object may open `host`, the file `path` of the stick, for writing if
+// `writes` is true; if not, sets errno.  A file that is already open can be opened again only if
+// all its users only read it (Programmer's Guide, appendix A).
 bool MayOpen(const std::string& host, bool writes, const char* path) {
   const ApiScope scope;
   const openr_host::Object* holder = nullptr;
@@ -126,14 +127,15 @@ FILE* OpenFile(const char* path, const char* mode) {
   return Remember(next(host.c_str(), mode), host, writes);
 }
 
-// Returns the mode argument of open(), which callers pass only with flags that may create a file.
+// Returns the optional argument `mode` of open(), or 0 if the caller has not passed it.  Callers
+// pass it only with flags that may create a file.
 mode_t ModeOf(int flags, va_list arguments) {
   return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
 }
 
-// Removes `descriptor` from the object that has opened it.  Returns false if no object has opened
-// it.  All objects are searched, because descriptors are common to them and any object may close a
-// descriptor.
+// Removes `descriptor` from the open files of the object that has opened it.  Returns false if no
+// object has opened it.  All objects are searched, because any object may close a descriptor of
+// another.
 bool ForgetDescriptor(int descriptor) {
   for (const auto& object : t_current.system->objects()) {
     if (object != nullptr && object->files.descriptors.erase(descriptor) == 1) return true;
@@ -142,7 +144,7 @@ bool ForgetDescriptor(int descriptor) {
 }
 
 // Calls `next`, a function of the C library.  For an object, replaces `path` by the path of the
-// same file on the host.
+// same file on the host, or returns -1 if the object may not use the file for `use`.
 template <typename Function, typename... Rest>
 int WithPath(Function* next, StickUse use, const char* path, Rest... rest) {
   if (!InObject()) return next(path, rest...);

@@ -24,8 +24,8 @@ namespace {
 
 constexpr size_t kEntriesMax = 682;  // readdir() of the robot returns no more entries
 
-// The memory behind the DIR* of an object.  It is on the object's heap, because it belongs to the
-// object's state.
+// The folder that an object has opened: its DIR* points to this struct.  The struct is on the
+// object's heap, because it is part of the object's state.
 struct Folder {
   size_t count;
   size_t next;
@@ -100,7 +100,7 @@ DIR* opendir(const char* path) {
       names.resize(kEntriesMax);
     }
   }
-  // No ApiScope is open here, so malloc() takes the memory from the object's heap.
+  // Without an ApiScope, malloc() takes the memory from the object's heap and not from the host's.
   auto* const folder = static_cast<Folder*>(malloc(sizeof(Folder)));
   if (folder != nullptr) {
     folder->count = names.size();

@@ -35,7 +35,8 @@ namespace {
 
 Arena* CurrentArena() { return openr_host::InObject() ? t_current.object->arena.get() : nullptr; }
 
-// Adds a finding that explains why an object gets a null pointer.
+// Adds a finding that says why malloc() returns null to an object: how much memory it asked for and
+// how much it holds already.
 void ReportNoMemory(size_t size) {
   const openr_host::ApiScope scope;  // the report itself needs memory, which the host's heap has
   const openr_host::Current& current = t_current;
@@ -111,8 +112,9 @@ void* realloc(void* block, size_t size) {
     free(block);
     return nullptr;
   }
-  // The new block is on the heap of the code that calls realloc().  So a block may even move from
-  // an object's heap to the host's, or back.
+  // The new block comes from the heap of the code that calls realloc().  So a block of an object
+  // may even move to the host's heap, or back.  A block of an object stays in place if it does not
+  // grow and shrinks by less than half.
   const size_t old_size = from_arena ? Arena::UsableSize(block) : malloc_usable_size(block);
   if (from_arena && size <= old_size && size > old_size / 2) return block;
   void* const moved = malloc(size);

@@ -12,11 +12,12 @@
 
 namespace openr_host {
 
-// Returns whether code of an image, an object's own program, runs.  Returns false while the runtime
-// works for an object.
+// Returns whether the caller of a hook is code of an image, a program of the robot.  Returns false
+// for code of the runtime, also while it works for an object.
 inline bool InObject() { return t_current.image_code && t_current.object != nullptr; }
 
-// Returns the C library's function `name`, for which this folder has a hook.
+// Returns the C library's function `name`, which the hook of the same name calls for callers that
+// are not objects.
 template <typename Function>
 Function* NextSymbol(const char* name) {
   const LibraryScope scope;
@@ -25,6 +26,7 @@ Function* NextSymbol(const char* name) {
 
 }  // namespace openr_host
 
-// Returns the C library's function `name` with the type of its declaration.
+// Does what NextSymbol() does for a function that a header declares, so the caller need not write
+// its type.
 #define OPENR_NEXT(name) \
   (static_cast<decltype(&name)>(openr_host::NextSymbol<decltype(name)>(#name)))

@@ -14,8 +14,9 @@
 using openr_host::LibraryScope;
 using openr_host::NextSymbol;
 
-// Declares a function under a name of our own that becomes the name `plain` in the object file.
-// <stdio.h> defines some of these functions inline, and clang accepts no second definition of them.
+// Declares our version of the C library's function `plain`.  In C++ its name is OpenrV`name`,
+// because <stdio.h> defines some of these functions inline, and clang accepts no second definition
+// of them.  In the object file its name is `plain`.
 #define OPENR_LIBRARY_FUNCTION(name, plain, ...) \
   extern "C" int OpenrV##name(__VA_ARGS__, va_list arguments) __asm__(#plain)
 

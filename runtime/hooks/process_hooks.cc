@@ -1,8 +1,9 @@
-// exit(), abort(), clocks and rand() for objects.
+// exit(), abort(), clocks and rand() for objects.  These functions differ from those of the C
+// library only while code of an image (a program of the robot) runs.
 //
 // exit() and abort() end the handler that runs, not the process (Programmer's Guide, appendix A).
 // The robot has no working clock but GetSystemTime(); a program that reads another clock gets
-// virtual time.  All this holds for code of images only.
+// virtual time, so that every run is the same.
 #include <fmt/format.h>
 #include <sys/time.h>
 #include <time.h>
@@ -29,7 +30,8 @@ constexpr int64_t kRobotEpochS = 946'684'800;
 int64_t VirtualUs() { return t_current.system->now_us(); }
 
 // Returns the next random number of the current object.  Every object has a generator of its own,
-// so its numbers do not depend on other objects.  All generators start with the same state.
+// so its numbers do not depend on how often other objects call rand().  All generators start with
+// seed 1, as the C library's does.
 int ObjectRandom() {
   uint32_t& state = t_current.object->random_state;
   state = state * 1103515245u + 12345u;
@@ -85,9 +87,9 @@ void __assert_fail(const char* condition, const char* file, unsigned line,
   __builtin_unreachable();
 }
 
-// Registers a destructor.  The C library's list of destructors exists longer than any object, so
-// its memory must not come from the heap of an object (ApiScope).  With a null `argument`, the
-// caller is atexit(), which does nothing on the robot.
+// Registers the destructor of a static object.  The C library's list of destructors exists longer
+// than any object of the robot, so its memory must come from the host's heap (ApiScope).  If
+// `argument` is null, the caller is atexit(), which does nothing on the robot.
 int __cxa_atexit(void (*function)(void*), void* argument, void* module) noexcept {
   static const auto next = NextSymbol<int(void (*)(void*), void*, void*)>("__cxa_atexit");
   if (argument == nullptr && InObject()) return 0;

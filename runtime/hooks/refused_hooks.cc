@@ -38,8 +38,8 @@ bool Refuses(const char* name) {
 
 }  // namespace
 
-// Defines the function `name`.  If an object calls it, it returns `failure`; otherwise it calls the
-// C library's function.
+// Defines the C library's function `name` once more.  Called by an object, it adds a finding and
+// returns `failure`; otherwise it calls the C library's function.
 #define OPENR_REFUSE(type, name, failure, parameters, arguments) \
   extern "C" type name parameters {                              \
     static const auto next = OPENR_NEXT(name);                   \
@@ -87,8 +87,8 @@ OPENR_REFUSE(int, pipe, -1, (int* ends) noexcept, (ends))
 OPENR_REFUSE(int, socket, -1, (int domain, int type, int protocol) noexcept,
              (domain, type, protocol))
 
-// Passes the third argument of fcntl() on as a pointer.  The argument may also be an int, but the
-// calling convention passes both types in the same way.
+// Refuses fcntl() to objects.  For other callers passes the third argument on as a pointer, whether
+// it is a pointer or an int, because the calling convention passes both in the same way.
 extern "C" int fcntl(int descriptor, int command, ...) {
   static const auto next = OPENR_NEXT(fcntl);
   va_list arguments;

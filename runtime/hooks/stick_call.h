@@ -12,7 +12,8 @@ enum class StickUse {
 };
 
 // Returns the host's path for `path` on the stick of the current object.  If the object may not use
-// the file in this way, returns "" and sets errno, in some cases with a finding.
+// the file for `use` (for instance change a file of a write-protected stick), returns "" and sets
+// errno.  A mistake in `path`, such as a path outside of /MS, also causes a finding.
 std::string HostPath(const char* path, StickUse use);
 
 }  // namespace openr_host

@@ -16,7 +16,7 @@ class AddressMap {
  public:
   explicit AddressMap(std::vector<AddressPair> pairs) : pairs_(std::move(pairs)) {}
 
-  // Returns whether a pair of addresses exists for `robot`, an address that programs use.
+  // Returns whether a pair translates `robot`, an address that programs use.
   bool Has(uint32_t robot) const;
 
   // Returns the host's address for `address`, which a program uses, or `address` itself if no pair
@@ -28,8 +28,9 @@ class AddressMap {
   // them apart by the port.
   NetAddress ToHost(NetAddress peer);
 
-  // Returns the address under which programs know `host`: the address that a program last used for
-  // this peer, else that of the first pair with `host`, else `host` itself.
+  // Returns the address under which programs know the peer `host`.  It is the address that a
+  // program last used for this peer.  If there is none, it is that of the first pair with this
+  // address of the host, or else `host` itself.
   NetAddress FromHost(NetAddress host) const;
   uint32_t FromHost(uint32_t host) const { return FromHost(NetAddress{host, 0}).ip; }
 

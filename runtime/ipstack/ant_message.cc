@@ -20,14 +20,15 @@ static_assert(sizeof(DNSEndpointGetHostByNameMsg) <= Message::kPayloadMax);
 
 using UnknownMsg = antOperationMsg<antError>;
 
-// Casts `m` to its type; M is antEnvMsg or const antEnvMsg.
+// Casts `m` to the message type T; M is antEnvMsg or const antEnvMsg, and the result is const like
+// M.
 template <typename T, typename M>
 std::conditional_t<std::is_const_v<M>, const T, T>& As(M& m) {
   return static_cast<std::conditional_t<std::is_const_v<M>, const T, T>&>(m);
 }
 
-// Finds the type of the TCP message `m` and calls visit(`m` cast to this type, the type's name).
-// The other Visit functions do the same for other protocols.
+// Finds the type of the TCP message `m` by its operation and calls visit(m, name), with `m` cast to
+// this type and a name for users.  The other Visit functions do the same for other protocols.
 template <typename M, typename V>
 void VisitTcp(M& m, V&& visit) {
   switch (m.dstOperation) {

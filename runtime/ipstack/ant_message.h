@@ -33,12 +33,12 @@ void SetAntError(antEnvMsg* message, int32_t error);
 // error.
 void ClearCounts(antEnvMsg* message);
 
-// Returns the XXH3 hash of the transferred bytes at `data` and of the fields that have a meaning.
-// Memory addresses, continuation and padding are left out.  Never returns 0, which means "no hash"
-// in a Message.
+// Returns the XXH3 hash of `message` for the trace of a run: of the transferred bytes at `data` and
+// of the fields that have a meaning.  Memory addresses, the continuation and padding are left out,
+// because they differ from run to run.  Never returns 0, which means "no hash" in a Message.
 uint64_t AntMessageHash(const antEnvMsg& message, const void* data = nullptr, size_t size = 0);
 
-// The bytes that a Send message of TCP or UDP refers to; the size is 0 for other messages.
+// The bytes that a Send message of TCP or UDP sends; the size is 0 for other messages.
 struct AntData {
   const byte* begin = nullptr;
   int size = 0;
@@ -46,8 +46,7 @@ struct AntData {
 AntData DataToSend(const antEnvMsg& message);
 
 // The field of `message` that points into a shared buffer, or null if `message` has no such field.
-// `sent` is the number of bytes there that a request sends, `received` the number that its answer
-// may fill.
+// A request sends `sent` bytes from there; its answer may write up to `received` bytes there.
 struct AntBuffer {
   byte** pointer = nullptr;
   int sent = 0;

@@ -139,8 +139,8 @@ void DnsEndpoint::AnswerReady() {
   }
 }
 
-// Answers the query.  After a failure the message keeps the name that the program asked for,
-// because NTP programs use the name in the answer as an address even then.
+// Answers the query.  After a failure the message keeps the name that the program asked for.
+// Sony's sample NTP reads this name and uses it as an address if it is a dotted address.
 void DnsEndpoint::FinishQuery(DNSEndpointError error) {
   ASSERT(query_.has_value());
   // The messages for a query by name and by address have the same fields but different types, so

@@ -19,9 +19,10 @@ class DnsEndpoint : public Endpoint {
  public:
   DnsEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The largest number of addresses, and of aliases, that are kept of one answer.
+  // The largest number of addresses, and of aliases, that are kept of one answer; our choice.
   static constexpr size_t kAddressesMax = 16;
-  // The time limit for an answer, in virtual time.  After it the query fails with DNS_TRY_AGAIN.
+  // The time limit for an answer, in virtual time; our choice.  After it the query fails with
+  // DNS_TRY_AGAIN.
   static constexpr int64_t kAnswerUs = 30'000'000;
 
   void Start(const Operation& operation) override;

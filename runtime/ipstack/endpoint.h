@@ -11,35 +11,40 @@ namespace openr_host {
 class Hasher;
 class IpStack;
 
-// The owner of sockets of the Network.  It receives the events of its sockets.
+// The owner of sockets of the Network: an endpoint, or a port on which endpoints listen.  It
+// receives the events of its sockets.
 class EventSink {
  public:
   virtual ~EventSink() = default;
 
-  // Stores `event`.  Does not answer any operation yet.
+  // Stores `event`.  Does not answer any operation; AnswerReady() does that after all events of the
+  // poll have been stored.
   virtual void Take(const NetworkEvent& event) = 0;
 };
 
-// An endpoint of a program.  Start() stores operations, Take() stores events, and AnswerReady()
-// later answers all operations that can be answered: of each endpoint first Listen or Connect, then
-// Send, Receive and Close.  So the order of answers does not depend on the order of events.
+// An endpoint, which a program creates for TCP, UDP or DNS.  Start() stores an operation, a message
+// of the program; Take() stores an event of the network.  AnswerReady() later answers all
+// operations that can be answered, always in the same order: Listen or Connect, then Send, Receive
+// and Close.  So the order of answers does not depend on the order of events.
 class Endpoint : public EventSink {
  public:
   Endpoint(IpStack* stack, int32_t protocol, ObjectId owner, int32_t pool_bytes)
       : stack_(stack), protocol_(protocol), owner_(owner), pool_bytes_(pool_bytes) {}
 
-  // Stores `operation`, or answers it at once with an error if it is not possible.
+  // Stores `operation`, or answers it at once with an error if it cannot be executed.
   virtual void Start(const Operation& operation) = 0;
 
   virtual void AnswerReady() = 0;
 
-  // Returns whether an operation waits for the network, so that the stack has to poll.
+  // Returns whether the endpoint waits for an event of the network.  While an endpoint does, the
+  // stack polls the network every frame.
   virtual bool WaitsForNetwork() const = 0;
 
   // Called at the beginning of each poll of the network, before Take().
   virtual void BeginFrame() {}
 
-  // Releases all sockets without answering operations.
+  // Releases all sockets without answering operations.  Called for instance when the object that
+  // owns the endpoint has ended.
   virtual void Drop() = 0;
 
   virtual void HashState(Hasher* hasher) const = 0;
@@ -53,7 +58,8 @@ class Endpoint : public EventSink {
   IpStack* const stack_;
   const int32_t protocol_;  // EndpointType_...
   const ObjectId owner_;    // the object that created the endpoint
-  // The pool: the largest number of bytes that are sent but not yet accepted by the network; > 0.
+  // The pool: the largest number of bytes that the endpoint has sent and the network has not
+  // accepted yet; > 0.  A Send that does not fit into the pool waits.
   const int32_t pool_bytes_;
   bool dead_ = false;
 };

@@ -37,7 +37,8 @@ class FailingNetwork : public Network {
   }
 
  private:
-  // Counts a command of `handle`.  Returns whether this command has to fail.
+  // Counts a command of `handle`.  Returns true if it is command number `nth`, which has to fail;
+  // the caller then does not pass it on.
   bool Fails(NetHandle handle);
 
   const std::unique_ptr<Network> inner_;

@@ -77,8 +77,8 @@ NetAddress HostNetwork::ToHost(NetAddress remote, const HostPorts& ports) {
     const uint32_t ip = bound == bound_.end() ? bind_ip_ : bound->second;
     return {ip == 0 ? 0x7f000001 : ip, own};
   }
-  // The robot's own address reaches only ports on which the robot listens.  Port 0 says that there
-  // is no such port, so that the program does not reach a program of the host instead.
+  // The robot's own address reaches only ports on which the robot listens.  For other ports returns
+  // port 0, so that the connect fails and does not reach some program of the host.
   if (remote.ip == ip_ && !addresses_.Has(ip_)) return {remote.ip, 0};
   return addresses_.ToHost(remote);
 }
@@ -133,8 +133,8 @@ void HostNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
-// Gives the host as many of the waiting bytes as it accepts.  Ends the stream after the last byte
-// if this side has ended it.
+// Hands the bytes that wait on `connection` to the host's socket, as many as it accepts.  If the
+// program has closed the connection, ends the stream after the last byte.
 void HostNetwork::Push(NetHandle handle, Connection* connection) {
   std::string& out = connection->out;
   size_t done = 0;
@@ -174,8 +174,8 @@ void HostNetwork::Close(NetHandle handle) {
 
 void HostNetwork::Bind(NetHandle handle, uint16_t port, bool any_port) {
   const uint32_t ip = BindIp(handle);
-  // If the stack has chosen the port, it belongs to a client, which must reach other hosts.  A
-  // socket bound to 127.0.0.1 cannot do that, so the socket is bound to any address.
+  // If the stack has chosen the port, the program is a client, which must reach other hosts.  A
+  // socket bound to 127.0.0.1 cannot reach them, so the socket is bound to any address.
   NoteBindError(ip, udp_.Bind(handle, {any_port ? 0 : ip, port}, any_port, &events_));
 }
 
@@ -287,8 +287,9 @@ void HostNetwork::Read(NetHandle handle, Connection* connection) {
   events_.push_back(std::move(event));
 }
 
-// Reads and drops data that still arrive on a closing connection.  One call reads a bounded amount;
-// the calls of later polls continue until the connection ends.
+// Reads and drops data that still arrive on a connection that the program has closed.  One call
+// reads a bounded amount, so that a peer that never stops cannot hold up the run; later polls
+// continue.
 void HostNetwork::Discard(NetHandle handle, Connection* connection) {
   std::string bytes;
   for (size_t total = 0; total < kReadBytesMax * 4; total += bytes.size()) {

@@ -3,11 +3,12 @@
 // Server ports: a port of the robot is bound to 127.0.0.1, or to the address in the options.  The
 // port keeps its number if that number is free on the host (host_ports.h).
 //
-// Addresses in programs of the robot: the robot's own address reaches only ports on which the robot
-// listens.  127.0.0.1 means the robot for these ports, and this computer for all other ports.
-// Objects see programs of this computer at 127.0.0.1, so answers and the data connections of FTP
-// reach these programs.  Other addresses are translated in both directions as the options say.  An
-// entry for the robot's own address selects the address at which server ports are bound.
+// Addresses in programs of the robot:
+// - The robot's own address reaches only ports on which the robot listens.
+// - 127.0.0.1 means the robot for these ports, and this computer for all other ports.  Objects see
+//   programs of this computer at 127.0.0.1, so answers and the data connections of FTP reach them.
+// - Other addresses are translated in both directions by HostNetworkOptions::addresses.  A pair for
+//   the robot's own address selects the address of the host at which server ports are bound.
 #pragma once
 
 #include <cstdint>
@@ -30,17 +31,19 @@ struct HostNetworkOptions {
   // any free port).  A port without an entry keeps its number if that is free on the host.
   std::map<uint16_t, uint16_t> tcp_ports;
   std::map<uint16_t, uint16_t> udp_ports;
-  // Pairs of an address in programs and the host's address in its place.  If several pairs have the
-  // same address of the host, the first pair translates it back (address_map.h).
+  // Pairs of an address that programs use and the host's address in its place.  If several pairs
+  // have the same address of the host, it is translated back as AddressMap::FromHost() says.
   std::vector<AddressPair> addresses;
-  // Answers for names that must not be looked up with the host's resolver, which may be slow.
+  // Answers for names that are not looked up with the host's resolver, which may be slow or may not
+  // know them.
   std::map<std::string, HostInfo> names;
 };
 
 class HostNetwork : public Network {
  public:
   static constexpr int kBacklog = 8;  // connections held until they are accepted
-  // largest number of bytes read from one connection in one Poll()
+  // Largest number of bytes read from one connection in one Poll(), so that a fast peer cannot hold
+  // up the run.
   static constexpr size_t kReadBytesMax = 65536;
 
   explicit HostNetwork(HostNetworkOptions options = {});
@@ -78,9 +81,11 @@ class HostNetwork : public Network {
     bool failed = false;  // the failure has been reported
   };
 
-  // Translates the address of a peer for the host.  Returns port 0 if there is no such peer.
+  // Translates the address `remote`, to which a program sends, to an address of the host.  `ports`
+  // are the ports of the protocol.  Returns port 0 if the program may not reach this address.
   NetAddress ToHost(NetAddress remote, const HostPorts& ports);
-  // Translates the host's address `remote` to the address that programs know.
+  // Translates `remote`, the address of a peer on the host, to the address under which programs
+  // know the peer.
   NetAddress FromHost(NetAddress remote, const HostPorts& ports) const;
 
   void AcceptAll(Listener* listener);
@@ -93,10 +98,11 @@ class HostNetwork : public Network {
   // Returns whether `ip` is an address of the robot: its own address, loopback, or the address of a
   // bound socket.
   bool IsRobot(uint32_t ip) const;
-  // Returns the address of the host at which the server socket `handle` is to be bound, and removes
-  // the address that At() has stored for it.
+  // Returns the address of the host at which the server socket `handle` is to be bound: the one for
+  // the address given to At(), which is then forgotten, else bind_ip_.
   uint32_t BindIp(NetHandle handle);
-  // Adds a note for the user if `error` means that the host has no such address.
+  // Adds a note for the user if binding to `ip` failed with `error` because the host has no such
+  // address.
   void NoteBindError(uint32_t ip, int error);
 
   const HostNetworkOptions options_;
@@ -104,7 +110,7 @@ class HostNetwork : public Network {
   uint32_t ip_ = 0;
   uint32_t bind_ip_;                  // host's address for server ports at the robot's own address
   std::map<NetHandle, uint32_t> at_;  // addresses set by At(), until the socket is bound
-  // bound addresses: key is the robot's address, value the host's
+  // further addresses of the robot at which sockets are bound; value: the address of the host
   std::map<uint32_t, uint32_t> bound_;
   HostPorts tcp_ports_;
   HostUdp udp_;

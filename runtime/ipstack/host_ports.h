@@ -15,19 +15,22 @@ namespace openr_host {
 
 class HostPorts {
  public:
-  // The number of ports above the wanted port that are tried before any free port is taken.
+  // If the port that the program wants is in use on the host, this many port numbers above it are
+  // tried, then any free port.
   static constexpr int kNextPorts = 100;
 
-  // `wished` maps a robot's port to the host's port that it must get; 0: any free port.  For ports
-  // without an entry, their own number is tried first.
+  // `wished` has the fixed ports that the user asked for: key is a port of the robot, value the
+  // host's port that it must get (0: any free port).  Other ports get their own number if it is
+  // free.
   HostPorts(NetProtocol protocol, std::map<uint16_t, uint16_t> wished)
       : protocol_(protocol), wished_(std::move(wished)) {}
 
-  // Binds the robot's `port` and returns 0 or an errno.  Calls take(host port), which also returns
-  // 0 or an errno, until it succeeds: first with the host's port that an earlier Bind() has found,
-  // the wished port or the port's own number, then with the next numbers, finally with 0.  If
-  // `wished` has a certain number, tries no other number.  After success `bound` must return the
-  // host's port.  If the expected port was in use, sets `note` to a text for the user.
+  // Finds a port of the host for the robot's `port` and returns 0 or an errno.  Calls take(host
+  // port), which binds a socket and returns 0 or an errno, until it succeeds.  The first try is the
+  // host's port of an earlier Bind(), else the fixed port of `wished`, else `port` itself; then
+  // follow the next numbers, and finally 0 (any port).  For a fixed port there is no second try.
+  // After success bound() must return the socket's port.  Sets `note` to a text for the user if the
+  // port is not that of the first try, or if a fixed port cannot be had.
   int Bind(uint16_t port, const std::function<int(uint16_t)>& take,
            const std::function<uint16_t()>& bound, std::string* note);
 

@@ -40,15 +40,16 @@ int BindSocket(const Fd& fd, NetAddress local);
 int ListenOn(const Fd& fd, NetAddress local, int backlog);  // binds as well
 int ConnectTo(const Fd& fd, NetAddress remote);             // EINPROGRESS: see ConnectResult()
 
-// Returns the result of ConnectTo(): EINPROGRESS while the connection is being established, then 0
-// or an errno.
+// Asks whether `fd` is connected after ConnectTo(): returns EINPROGRESS while the connection is
+// being established, then 0 or an errno.
 int ConnectResult(const Fd& fd);
 
 // Accepts the next connection to `listener`.  If none waits, or on an error, returns an invalid Fd
 // and sets errno.
 Fd AcceptFrom(const Fd& listener, NetAddress* remote);
 
-// Send bytes.  Return the number of bytes sent, or -1 with errno set.
+// Send bytes, to the connected peer or as a datagram to `remote`.  Return the number of bytes sent,
+// or -1 with errno set.
 int64_t SendBytes(const Fd& fd, const void* data, size_t size);
 int64_t SendDatagram(const Fd& fd, NetAddress remote, const void* data, size_t size);
 // Receives at most `size_max` bytes and resizes `bytes` to the bytes that have arrived.  Returns

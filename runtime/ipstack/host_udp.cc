@@ -60,7 +60,7 @@ void HostUdp::Poll(std::vector<NetworkEvent>* events) {
       any = true;
       events->push_back(std::move(event));
     }
-    // The datagrams that have arrived answer the request, even if it allows more.
+    // The datagrams that have arrived answer the request, even if they are fewer than it allows.
     if (any) socket.want = 0;
   }
 }

@@ -20,8 +20,9 @@ class HostUdp {
   explicit HostUdp(std::map<uint16_t, uint16_t> ports)
       : ports_(NetProtocol::kUdp, std::move(ports)) {}
 
-  // Binds `local`, an address of the host and a port of the robot.  Returns 0 or an errno.  Like
-  // all commands of this class, appends its events to `events`.
+  // Binds `local`, an address of the host and a port of the robot.  If `any_port` is true, the port
+  // has on the host whatever number is free.  Returns 0 or an errno.  Like all commands of this
+  // class, appends its events to `events`.
   int Bind(NetHandle handle, NetAddress local, bool any_port, std::vector<NetworkEvent>* events);
   void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size,
               std::vector<NetworkEvent>* events);
@@ -34,7 +35,7 @@ class HostUdp {
  private:
   struct Socket {
     Fd fd;
-    // largest number of datagrams for the pending ReceiveFrom(); 0: none is pending
+    // largest number of datagrams that the pending ReceiveFrom() may return; 0: none is pending
     size_t want = 0;
   };
 

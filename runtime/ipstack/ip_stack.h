@@ -36,8 +36,8 @@ struct IpStackOptions {
 
   std::string address;  // the robot's dotted address; "": ETHER_IP of the robot's WLANCONF.TXT
   Card card = Card::kPresent;
-  // Pairs of addresses.  Programs may bind to AddressPair::robot of each pair, besides the robot's
-  // own address (address_config.h).
+  // Pairs of an address that programs use and the host's address in its place.  Programs may bind
+  // to AddressPair::robot of each pair, besides the robot's own address (address_config.h).
   std::vector<AddressPair> addresses = {};
 };
 
@@ -49,8 +49,9 @@ class IpStack : public CodeObject {
   // the host's memory.
   static constexpr size_t kEndpointsMax = 256;  // endpoints that exist at the same time
   static constexpr int32_t kPoolBytesMax = 4 << 20;
-  // The pool (limit of bytes that are being sent) of an endpoint that was created with poolSize 0.
-  // This is our choice, because the meaning of 0 is not documented.
+  // The pool of an endpoint that was created with poolSize 0.  A pool limits the bytes that an
+  // endpoint has sent and the network has not accepted yet.  The size is our choice, because the
+  // meaning of 0 is not documented.
   static constexpr int32_t kPoolBytesDefault = 1 << 20;
 
   IpStack(std::unique_ptr<Network> network, IpStackOptions options);
@@ -59,7 +60,8 @@ class IpStack : public CodeObject {
   // Returns the stack of the current object's robot, or null if the robot has none.
   static IpStack* OfCurrent();
 
-  // Returns the entry of this object for a documented selector (Entry_antEnv_...), 0 to 2.
+  // Returns the selector that IPStack has in place of `selector`, the documented one in a message
+  // (Entry_antEnv_..., 0 to 2), because an object of the host has DoInit to DoDestroy there.
   Selector EntryFor(Selector selector) const { return first_entry_ + selector; }
 
   // Returns the host's port for the robot's `port`, for messages to the user.  Returns 0 if `port`
@@ -89,14 +91,15 @@ class IpStack : public CodeObject {
   // robot's own address, or a further address (IpStackOptions::addresses).
   bool IsOwnAddress(uint32_t ip) const;
 
-  // Returns `ip` if it is one of IpStackOptions::addresses and not the robot's own address.
-  // Otherwise returns 0, which stands for the robot's own address.
+  // Returns `ip` if it is a further address of the robot (IpStackOptions::addresses).  Otherwise
+  // returns 0, which stands for the robot's own address.
   uint32_t FurtherAddress(uint32_t ip) const;
 
-  // Returns the local address that a program sees after it has bound to `ip`.
+  // Returns the local address that answers to a program contain after it has bound to `ip`.  For
+  // loopback and the any address this is the robot's own address.
   uint32_t LocalAddress(uint32_t ip) const { return FurtherAddress(ip) == 0 ? address_ : ip; }
 
-  // Makes a handle whose events go to `sink`.  Drop() ends the use of the handle.
+  // Makes the number of a new socket, whose events go to `sink`.  Drop() closes the socket.
   NetHandle Open(EventSink* sink);
   void Drop(NetHandle handle, bool reset);
 
@@ -113,7 +116,8 @@ class IpStack : public CodeObject {
   // Adds a finding about the object that has sent `operation`.
   void Warn(const Operation& operation, const std::string& text);
 
-  // Adds a finding if `data`, which are sent now, differ from the bytes that were there at Send().
+  // Adds a finding if the program has changed the buffer of a Send before the bytes were sent: if
+  // `data`, which are sent now, differ from the bytes at the time of the request.
   void WarnIfChanged(const Operation& operation, const void* data, size_t size);
 
   // The addresses of the DNS servers, which programs can set; common to all objects of the robot.
@@ -147,8 +151,8 @@ class IpStack : public CodeObject {
   bool poll_posted_ = false;
 };
 
-// Adds the object IPStack to `robot`.  The System owns the returned stack, and the stack owns
-// `network`.  REQUIRES: before System::Boot().
+// Adds the object IPStack to `robot`; called before System::Boot().  The System owns the returned
+// stack, and the stack owns `network`.
 IpStack* AddIpStack(System* system, int robot, std::unique_ptr<Network> network,
                     IpStackOptions options = {});
 

@@ -92,8 +92,8 @@ void LoopbackNetwork::Send(NetHandle handle, const void* data, size_t size) {
   Push(handle, &found->second);
 }
 
-// Moves waiting bytes of `connection` into the pipe to the peer, as many as fit, and reports their
-// number.
+// Moves the bytes that wait on `connection` into the pipe to the peer, as many as fit, and adds an
+// event with their number.
 void LoopbackNetwork::Push(NetHandle handle, Connection* connection) {
   Pipe& pipe = connection->peer();
   if (pipe.gone && !connection->out.empty()) connection->link->reset = true;

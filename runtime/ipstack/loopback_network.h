@@ -38,7 +38,8 @@ class LoopbackNetwork : public Network {
  public:
   static constexpr size_t kWindowBytes = 65536;
   static constexpr size_t kBacklog = 8;  // connections held until they are accepted
-  // The number of datagrams that are held until they are received; further datagrams are lost.
+  // The number of datagrams that a UDP socket holds until they are received; our choice.  Further
+  // datagrams are lost, as on a real network.
   static constexpr size_t kDatagrams = 32;
 
   // Makes a host at `hub`.  Without the argument, the host gets a new hub, where it has no peers.
@@ -110,7 +111,8 @@ class LoopbackNetwork : public Network {
   void Add(NetworkEvent::Kind kind, NetHandle handle, NetError error = NetError::kNone);
   void MatchAccepts(Listener* listener);
   void Push(NetHandle handle, Connection* connection);
-  // Appends the events of `connection`.  Returns false if `connection` can be deleted.
+  // Appends the events of `connection`.  Returns false if both sides have ended or a side has reset
+  // it, so that `connection` can be deleted.
   bool PollConnection(NetHandle handle, Connection* connection);
 
   const std::shared_ptr<LoopbackHub> hub_;

@@ -77,50 +77,55 @@ class Network {
   // Called once, before all other functions, with the robot's own address.
   virtual void Attach(uint32_t ip) = 0;
 
-  // Selects `ip` as the address for the next Listen() or Bind() of `handle`.  `ip` is one of the
-  // robot's further addresses (IpStackOptions::addresses).
+  // Selects the address at which the next Listen() or Bind() of `handle` opens its port.  `ip` is
+  // one of the robot's further addresses (IpStackOptions::addresses); without this call the port is
+  // opened at the robot's own address.
   virtual void At(NetHandle handle, uint32_t ip) = 0;
 
   // ---- TCP
 
-  // Accepts connections to `port` from now on, and holds a few of them until Accept().
+  // Accepts connections to `port` from now on, as socket `listener`, and holds a few of them until
+  // Accept().
   virtual void Listen(NetHandle listener, uint16_t port) = 0;
-  // Gives `handle` to the next connection to `listener`.  Several calls get connections in the
-  // order of the calls.
+  // Gives the next connection to `listener` the socket number `handle`.  If several Accept() wait,
+  // the first one gets the first connection.
   virtual void Accept(NetHandle listener, NetHandle handle) = 0;
-  // Connects to `remote`.  A Network may use another local port than `local_port` on the host.
+  // Connects to `remote`.  Programs see `local_port` as the local port; on the host the connection
+  // may have another one.
   virtual void Connect(NetHandle handle, uint16_t local_port, NetAddress remote) = 0;
   // Copies the bytes at `data` and sends them as fast as the peer accepts them.
   virtual void Send(NetHandle handle, const void* data, size_t size) = 0;
-  // Requests the bytes that have arrived or will arrive next, at most `size_max`.  One kReceived or
-  // kEnd answers.  Replaces an earlier request that has no answer yet.
+  // Requests the bytes that have arrived or will arrive next, at most `size_max`.  One event,
+  // kReceived or kEnd, answers the request.  A new request replaces one that has no answer yet.
   virtual void Receive(NetHandle handle, size_t size_max) = 0;
-  // Ends the stream after the bytes that were given to Send().  Input is discarded from now on.
+  // Ends the stream after the bytes that were given to Send().  Bytes that arrive from now on are
+  // discarded.
   virtual void Close(NetHandle handle) = 0;
 
   // ---- UDP
 
-  // Binds `port`.  If `any_port` is true, the stack has chosen the port, so no peer expects this
-  // number.
+  // Binds `port`.  `any_port` is true if the stack has chosen the port.  No peer expects its number
+  // then, so the host may use another port.
   virtual void Bind(NetHandle handle, uint16_t port, bool any_port) = 0;
-  // Copies the bytes at `data` and sends them.  A datagram that cannot be sent is lost; a kNote may
-  // report it.
+  // Copies the bytes at `data` and sends them as one datagram.  A datagram that cannot be sent is
+  // lost, as in any UDP network; an event kNote may tell the user.
   virtual void SendTo(NetHandle handle, NetAddress remote, const void* data, size_t size) = 0;
-  // Requests datagrams, at most `count_max`.  One Poll() returns all datagrams that have arrived.
-  // Replaces an earlier request that has no answer yet.
+  // Requests at most `count_max` datagrams.  The next Poll() that finds any returns all that have
+  // arrived, up to this number, which answers the request.  A new request replaces one that has no
+  // answer yet.
   virtual void ReceiveFrom(NetHandle handle, size_t count_max) = 0;
 
   // ---- Names
 
-  // Ask for the addresses of a name or for the name of an address; kResolved answers.  `name` is
-  // complete and has no final dot.
+  // Ask for the addresses of a name, or for the name of an address; an event kResolved answers.
+  // `name` is complete (with its domain) and has no final dot.
   virtual void Resolve(NetHandle handle, const std::string& name) = 0;
   virtual void ResolveAddress(NetHandle handle, uint32_t ip) = 0;
 
   // ---- All handles
 
-  // Forgets `handle`, which gets no more events.  If `reset` is true, the peer sees a broken
-  // connection instead of an end of the stream.  Unknown handles are ignored.
+  // Closes the socket `handle`, which gets no more events.  If `reset` is true, the peer sees a
+  // broken connection instead of an end of the stream.  Unknown handles are ignored.
   virtual void Drop(NetHandle handle, bool reset) = 0;
 
   // Returns the events since the last call, without waiting.

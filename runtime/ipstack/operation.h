@@ -1,4 +1,4 @@
-// A message to the stack that has not been answered yet.
+// An operation: a message to the stack that the stack has not answered yet.
 #pragma once
 
 #include <antEnvMsg.h>

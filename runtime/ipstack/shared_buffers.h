@@ -1,7 +1,8 @@
-// The shared buffers: memory that objects share with the IPStack.
+// The shared buffers: memory from which IPStack sends the data of an object, and into which it
+// writes received data.
 //
-// Buffers are regions of the System's table.  The owner of a buffer is the object that has asked
-// for it.
+// Each buffer is a region of the System's table.  The owner of a buffer is the object that has
+// asked for it.
 #pragma once
 
 #include <antSharedBuffer.h>
@@ -20,8 +21,8 @@ class SharedBuffers {
   explicit SharedBuffers(RegionTable* regions) : regions_(regions) {}
 
   static constexpr uint32_t kPageBytes = 4096;  // sizes are rounded up to pages
-  // The largest size of all buffers together.  This is our choice, more than all memory of the
-  // robot, because the robot's limit is not known.
+  // The largest size of all buffers together.  The robot's limit is not known.  We allow more than
+  // all memory of the robot, so that only a faulty program reaches the limit.
   static constexpr uint64_t kBytesMax = uint64_t{64} << 20;
 
   // Makes a buffer of `bytes` bytes.  Returns ANT_FAIL for 0 bytes, and ANT_NOMEMORY beyond the
@@ -33,12 +34,12 @@ class SharedBuffers {
   antError Destroy(const antSharedBuffer& buffer);
 
   // Map() makes a buffer usable and sets `*base` to the address of its first byte; UnMap() ends the
-  // use.  A second call changes nothing.
+  // use.  To map or unmap a buffer twice changes nothing.
   antError Map(const antSharedBuffer& buffer, void** base);
   antError UnMap(const antSharedBuffer& buffer);
 
-  // Add and remove a buffer in a worker process, after the stack in the master process has created
-  // or destroyed it.
+  // Add and remove a buffer in a worker process, which runs objects outside of the master process.
+  // Called after the stack, which runs in the master, has created or destroyed the buffer.
   void Adopt(const antSharedBuffer& buffer, ObjectId owner);
   void Forget(const antSharedBuffer& buffer) { buffers_.erase(buffer.GetCookie()); }
 

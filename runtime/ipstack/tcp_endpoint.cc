@@ -82,7 +82,8 @@ void TcpEndpoint::Bind(Operation operation) {
   stack_->Answer(&operation, TCP_SUCCESS);
 }
 
-// Checks the conditions of Bind, Listen and Connect.  If one is not met, answers with an error and
+// Checks whether a Bind, Listen or Connect can be executed: whether the endpoint is new, no Listen
+// or Connect is pending, and `local` is an address of the robot.  If not, answers with an error and
 // returns true.
 bool TcpEndpoint::RefuseOpen(const Operation& operation, const IPAddress& local) {
   TCPEndpointError error = TCP_SUCCESS;
@@ -138,8 +139,8 @@ void TcpEndpoint::Connect(const Operation& operation) {
   state_ = State::kConnecting;
 }
 
-// Checks the conditions of Send and Receive.  If one is not met, answers with an error and returns
-// true.  `busy` tells whether an operation of the same kind is pending.
+// Checks whether a Send or Receive can be executed: whether the connection is open and no operation
+// of the same kind is pending (`busy`).  If not, answers with an error and returns true.
 bool TcpEndpoint::RefuseTransfer(const Operation& operation, bool busy) {
   TCPEndpointError error = TCP_SUCCESS;
   switch (state_) {
@@ -185,8 +186,8 @@ void TcpEndpoint::Send(const Operation& operation) {
   send_ = accepted;
 }
 
-// Adds a finding for a send that is fast here but slow on the robot.  The delay itself is not
-// imitated, because programs must not depend on it.
+// Adds a finding for a Send whose size is fast here but slow on the robot.  The host does not delay
+// the data as the robot does, because programs must not depend on such a delay.
 void TcpEndpoint::WarnOfRobotTiming(const Operation& operation, int size) {
   if (size > kRobotFastBytes && size <= kRobotSplitBytes) {
     stack_->Warn(
@@ -294,8 +295,8 @@ void TcpEndpoint::Accepted(const NetworkEvent& event) {
   const bool welcome = (wanted_.ip == 0 || wanted_.ip == event.remote.ip) &&
                        (wanted_.port == 0 || wanted_.port == event.remote.port);
   stack_->tcp_ports().Forget(local_port_, this);
-  // The program waits for another peer, so this connection is broken off and the next connection is
-  // awaited.
+  // The program listens for one certain peer, and another has connected.  So this connection is
+  // reset, and the endpoint waits for the next one.
   if (!welcome) {
     stack_->Drop(socket_, true);
     socket_ = stack_->Open(this);
@@ -320,7 +321,8 @@ void TcpEndpoint::Fail(NetError error) {
   state_ = State::kFailed;
 }
 
-// Ends the wait for a connection to the port, and closes a port that the stack has chosen.
+// Stops waiting for a connection to the local port.  Also closes the port if the stack has chosen
+// it for this Listen, because no other endpoint listens on it.
 void TcpEndpoint::LeavePort() {
   stack_->tcp_ports().Forget(local_port_, this);
   if (own_port_) stack_->tcp_ports().Close(local_port_);

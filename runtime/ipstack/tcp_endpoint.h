@@ -15,27 +15,29 @@ class TcpEndpoint : public Endpoint {
  public:
   TcpEndpoint(IpStack* stack, ObjectId owner, int32_t pool_bytes);
 
-  // The virtual time that Close waits for the peer to end its side, after all bytes were sent.
+  // The virtual time that Close waits for the peer to end its side, after all bytes were sent.  Our
+  // choice: a peer that keeps its side open holds the program up for 1 s only.
   static constexpr int64_t kPeerEndUs = 1'000'000;
-  // The virtual time that Close waits without progress while bytes are left to be sent.
+  // The virtual time that Close waits for a peer that does not read while bytes are left to be
+  // sent.  Our choice; each byte that the peer accepts starts the time anew.
   static constexpr int64_t kUnsentUs = 60'000'000;
 
-  // The number of bytes read from the network at a time, even if a Receive asks for fewer.
-  // Otherwise a program that receives the header of a message and then its body would wait a frame
-  // (8 ms) for each.
+  // The number of bytes read from the network at a time, even if a Receive asks for fewer.  If a
+  // program receives the header of a message and then its body, both have usually been read
+  // already.  Without reading ahead, each would take a frame (8 ms).
   static constexpr size_t kReadAheadBytes = 16384;
 
   // The robot sends more than kRobotFastBytes and at most kRobotSplitBytes in two pieces, the
   // second up to 200 ms after the first (network.md, 4.3).  More than kRobotSendBytes is slow (BBS
-  // 254, a message of Sony's developer board).
+  // 254, a message of Sony's developer board).  Sends of these sizes cause a warning.
   static constexpr int kRobotFastBytes = 1024;
   static constexpr int kRobotSplitBytes = 3072;
   static constexpr int kRobotSendBytes = 32 * 1024;
-  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the send
-  // before, with nothing received in between.  On the robot Nagle's algorithm holds the next small
-  // send back until the peer acknowledges, and the peer may delay its acknowledgement by
-  // kRobotAcknowledgeUs.  A send of more than kRobotSmallBytes does not count as small.  This is
-  // our choice: two such sends would not fit together into what the robot sends at once.
+  // A warning is given after kRobotRow small sends, each within kRobotAcknowledgeUs after the one
+  // before, if the program has received nothing in between.  On the robot Nagle's algorithm holds
+  // the next small send back until the peer acknowledges, and the peer may delay its
+  // acknowledgement by kRobotAcknowledgeUs.  A send is small up to kRobotSmallBytes, our choice:
+  // two larger sends would not fit into the kRobotFastBytes that the robot sends at once.
   static constexpr int kRobotSmallBytes = kRobotFastBytes / 2;
   static constexpr int kRobotRow = 3;
   static constexpr int64_t kRobotAcknowledgeUs = 200'000;
@@ -70,7 +72,7 @@ class TcpEndpoint : public Endpoint {
   void FinishSend();
   void FinishReceive();
   void FinishClose();
-  // Answers `operation` with `error` and clears it.
+  // Answers the pending `operation` with `error` and clears it.  `data` are the transferred bytes.
   void Finish(std::optional<Operation>* operation, TCPEndpointError error,
               const void* data = nullptr, size_t size = 0);
 

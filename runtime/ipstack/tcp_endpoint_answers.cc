@@ -40,7 +40,8 @@ void TcpEndpoint::FinishSend() {
   const auto& message = send_->As<TCPEndpointSendMsg>();
   if (state_ == State::kFailed) return Finish(&send_, error_);
   if (unsent_ + message.size > pool_bytes_) return;
-  // The buffer is checked again, because the program may have destroyed or unmapped it.
+  // The buffer is checked again, because the program may have destroyed or unmapped it while the
+  // Send waited.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, TCP_BUFFER_INVALID);
   }
@@ -68,7 +69,8 @@ void TcpEndpoint::FinishReceive() {
     return;
   }
   if (!enough) return Finish(&receive_, state_ == State::kFailed ? error_ : TCP_CONNECTION_CLOSED);
-  // The buffer is checked again, because the program may have destroyed or unmapped it.
+  // The buffer is checked again, because the program may have destroyed or unmapped it while the
+  // Receive waited.
   if (!stack_->buffers().Contains(message.buffer, message.sizeMax)) {
     return Finish(&receive_, TCP_BUFFER_INVALID);
   }

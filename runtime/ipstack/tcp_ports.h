@@ -21,9 +21,9 @@ class TcpPorts {
 
   static constexpr size_t kPortsMax = 64;  // limits the number of sockets on the host
 
-  // Lets `endpoint` wait for a connection to `port`.  `socket` becomes the handle of the
-  // connection.  `ip` is the address at which the port is opened if it is not open yet; 0: the
-  // robot's own address.  Returns false if too many ports are open.
+  // Lets `endpoint` wait for a connection to `port`, and opens the port if it is not open yet, at
+  // the address `ip` (0: the robot's own address).  `socket` becomes the handle of the connection.
+  // Returns false if too many ports are open.
   bool Accept(uint16_t port, uint32_t ip, NetHandle socket, EventSink* endpoint);
 
   // Removes `endpoint` from the waiting endpoints of `port`, whether it got a connection or not.
@@ -31,7 +31,8 @@ class TcpPorts {
 
   bool IsOpen(uint16_t port) const { return ports_.contains(port); }
 
-  // Closes the socket of `port`.  Called for ports that the stack has chosen for one endpoint.
+  // Closes the socket of `port`.  Called for a port that the stack has chosen for one endpoint,
+  // when its Listen ends.
   void Close(uint16_t port);
   void CloseAll();
 

@@ -107,13 +107,14 @@ void UdpEndpoint::ResetConnect(Operation operation) {
 NetAddress UdpEndpoint::DestinationOf(const UDPEndpointSendMsg& message) const {
   if (peer_.ip != 0) return peer_;
   const uint32_t ip = message.address.Address();
-  // Returns no address for a broadcast, so that Send refuses it.  Broadcasts failed on the robot
-  // too (BBS 402, a message of Sony's developer board).
+  // A broadcast gets no destination, so that Send refuses it.  Broadcasts failed on the robot too
+  // (BBS 402, a message of Sony's developer board).
   return ip == 0xffffffffu || message.port == 0 ? NetAddress{} : NetAddress{ip, message.port};
 }
 
-// Checks the conditions of Send and Receive.  If one is not met, answers with an error and returns
-// true.
+// Checks whether a Send or Receive can be executed: whether the socket is bound and without error,
+// no operation of the same kind is pending (`busy`), and the `size` bytes at `buffer` lie in a
+// shared buffer.  If not, answers with an error and returns true.
 bool UdpEndpoint::RefuseTransfer(const Operation& operation, bool busy, const byte* buffer,
                                  int size) {
   UDPEndpointError error = error_;
@@ -195,7 +196,8 @@ void UdpEndpoint::FinishSend() {
   const auto& message = send_->As<UDPEndpointSendMsg>();
   if (error_ != UDP_SUCCESS) return Finish(&send_, error_);
   if (sent_in_frame_ + message.size > pool_bytes_) return;
-  // The buffer is checked again, because the program may have destroyed or unmapped it.
+  // The buffer is checked again, because the program may have destroyed or unmapped it while the
+  // Send waited.
   if (!stack_->buffers().Contains(message.buffer, message.size)) {
     return Finish(&send_, UDP_BUFFER_INVALID);
   }
@@ -207,8 +209,9 @@ void UdpEndpoint::FinishSend() {
   Finish(&send_, UDP_SUCCESS, data, size);
 }
 
-// Drops datagrams that wait before the first datagram of the connected peer; without a peer, drops
-// none.  Returns whether any datagram is left.
+// After Connect only datagrams of the connected peer are delivered.  Drops the datagrams of others
+// that wait before the peer's first; without a peer, drops none.  Returns whether any datagram is
+// left.
 bool UdpEndpoint::DropStrangers() {
   while (peer_.ip != 0 && !waiting_.empty() && waiting_.front().remote != peer_) {
     waiting_.pop_front();
@@ -225,7 +228,8 @@ void UdpEndpoint::FinishReceive() {
     asked_ = true;
     return;
   }
-  // The buffer is checked again, because the program may have destroyed or unmapped it.
+  // The buffer is checked again, because the program may have destroyed or unmapped it while the
+  // Receive waited.
   if (!stack_->buffers().Contains(message.buffer, room)) {
     return Finish(&receive_, UDP_BUFFER_INVALID);
   }

@@ -38,7 +38,8 @@ class UdpEndpoint : public Endpoint {
   void Close(Operation operation);
   void Address(Operation operation);
 
-  // Returns the address to which a Send goes; ip 0: the Send has no destination.
+  // Returns the address to which a Send goes; ip 0: the Send has no valid destination and is
+  // refused.
   NetAddress DestinationOf(const UDPEndpointSendMsg& message) const;
   bool RefuseTransfer(const Operation& operation, bool busy, const byte* buffer, int size);
   void Refuse(Operation operation, UDPEndpointError error);
@@ -52,7 +53,7 @@ class UdpEndpoint : public Endpoint {
   uint32_t local_ip_ = 0;  // the address that the program gave; 0: any
   uint16_t port_ = 0;
   NetAddress peer_;  // set by Connect; ip 0: none
-  // the error after which the socket cannot be used any more
+  // the error that ended the use of the socket; UDP_SUCCESS: the socket works
   UDPEndpointError error_ = UDP_SUCCESS;
   // a Network::ReceiveFrom() that has not been answered is pending
   bool asked_ = false;
