@@ -35,8 +35,9 @@ CLI::Validator IsCount();
 // before the command does its work.
 CLI::Validator IsWritable();
 
-// Returns a check of a flag's value: it refuses files that cannot be read.  The error is "FLAG
-// FILE: reason".
+// Returns a check of the flag `flag`: it refuses files that cannot be read, with the error "FLAG
+// FILE: reason".  For a folder the reason says what to give instead: a file of this `kind`, such as
+// "placement file", with this `extension`, such as ".cfg".
 CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension);
 CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);

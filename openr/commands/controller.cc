@@ -1,5 +1,6 @@
-// The command openr controller: creates and builds controllers, programs in Webots style that run
-// in the object Controller.
+// The command openr controller: creates and builds controllers.  A controller is a program with a
+// main() that moves the robot with functions in the style of the simulator Webots.  The OPEN-R
+// object Controller runs it.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
-// DistributedRun: the parts of a run outside its own process, which are workers, ROS 2 and openr
-// top.  Without the flags for these parts it does nothing.
+// DistributedRun connects a run with other processes: with workers, which run some of the objects,
+// with ROS 2 and with openr top.  Without the flags for these processes it does nothing.
 #pragma once
 
 #include <cstdint>
@@ -18,46 +18,54 @@ namespace openr_host {
 class InterruptCounter;
 class RunStick;
 
-// The parts of one run outside its process.  The caller calls the functions in the order in which
-// they are declared here.  The object must outlive the simulation.
+// The connections of one run to other processes.  The caller calls the functions in the order in
+// which they are declared here.  The simulation calls back into this object, so the object must
+// outlive the simulation.
 class DistributedRun {
  public:
-  // Starts the worker processes of this host, which run some of the objects.  `interrupts` must
-  // outlive this object.  Throws CLI::ValidationError for wrong flags, std::runtime_error when DDS
-  // fails.
+  // Starts the worker processes of this host, which run the objects that `placement` gives them.
+  // The workers read the Memory Stick `stick`, and a worker ends when a handler uses more than
+  // `handler_limit_us` of processor time.  `interrupts` counts how often the user has pressed
+  // Ctrl-C, and must outlive this object.  Throws CLI::ValidationError for wrong flags,
+  // std::runtime_error when DDS, the network to the other processes, fails.
   DistributedRun(const PlacementFlags& placement, const Ros2Flags& ros2, const RunStick& stick,
                  int64_t handler_limit_us, const InterruptCounter* interrupts);
 
   bool has_processes() const { return workers_ != nullptr; }
 
-  // Adds to the options of a simulation, before it is made: objects that stand in for those of
-  // worker processes, and the clients through which ROS 2 sends commands.
+  // Adds two things to `options`, from which the simulation is made later: functions that make
+  // stand-ins for the objects of workers, and with --ros2 a client in each robot's network that
+  // sends the robot the commands of ROS 2.  `say` prints messages about ROS 2 for the user.
   void Enter(SimulationOptions* options, const Ros2Link::Say& say);
 
-  // Throws std::runtime_error if the placement names an object that the stick does not have.
-  // Called when the simulation has loaded all objects.
+  // Throws std::runtime_error if the flags --place, --placement or --isolate name an object that
+  // the stick does not have, or that cannot run in a worker.  Called when the simulation has loaded
+  // all objects, because their names are not known before.
   void CheckPlaces() const;
 
-  // Sends the worker processes all objects of the run that they do not know yet, and waits until
-  // they are ready.  Returns false after printing an error.
+  // Sends each worker process the list of the run's robots and objects, and waits until the worker
+  // has loaded its own objects.  Returns false after printing an error.
   bool Connect(Simulation* simulation);
 
-  // Connects ROS 2 and openr top to the simulation, and sets functions in `plan`.  Called before
-  // the Runner gets `plan`.
+  // Begins to exchange data with ROS 2 and openr top, and sets the functions in `plan` that handle
+  // these data during the run.  Called before the Runner copies `plan`, and after plan->recorder
+  // has been set, because the recorder also records when a worker is lost.
   void Begin(Simulation* simulation, RunPlan* plan);
 
-  // Sends the last status to openr top, and ends ROS 2, which prints how many complaints about
-  // commands were left out.
+  // Sends the last status of the run to openr top, and closes the link to ROS 2.  The link prints
+  // only some of its messages for the user; now it prints how many it has left out.
   void RunIsOver();
 
-  // Adds findings about messages that were lost because a worker process had ended.
+  // Adds warnings to the run's report about messages that were not delivered because a worker
+  // process had ended.
   void ReportLosses();
 
   // Shortens the time limits for answers of workers.  Called when a crash or a handler limit ends
   // the run, so that the report is written soon.
   void ShortenTimeouts();
 
-  // Adds facts about the workers to the report; nothing without workers.
+  // Adds to `report`, the report of the run, what is known about each worker: its objects, its
+  // losses and the times of its handlers.  Does nothing without workers.
   void Describe(nlohmann::ordered_json* report) const;
 
   // Ends the worker processes.

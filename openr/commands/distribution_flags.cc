@@ -38,7 +38,9 @@ void AddBusFlags(CLI::App* command, BusOptions* bus) {
       // A folder is refused.  Cyclone DDS would take it for an empty file, so the run would lack
       // the protection that the user wants.
       ->check(IsReadable("--dds-config", "file with settings of Cyclone DDS", ".xml"));
-  // This check needs file and domain, so it runs when all flags have been read.
+  // Checks that the file of --dds-config is for the DDS domain of --dds-domain, because Cyclone DDS
+  // silently ignores settings for another domain.  The check needs both flags, so it runs after all
+  // flags have been read.
   command->parse_complete_callback([bus] {
     if (bus->config_file.empty()) return;
     const std::string problem = WhyNotForDomain(bus->config_file, bus->domain);
@@ -142,8 +144,9 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }
 
 // Returns the lease of the workers that this run starts: the seconds without a sign of life after
-// which a worker counts as dead.  Workers under a debugger (--wrap) keep the longest lease, because
-// they may be stopped for long.
+// which a worker counts as dead.  Workers that are restarted get the shorter kReturningLease_s,
+// because a restart is slow until the lease of the dead worker is over.  Workers under a debugger
+// (--wrap) keep the longest lease, because they may be stopped for long.
 int WatchedLease(const PlacementFlags& flags) {
   if (flags.bus.lease_s != 0) return flags.bus.lease_s;
   return flags.restarts > 0 && flags.wrapper.empty() ? kReturningLease_s : kWatchedLease_s;

@@ -34,8 +34,8 @@ struct PlacementFlags {
   std::vector<const CLI::Option*> of_dds;        // flags without effect in a run without DDS
 };
 
-// Adds --place, --placement, --isolate, --wrap, --free-running, --restart, --monitor, --run-name,
-// --join-wait and the flags of AddBusFlags().
+// Adds the flags for runs in several processes: --place, --placement, --isolate, --wrap,
+// --free-running, --restart, --monitor, --run-name, --join-wait and the flags of AddBusFlags().
 void AddPlacementFlags(CLI::App* command, PlacementFlags* flags);
 
 // Throws CLI::ValidationError if the user gave a flag without effect.  Flags for processes have
@@ -49,13 +49,16 @@ struct Ros2Flags {
 };
 void AddRos2Flags(CLI::App* command, Ros2Flags* flags);
 
-// Starts the worker processes for the flags.  Returns null when all objects run in this process.
-// Throws CLI::ValidationError for wrong flags.
+// Starts the worker processes that `flags` ask for.  Returns null when all objects run in this
+// process.  The workers read the Memory Stick `stick`, and a worker ends when a handler uses more
+// than `handler_limit_us` of processor time.  `interrupts` returns how often the user has pressed
+// Ctrl-C.  Throws CLI::ValidationError for wrong flags.
 std::unique_ptr<WorkerGroup> MakeWorkerGroup(const PlacementFlags& flags, const RunStick& stick,
                                              int64_t handler_limit_us,
                                              std::function<int()> interrupts);
 
-// Makes the DDS participant of a run that has no workers.
+// Makes the connection to DDS for a run without workers, which still needs DDS to send data to
+// openr top (--monitor) or to ROS 2 (--ros2).
 std::unique_ptr<Bus> MakeBus(const PlacementFlags& flags);
 
 }  // namespace openr_host

@@ -54,9 +54,9 @@ struct ExploreFlags {
   bool json = false;
 };
 
-// Refuses a file of properties that cannot be read.  A name with a dot or a slash is a file,
-// because the names of built-in properties have neither.  A name with a space is the text of a
-// property.
+// Checks `name`, a value of --property.  Throws CLI::ParseError if it is a file that cannot be
+// read; else returns "".  A value with a space is itself the text of a property.  A value without a
+// space but with a dot or a slash is a file, because the names of built-in properties have neither.
 std::string CheckProperty(const std::string& name) {
   const bool is_line = name.find(' ') != std::string::npos;
   if (is_line || name.find_first_of("./") == std::string::npos) return "";
@@ -172,7 +172,8 @@ class SharedConsole {
     *error_ = WriteAll(descriptor_, text);
   }
 
-  // Returns "FILE: cannot be written: reason" if a write of any process has failed; else "".
+  // Returns "FILE: cannot be written: reason" if a write has failed in this process or in any child
+  // process, which all share `error_`; else "".
   std::string Problem() const {
     return descriptor_ < 0 || *error_ == 0 ? "" : WhyNotWritten(file_, *error_);
   }
@@ -192,9 +193,12 @@ int WithConsole(int exit_code, const SharedConsole& console) {
   return kExitWrong;
 }
 
-// Sets the parts of the plan that are made from `stick`.
+// Sets what `plan`, the plan of the exploration, takes from `stick`: the length of the runs, the
+// properties and the function that prepares a run.  The objects of the runs print to `console`,
+// which must outlive `plan`.
 void SetStick(const ExploredStick& stick, const SharedConsole& console, ExplorePlan* plan) {
-  LoadCostFile(stick.simulation.cost_file);  // reports a wrong file here, not in each process
+  // Only checks the cost file, so that a wrong file is reported here and not by each process.
+  LoadCostFile(stick.simulation.cost_file);
   plan->run.for_us = stick.for_us;
   plan->run.properties.names = stick.properties;
   plan->run.properties.Make();
@@ -243,8 +247,8 @@ std::string Summary(const Json& result, const ExploreFlags& flags) {
   return text;
 }
 
-// Writes the failure to the file of -o, if the user gave one.  Returns false after printing an
-// error.
+// Writes the failure in `result`, a run that broke a property, to the file of -o, if the user gave
+// -o.  The user can repeat the run with this file.  Returns false after printing an error.
 bool WriteFailure(const Json& result, const ExploreFlags& flags) {
   if (flags.file.empty()) return true;
   if (!result.contains("failure")) {

@@ -44,8 +44,8 @@ std::string WhyNoStick(const std::string& folder) {
 }
 
 // Exit codes of the child process in which the worker runs with --restart.
-constexpr int kRefused = 3;  // a further process would be refused as well
-constexpr int kOffline = 4;  // no network, so the worker could not look for a run
+constexpr int kRefused = 3;  // the run refuses this version or stick; a restart cannot help
+constexpr int kOffline = 4;  // the worker threw an exception, usually without a network
 
 // Makes this process end with `parent`, the run that has started it, even if that run crashes.
 // Ignores Ctrl-C and a closing terminal, because the run handles them.
@@ -68,7 +68,9 @@ void OnEndSignal(int signal) {
   if (g_ended_by == 0) g_ended_by = signal;
 }
 
-// Installs OnEndSignal().  A signal that this process was started to ignore stays ignored.
+// Installs OnEndSignal() as the handler of three signals, with the additional `flags` of
+// sigaction().  A signal that this process was started to ignore, for example by nohup, stays
+// ignored.
 void HandleEndSignals(int flags) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
@@ -90,7 +92,9 @@ void HandleEndSignals(int flags) {
   _exit(128 + g_ended_by);
 }
 
-// Discards what is written to standard error while an object of this class exists.
+// Discards what is written to standard error while an object of this class exists, if `is_on`.
+// Used when a worker without a network tries again, because Cyclone DDS would print the same errors
+// each time.
 class SilencedErrors {
  public:
   explicit SilencedErrors(bool is_on) : before_(is_on ? dup(STDERR_FILENO) : -1) {
@@ -116,9 +120,10 @@ struct Outcome {
   bool is_refused = false;
 };
 
-// Runs a worker until the run or the user ends it.  `is_known` says that the user has read already
-// why the worker cannot join; then an exception is thrown without further output.  When Work()
-// returns, the run knows that the worker has left.
+// Runs a worker until the run or the user ends it; when Work() returns, the run knows that the
+// worker has left.  Throws an exception if the worker cannot be made, usually because there is no
+// network.  If `is_known`, an earlier worker has told the user about this error already, so nothing
+// is printed about it.
 Outcome Work(const WorkerOptions& options, bool is_known) {
   std::optional<Worker> worker;
   {
@@ -134,8 +139,10 @@ Outcome Work(const WorkerOptions& options, bool is_known) {
   return {problem, worker->is_refused()};
 }
 
-// Copies the default stick to a temporary folder and returns the folder; "" when that is not
-// possible.
+// Copies the default stick of this host to a temporary folder, which objects may change, and
+// returns the folder; "" when that is not possible.  The worker uses this folder if the run is on
+// another host and its stick has the same files.  `stick` gets the RunStick, whose destructor
+// removes the folder.
 std::string OwnStick(std::optional<RunStick>* stick) {
   try {
     return stick->emplace("", true).folder();
@@ -181,7 +188,9 @@ int Join(JoinFlags flags, bool is_known = false) {
   return outcome.is_refused ? kRefused : kExitWrong;
 }
 
-// Runs a worker, in a child process.  Catches all exceptions, and returns the exit code.
+// Runs a worker in a child process, which the kernel kills when the parent process ends.  Returns
+// the exit code, which is kOffline after an exception.  If `is_known`, an earlier worker has
+// printed the same error already, so it is not printed again.
 int JoinHere(const JoinFlags& flags, bool is_known) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
@@ -192,7 +201,8 @@ int JoinHere(const JoinFlags& flags, bool is_known) {
   }
 }
 
-// Runs JoinHere() in a child process and waits for its end.  Returns the status of waitpid().
+// Runs JoinHere() in a child process and waits for its end.  Returns the status of waitpid().  Sets
+// `*child` to the child's process id, which the caller prints.
 int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   *child = fork();
   if (*child < 0) throw std::runtime_error(fmt::format("fork: {}", strerror(errno)));
@@ -204,10 +214,10 @@ int JoinInChild(const JoinFlags& flags, bool is_known, pid_t* child) {
   return status;
 }
 
-// Runs a worker in a child process, and starts another when it ends before the run is over.  A new
-// process works whatever state the last one was in.  Without a network, says so once and tries
-// again.  If the very first process has no network, that is an error, because the flags are
-// probably wrong.
+// Runs a worker in a child process, and starts another one when it ends before the run is over.
+// Each worker has a new process, so the crash of one does not harm the next.  Without a network,
+// says so once and tries again; but if the very first worker has no network, returns an error,
+// because the flags for the network are probably wrong.
 int JoinAgainAndAgain(const JoinFlags& flags) {
   constexpr unsigned kPause_s = 1;
   HandleEndSignals(0);

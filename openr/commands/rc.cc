@@ -61,7 +61,8 @@ CLI::Validator KeyFramesPerVector() {
   return CLI::Validator(problem, "");
 }
 
-// Adds the commands of openr rc.  They share one RcFlags.
+// Adds the commands of openr rc.  They store their flags in one RcFlags, because HOST, --timeout
+// and --json belong to all of them.
 class RcCommands {
  public:
   RcCommands(CLI::App* app, int* exit_code)

@@ -40,7 +40,8 @@ void RcStopAction(RemoteClient* client, const RcFlags& flags);
 // of the value, for the printed answer.
 RcAction RcJointAction(RcCommand command, const std::string& unit);
 
-// Returns the action that sends `command`, which is rcLED or rcEAR.
+// Returns the action that sends `command`, which is rcLED or rcEAR, to switch a light on or off or
+// to move an ear, which has two positions.
 RcAction RcLightAction(RcCommand command);
 
 }  // namespace openr_host

@@ -54,7 +54,7 @@ std::string FrameText(uint32_t frame) {
 Json FrameJson(uint32_t frame) { return frame == kNoFrame ? Json() : Json(frame); }
 
 std::string StateName(int state) {
-  // 0xff means that RCServer has not received a state yet.
+  // RCServer sends 0xff, which is -1 in a byte, until JointMover has reported its first state.
   return state == 0xff ? "starting" : MoverStateName(state);
 }
 

@@ -12,14 +12,16 @@ namespace openr_host {
 
 class RemoteClient;
 
-// Returns the frame number of an answer as "frame 1234:".  Returns "frame -:" before the robot has
-// sensor values.
+// Returns "frame 1234:" for `frame`, the frame number of the robot's newest sensor values, which
+// each answer of the remote control contains.  Returns "frame -:" if the robot has no sensor values
+// yet.
 std::string FrameText(uint32_t frame);
-// Returns the frame number of an answer as JSON; null before the robot has sensor values.
+// Returns `frame`, the frame number of the robot's newest sensor values, for JSON output; null if
+// the robot has no sensor values yet.
 nlohmann::ordered_json FrameJson(uint32_t frame);
 
-// Returns the name of the MoverState `state`.  Returns "starting" while RCServer, the robot's
-// remote control, has received no state yet.
+// Returns the name of `state`, a MoverState of JointMover, the object that moves the joints.
+// Returns "starting" if RCServer, the robot's remote control, does not know the state yet.
 std::string StateName(int state);
 
 // Formats sensor values with the names and units of the robot's sensors.

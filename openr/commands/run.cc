@@ -178,7 +178,8 @@ void DescribeOutput(CLI::App* command, RunFlags* flags) {
           ->expected(0, 1);
 }
 
-// Returns the reason why a run with the flags `flags` cannot take the picture `plan`; "" if it can.
+// Returns the reason why a run with the flags `flags` cannot take the picture that `plan`, a value
+// of --snapshot, asks for; "" if it can.
 std::string Misfit(const PictureRequest& plan, const RunFlags& flags) {
   if (plan.robot >= flags.simulation.robots) return fmt::format("there is no robot {}", plan.robot);
   if (flags.for_us && plan.time_us > *flags.for_us) {
@@ -374,16 +375,16 @@ CommandedRun::CommandedRun(const RunFlags& flags)
   facts_.seed = options_.seed;
 }
 
-// Returns the options of the simulation: those of the flags, with console, recorder and workers
-// added.
+// Returns the options of the simulation: those of the flags, to which the console, the recorder and
+// the connections of `distribution_` are added.
 SimulationOptions CommandedRun::Options() {
   SimulationOptions options = flags_.simulation;
   options.stick = stick_.folder();
   options.log_level = flags_.log == "error" ? 1 : flags_.log == "warning" ? 2 : 3;
   options.console = [this](std::string_view text) { console_.Print(text); };
   if (records()) recorder_.Listen(&options);
-  // Enter() adds ROS 2 after the recorder, because the recorder must see the commands of ROS 2 as
-  // input.
+  // DistributedRun::Enter() adds the network client of ROS 2 after the recorder has added itself,
+  // because the recorder must see the commands of ROS 2 as input.
   distribution_.Enter(&options, plan_.say);
   return options;
 }
@@ -395,8 +396,8 @@ int CommandedRun::Run() {
   boots_ = simulation_.loaded() && !is_refused && distribution_.Connect(&simulation_);
   bool good = boots_;
   if (!boots_) NoteThatItDoesNotBoot(is_refused);
-  // If the user has interrupted the boot, nobody knows whether the robot would have booted.  So the
-  // report does not say that it does not boot.
+  // After a Ctrl-C during the boot, nobody knows whether the robot would have booted.  So `boots_`
+  // is set, because otherwise the program would print that the robot does not boot.
   if (!boots_ && interrupts_.count() > 0) boots_ = true;
   if (good) {
     good = RunToTheEnd();
@@ -421,8 +422,9 @@ void CommandedRun::NoteThatItDoesNotBoot(bool is_refused) {
 // Boots the robots and runs the simulation to its end.  Returns false after printing an error.
 bool CommandedRun::RunToTheEnd() {
   const EndingAnswer answer(flags_.json ? StandardOutput() : -1, flags_.report_file);
-  // If the crash record is not on a stick of the user, `place` is set, so that the finding names
-  // the record's file.
+  // The crash record of a run on the default stick is in a folder that users do not know.  So
+  // `place` gets a value, which makes the finding name the record's file.  The value is "", because
+  // no text needs to follow the file's name.
   std::optional<std::string> place;
   if (stick_.is_default()) place = "";
   const CrashLog crash_log(

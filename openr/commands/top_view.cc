@@ -35,7 +35,8 @@ ProcessHost HostOf(const RunStatus& run, const RunStatus::Object& object) {
   return {object.process, run.host, run.pid, ""};
 }
 
-// Returns the time since the last status of `run`, if the run is silent for unusually long; else 0.
+// Returns the time since the last status of `run` if it is longer than kSilent_s, because the table
+// then warns that the run is silent.  Else, and for a run that has ended, returns 0.
 double Silence_s(const Run& run, double now_s) {
   const double silent_s = now_s - run.heard_s;
   return run.status.has_ended || silent_s < kSilent_s ? 0 : silent_s;

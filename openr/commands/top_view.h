@@ -21,7 +21,8 @@ class RunsHeard {
 
   void Take(const std::vector<RunStatus>& news, double now_s);
 
-  // Removes the runs that ended more than 10 s ago.
+  // Removes the runs that ended more than 10 s ago.  Until then the user can read in the table how
+  // they ended.
   void Forget(double now_s);
 
   bool empty() const { return runs_.empty(); }
@@ -33,14 +34,15 @@ class RunsHeard {
 };
 
 // Returns the table of the runs.  If it is wider than `columns` characters, its least important
-// columns are left out and its other lines are broken.  0: no limit.
+// columns are left out, and lines that are not part of the columns are wrapped.  0: no limit.
 std::string TopText(const std::vector<RunsHeard::Run>& runs, double now_s, size_t columns = 0);
 
 // Returns {"runs": [...]}, with one object for each run.
 nlohmann::ordered_json TopJson(const std::vector<RunsHeard::Run>& runs, double now_s);
 
-// Returns `text` for a terminal with its cursor at the top left: at most `rows` lines of `columns`
-// characters.  The last of them says how many lines are left out.
+// Returns `text` as a page for a terminal whose cursor is at the top left: at most `rows` lines of
+// `columns` characters; if lines are left out, the last line says how many.  Each line clears the
+// rest of its row, because the page is printed over the page before.
 std::string OnScreen(const std::string& text, size_t rows, size_t columns);
 
 }  // namespace openr_host
