@@ -40,8 +40,8 @@ std::string LineOf(Dwfl_Module* module, GElf_Addr address) {
 }  // namespace
 
 CodeLookup LookUpCode(const char* file, uintptr_t offset) {
-  // No object is current in this scope.  So malloc() and fopen() work on the heap and the files of
-  // the host, and not on those of an object.
+  // Says that no object runs on this thread until the end of this function.  So malloc() and
+  // fopen() work on the heap and the files of the host, and not on those of an object.
   const CurrentScope scope(nullptr, nullptr);
   // Debug information is searched only beside the file, not in the folders of installed debug
   // packages.  Such packages would change the output of a run from machine to machine.

@@ -43,12 +43,11 @@ namespace {
 constexpr int kCrashSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 constexpr size_t kAlternateStackBytes = 256 << 10;  // large enough to make a report on this stack
 
-// Paths of the record files, by number of the robot.  CrashLog's constructor sets them; null while
-// no CrashLog exists.
+// Paths of the record files; the index is the robot's number.  Null while no CrashLog exists.
 std::vector<std::string>* g_files = nullptr;
-bool g_adds = false;
-// The argument `place` of CrashLog's constructor.  If it has no value, the finding in the report
-// does not name the record file.
+bool g_adds = false;  // true: a record is added to its file; false: it replaces the file
+// Text that the finding in the report has after the name of the record file.  If it has no value,
+// the finding does not name the file.  The pointer is null while no CrashLog exists.
 std::optional<std::string>* g_place = nullptr;
 char g_stack[kAlternateStackBytes];
 
@@ -110,10 +109,10 @@ void AddName(int signal, const siginfo_t& info, const void* context, SignalText*
   }
 }
 
-// Handles a SIGFPE whose error is only reported and does not stop the object.  Stores the address
-// of the instruction for ImageObject, which reports the error, and masks this kind of error, so
-// that the instruction runs again without a signal.  Returns false if the error must stop the
-// object.
+// Lets the object go on after a floating-point error, which ImageObject only reports in a warning
+// when the handler has returned.  Stores the address of the instruction for this warning, and masks
+// this kind of error, so that the instruction runs again without a signal.  Returns false if the
+// error must end the run: a division of integers by 0 or, with --strict, a NaN.
 bool GoesOnInSignal(const siginfo_t& info, void* context) {
 #if defined(__x86_64__)
   const unsigned kind = KindOf(info);

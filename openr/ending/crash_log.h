@@ -18,12 +18,13 @@ namespace openr_host {
 // about a crash.
 class CrashLog {
  public:
-  // `files` has the path of the record file for each robot (RunStick::crash_log()); an empty path
-  // means that no file is written.  If `adds` is true, a record is added at the end of its file,
-  // because other processes of the run write records to the same file; otherwise it replaces the
-  // file.  `place` is set if the user cannot know where the file is, because it is on no stick that
-  // the user has named.  Then the finding in the report names the file, followed by the text
-  // `place`, such as " on HOST".
+  // `files` has the path of the record file for each robot (RunStick::crash_log()); for an empty
+  // path no file is written.  `adds` is true if other processes of the run write to the same file:
+  // a record is then added at the end of the file, else it replaces the file.
+  //
+  // `place` has a value if the finding in the report must name the record's file, because the user
+  // cannot know where it is: on another host, or on no stick that the user has named.  The value is
+  // a text that follows the file's name in the finding, such as " on HOST", or "".
   explicit CrashLog(std::vector<std::string> files, bool adds = false,
                     const std::optional<std::string>& place = {});
   ~CrashLog();

@@ -30,8 +30,8 @@ Ending* g_ending = nullptr;
 Current g_current;          // the object and handler that ran when the process began to end
 bool g_is_awaited = false;  // an EndingAnswer exists
 int g_answer = -1;
-// The file for the JSON answer.  Its names are worked out when the EndingAnswer is made, because
-// OnSignalDuringEnding() must not allocate memory.
+// The file that also gets the JSON answer.  Its paths are made together with the EndingAnswer,
+// because OnSignalDuringEnding() must not allocate memory.
 std::optional<PreparedFile> g_answer_file;
 
 void AnswerInSignal(const Ending& ending) {

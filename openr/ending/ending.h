@@ -42,8 +42,8 @@ class EndingAction {
   friend void RunEndingActions(Ending* ending);
 };
 
-// Calls all functions that EndingActions have registered, the newest first.  A second call does
-// nothing.
+// Calls all functions that EndingActions have registered, the newest first.  Unregisters them
+// before, so that a second call runs none of them again.
 void RunEndingActions(Ending* ending);
 
 // While an EndingAnswer exists, a run that ends early says on the last line of standard error what

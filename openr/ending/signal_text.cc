@@ -11,9 +11,9 @@ namespace {
 
 const char* const kSystemEntries[] = {"DoInit", "DoStart", "DoStop", "DoDestroy"};
 
-// Returns the name of the handler with the number `selector`; "" if it has none.  The tables of the
-// object are read only if the object's own code was interrupted.  If the runtime was interrupted,
-// it may have been changing the tables.
+// Returns the name of the object's handler with the number `selector`; "" if the name is not known.
+// The object's maps of names are read only if a signal has interrupted the object's own code.  If
+// it has interrupted the runtime, the runtime may have been changing these maps.
 const char* EntryOf(const Object& object, uint32_t selector) {
   if (selector < 4) return kSystemEntries[selector];
   if (!t_current.image_code) return "";

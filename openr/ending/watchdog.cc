@@ -44,8 +44,9 @@ void EndTheHandler() {
   FinishEnding();
 }
 
-// Handles SIGVTALRM, which comes kTicks times per limit: ends the process if the same handler has
-// run during the whole time limit.
+// Handles SIGVTALRM, which comes each time this thread has used 1/kTicks of the time limit.  Ends
+// the process if the handler of the same message has run at kTicks + 1 signals in a row, so it has
+// used the whole limit.
 void OnTickSignal(int) {
   const Object* const object = t_current.object;
   const uint64_t message =
