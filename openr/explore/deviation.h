@@ -36,7 +36,9 @@ struct Deviation {
   bool operator==(const Deviation&) const = default;
 };
 
-// Converts a deviation to one line of a schedule file, which has names of objects instead of ids:
+// Converts a deviation to one line of a schedule file.  The fields are those of Deviation, except
+// that an object is given by its name and the number of its robot.  "entry" is the name of the
+// handler `selector`, for people.
 //   {"kind":"tie","time_us":8000,"nth":0,"robot":0,"object":"RCServer"}
 //   {"kind":"delay","time_us":..,"nth":17,"robot":0,"object":"B","sender":"A","selector":7,
 //    "entry":"B.In.Number.O (Notify)","us":4000}

@@ -22,9 +22,9 @@
 namespace openr_host {
 
 // The objects that the delivery of a message concerns, one bit for each object: `memory` for
-// objects whose memory is used, `queues` for objects to which a message is sent.  Objects with an
-// id from 63 on share the last bit.  Then more deliveries seem to concern the same object, and the
-// search tries more orders than necessary, but misses none.
+// objects whose memory is used, `queues` for objects to which the handler sends a message.  Objects
+// with an id from 63 on share the last bit, because there are 64 bits.  Then more deliveries seem
+// to concern the same object, and the search tries more orders than necessary, but misses none.
 struct Touched {
   uint64_t memory = 0;
   uint64_t queues = 0;
@@ -35,8 +35,9 @@ struct Touched {
 };
 constexpr Touched kAllTouched = {~uint64_t{0}, ~uint64_t{0}};
 
-// The sleeping deliveries, which need not be tried, with the objects that they concern.  The key is
-// a receiver; it stands for the delivery of the next message to this receiver.
+// The deliveries that sleep, which means that they need not be tried (see above).  The key is a
+// receiver and stands for the delivery of the next message to this receiver.  The value has the
+// objects that this delivery concerns; they decide when the delivery stops sleeping.
 using SleepSet = std::map<ObjectId, Touched>;
 
 nlohmann::ordered_json TouchedToJson(const Touched& touched);
@@ -47,19 +48,23 @@ SleepSet SleepFromJson(const nlohmann::ordered_json& json);
 class ExactSchedule : public ExploreSchedule {
  public:
   // `plan` is a JSON object.  "choices" has the indices of the candidates to take at the first
-  // choices of the run.  "sleep" has the sleep set at the last of these choices.  At later choices
-  // the schedule takes the first candidate that does not sleep.  If "reduce" is false, nothing
-  // sleeps, so equal orders are tried too.
+  // choices of the run.  "sleep" has the SleepSet at the last of these choices.  At later choices
+  // the schedule takes the first candidate whose delivery does not sleep.  If "reduce" is false, no
+  // delivery sleeps, so the search also tries orders that are equal to earlier ones.
   ExactSchedule(const System& system, const nlohmann::ordered_json& plan);
 
-  // Notes the delivery of `message`.  Called before the handler of the receiver runs.
+  // Begins the delivery of `message`: notes which objects it concerns, and cuts the run if this
+  // delivery sleeps.  Called before the handler of the receiver runs.
   void SawDelivery(const Message& message);
 
-  // Returns whether this run was cut, because it can only repeat orders of earlier runs.
+  // Returns whether this run was cut, that is, stopped early, because only sleeping deliveries were
+  // left.
   bool is_cut() const { return is_cut_; }
 
-  // Returns what this run tells the search: {"cut": bool, "nodes": [{"candidates": [ids], "chosen":
-  // index, "touched": .., "sleep": ..}]}, with a node for every choice of the run.
+  // Returns the result of this run for the search: {"cut": bool, "nodes": [{"candidates": [ids],
+  // "chosen": index, "touched": .., "sleep": ..}]}, with a node for every choice.  "touched" has
+  // the objects that the chosen delivery concerned, "sleep" the SleepSet before the choice; it is
+  // empty for the choices that the plan gave.
   nlohmann::ordered_json Tell();
 
  protected:
@@ -90,8 +95,9 @@ class ExactSchedule : public ExploreSchedule {
   std::vector<Node> nodes_;
   bool is_cut_ = false;
 
-  // ---- The current delivery.  It is current from its choice, or from its beginning if nothing
-  // could be chosen, until the next delivery is chosen or begins.
+  // ---- The current delivery.  A delivery becomes the current one when it is chosen.  If there was
+  // no choice, because there was only one candidate, it becomes the current one when its message is
+  // delivered.
   bool has_event_ = false;
   bool is_begun_ = false;  // the message of this delivery has been delivered
   ObjectId event_target_ = kNoObject;

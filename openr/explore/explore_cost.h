@@ -13,7 +13,8 @@ class ExploredCost : public ConfiguredCost {
  public:
   explicit ExploredCost(CostConfig config) : ConfiguredCost(std::move(config), 1) {}
 
-  // Sets the schedule that chooses the jitter; null means that there is no jitter.
+  // Sets the schedule of the run, which chooses by how much each handler's cost differs from the
+  // cost file (the jitter).  Null means that there is no jitter.
   void set_schedule(ExploreSchedule* schedule) { schedule_ = schedule; }
 
  protected:

@@ -17,8 +17,8 @@ namespace {
 // disturb a run less.
 constexpr int64_t kDelayMaxUs[] = {2'000, 20'000, 150'000};
 
-// Largest delay of messages from the network, in frames of 8 ms: 200 ms.  On the robot, data came
-// in steps of about 200 ms under load (field-notes.md, 11.6).
+// Largest delay of messages from the network, in frames of 8 ms: 200 ms.  On the robot under load,
+// received data reached an object in steps of about 200 ms (field-notes.md, 11.6).
 constexpr int64_t kNetworkFramesMax = 25;
 
 }  // namespace
@@ -130,8 +130,8 @@ RandomSchedule::RandomSchedule(const System& system, uint64_t seed, const Vary& 
     const double all[] = {static_cast<double>(rates)...};
     return all[temper.NextBelow(sizeof...(rates))];
   };
-  // All values are drawn in this order, also for parts that are switched off.  So the values of the
-  // other parts stay the same when one part is switched off.
+  // Draws the values for all kinds of choices, also for those that `vary` switches off.  So
+  // switching one kind off does not change the values of the other kinds.
   const double start = one_of(0, 1, 1), tie = one_of(0.02, 0.3, 1);
   const double delay = one_of(0, 0.002, 0.03), network = one_of(0, 0.1, 0.5);
   const double cost = one_of(0, 0.05, 1), frame = one_of(0, 0, 0, 1);
@@ -165,8 +165,9 @@ int64_t RandomSchedule::PickCostUs(const Deviation&, int64_t range_us) {
   return static_cast<int64_t>(cost_.NextBelow(static_cast<uint64_t>(2 * range_us + 1))) - range_us;
 }
 
-// Picks a number so near to the largest frame number that the frame counter starts again at 0
-// within the run.
+// Picks the number of the robot's first frame: 0, or one so large that the frame counter starts
+// again at 0 within the run of `frames` frames.  A real robot gets there only after weeks, so
+// objects are seldom tested for it.
 int64_t RandomSchedule::PickFrame(const Deviation&, int64_t frames) {
   if (frames <= 1 || !Happens(&frame_, frame_rate_)) return 0;
   return int64_t{oframeMAX_NUMBER} -

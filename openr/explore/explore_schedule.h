@@ -19,8 +19,8 @@ namespace openr_host {
 class Object;
 class System;
 
-// A list of deviations in memory that is shared with another process.  So that process can read the
-// list even after a crash of this one.
+// A list of deviations in memory that is shared by two processes.  One makes a run and writes the
+// list; the other can read the list even if the first one crashes.
 struct DeviationLog {
   static constexpr uint64_t kMax = 1'000'000;
   uint64_t count;
@@ -51,17 +51,20 @@ class ExploreSchedule : public Schedule {
   // range_us.
   int64_t CostJitterUs(const Object& object, uint32_t selector, int64_t range_us);
 
-  // Returns the number of the first frame of `robot`, in a run of `frames` frames.
+  // Returns the number of the first frame of `robot`, in a run of `frames` frames.  The canonical
+  // number is 0; a number near the largest one lets the frame counter wrap during the run.
   int64_t FirstFrame(int robot, int64_t frames);
 
   const std::vector<Deviation>& deviations() const { return deviations_; }
-  // Sets a log that deviations are written to as well; null means no log.
+  // Sets a log that gets a copy of each deviation, so that another process can read the deviations
+  // after a crash of this one; null means no log.
   void set_log(DeviationLog* log) { log_ = log; }
 
  protected:
-  // Make a choice.  `spot` names the place of the choice; its fields for the result are not set
-  // yet.  PickOf() returns the index of a candidate, the others a time or a frame number.  0 is the
-  // canonical choice in each.
+  // Make one choice.  `spot` says where in the run the choice is; only its field for the result
+  // (`object` for PickOf(), `us` for the others) is not set yet.  PickOf() returns the index of the
+  // chosen candidate, PickFrame() a frame number, the others a time.  In each, 0 is the canonical
+  // choice.
   virtual size_t PickOf(const Deviation& spot, const std::vector<ObjectId>& candidates) = 0;
   virtual int64_t PickDelayUs(const Deviation& spot, bool from_network) = 0;
   virtual int64_t PickCostUs(const Deviation& spot, int64_t range_us) = 0;
@@ -84,11 +87,14 @@ class ExploreSchedule : public Schedule {
   uint64_t start_count_ = 0;
   int64_t tie_time_us_ = -1;
   uint64_t tie_count_ = 0;  // number of ties so far at tie_time_us_
-  // Number of messages and last due time, by sender, receiver and selector (number of the handler).
+  // The messages from one sender to one handler of one receiver: their number and, if they come
+  // from the network, when the last of them is due.  The key is sender, receiver and selector
+  // (number of the handler).
   std::map<std::tuple<ObjectId, ObjectId, uint32_t>, Stream> streams_;
+  // The number of calls of CostJitterUs() so far, by object and selector of the handler.
   std::map<std::pair<ObjectId, uint32_t>, uint64_t> calls_;
-  std::vector<int64_t> last_due_us_;  // due time of the last message, by receiver (without network)
-  std::vector<int8_t> is_network_;    // by object: is it the IPStack; -1: not known yet
+  std::vector<int64_t> last_due_us_;  // when the last message is due, by receiver (without network)
+  std::vector<int8_t> is_network_;  // by object: 1 if it is the IPStack, else 0; -1: not known yet
   std::vector<Deviation> deviations_;
   DeviationLog* log_ = nullptr;
 };

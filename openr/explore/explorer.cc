@@ -126,7 +126,8 @@ Json ExploreSeeds(const ExplorePlan& plan) {
 Json VerifySeeds(const ExplorePlan& plan) {
   ExplorerProcesses pool(plan.prepare_run, plan.run, plan.limits, plan.jobs, true);
   Sum sum(plan);
-  // Counts the seeds in whose answer the field `mark` is true, and keeps the first of these seeds.
+  // Counts the seeds for which the field `mark` of the run's answer, such as "differs", is true,
+  // and keeps the first kSeedsNamed of these seeds.
   struct Marked {
     uint64_t count = 0;
     Json seeds = Json::array();

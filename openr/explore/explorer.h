@@ -21,8 +21,8 @@ struct ExplorePlan {
   bool reduce = true;         // for a search: of orders with equal results, try only one
   bool stop_at_first = true;  // stop at the first seed that breaks a property
   int shorten_runs = 2000;    // limit of runs for shortening; 0: no shortening
-  // A function that is called after every counted run with the number of runs so far, to show
-  // progress; may be empty.
+  // A function that is called after each run with the number of runs so far, to show progress; may
+  // be empty.  Runs that only shorten a failure do not count.
   std::function<void(uint64_t runs)> progress;
 };
 
@@ -33,10 +33,11 @@ struct ExplorePlan {
 // With stop_at_first, only the runs up to that seed are counted.
 nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 
-// Makes two runs for each seed; the second one is in a process with other memory addresses, in time
-// slices of another length.  Returns the fields of ExploreSeeds(), and "differences" (number of
-// seeds whose two runs differ in the hash of trace or state), "address_dependent" (number of seeds
-// that differ only because of the other addresses), and the first seeds of both kinds.
+// Makes two runs for each seed; the second one is in a process with other memory addresses, and is
+// advanced in time slices of another length.  Neither changes the result of a good program.
+// Returns the fields of ExploreSeeds(), and "differences" (number of seeds whose two runs differ in
+// the hash of trace or state), "address_dependent" (number of seeds that differ only because of the
+// other addresses), and the first seeds of both kinds.
 nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 
 // Tries all orders in which objects can start, and in which objects with messages due at the same
@@ -47,16 +48,20 @@ nlohmann::ordered_json VerifySeeds(const ExplorePlan& plan);
 //   run), "stopped" (the reason, if not complete), "failure" (MakeFailure()).
 nlohmann::ordered_json SearchOrders(const ExplorePlan& plan);
 
-// Makes one run with the deviations `script`.  Returns the answer of RunPlan(), with the last
-// messages of the run.
+// Makes one run with the deviations `script`, which come from a schedule file.  `seed` is the seed
+// in that file; the random numbers of the simulation follow from it.  Returns the answer of
+// RunPlan(), with the last messages of the run.
 nlohmann::ordered_json ReplayDeviations(const ExplorePlan& plan,
                                         const nlohmann::ordered_json& script, uint64_t seed);
 
-// Returns the field "failure" of the functions above, for the `answer` of a run that broke a
-// property.  First removes the deviations that are not needed to break it.  Returns
-//   "seed", "property", "time_us", "message", "text", "waits", "tail", "deviations" (needed ones),
-//   "deviations_found" (number before the removal), "shorten_runs", "canonical" (true: the property
-//   is broken without any deviation too).
+// Returns the description of a failure, which is the field "failure" in the results of
+// ExploreSeeds(), VerifySeeds() and SearchOrders().  `answer` is the answer of the run that broke a
+// property.  `pool` makes more runs, to find the deviations that are needed to break it.  The
+// description has
+//   "seed", "property", "time_us", "message", "text", "waits", "tail" (as in RunPlan()),
+//   "deviations" (needed ones), "deviations_found" (number before others were removed),
+//   "shorten_runs" (number of runs made by `pool`), "canonical" (true: the property is broken
+//   without any deviation too).
 nlohmann::ordered_json MakeFailure(const ExplorePlan& plan, ExplorerProcesses* pool,
                                    const nlohmann::ordered_json& answer);
 

@@ -51,8 +51,9 @@ bool Send(int channel, const std::string& line) {
   return true;
 }
 
-// Moves all memory that is allocated from now on to other addresses than in the first process.  If
-// the result of a program depends on addresses, the hashes of the two processes then differ.
+// Moves all memory that this process allocates from now on to other addresses than in processes
+// that do not call this function.  The same run is made in processes of both kinds.  If its result
+// depends on addresses, the hashes of its state differ, and so the user learns about it.
 void MoveMemory() {
   UseOtherAddresses();
   constexpr size_t kHoleBytes = (96 << 20) + 7 * 4096;

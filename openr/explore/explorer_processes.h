@@ -16,19 +16,22 @@ namespace openr_host {
 
 // The choice of memory addresses for a child process.
 enum class Memory {
-  kAsItComes,
+  kAsItComes,  // the addresses that this program usually has
   kElsewhere,  // heap, stacks and images have other addresses than in kAsItComes
 };
 
 class ExplorerProcesses {
  public:
-  // Starts `count` child processes and waits until each has assembled its graph.  `twice` says that
-  // plans with the field "twice" will come.  Such a plan is run again in a process with kElsewhere
-  // and time slices of another length.  If the hash of state or trace differs, a third run follows,
-  // at the addresses of the first run.  In the answer, "depends_on_addresses" is true if the third
-  // run is like the first, "differs" is true if it is not.  The child processes close
-  // `outer_channel`.  Throws std::runtime_error when a process cannot assemble its graph.
-  // REQUIRES: this process has one thread.
+  // Starts `count` child processes and waits until each has assembled its graph.  Throws
+  // std::runtime_error when a process cannot assemble its graph.  `memory` chooses the addresses in
+  // these processes.  They close `outer_channel`, a descriptor that they inherit but do not use
+  // (-1: none).  REQUIRES: this process has one thread, because fork() copies no other thread.
+  //
+  // If `twice` is true, plans may have the field "twice".  Such a plan is run a second time, in a
+  // process with Memory::kElsewhere and in time slices of another length.  If the second run has
+  // another hash of state or trace than the first, a third run with these slices follows, at the
+  // addresses of the first.  Two fields are added to the answer: "depends_on_addresses" is true if
+  // only the second run differs, "differs" if the third run differs from the first as well.
   ExplorerProcesses(const PrepareRun& prepare_run, const RunOptions& options,
                     const ForkLimits& limits, int count, bool twice = false,
                     Memory memory = Memory::kAsItComes, int outer_channel = -1);
@@ -36,9 +39,10 @@ class ExplorerProcesses {
   ExplorerProcesses(const ExplorerProcesses&) = delete;
   ExplorerProcesses& operator=(const ExplorerProcesses&) = delete;
 
-  // Calls `next` for a plan whenever a process is idle, until `next` returns nothing.  Calls `take`
-  // for each answer as soon as it comes; `number` is the number of its plan, counted from 0.
-  // Throws std::runtime_error when a plan has a problem or a process has ended.
+  // Calls `next` for a plan whenever a child process is idle, until `next` returns nothing.  Calls
+  // `take` for each answer as soon as it comes; `number` is the number of its plan, counted from 0.
+  // Throws std::runtime_error when a plan does not fit the graph, or when a child process has
+  // ended.
   void Run(const std::function<std::optional<nlohmann::ordered_json>()>& next,
            const std::function<void(size_t number, nlohmann::ordered_json answer)>& take);
 

@@ -19,16 +19,18 @@ struct ForkLimits {
 
 class ForkServer {
  public:
-  // REQUIRES: System::Boot() has not been called for the prepared run; the process has one thread.
+  // REQUIRES: System::Boot() has not been called for the prepared run, because every copy calls it;
+  // the process has one thread, because fork() copies no other thread.
   ForkServer(PreparedRun prepared, RunOptions options, ForkLimits limits);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
   // Runs `plan` in a copy of the process and returns the answer of RunPlan().  If the copy crashes,
-  // the answer says that the property no-crash is broken.  If a handler exceeds its limit, or the
-  // copy must be killed after wall_s, the answer says that the property handlers-return is broken.
-  // If the plan does not fit the graph, the answer is {"problem": text}.
+  // the answer says that the property no-crash is broken.  If a handler uses more time than
+  // handler_us of the ForkLimits, or the copy must be killed after wall_s seconds, the answer says
+  // that the property handlers-return is broken.  If the plan does not fit the graph, for example
+  // names an object that the graph does not have, the answer is {"problem": text}.
   nlohmann::ordered_json Run(const nlohmann::ordered_json& plan);
 
  private:

@@ -20,7 +20,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Draws the line, unless the last drawing was less than 0.2 s ago.
+  // Draws the line for `done` finished runs.  Does nothing if the last drawing was less than 0.2 s
+  // ago, because many short runs would draw more often than a person can read.
   void Show(uint64_t done);
 
  private:

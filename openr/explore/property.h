@@ -28,8 +28,8 @@ class Property {
 
   const std::string& name() const { return name_; }
 
-  // Check() is called after every frame, CheckEnd() once at the end of the run.  Each returns "",
-  // or a text that says how the property is broken; then the run is over.
+  // RunPlan() calls Check() after every frame of 8 ms, and CheckEnd() once at the end of the run.
+  // Each returns "", or a text that says how the property is broken; then the run is over.
   virtual std::string Check(const RunView&) { return ""; }
   virtual std::string CheckEnd(const RunView&) { return ""; }
 
@@ -50,9 +50,9 @@ const std::vector<PropertyEntry>& PropertyTable();
 inline constexpr char kNoCrash[] = "no-crash";
 inline constexpr char kHandlersReturn[] = "handlers-return";
 
-// Returns the property that a run broke when its process ended early.  `record` is the text that
-// was written then (Ending::record in ending.h); it is about a crash or about a handler that does
-// not return.
+// Returns the name of the property that a run broke when its process ended early: no-crash or
+// handlers-return.  `record` is the text about the end that the process wrote (Ending::record in
+// ending.h).
 const char* PropertyOfEnding(std::string_view record);
 
 // The properties to check in every run.  Each name is that of a built-in property, "default" for

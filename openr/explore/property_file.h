@@ -34,7 +34,8 @@ struct PropertyRule {
   FilePosition place;  // place of QUANTITY in the file, for error messages
 };
 
-// Reads the rules in `text`.  A wrong line is reported in `diagnostics` and skipped.
+// Reads `text`, the content of the property file `file`, and returns one PropertyRule for each
+// property.  A wrong line is reported in `diagnostics` and skipped.
 std::vector<PropertyRule> ParseProperties(const std::string& file, std::string_view text,
                                           std::vector<Diagnostic>* diagnostics);
 

@@ -18,8 +18,8 @@ namespace openr_host {
 // The stick and the options of an exploration.  The seed and the order of messages are not part of
 // it.
 struct ExploredStick {
-  // The options of the exploration.  A schedule file has only stick, robot, world, body, robots,
-  // strict, guard_regions, cost_file and battery of them.
+  // The options of the exploration.  A schedule file keeps only stick, robot, world, body, robots,
+  // strict, guard_regions, cost_file and battery of these options.
   SimulationOptions simulation;
   int64_t for_us = 20'000'000;
   std::vector<std::string> properties = {"default"};

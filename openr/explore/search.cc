@@ -1,5 +1,5 @@
-// Searches all orders of messages of one graph, depth first.  Each run is given its first choices,
-// so that it begins like the run before and then takes another branch.
+// Searches all orders of messages of one graph, depth first.  The search tells each run its first
+// choices, so that the run begins like the run before and then takes another branch.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A choice in the last run: its candidates, and which of them have been explored.
+// A choice of the last run, as an element of stack_: its candidates, and which of them have been
+// explored.
 struct Frame {
   std::vector<ObjectId> candidates;
   SleepSet sleep;  // deliveries that need not be tried at this choice
@@ -82,8 +83,8 @@ class Search {
     }
   }
 
-  // Counts a run that crashed, and ends the search.  Such a run cannot report the choices that it
-  // made, so the search does not know their other candidates.
+  // Counts a run that crashed, and ends the search.  The process of such a run could not report the
+  // run's choices, so the search does not know what else it would have to try.
   void CountCrashedRun() {
     ++orders_;
     stopped_ = "at a run that did not come to its end";
