@@ -11,7 +11,8 @@
 
 namespace openr_host {
 
-// Adds --stick, --robot, --world and --seed.
+// Adds --stick, --robot, --world and --seed, which all commands have that load the objects of a
+// stick.
 void AddCommonFlags(CLI::App* command, SimulationOptions* options);
 
 // Add --battery and --cost, which commands that run robots have.
@@ -42,7 +43,8 @@ CLI::Validator IsReadable(const std::string& flag, const std::string& kind,
                           const std::string& extension);
 CLI::Validator IsReadable(const std::string& flag, const InputKind& kind);
 
-// Throws an error "FLAG FILE: `problem`".  Does nothing if `problem` is "".
+// Throws CLI::ParseError with the text "FLAG FILE: `problem`", which says why `file`, the value of
+// `flag`, cannot be used.  Does nothing if `problem` is "".
 void RefuseInput(const std::string& flag, const std::string& file, const std::string& problem);
 
 // Returns a check of a flag's value: it refuses folders that can be neither created nor written to.

@@ -14,7 +14,8 @@ namespace openr_host {
 
 class RunStick;
 
-// Adds --dds-domain, --dds-address, --dds-peer, --dds-lease and --dds-config.
+// Adds the flags for DDS, the network between the processes of a run: --dds-domain, --dds-address,
+// --dds-peer, --dds-lease and --dds-config.
 void AddBusFlags(CLI::App* command, BusOptions* bus);
 
 // Returns a check of the value of --run-name (`what` is "run") or --process (`what` is "process").

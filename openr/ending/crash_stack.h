@@ -17,7 +17,8 @@ class Object;
 // that called the object's handler are left out.
 class CrashStack {
  public:
-  // Walks the stack of `object`.  `context` is the third argument of the signal handler.
+  // Walks the stack of `object`.  `context` is the third argument of the signal handler, which has
+  // the processor's registers at the signal.
   CrashStack(const Object& object, const void* context);
 
   // Adds "STACK" and one line per frame, the innermost frame first: "  #0 TROUBLE.BIN+0x1234

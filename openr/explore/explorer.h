@@ -34,7 +34,7 @@ struct ExplorePlan {
 nlohmann::ordered_json ExploreSeeds(const ExplorePlan& plan);
 
 // Makes two runs for each seed; the second one is in a process with other memory addresses, and is
-// advanced in time slices of another length.  Neither changes the result of a good program.
+// advanced in time slices of another length.  Both runs of a correct program have the same result.
 // Returns the fields of ExploreSeeds(), and "differences" (number of seeds whose two runs differ in
 // the hash of trace or state), "address_dependent" (number of seeds that differ only because of the
 // other addresses), and the first seeds of both kinds.

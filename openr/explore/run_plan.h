@@ -41,8 +41,9 @@ struct RunOptions {
 // Throws std::runtime_error when the plan does not fit the prepared run.
 //
 // `prepared` can be used only once, because the robot cannot boot again.  Each deviation is also
-// written to `log` at once.  If the process ends during the run (ending.h), `on_death` gets the
-// answer; its "broken" says why the process ends, and it has no hashes.
+// written to `log` at once, so that it is known after a crash.  If the process ends during the run
+// (ending.h), `on_death` gets the answer; its "broken" says why the process ends, and it has no
+// hashes.
 nlohmann::ordered_json RunPlan(
     PreparedRun* prepared, const nlohmann::ordered_json& plan, const RunOptions& options,
     DeviationLog* log = nullptr,

@@ -107,8 +107,8 @@ class Search {
     return false;
   }
 
-  // Returns the explored share of the tree of choices, 0 to 1.  The candidates of one choice have
-  // equal weights.
+  // Returns the explored share of the tree of choices, 0 to 1.  The tree is not known before it is
+  // explored, so every candidate of a choice counts as an equal part of the tree.
   double Covered() const {
     if (stopped_.empty()) return 1;
     double covered = 0, weight = 1;
