@@ -35,7 +35,9 @@ std::string Escaped(const std::string& text) {
   return result;
 }
 
-// Returns only the part of a service's full name that follows the name of the object.
+// Returns the part of a service's full name that the drawing shows: "Move" of
+// "RCServer.Move.MoveCommand.S".  The box has the name of the object, the line the type of the
+// data.
 std::string ShortName(const std::string& service) {
   const std::optional<ServiceName> name = ParseServiceName(service, nullptr);
   return name ? name->service : service;
@@ -64,7 +66,8 @@ class DotWriter {
 
  private:
   // Adds the box of an object.  A part of the robot (a system object) gets two boxes: one on the
-  // left with its subjects, one on the right with its observers.
+  // left with its subjects, one on the right with its observers.  So all connections can run from
+  // left to right, although sensor values come from the robot and commands go to it.
   void AddObject(size_t index) {
     const GraphObject& object = graph_.objects[index];
     const std::string node = fmt::format("o{}", index);
@@ -129,7 +132,8 @@ class DotWriter {
 
   const GraphView& graph_;
   std::map<std::pair<int, std::string>, int> wires_;
-  // Box and row of each service in the drawing, such as "o1:s2", by robot and name of the service.
+  // Where each service is in the drawing: the box and the row in it, such as "o1:s2".  The key is
+  // the number of the robot and the name of the service.
   std::map<std::pair<int, std::string>, std::string> ports_;
   std::string text_;
 };

@@ -53,8 +53,9 @@ GraphView CollectGraph(System* system_pointer) {
     const Robot& robot = system.robot(wire.robot);
     GraphConnection seen{wire.robot, wire.subject, wire.observer, wire.where, false, 0};
     const SubjectState* const subject = FindSubject(system, robot, wire.subject);
-    // The n-th connection of a subject in CONNECT.CFG is the n-th of the subject's `links`, because
-    // a subject keeps its observers in the order of connecting.
+    // Finds the subject's link to this observer by counting: a subject keeps its `links` in the
+    // order of the lines in CONNECT.CFG.  A line that names an unknown observer makes no link, so
+    // it is not counted.
     if (subject != nullptr && robot.directory.contains(wire.observer)) {
       const size_t link = links_used[{wire.robot, wire.subject}]++;
       seen.connected = link < subject->links.size();

@@ -1,4 +1,5 @@
-// The graph of a System as plain data: objects, services, connections.
+// The graph of a System as plain data: objects, services, connections.  The command openr graph
+// writes it as JSON or as a drawing.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +39,8 @@ struct GraphView {
   std::vector<GraphConnection> connections;  // in the order of CONNECT.CFG
 };
 
-// Returns the objects, services and connections of `system`.  REQUIRES: the system has booted.
+// Returns the objects, services and connections of `system`.  REQUIRES: the system has booted,
+// because objects register and connect their services during the boot.
 GraphView CollectGraph(System* system);
 
 nlohmann::ordered_json GraphToJson(const GraphView& graph);

@@ -17,7 +17,9 @@ class ReplayView {
  public:
   explicit ReplayView(Replayer* replayer);
 
-  // Finds out once a frame whether each robot stands.  Called after every message.
+  // Finds out whether each robot stands, because the condition of a breakpoint can read it.  Called
+  // after every message, but does this only for the first message in a frame of 8 ms, since a
+  // StandingMonitor takes one sample per frame.
   void Sample();
   const RunView& run() const { return run_; }
 
@@ -45,15 +47,17 @@ class Breakpoints {
   size_t size() const { return all_.size(); }
   const std::string& text(size_t number) const { return all_[number - 1].text; }
 
-  // Prepares for running on: if the condition of a "when" breakpoint holds now, Hit() ignores it
-  // until it has been false once.
+  // Called when the user lets the replay run on.  A "when" breakpoint whose condition holds now
+  // would stop the replay again at the next message.  So Hit() ignores such a breakpoint until its
+  // condition has been false once.
   void Arm();
-  // Returns the number, counted from 1, of the first breakpoint at which the last message has to
-  // stop the replay; 0 if there is none.
+  // Tests all breakpoints after the replay has delivered a message.  Returns the number, counted
+  // from 1, of the first breakpoint that stops the replay here; 0 if the replay goes on.
   size_t Hit();
 
   // Save() returns all breakpoints as text, one per line; Load() replaces all breakpoints by those
-  // of such a text.
+  // of such a text.  The process that continues after going back loads the text which the process
+  // before it saved.
   std::string Save() const;
   void Load(const std::string& text);
 
@@ -67,7 +71,7 @@ class Breakpoints {
 
   Break Read(const std::string& text) const;
   // Both throw std::runtime_error: CheckObject() when no object has this name, CheckService() when
-  // no entry of an object has `part` in its name.
+  // no entry (handler for messages) of any object has `part` in its name.
   void CheckObject(const std::string& name) const;
   void CheckService(const std::string& part) const;
   bool Holds(const Break& one) const;

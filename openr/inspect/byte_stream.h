@@ -32,7 +32,7 @@ class ByteWriter {
 };
 
 // Reads what a ByteWriter has written.  Throws std::runtime_error when the bytes end too early, or
-// when a number of variable length has more than ten bytes.
+// when a number of variable length has more than ten bytes, which are enough for 64 bits.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}

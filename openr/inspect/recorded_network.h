@@ -30,8 +30,8 @@ class RecordingNetwork : public PassingNetwork {
   const Heard heard_;
 };
 
-// The network of a replay.  All commands are ignored, because a replay sends nothing.  Poll()
-// returns the recorded events, which the function `say` gives.
+// The network of a replay.  All commands are ignored, because a replay sends nothing.  Poll() calls
+// the function `say`, which returns the next recorded events.
 class ReplayedNetwork : public Network {
  public:
   using Say = std::function<std::vector<NetworkEvent>()>;

@@ -14,8 +14,8 @@ class Recorder {
  public:
   Recorder(std::string file, bool payloads) : file_(std::move(file)), payloads_(payloads) {}
 
-  // Sets `options` so that this recorder is told what comes from the network.  Called before the
-  // simulation is made with `options`.
+  // Puts a network into `options` that tells this recorder what comes from outside.  Called before
+  // the simulation is made with `options`.
   void Listen(SimulationOptions* options);
 
   // Begins the file.  `stick` is the folder in which a replay finds the files of the Memory Stick
@@ -30,7 +30,8 @@ class Recorder {
 
   void NoteLoss(const std::string& process, int64_t time_us) { writer_->AddLoss(process, time_us); }
 
-  // Writes the end of the recording.  Returns "", or the error in writing the file.
+  // Writes the end of the recording, with the hashes with which a replay compares its own.  Returns
+  // "", or the error in writing the file.
   std::string Finish(System* system) { return writer_->Finish(system); }
 
  private:

@@ -192,8 +192,9 @@ void Replayer::Compare(const TraceRecord& record, const Message& message) {
   if (difference_.empty()) ++count_;
 }
 
-// Ends the replay where the recorded run lost a process.  The loss may have interrupted a handler
-// anywhere in its code, so the run cannot be repeated from this place on.
+// Ends the replay where a worker process of the recorded run was lost, that is, crashed or answered
+// no more.  This may have interrupted a handler anywhere in its code, so what happened afterwards
+// cannot be repeated.
 void Replayer::EndAtLoss() {
   at_end_ = true;
   loss_ = fmt::format(
@@ -216,8 +217,8 @@ void Replayer::CompareEnd(const TraceEntry& end) {
 }
 
 // Applies the next recorded input if it is due now and is a pressed pause button, a shutdown or
-// typed text.  Returns whether input was applied.  At the end of the recording, compares the hashes
-// instead.
+// typed text.  Returns whether input was applied.  At the end of the recording, compares the trace
+// hash and the state hash of this run with the recorded ones instead.
 bool Replayer::ApplyInput() {
   SkipNames();
   const TraceEntry* const next = reader_.Peek();
@@ -229,7 +230,8 @@ bool Replayer::ApplyInput() {
     if (next->time_us <= system().now_us() || system().powered_off()) CompareEnd(reader_.Take());
     return false;
   }
-  // Messages are compared as they are delivered, and network input is taken by Poll().
+  // Leaves messages and network input in the recording, because others take them from it: Compare()
+  // when a message is delivered, SayNetwork() when a robot polls its network.
   if (next->kind == Kind::kMessage || next->kind == Kind::kNetwork) return false;
   if (next->time_us > system().now_us()) return false;
   if (next->kind == Kind::kLoss) {
@@ -278,8 +280,9 @@ bool Replayer::Step() {
   system().RunOne(std::max(next_us, system().now_us()));
   if (!difference_.empty()) return false;
   if (count_ != before || at_end_) return true;
-  // No message was delivered before the time of the next entry of the recording.  That is right if
-  // this entry is input.  If it is a message, the replay differs from the recording.
+  // RunOne() has delivered no message up to the time of the next entry of the recording.  If this
+  // entry is input, all is well, and the next Step() applies it.  If it is a message, the replay
+  // has failed to deliver it and so differs from the recording.
   const TraceEntry* const next = reader_.Peek();
   if (next == nullptr || next->kind != Kind::kMessage) return true;
   const TraceEntry missing = *next;

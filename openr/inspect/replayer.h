@@ -34,9 +34,9 @@ class Replayer {
   Simulation& simulation() { return *simulation_; }
   System& system() { return simulation_->system(); }
 
-  // Applies the recorded input that is due, then delivers one message, or none if the next entry of
-  // the recording is later input.  Returns false at the end of the recording and after a
-  // difference.
+  // Applies the recorded input that is due, then delivers one message.  Delivers none if the
+  // recording has input before the next message; the next call applies that input.  Returns false
+  // at the end of the recording and after a difference.
   bool Step();
   // Runs to the end of the recording, to `time_us`, or to the first difference.
   void RunUntil(int64_t time_us);
@@ -46,12 +46,13 @@ class Replayer {
   // Returns the time of the next message or input in the recording; INT64_MAX at its end.
   int64_t NextTimeUs();
   uint64_t count() const { return count_; }  // number of messages that were equal to the recording
-  // Returns how many messages the recording has up to the message `number`; nullopt if there is no
-  // such message.
+  // Returns how many messages the recording has up to and including the message with the number
+  // `number`; nullopt if it has no such message.  The count is not the number, because messages are
+  // numbered when they are posted and recorded when they are delivered.
   std::optional<uint64_t> CountUpTo(uint64_t number) const;
   bool at_end() const { return at_end_; }
-  // Returns a text if the replay has to end early, at the place where the recorded run lost a
-  // process; otherwise "".
+  // Returns a text if the replay has ended early, because a worker process of the recorded run was
+  // lost (crashed or answered no more) and a replay cannot repeat what followed; otherwise "".
   const std::string& loss() const { return loss_; }
 
   // Returns a text about the first difference from the recording: message, time, sender, receiver,

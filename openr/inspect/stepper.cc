@@ -43,7 +43,8 @@ constexpr char kHelp[] =
 const std::vector<std::string> kVerbs = {"step",   "back",   "goto",  "run",  "break",
                                          "breaks", "delete", "print", "help", "quit"};
 
-// Data that all copies of the process share: the state of the session of openr replay --step.
+// The state of a session of openr replay --step, in memory that all copies of the process share.  A
+// copy that ends leaves here what the waiting process of an earlier snapshot has to do next.
 struct Shared {
   bool went_back;    // a copy has ended because the session goes back
   uint64_t target;   // number of messages after which going back ends
@@ -80,7 +81,8 @@ class Stepper {
     breaks_.Load(shared_->breaks);
   }
 
-  // Runs the session.  Returns only in the first process, not in its copies.
+  // Runs the session.  Returns only in the first process, because a copy ends itself when the user
+  // goes back or quits.
   void Run() {
     if (!Snapshot()) return;
     Show();
@@ -91,9 +93,9 @@ class Stepper {
   }
 
  private:
-  // Takes a snapshot of this place: forks; the copy continues the session, and the original process
-  // waits.  If the session goes back to this place, the original makes another copy.  Returns true
-  // in a copy, and false in the original when the session is over.
+  // Takes a snapshot after the present message: forks; the copy continues the session, and the
+  // original process waits.  If the user goes back to this snapshot, the original makes another
+  // copy.  Returns true in a copy, and false in the original when the session is over.
   bool Snapshot() {
     const uint64_t here = replayer_->count();
     for (;;) {
@@ -119,8 +121,8 @@ class Stepper {
     }
   }
 
-  // Runs from the snapshot, which was taken after `here` messages, to the message or time to which
-  // the session goes back.
+  // Called in the new copy of a snapshot to which the user goes back.  Runs from the snapshot,
+  // which was taken after `here` messages, forward to the message or time that the user wants.
   void CatchUp(uint64_t here) {
     went_back_ = false;  // Forward() must not stop at the snapshots that it takes now
     if (shared_->target > here) Forward(shared_->target - here);
@@ -146,7 +148,7 @@ class Stepper {
   }
 
   // Runs forward by `count` messages, and takes snapshots on the way.  Returns false if the replay
-  // ends earlier, or if the session has gone back to one of these snapshots.
+  // ends earlier, or in a copy that was made because the user went back to one of these snapshots.
   bool Forward(uint64_t count) {
     for (; count > 0; --count) {
       const uint64_t before = replayer_->count();
@@ -156,8 +158,8 @@ class Stepper {
       view_.Sample();
       if (replayer_->count() - last_snapshot_ >= kSnapshotMessages) {
         if (!Snapshot()) _exit(0);
-        // If the session has gone back to this snapshot, the command that was running forward here
-        // is an old one and must not continue.
+        // This copy may come from going back to a snapshot that was taken in the middle of a
+        // command.  That command is long over, so it must not run further forward here.
         if (went_back_) return false;
       }
     }
@@ -240,8 +242,8 @@ class Stepper {
   void PrintQueue();
   void PrintQuantity(const std::string& name);
 
-  // Handles the commands that take a number: step, back and delete.  Returns false if `verb` is
-  // another command.
+  // Handles the commands that take a number: step, back and delete.  `verb` is the first word of
+  // the line, `rest` the text after it.  Returns false if `verb` is another command.
   bool ObeyWithNumber(const std::string& verb, const std::string& rest) {
     const bool steps = verb == "step" || verb == "s", backs = verb == "back" || verb == "b";
     if (!steps && !backs && verb != "delete") return false;

@@ -233,8 +233,8 @@ TraceReader::TraceReader(const std::string& file) : file_(file) {
   coder_.emplace(header_.payloads);
 }
 
-// Returns the place of the last message for an error text: "after message 500 (t=1.248000 s,
-// Controller -> JointMover "...")".
+// Returns the part of an error text that says where in the run the problem is, by the last message
+// that was read: "after message 500 (t=1.248000 s, Controller -> JointMover "...")".
 std::string TraceReader::AfterWhat() const {
   if (last_.number == 0) return "before the first message";
   return fmt::format("after message {} (t={:.6f} s, {} -> {} \"{}\")", last_.number,

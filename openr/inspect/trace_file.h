@@ -84,7 +84,7 @@ class TraceCoder {
   void WriteMessage(const TraceEntry& entry, ByteWriter* out);
   void ReadMessage(ByteReader* in, TraceEntry* entry);
   // Writes only the bytes of the payload that differ from the last payload of the same sender and
-  // size.
+  // size.  This makes the file small, because an object's messages often resemble each other.
   void WritePayload(const TraceEntry& entry, ByteWriter* out);
   void ReadPayload(ByteReader* in, TraceEntry* entry);
 
@@ -111,14 +111,16 @@ class TraceWriter {
   void AddLoss(const std::string& process, int64_t time_us);
   void AddEnded(const RunEnd& end);
   void AddConsole(int robot, std::string_view text, int64_t time_us);
-  // Adds the content of the file or folder `path` of the host, which an object is about to change.
-  // `name` is the path below the stick's folder.
+  // Adds an entry with the present content of a file or folder of the Memory Stick, which an object
+  // is about to change.  A replay needs it to undo the change.  `path` is the path on the host,
+  // `name` the path below the stick's folder.
   void AddStick(const std::string& name, const std::string& path);
 
   // Writes the added entries to the file.  May be called in a signal handler that ends the process.
   void Flush();
 
-  // Adds the last entry and writes everything to the file.  Returns "", or the error in writing it.
+  // Adds the reason why the run ended and the last entry, kEnd, which has the hashes of the run.
+  // Then writes everything to the file.  Returns "", or the error in writing it.
   std::string Finish(System* system);
 
  private:

@@ -67,7 +67,7 @@ std::string Field(const std::string& text) {
 
 // Length of a slice, the bar that the Perfetto viewer draws for a handler.  The recording does not
 // say how long handlers took, but a slice of length 0 could not be seen, and no arrow could end at
-// it.
+// it.  AddMessage() draws messages with the same time 1 us apart, so these slices do not overlap.
 constexpr double kSliceUs = 0.8;
 
 class PerfettoWriter {
@@ -91,7 +91,8 @@ class PerfettoWriter {
   }
 
   void AddMessage(const TraceRecord& record) {
-    // Messages of one instant are drawn side by side in their order, 1 us apart.
+    // Messages with the same virtual time would cover each other in the drawing.  So each of them
+    // is drawn 1 us later than the one before, and no message is drawn before an earlier one.
     at_ = record.time_us == instant_us_ ? at_ + 1 : static_cast<double>(record.time_us);
     instant_us_ = record.time_us;
     if (at_ < last_) at_ = last_;
