@@ -79,7 +79,8 @@ class RemoteClient {
  private:
   RemoteClient(const RemoteAddress& address, int timeout_ms, bool is_probe);
   void Connect();
-  // Tests with a new connection whether the robot still answers, after this connection was lost.
+  // Called after this connection was lost.  Returns whether the robot answers on a new connection,
+  // so that the error text can say whether only the connection or the whole run has ended.
   bool RobotGoesOn() const;
   int WaitForConnection() const;  // returns 0 or an errno
   uint16_t SendRequest(int command, const std::vector<uint8_t>& payload);
@@ -100,15 +101,17 @@ class RemoteClient {
   RcFramer framer_;
 };
 
-// The devices of one kind that the robot has.  Users name them by name, title, locator or number.
+// The devices of one kind, such as joints, that the robot has.  Users may give a device's short
+// name ("LF_j1"), title ("Left fore leg J1"), locator ("PRM:/r2/c1-Joint2:j1", its name in OPEN-R)
+// or number.
 class RemoteDevices {
  public:
   RemoteDevices(RemoteClient* client, RcDeviceKind kind);
 
   const std::vector<RcDescription>& all() const { return all_; }
 
-  // Returns the index of the device that `name` names.  Throws std::runtime_error with a list of
-  // all devices when the robot has no such device.
+  // Returns the index of the device whose short name, title, locator or number is `name`.  Throws
+  // std::runtime_error with a list of all devices when the robot has no such device.
   int Find(const std::string& name) const;
 
  private:

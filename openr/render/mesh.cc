@@ -6,14 +6,18 @@
 namespace openr_host::render {
 namespace {
 
-// Adds one side of a rounded box: a square grid of points.  The middle line of the grid is there
-// twice, once for each rounded half; the flat part of the side lies between the two.
+// Adds one of the six sides of a rounded box as a square grid of points.  `axis` (0 to 2: x to z)
+// and `sign` (1 or -1) give the direction in which the side faces.  `flat` is half the size of the
+// box without its rounding, in each direction.  The middle line of the grid exists twice, because
+// the flat part of the side lies between the two; the other lines form the rounding.
 void AddSide(int axis, float sign, const Eigen::Vector3f& flat, float radius, int steps,
              Mesh* mesh) {
   const int u_axis = (axis + 1) % 3;
   const int v_axis = (axis + 2) % 3;
   const int per_line = 2 * (steps + 1);
-  // Equal angles between the lines of the grid make the edge evenly round.
+  // Returns the tangent of the angle between the surface's normal at line `i` of the grid and the
+  // direction of the side.  The angles go from -45 to 45 degrees in equal steps, because this makes
+  // the edge evenly round.
   const auto slope = [steps](int i) {
     const int step = i <= steps ? i - steps : i - steps - 1;  // -steps to 0, 0 to steps
     return std::tan(static_cast<float>(step) / static_cast<float>(steps) * 0.78539816f);

@@ -149,7 +149,8 @@ std::vector<uint8_t> Draw(const Scene& scene, int width_px, int height_px) {
   glEnable(GL_DEPTH_TEST);
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
-  // The first pass draws the distances from sun and sky.  The second pass makes shadows of them.
+  // The first pass draws how far surfaces are from two lights: the sun, and the sky straight above.
+  // The second pass draws the picture; a point with a nearer surface before it is in shadow.
   DrawDepths(items, sun, depth_program, sun_depth);
   DrawDepths(items, sky, depth_program, sky_depth);
 

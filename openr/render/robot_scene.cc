@@ -111,7 +111,8 @@ void AddFace(const RobotModel& model, const RobotLook& look, std::vector<Shape>*
   shapes->push_back(nose);
 }
 
-// Adds the ears.  An ear that is off hangs down; an ear that is on stands up.
+// Adds the ears, the plungers of the model.  They have two positions: an ear that is off hangs
+// down, and an ear that is on stands up.
 void AddEars(const RobotModel& model, const RobotLook& look, std::vector<Shape>* shapes) {
   const int head = model.FindBody("head");
   for (size_t i = 0; head >= 0 && i < model.plungers.size(); ++i) {
@@ -221,8 +222,9 @@ render::Scene MakeRobotScene(const RobotModel& model, const RobotLook& look, con
                              View view) {
   render::Scene scene;
   for (size_t i = 0; i < model.bodies.size(); ++i) {
-    // Thin bodies are not drawn.  They are the plates of 1 mm that the model has instead of the
-    // blocks of joint J1, and they lie inside the trunk.
+    // Leaves out bodies of 2 mm or less.  These are the plates of 1 mm to which the model reduces
+    // the joints J1 of the legs.  They lie inside the box of the trunk, so a picture does not need
+    // them.
     if (model.bodies[i].has_box && model.bodies[i].size_m.minCoeff() > 0.002) {
       scene.shapes.push_back(ShapeOfPart(model.bodies[i], look.X_WL[i]));
     }

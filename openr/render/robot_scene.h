@@ -20,7 +20,9 @@ struct RobotLook {
   std::vector<double> plungers_rad;     // in the order of RobotModel::plungers; those missing are 0
 };
 
-// The place of the camera.  It moves and turns with the robot.
+// The place of the camera relative to the robot: at its right side, in front of it, above it, in
+// front of it to the right and higher (iso), or behind it and higher (follow).  The camera moves
+// and turns with the robot.
 enum class View { kSide, kFront, kTop, kIso, kFollow };
 
 // Sets `view` to the view "side", "front", "top", "iso" or "follow".  Returns false for other

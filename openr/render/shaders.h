@@ -1,5 +1,5 @@
-// Shaders in GLSL 1.20.  The two depth shaders draw distances from a light; the two picture shaders
-// draw the picture.
+// Shaders in GLSL 1.20.  The two depth shaders draw how far the nearest surfaces are from a light.
+// With these distances the two picture shaders, which draw the picture, find what is in shadow.
 #pragma once
 
 namespace openr_host::render {

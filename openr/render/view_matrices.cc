@@ -43,7 +43,8 @@ Eigen::Matrix4f LightMatrix(const Eigen::Vector3d& target_W, const Eigen::Vector
       std::abs(to_light.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
   box(0, 0) = box(1, 1) = 1 / half_m;
-  // Depth runs from -1 at the light to 1, as far behind the target as the light is in front of it.
+  // Depth in OpenGL is -1 at the near end of the drawn space and 1 at the far end.  Here the near
+  // end is at the light, and the far end as far behind the target as the light is in front of it.
   box(2, 2) = -1 / distance;
   box(2, 3) = -1;
   return (box * LookAt(target_W + distance * to_light, target_W, up)).cast<float>();

@@ -105,8 +105,9 @@ void JointClient::Forget() {
   framer_.Reset();
 }
 
-// Gives the connection to this client: answers the robot's oldest waiting Accept() with it.
-// Returns false if no Accept() waits.
+// Connects this client to the remote control: reports to the robot, in `events`, that its oldest
+// waiting Accept() has a connection, and takes that Accept() away from the real network.  Returns
+// false if no Accept() waits.
 bool JointClient::TakePlace(std::vector<NetworkEvent>* events) {
   if (listener_ == 0 || accepts_.empty()) return false;
   const NetHandle handle = accepts_.front();
@@ -155,7 +156,8 @@ std::vector<NetworkEvent> JointClient::Poll() {
     Forget();
     return events;
   }
-  // After an invalid answer the client sends no more requests and ends the connection.
+  // After an invalid answer the client sends no more requests and ends the connection, because the
+  // object that listens on this port is not the remote control.
   if (!is_broken_) WriteRequests();
   if (wants_ > 0 && (is_broken_ || !out_.empty())) {
     events.push_back(EventOf(NetworkEvent::Kind::kReceived, handle_));

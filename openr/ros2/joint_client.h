@@ -32,13 +32,15 @@ class JointClient : public PassingNetwork {
   JointClient(std::unique_ptr<Network> inner, Refused refused)
       : PassingNetwork(std::move(inner)), refused_(std::move(refused)) {}
 
-  // Stores targets, by the robot's number of the joint, for the next Poll().  While the robot has
-  // not answered earlier requests, a new target replaces a stored one of the same joint.
+  // Stores targets for the next Poll(); the key is the robot's number of the joint.  While the
+  // robot has not answered earlier requests, a new target replaces the stored one of the same
+  // joint.
   void Want(const std::map<int, JointTarget>& targets);
 
   // Returns whether the robot has not taken the stored targets yet.
   bool IsWaiting() const { return !wanted_.empty(); }
-  // Drops the stored targets.
+  // Drops the stored targets.  Called when the robot has not taken them for 1 s, because it must
+  // not move much later by an old command.
   void GiveUp() { wanted_.clear(); }
 
   void Listen(NetHandle listener, uint16_t port) override;

@@ -7,8 +7,8 @@
 namespace openr_host {
 namespace {
 
-// Returns `text`, which came over the network, as it may be printed: short, without control
-// characters.
+// Returns `text` shortened and without control characters.  Since it came over the network, it
+// could otherwise flood or garble the user's terminal.
 std::string Shown(const std::string& text) {
   constexpr size_t kMax = 40;
   std::string shown;

@@ -17,8 +17,8 @@ std::string TopicPart(const std::string& sensor);
 
 class RobotTopics {
  public:
-  // Creates the topics, whose names begin with `space`/.  The rest of a name is "imu" and the like,
-  // or the name of a sensor.
+  // Creates the topics.  The name of a topic is `space`, "/", and either a word such as "imu" or
+  // the kind and name of a sensor, such as "touch/paw_sensor_left_fore_leg".
   RobotTopics(Bus* bus, const std::string& space, VirtualRobot* robot);
 
   // Publishes all sensors.  Called after each frame of 8 ms.  Returns "", or the reason why the

@@ -23,8 +23,8 @@ namespace openr_host {
 // "lab/aibo".  Returns an error text if not.
 std::string WrongNamespace(const std::string& name);
 
-// Prints messages about one robot.  The same text is printed once only, and at most kMax different
-// texts are printed.
+// Prints messages about problems of one robot with ROS 2.  A problem may come again with each
+// frame.  So the same text is printed once only, and at most kMax different texts are printed.
 class Ros2Complaints {
  public:
   using Say = std::function<void(const std::string& line)>;
@@ -34,7 +34,8 @@ class Ros2Complaints {
   Ros2Complaints(std::string robot, Say say) : robot_(std::move(robot)), say_(std::move(say)) {}
 
   void Add(const std::string& what);
-  // Prints how many further texts were not printed.  Called at the end of the run.
+  // Prints how many messages were left out after the first kMax texts.  Called at the end of the
+  // run.
   void SayHowManyMore() const;
 
  private:
@@ -48,20 +49,22 @@ class Ros2Link {
  public:
   using Say = Ros2Complaints::Say;  // prints a message
 
-  // Puts a JointClient into the network of each robot, through `options`.  The simulation is made
+  // Changes `options` so that the network of each robot gets a JointClient.  The simulation is made
   // from `options` later.  If a recorder is to record the commands, it must be in `options`
-  // already.  `space` is the namespace; several robots have their number after it.  `bus` and this
-  // object must outlive the simulation.
+  // already.  `space` is the namespace of the robot's topics; with several robots, the namespace of
+  // each is `space` followed by the robot's number.  `bus` and this object must outlive the
+  // simulation.
   Ros2Link(Bus* bus, std::string space, SimulationOptions* options, Say say);
   Ros2Link(const Ros2Link&) = delete;
   Ros2Link& operator=(const Ros2Link&) = delete;
 
   // Begins to publish.  Called when the simulation has been made.
   void Begin(Simulation* simulation);
-  // Publishes clock and sensors, and gives commands that have come to the robots.  Called after
-  // each frame of 8 ms.
+  // Publishes clock and sensors, and passes the commands that ROS 2 has sent on to the robots.
+  // Called after each frame of 8 ms.
   void AfterFrame();
-  // Prints how many messages were not printed.  Called when the run is over.
+  // Prints, for each robot, how many messages Ros2Complaints left out.  Called when the run is
+  // over.
   void End();
 
  private:
