@@ -14,7 +14,7 @@ class ConsoleFeed {
   // given at the start of the run.  Throws std::runtime_error when the file cannot be read.
   explicit ConsoleFeed(const std::string& file);
 
-  // Gives the input that has come to each robot of `system`.
+  // Gives the input that has come since the last call to every robot of `system`.
   void Feed(System* system);
 
  private:

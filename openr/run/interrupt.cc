@@ -10,7 +10,8 @@ namespace {
 
 volatile sig_atomic_t g_count = 0;
 
-// Counts SIGINT, SIGTERM and SIGHUP.  The third of them ends the process.
+// Counts SIGINT, SIGTERM and SIGHUP.  The third signal, of whatever kind, ends the process at once,
+// in case the run hangs.
 void OnInterruptSignal(int) {
   g_count = g_count + 1;
   if (g_count < 3) return;
@@ -23,13 +24,15 @@ void OnInterruptSignal(int) {
 void Install(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  // The handler runs on the alternate stack, because an object may have used up its own stack.
+  // Our handler runs on the alternate signal stack, because the signal may interrupt an object that
+  // has used up its own stack.  SIG_DFL and SIG_IGN are no functions and need no stack.
   action.sa_flags = handler == &OnInterruptSignal ? SA_ONSTACK : 0;
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
 
-// Returns whether this process was started to ignore `signal`, as nohup does with SIGHUP.
+// Returns whether this process ignores `signal` from its start, as nohup makes it ignore SIGHUP.
+// The signal then stays ignored, because the user wants it so.
 bool IsIgnored(int signal) {
   struct sigaction action {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;

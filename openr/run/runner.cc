@@ -20,8 +20,8 @@
 namespace openr_host {
 namespace {
 
-// Time limit for the shutdown of all objects (DoStop, DoDestroy) after the pause button was
-// pressed.  A shutdown that takes longer ends the run.
+// Time limit for the shutdown of all objects (DoStop, DoDestroy), counted from kPauseUs after the
+// pause button was pressed.  A shutdown that takes longer may never complete, so the run ends.
 constexpr int64_t kShutdownMaxUs = 60'000'000;
 
 }  // namespace
@@ -143,10 +143,11 @@ double Runner::wall_time_s() const {
   return static_cast<double>(wall_time_ns_ + running_ns) / 1e9;
 }
 
-// Runs up to `stop_us`, no faster than the clock of this computer.  Applies results of other
-// processes as soon as they come.
+// Runs a free run up to the virtual time `stop_us`, no faster than the clock of this computer.
+// While it waits for the clock, it applies the results of handlers in worker processes when they
+// come.
 void Runner::RunFreely(int64_t stop_us, Pacer* pacer) {
-  constexpr double kSliceUs = 1000;  // events between two frames are at most so late
+  constexpr double kSliceUs = 1000;  // longest wait in `pump`; events of that time come so late
   System& system = simulation_->system();
   while (!system.powered_off()) {
     const int64_t clock_us = pacer->TimeNow(system.now_us());
@@ -171,8 +172,8 @@ bool Runner::Run() {
     if (plan_.pump) {
       RunFreely(stop_us, &pacer);
     } else {
-      // After the pause button the run does not wait for the clock, because the user waits for its
-      // end.
+      // After the pause button was pressed, the run does not wait for the clock any more, because
+      // the user wants the run to end.
       if (paused_us_ < 0) pacer.WaitFor(stop_us);
       system.RunUntil(stop_us);
     }
@@ -180,8 +181,8 @@ bool Runner::Run() {
   }
   if (end) system.NoteRunEnd(*end);
   system.trace().RemoveSink(activity_sink_);
-  // Objects that wait in vain are reported.  Those of a robot that is off wait for nothing, so this
-  // is done only while a robot is on.
+  // Reports objects that wait in vain, for example for an observer that never asks for more data
+  // (runtime/core/stalls.h).  When all robots are off, no object waits any more.
   if (!system.powered_off()) {
     const bool is_silent = plan_.until_idle && system.now_us() - last_activity_us_ >= kIdleUs;
     ReportStalls(&system, is_silent);

@@ -28,17 +28,19 @@ struct RunPlan {
   std::string stdin_file;                            // see ConsoleFeed
   std::function<void(const std::string& line)> say;  // prints a message for the user
   Recorder* recorder = nullptr;                      // records input; null: none
-  // For runs that do not wait for the handlers of other processes: waits at most `timeout_us` for
-  // results of these handlers and applies them.  Called instead of sleeping.  REQUIRES: rate > 0.
+  // Only for a free run, in which virtual time goes on while handlers run in worker processes.
+  // Waits at most `timeout_us` for results of these handlers and applies them.  Called instead of
+  // sleeping.  REQUIRES: rate > 0.
   std::function<void(int64_t timeout_us)> pump;
   std::function<void()> after_frame;  // called after each frame; may be null
 };
 
-// Objects are quiet when for so long no message of an object of the stick was delivered.  A ready
-// for more sensor values does not count, because that goes on for ever.
+// Virtual time without activity after which a run with --until-idle ends.  Activity is a message
+// from an object of the stick, other than one that asks for sensor values (IsActivity()).
 constexpr int64_t kIdleUs = 1'000'000;
 
-// Time that objects have to shut the robot down after the pause button.  Then openr does it.
+// Virtual time that objects have to shut the robot down after the pause button was pressed.  If
+// none has done so by then, the runner shuts all robots down.
 constexpr int64_t kPauseUs = 1'000'000;
 
 class Runner {
@@ -46,17 +48,18 @@ class Runner {
   Runner(Simulation* simulation, RunPlan plan, const InterruptCounter* interrupts);
 
   // Boots the robots and runs until the run is over.  Returns false when a picture could not be
-  // taken.  A picture for a time after the end is an error finding.
+  // taken.  If a picture was wanted for a time after the end, adds an error to the findings.
   bool Run();
 
-  // Returns how long the run has taken by the clock of this computer, without the pictures.
+  // Returns how long the run has taken by the clock of this computer.  The time for drawing
+  // pictures is left out, because it says nothing about the speed of the simulation.
   double wall_time_s() const;
   const std::vector<StandingMonitor>& standing() const { return standing_; }
 
  private:
   void WatchActivity();
   // Returns the reason if the run is over; none if it goes on.  Also returns none when all robots
-  // are off, because they have noted the reason themselves.
+  // are off, because the System has then noted the reason already.
   std::optional<RunEnd> WhyOver() const;
   int64_t NextStop() const;
   void AfterFrame();

@@ -7,7 +7,8 @@ class System;
 struct Message;
 
 // Returns whether `message` shows that an object of the stick does something: the object has sent
-// it.  A ready to a system object does not count, because objects ask for sensor values for ever.
+// it.  A ready message to a system object does not count: with it an object asks the robot for the
+// next sensor values, which programs do for ever, even when they have nothing else to do.
 bool IsActivity(const System& system, const Message& message);
 
 }  // namespace openr_host

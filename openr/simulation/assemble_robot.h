@@ -15,7 +15,8 @@ namespace openr_host {
 
 class System;
 
-// Returns the body that `kind` names: "ode" or "ideal"; null for any other name.
+// Returns the body that `kind` names: "ode" (simulated by the physics engine ODE) or "ideal"
+// (joints follow their commands exactly); null for any other name.
 std::unique_ptr<Body> MakeBody(const std::string& kind, const RobotModel& model,
                                const World& world);
 
@@ -38,8 +39,8 @@ struct AssembledRobot {
   IpStack* ip_stack = {};
 };
 
-// Adds a robot with the parts `parts` to `system`, without the objects of its stick.  `model` must
-// outlive `system`.
+// Adds a robot with the parts `parts` to `system`.  The objects of its stick are not part of it;
+// LoadStick() adds them later.  `model` must outlive `system`.
 AssembledRobot AssembleRobot(System* system, const RobotModel& model, RobotEquipment parts);
 
 }  // namespace openr_host

@@ -15,7 +15,8 @@ class Network;
 
 // Returns a network that uses sockets of this computer.  `rc_port` is the port for the remote
 // control; 0: any free port; -1: the robot's own port or, if that is taken, the next free one.
-// `addresses` says which address of this computer stands for an address in programs.
+// Each pair in `addresses` names an address that the robot's programs use and the address that this
+// computer uses in its place.
 std::unique_ptr<Network> MakeHostNetwork(int rc_port, std::vector<AddressPair> addresses);
 
 // Returns the reason why the remote control cannot listen on port `rc_port`; "" if it can.

@@ -11,12 +11,15 @@ class Pacer {
   // `rate` is virtual seconds per real second; 0: as fast as possible.
   explicit Pacer(double rate) : rate_(rate) {}
 
-  // Sleeps until the run may reach virtual time `time_us`, or until a signal comes.  A run that is
-  // more than 0.1 s late does not catch up: it goes on at `rate` from there.
+  // Sleeps until the clock of this computer lets the run go on to the virtual time `time_us`, or
+  // until a signal comes.  A run that is more than 0.1 s late does not catch up, because the robot
+  // would then move too fast for a while: it goes on at `rate` from there.
   void WaitFor(int64_t time_us);
 
-  // Returns the virtual time that the run may have now; it has reached `reached_us`.  A run that is
-  // more than 0.1 s late gets `reached_us` and goes on at `rate` from there.  REQUIRES: rate > 0.
+  // Returns the virtual time to which the run may go on now, by the clock of this computer.
+  // `reached_us` is the virtual time that the run has reached.  If this is more than 0.1 s late,
+  // returns `reached_us`, so that the run does not catch up but goes on at `rate` from there.
+  // REQUIRES: rate > 0.
   int64_t TimeNow(int64_t reached_us);
 
  private:

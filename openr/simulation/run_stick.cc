@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 constexpr char kCrashLog[] = "EMON.LOG";
 
 // Returns the file for the crash record in the program's cache folder, and creates the folder.
-// Ignores errors: if a crash comes, writing the record fails and says why.
+// Ignores errors, because most runs need no record.  If a crash comes, writing the record fails and
+// says why.
 std::string CrashLogInCache() {
   const fs::path folder = CacheFolder();
   std::error_code error;

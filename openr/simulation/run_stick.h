@@ -26,7 +26,8 @@ class RunStick {
   // Returns the folder that this run uses: the original stick or its copy.
   const std::string& folder() const { return folder_; }
 
-  // Returns the file for a crash record.  The file may be impossible to write.
+  // Returns the path of the file for a crash record.  The file is written only when a crash comes;
+  // if that fails, the program says why on standard error.
   const std::string& crash_log() const { return crash_log_; }
 
   // Returns whether the run uses the default stick.  Then the crash record is in the cache folder,

@@ -60,8 +60,8 @@ std::unique_ptr<Body> BodyOf(const std::string& kind, const RobotModel& model, c
   return body;
 }
 
-// Returns the options of a robot's devices.  Files for sound and pictures go to the first robot
-// only.
+// Returns the options of a robot's devices.  Only the first robot gets the files for sound and
+// pictures, because `options` names one file or folder of each kind.
 VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
   VirtualRobotOptions devices = DevicesWithBattery(options.battery);
   if (!is_first) return devices;
@@ -77,7 +77,8 @@ VirtualRobotOptions DevicesOf(const SimulationOptions& options, bool is_first) {
 std::string StickFolder(const std::string& wanted) {
   if (wanted.empty()) return DefaultStick();
   std::error_code error;
-  // Locate() finds OPEN-R in upper or lower case, as on a stick.
+  // Locate() ignores upper and lower case, as a Memory Stick does, so a folder "open-r" is good
+  // too.
   const MemoryStick::Location root = FolderStick(wanted).Locate("/MS/OPEN-R");
   if (root.exists && std::filesystem::is_directory(root.path, error)) return wanted;
   if (root.error != 0 && root.error != ENOENT) {
@@ -127,8 +128,8 @@ void Simulation::AddRobot(const SimulationOptions& options, int index) {
     loaded_ = false;
 }
 
-// Adds a note if the battery is almost empty at boot.  Users expect that it ends the run, but it
-// does not.
+// Adds a note if the battery is almost empty at boot.  Users expect that such a battery ends the
+// run, but it does not, because objects hear only of a battery that becomes low during the run.
 void Simulation::NoteALowBattery(const std::string& text) {
   Battery battery;
   ParseBattery(text, &battery);

@@ -46,18 +46,21 @@ struct SimulationOptions {
   // The port of this computer for the first robot's remote control; 0: any free port; -1: the
   // robot's own port or, if that is taken, the next free one.
   int rc_port = -1;
-  // Each pair says which address of this computer stands for an address in programs.  These pairs
-  // have precedence over those in HOSTADDR.CFG of the stick.
+  // Each pair names an address that the robots' programs use and the address that this computer
+  // uses in its place.  These pairs have precedence over those in HOSTADDR.CFG of the stick.
   std::vector<AddressPair> addresses;
   std::function<void(std::string_view)> console;
-  // Returns what replaces images of a robot's stick by other objects; see LoadStick().
+  // Returns functions that LoadStick() calls instead of loading certain images of a robot's stick.
+  // A distributed run has them, because some of its objects run in other processes.
   std::function<StandIns(System*, int robot)> stand_ins;
-  // Makes a network that stands between a robot's IPStack and the given network, and returns it.
+  // Called for each robot with the robot's number and network.  Returns a network that the robot
+  // uses instead, and that usually passes calls to the given one.  Recording, replay and ROS 2 use
+  // it.
   std::function<std::unique_ptr<Network>(int robot, std::unique_ptr<Network>)> network_filter;
 };
 
-// Returns the folder of the stick for SimulationOptions::stick `wanted`.  Throws std::runtime_error
-// if it is not a stick.
+// Returns the folder of the default stick if `wanted` (SimulationOptions::stick) is "", otherwise
+// `wanted`.  Throws std::runtime_error if `wanted` holds no folder OPEN-R or cannot be read.
 std::string StickFolder(const std::string& wanted);
 
 class Simulation {

@@ -25,7 +25,8 @@ class StandingMonitor {
   void Sample(const BodyState& state, int64_t now_us);
 
   // Returns whether all paws touch the floor, height and attitude are those of the posture, and the
-  // trunk has been slower than kSpeedMaxMs for kCalmUs.
+  // trunk has been slower than kSpeedMaxMs for kCalmUs.  Without this last condition, a robot that
+  // only passes through the posture while it moves would count as standing.
   bool standing() const { return upright_ && calm_us_ >= kCalmUs; }
 
  private:
