@@ -87,15 +87,16 @@ struct BenchOptions {
   std::string body = "none";          // "none"; "ideal": joints follow exactly; "ode": physics
   std::string robot = "ers210";       // name of a model
   std::string world = "";             // a world file; "": a flat floor
-  // The battery.  "drain": full at boot; "100%": stays full; "N%": N percent at boot.
+  // The charge of the battery.  "drain": full at boot, then it drains as on the robot (empty after
+  // 90 minutes).  "100%": always full.  "N%": N percent at boot, then it drains.
   std::string battery = "drain";
   uint64_t seed = SeedOfEnvironment();
   bool strict = false;  // whether the limits of the robot (memory, stack) are enforced
   // The virtual time that handlers take; null: handlers take none.
   std::shared_ptr<openr_host::CostModel> cost = {};
-  // Gives objects read-only copies of the data that they receive, to find wrong uses.  A copy is
-  // unmapped when its receiver asserts ready.  A write to a copy crashes at that line.  A later use
-  // of the copy is an error finding or a crash.
+  // Gives observers read-only copies of the data that they receive, to find two mistakes.  A write
+  // to received data crashes at the line that writes.  A use of data after the observer has given
+  // them back with AssertReady() is an error finding or a crash, because the copy is unmapped then.
   bool guard_regions = false;
   bool measure_stacks = false;  // measures how much stack each object uses: Object::stack_max
   bool allow_threads = false;  // allows other threads in the process; they must not touch the bench
@@ -121,7 +122,8 @@ class Bench {
   // cannot be loaded.
   openr_host::Object& AddImage(const std::string& file);
 
-  // Adds an object of class T, a CodeObject: its code is in the test and not in an image.
+  // Adds an object of class T, which derives from CodeObject.  Its code is in the test and not in
+  // an image.
   template <typename T, typename... Args>
   T& Add(const std::string& name, Args&&... args) {
     return *system().AddObject<T>(0, name, std::forward<Args>(args)...);
@@ -132,9 +134,10 @@ class Bench {
   // Connects a subject with an observer by their full names, like a line of CONNECT.CFG.
   void Wire(const std::string& subject, const std::string& observer);
 
-  // Watch() adds a probe that receives from the subject `subject`.  Feed() adds a probe that sends
-  // to the observer `observer`.  Both connect the probe.  If the object is on the bench already,
-  // the first parts of the service's name are enough ("Blinker.Light").
+  // Watch() adds a probe, which receives what the subject `subject` sends.  Feed() adds a probe,
+  // which sends to the observer `observer`.  Both connect the probe with that service.  If the
+  // object with the service is on the bench already, the first parts of the service's name are
+  // enough ("Blinker.Light").
   ProbeObserver& Watch(const std::string& subject);
   ProbeSubject& Feed(const std::string& observer);
 
@@ -152,26 +155,30 @@ class Bench {
   // when there is no message.
   bool Step(Place place = Place::Here());
 
-  // Runs until the next handler of an object ("JointMover") or of a service ("JointMover.Mover")
-  // has returned or waits for a reply.  With `spec`: until the handler of the next message that
-  // fits `spec` has.
+  // Runs until an object ("JointMover") or a service ("JointMover.Mover") has handled its next
+  // message, or waits for a reply in its handler.  The second function does the same for the next
+  // message that fits `spec`.  Both report a failure if no such message comes within `budget` of
+  // virtual time.
   bool StepTo(const std::string& end, Duration budget = 10s, Place place = Place::Here());
   bool StepTo(const MessageSpec& spec, Duration budget = 10s, Place place = Place::Here());
-  // Runs until the handler of message `number` has returned.  Failures print numbers of messages,
-  // so this function goes to the place of a failure.
+  // Runs until the handler of the message with this number has returned.  Failures print the
+  // numbers of messages, so with this function a test can stop where it failed.
   bool StepToMessage(uint64_t number, Place place = Place::Here());
 
   bool RunFor(Duration duration, Place place = Place::Here());
-  // Runs until `predicate`, which is called after every message, returns true.
+  // Runs until `predicate`, which is called after every message, returns true.  Reports a failure
+  // if that takes longer than `budget` of virtual time.
   bool RunUntil(const std::function<bool()>& predicate, Duration budget,
                 Place place = Place::Here());
-  // Runs until all messages of Expect() have come.
+  // Runs until all messages of Expect() have come.  If that takes longer than `budget` of virtual
+  // time, reports a failure at the line of the first Expect() that was not met.
   bool RunUntilMet(Duration budget, Place place = Place::Here());
 
-  // Runs to the next boundary of a frame of 8 ms, and delivers everything that is due there.
+  // Runs through the next `count` frame boundaries (one every 8 ms of virtual time), and delivers
+  // everything that is due at the last of them.
   bool Frame(int count = 1, Place place = Place::Here());
-  // Runs to the end of the next sensor vector (4 frames), and delivers everything that is due then.
-  // Needs a body.
+  // Runs to the end of the `count`-th sensor vector from now, and delivers everything that is due
+  // then.  A sensor vector holds 4 frames of the body.  Needs a body (BenchOptions::body).
   bool SensorVector(int count = 1, Place place = Place::Here());
   // Runs until the body has made one more step.  Stops before any object receives data of that
   // step.  Needs a body.
@@ -179,16 +186,17 @@ class Bench {
 
   // ---- Interfering
 
-  // Posts a message as if its sender had posted it.  Sender and receiver must be connected objects
-  // of the bench.  Notify("Blinker.Light", "Eye.Light"): Eye receives `data` whether it is ready or
-  // not.  ToEntry("Blinker", "Alarm").From("Clock"): `data` are the bytes of the message.
+  // Posts a message with the data `data`, as if its sender had posted it.  With
+  // Notify("Blinker.Light", "Eye.Light"), the two services must be connected, and Eye receives
+  // `data` even if it is not ready.  With ToEntry("Blinker", "Alarm").From("Clock"), the message
+  // consists of the bytes of `data`.
   template <typename T>
   bool Inject(const MessageSpec& spec, const T& data, Place place = Place::Here()) {
     static_assert(std::is_trivially_copyable_v<T>, "what objects send each other is plain data");
     return InjectBytes(spec, {reinterpret_cast<const char*>(&data), sizeof data}, place);
   }
-  // Posts a message without data: Ready("Eye.Light", "Blinker.Light"), NotReady(...), or to an
-  // entry.
+  // Posts a message without data.  `spec` is Ready("Eye.Light", "Blinker.Light"), a NotReady() with
+  // the same names, or a ToEntry().
   bool Inject(const MessageSpec& spec, Place place = Place::Here()) {
     return InjectBytes(spec, {}, place);
   }
@@ -198,8 +206,8 @@ class Bench {
   // object starts next, and which object gets its message first of those due at the same time.
   void Reorder(std::vector<std::string> objects, Place place = Place::Here());
 
-  // Hold(), Drop() and Refuse() make the test fail if no fitting message ever comes.  Optional()
-  // allows that: bench.Drop(Notify("Blinker.Light")).Optional().
+  // Hold(), Drop() and Refuse() make the test fail if too few fitting messages come.  Optional()
+  // lets it pass then: bench.Drop(Notify("Blinker.Light")).Optional().
 
   // Keeps back, from now on, messages that fit `spec`, until the test releases them.
   HeldMessages& Hold(const MessageSpec& spec, Place place = Place::Here());
@@ -243,14 +251,15 @@ class Bench {
     expectations_.set_strict(strict, place);
   }
 
-  // Expects an error finding of the runtime with a text that matches `text`.  The test fails if
-  // another error finding comes, or if an expected one does not come.
+  // Expects that the runtime finds an error of an object (an error finding), with a text that
+  // `text` matches.  The test fails if no such finding comes.  It also fails at every error finding
+  // that it does not expect.
   void ExpectFinding(::testing::Matcher<const std::string&> text, Place place = Place::Here());
   void AllowFindings() { findings_allowed_ = true; }
 
-  // Reports a failure for everything that the test expects and that has not happened: messages,
-  // findings, and steps of network clients.  Forgets these expectations, so that they fail once
-  // only.
+  // Reports a failure for everything that the test has asked for and that has not happened:
+  // expected messages and findings, messages to hold, drop or refuse, and steps of network clients.
+  // Reports each of these only once.
   void Verify();
 
   // ---- Looking
@@ -273,8 +282,8 @@ class Bench {
   openr_host::VirtualRobot& dog() const;
   const openr_host::RobotModel& model() const { return *model_; }
 
-  // Presses the pause button on the dog's back.  That cuts the motor power and sets a bit that
-  // objects can watch.  Needs a body.
+  // Presses the pause button on the dog's back.  That cuts the motor power and sets the pause bit
+  // of the power status, which objects can watch.  Needs a body.
   void PressPause();
 
   BenchStick& stick() { return *stick_; }
@@ -299,8 +308,9 @@ class Bench {
   // they wait for, and how to repeat the run.
   std::string Story() const;
 
-  // Gives the bench a copy of its stick.  Snapshot calls OnCopied() in each copy of the process, so
-  // that copies share no files.
+  // Makes this bench independent of the bench in the original process: copies its stick and notes
+  // the running test.  Snapshot calls OnCopied() in each copy of the process, because copies must
+  // share no files.
   void OnCopied();
 
  private:
@@ -320,16 +330,18 @@ class Bench {
   // Returns the full names of all services of the objects on the bench.
   std::vector<std::string> KnownServices();
   // Returns the full name of the service whose full name, or first parts, are `name`.  `direction`
-  // is 'S' for a subject, 'O' for an observer.  Throws std::invalid_argument when no service fits,
-  // or several do.
+  // is 'S' for a subject, 'O' for an observer.  If only services of the other direction fit,
+  // returns one of them, so that the caller can say so.  Throws std::invalid_argument when no
+  // service fits, or several do.
   std::string FullName(const std::string& name, char direction);
-  // Adds a probe with one service: the other end for the service `given`.  Connects the two ends.
-  // Returns the probe and the full name of its service.
+  // Adds a probe with one service, a subject if `direction` is 'S' and an observer if it is 'O'.
+  // Connects it with `given`, a service of the other direction.  Returns the probe and the full
+  // name of its service.
   std::pair<Probe*, std::string> AddOtherEnd(const std::string& given, char direction);
 
-  // Runs the function `run`.  Meanwhile refuses objects new threads and sockets, because these
-  // would make runs differ.  Reports refusals and error findings as failures.  Returns false if
-  // there were any.
+  // Calls `run`, which lets the robot run.  Meanwhile refuses objects new threads and sockets,
+  // because with these no run would repeat.  Reports each refusal, and each error that the runtime
+  // has found in an object, as a failure.  Returns false if there were any.
   bool Control(const Place& place, const std::function<void()>& run);
   bool ReportFindings(const Place& place);
   void AllowFinding(size_t index) { told_.insert(index); }
@@ -339,7 +351,7 @@ class Bench {
   void See(const openr_host::Message& message);
 
   // Reports a failure if `spec` names an object or a service that does not exist.  Before Boot()
-  // not all services are known; then Boot() makes the check.
+  // not all services are known, so the check is put off until Boot().
   bool CheckNames(const MessageSpec& spec, const Place& place);
   bool CheckName(const std::string& name, const Place& place);
 

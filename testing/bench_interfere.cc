@@ -50,9 +50,9 @@ bool Bench::CheckName(const std::string& name, const Place& place) {
 
 // ---- Injecting
 
-// Returns whether the subject is connected with the observer; reports a failure if not.  The
-// selectors in both are the numbers of their handlers: Ready of the subject, Notify of the
-// observer.
+// Returns whether `subject` is connected with `observer`; reports a failure at `place` if not.  An
+// end of a connection is stored as the number of its handler: Ready of a subject, Notify of an
+// observer.  ServiceEnd::selector holds this number.
 bool Bench::AreConnected(const ServiceEnd& subject, const ServiceEnd& observer,
                          const Place& place) {
   const OServiceEntry observer_id(OidOf(observer.object), observer.selector);

@@ -1,5 +1,6 @@
-// BenchSchedule, the order of messages on a bench.  The seed gives the order, until a test asks for
-// another one, for delays or for refusals.
+// BenchSchedule decides the order of messages on a bench where the robot leaves it open, such as
+// which of two objects gets a message first.  The seed decides, unless the test prefers an object.
+// A test can also delay or refuse messages.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ class RefusedMessage {
   RefusedMessage(MessageSpec spec, uint64_t nth, const Place& place)
       : spec_(std::move(spec)), nth_(nth), place_(place) {}
 
-  // Says that the test does not fail if the message never comes.
+  // Lets the test pass even if the message never comes.
   RefusedMessage& Optional() { return is_optional_ = true, *this; }
 
   bool happened() const { return matches_ == nth_; }
@@ -43,8 +44,9 @@ class BenchSchedule : public openr_host::Schedule {
  public:
   BenchSchedule(openr_host::System* system, uint64_t seed);
 
-  // Sets which object is next when the robot leaves the order open.  Objects at the front of
-  // `objects` come before those behind them, and before all objects that are not in it.
+  // Sets the objects that go first where the robot leaves the order open (Schedule::Question).  The
+  // first of `objects` goes before the second, and so on.  All other objects come after them, in
+  // the order that the seed gives.
   void Prefer(std::vector<std::string> objects) { preferred_ = std::move(objects); }
 
   // Delivers, from now on, messages that fit `spec` later by `extra_us`; 0 ends the delay.
@@ -54,8 +56,8 @@ class BenchSchedule : public openr_host::Schedule {
     return refused_.emplace_back(std::move(spec), nth, place);
   }
 
-  // Reports a failure for each message that was to be refused and never came; for each message
-  // once.
+  // Reports a failure for each message that Refuse() named and that never came.  Reports each of
+  // them only once.
   void Verify(const ReportAt& report);
 
   size_t Choose(Question question, const std::vector<openr_host::ObjectId>& candidates) override;

@@ -8,7 +8,7 @@
 namespace openr::testing {
 
 // While a ControlledScope exists on a thread, code on this thread cannot create threads or sockets.
-// The scope remembers each try.
+// A bench has a scope while it lets the robot run.
 class ControlledScope {
  public:
   ControlledScope();
@@ -16,12 +16,13 @@ class ControlledScope {
   ControlledScope(const ControlledScope&) = delete;
   ControlledScope& operator=(const ControlledScope&) = delete;
 
-  // Returns the refused tries in order, as "Blinker, in Alarm (message #45), asked for a thread".
+  // Returns the refused requests in order, as "Blinker, in Alarm (message #45), asked for a
+  // thread".
   const std::vector<std::string>& refused() const { return refused_; }
 
-  // Returns true, and remembers the try, if this thread has a ControlledScope; returns false if it
-  // has none.  `what` is "a thread" or "a socket of the host".  Called by our pthread_create() and
-  // socket(), which fail when the result is true.
+  // Returns whether a ControlledScope exists on the calling thread.  If so, adds to refused() that
+  // the running object asked for `what`: "a thread" or "a socket of the host".  Our
+  // pthread_create() and socket() call this function, and fail if the result is true.
   static bool Refuse(const char* what);
 
  private:
@@ -32,7 +33,8 @@ class ControlledScope {
 // Returns the number of threads of this process.
 int ThreadCount();
 
-// Notes that the process has created a thread.  Called by our pthread_create().
+// Notes that the process has created a thread.  Until then ThreadCount() returns 1 without
+// counting.  Called by our pthread_create().
 void NoteThread();
 
 }  // namespace openr::testing

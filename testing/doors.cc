@@ -43,7 +43,8 @@ bool HeldMessages::Take(OwnedMessage* message) {
   return true;
 }
 
-// Messages are put back at the head of the queue, so the last one is put back first.
+// Messages are put back at the head of the queue.  So the newest one is put back first, which keeps
+// their order.
 void HeldMessages::Release() {
   is_open_ = true;
   for (; !messages_.empty(); messages_.pop_back()) system_->Readmit(std::move(messages_.back()));

@@ -26,7 +26,7 @@ class HeldMessages {
 
   size_t count() const { return messages_.size(); }
 
-  // Says that the test does not fail if no message was ever held.
+  // Lets the test pass even if no message is ever held.
   HeldMessages& Optional() { return is_optional_ = true, *this; }
 
   // Releases all held messages, the oldest first, and holds no more messages.
@@ -64,7 +64,7 @@ class DroppedMessages {
 
   int count() const { return static_cast<int>(texts_.size()); }
 
-  // Says that the test does not fail if fewer messages were dropped than Drop() asked for.
+  // Lets the test pass even if fewer messages are dropped than Drop() asked for.
   DroppedMessages& Optional() { return is_optional_ = true, *this; }
   const std::vector<std::string>& texts() const { return texts_; }
 
@@ -88,8 +88,8 @@ class Doors : public openr_host::Gate {
     return dropped_.emplace_back(std::move(spec), count, place);
   }
 
-  // Reports a failure for each Hold() that never held a message, and each Drop() that dropped too
-  // few.  Reports each of them once.
+  // Reports a failure for each Hold() that never held a message, and for each Drop() that dropped
+  // fewer messages than it was to drop.  Reports each of them only once.
   void Verify(const ReportAt& report);
 
   openr_host::OwnedMessage Admit(openr_host::OwnedMessage message) override;

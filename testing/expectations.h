@@ -53,7 +53,8 @@ class Expectations {
     bool reported = false;
   };
 
-  // Stores `message` as `early` or `other` of each expectation that it almost fits.
+  // Notes `message` for the text of a failure in each expectation that it almost fits: in `early`
+  // if it came before its turn, in `other` if only its payload does not fit.
   void Compare(const SeenMessage& message);
   void SeeUnexpected(const SeenMessage& message, const Report& report);
 

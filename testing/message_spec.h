@@ -1,12 +1,12 @@
 // MessageSpec, a description of messages.  All functions of a bench that concern messages take one.
 //
-//   Notify("Blinker.Blink", "Eye.Light")                     data over that connection
-//   Notify("Blinker.Blink").With(Data<int>(Gt(3)))           with a payload, to anybody
-//   Ready("Eye.Light", "Blinker.Blink")                      AssertReady() of an observer
-//   ToEntry("Blinker", "Alarm")                              an extra entry, DoStart, ...
+//   Notify("Blinker.Blink", "Eye.Light")            data that Blinker sends to Eye
+//   Notify("Blinker.Blink").With(Data<int>(Gt(3)))  data above 3 that Blinker sends to anybody
+//   Ready("Eye.Light", "Blinker.Blink")             AssertReady() of the observer Eye.Light
+//   ToEntry("Blinker", "Alarm")                     a message for another handler, as for DoStart
 //
-// Sender and receiver are an object ("Blinker") or a service ("Blinker.Blink", or its full name).
-// "" stands for any of them.
+// A sender or receiver is named by its object ("Blinker") or by its service ("Blinker.Blink", or
+// the full name).  An empty name fits every sender or receiver.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -30,7 +30,8 @@ class MessageSpec {
  public:
   explicit MessageSpec(std::optional<MessageKind> kind = {}) : kind_(kind) {}
 
-  // From(), To(), ToEntry() and With() return a copy of this description with one more condition.
+  // From(), To(), ToEntry() and With() return a copy of this description with one more condition:
+  // on the sender, on the receiver, on the name of the receiver's handler, or on the payload.
   MessageSpec From(std::string end) const;
   MessageSpec To(std::string end) const;
   MessageSpec ToEntry(std::string name) const;
@@ -162,14 +163,14 @@ PayloadMatcher Data(M matcher) {
       new DatumMatcher<T>(::testing::SafeMatcherCast<const T&>(std::move(matcher))));
 }
 
-// Matches a message whose data, as a vector of T, `matcher` accepts.
+// Matches a message if `matcher` accepts its data, given as a std::vector<T>.
 template <typename T, typename M>
 PayloadMatcher DataAre(M matcher) {
   return ::testing::MakeMatcher(
       new DataMatcher<T>(::testing::SafeMatcherCast<const std::vector<T>&>(std::move(matcher))));
 }
 
-// Matches a message with exactly one datum: a text, up to its first NUL, that `matcher` accepts.
+// Matches a message with exactly one datum, if `matcher` accepts it as a text up to its first NUL.
 PayloadMatcher Text(::testing::Matcher<const std::string&> matcher);
 
 }  // namespace openr::testing

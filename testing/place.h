@@ -20,12 +20,13 @@ struct Place {
 // A function that reports a failure: its line in the test and its text.
 using ReportAt = std::function<void(const Place&, const std::string&)>;
 
-// Adds a failure of the running test that points to `place`.  The test goes on.
+// Adds a nonfatal failure, which points to the line `place`, to the running test.
 void Fail(const Place& place, const std::string& text);
 
-// Returns whether the running test has failed fatally.  A process that was copied for a test (see
-// RunInCopy()) counts only failures in the copy.
+// Returns whether the running test has failed fatally, as with ASSERT_EQ().  In a copy of the
+// process (RunInCopy()) GoogleTest does not know that, because failures are sent to the original
+// process.  So the copy calls NoteFatalFailure() for each of them.
 bool FailedFatally();
-void NoteFatalFailure();  // called in such a copy
+void NoteFatalFailure();
 
 }  // namespace openr::testing

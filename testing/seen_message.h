@@ -27,11 +27,12 @@ const char* WordFor(MessageKind kind);
 
 class SeenMessage {
  public:
-  // REQUIRES: `system` outlives this object, and `message` still exists when data() is called.
-  // Past() gives a copy without that second condition.
+  // REQUIRES: `system` outlives this object.  `message` must still exist when data() or
+  // data_count() is called; only a copy from Past() can do without it.
   SeenMessage(const openr_host::System& system, const openr_host::Message& message);
 
-  // Returns a copy without the data.  It can be used after the message has been delivered.
+  // Returns a copy without the data.  The copy can be used after the delivery, when the message no
+  // longer exists.
   SeenMessage Past() const;
 
   uint64_t number() const { return number_; }  // 0: not numbered yet, or refused
@@ -48,11 +49,12 @@ class SeenMessage {
   };
   End from() const;
   End to() const;
-  // Returns the name of the receiver's handler: "DoStart", "notify", "Alarm".
+  // Returns the name of the receiver's handler, such as "DoStart" or "Alarm".  For a message of a
+  // connection or a reply, returns the word of WordFor() instead, such as "notify".
   std::string entry() const;
 
-  // Returns how many data a notification has.  Other messages have one (their bytes) or none, and a
-  // copy of Past() has none.
+  // Returns the number of data in the message.  A notification may have several.  Any other message
+  // has one, the bytes of its payload, or none.  A copy from Past() has none.
   int data_count() const;
   // Returns the bytes of datum `i`.  REQUIRES: 0 <= i < data_count().
   std::string_view data(int i) const;

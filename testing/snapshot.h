@@ -28,8 +28,8 @@
 namespace openr::testing {
 
 // Runs `body` in a copy of this process.  Failures of the copy, and its crash, are failures of the
-// running test.  Reports a failure, and does not run `body`, if this process has more than one
-// thread.
+// running test.  If this process has more than one thread, reports a failure and does not run
+// `body`, because fork() copies only the calling thread.
 void RunInCopy(const std::function<void()>& body, const Place& place);
 
 // A state from which several tests go on, each in a copy of the process.  World is any type, such
@@ -38,8 +38,8 @@ void RunInCopy(const std::function<void()>& body, const Place& place);
 template <typename World>
 class Snapshot {
  public:
-  // Takes the function `make`, which makes a World and brings it to the state.  The first test
-  // calls `make`, no later test does.  A null result means that the state was not reached.
+  // Takes the function `make`, which makes a World and brings it to the state.  Only the first test
+  // calls `make`.  If its result is null, the state was not reached, and Run() fails in every test.
   explicit Snapshot(std::function<std::unique_ptr<World>()> make) : make_(std::move(make)) {}
 
   void Run(const std::function<void(World&)>& test, Place place = Place::Here()) {

@@ -53,8 +53,8 @@ void Listen() {
 
 }  // namespace
 
-// Handlers for crashes and for object handlers that do not return.  Only the newest bench of the
-// process has them.
+// Prints the story when the process crashes, or when a handler of an object does not return.  Only
+// the newest bench of the process has these guards.
 struct StoryTeller::Guards {
   explicit Guards(int64_t handler_limit_us) : watchdog(handler_limit_us) {}
 

@@ -23,13 +23,14 @@ class StoryTeller {
   StoryTeller(const StoryTeller&) = delete;
   StoryTeller& operator=(const StoryTeller&) = delete;
 
-  // Starts the watchdog's timer again and notes the running test.  Called in a copy of the process,
-  // because a copy inherits no timer and may run another test.
+  // Starts again the timer that ends a handler at its limit of processor time, and notes the
+  // running test.  Called in a copy of the process, because a copy inherits no timer and may run
+  // another test.
   void OnCopied();
 
   // Returns `failure` followed by the story of the newest bench of the running test.  Returns
-  // `failure` unchanged if it has a story already, or if the test has no bench.  The bench of a
-  // Snapshot belongs to the test in the copy of the process only.
+  // `failure` unchanged if it has a story already, or if the test has no bench.  In a copy of the
+  // process, the bench of a Snapshot belongs to the test that runs in the copy.
   static std::string WithStory(const std::string& failure);
 
  private:

@@ -78,8 +78,9 @@ std::string TcpClient::WaitsFor() const {
   }
 }
 
-// Posts a message for the next frame boundary.  Its handler calls Poll(), which handles events of
-// the network and goes on with the script.
+// Posts a message to the client itself for the next frame boundary, because the client acts only
+// there.  The handler of the message calls Poll(), which handles events of the network and goes on
+// with the script.
 void TcpClient::PostPoll() {
   if (std::exchange(poll_posted_, true)) return;
   const openr_host::CurrentScope scope(&system(), &host());
@@ -123,7 +124,7 @@ void TcpClient::Take(const NetworkEvent& event) {
   }
 }
 
-// Does what is possible of `step` now.  Returns true when the step is finished.
+// Does what can be done of `step` at this frame boundary.  Returns true when the step is finished.
 bool TcpClient::Do(const Step& step) {
   const size_t left = heard_.size() - passed_;
   switch (step.kind) {

@@ -46,7 +46,7 @@ class TcpClient : public openr_host::CodeObject {
   std::string WaitsFor() const;
   // Returns the line of the test that added the step in which the script waits.  REQUIRES: !done().
   const Place& place() const;
-  // Drops the steps of the script that are not done.
+  // Drops the steps of the script that are not done, so that their failure is reported only once.
   void DropScript() { script_.clear(); }
 
   // ---- What happened
